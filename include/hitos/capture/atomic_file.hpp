@@ -1,0 +1,37 @@
+// The one way in which Hitos writes files: beside the target, then renamed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace hitos {
+
+/// Collects a file's content in a temporary sibling; commit() flushes it to disk and renames it
+/// over the target. Destroyed without commit, it leaves the target as it was and nothing beside
+/// it. Throws FileError with the system's reason on every failure.
+class AtomicFile {
+  public:
+    /// A path ending in .gz is compressed where `compress_gz` is set.
+    explicit AtomicFile(std::filesystem::path target, bool compress_gz = false);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    void write(std::string_view bytes);
+    void commit();
+
+  private:
+    [[noreturn]] void fail(const std::string& doing) const;
+
+    std::filesystem::path target_;
+    std::filesystem::path temporary_;
+    int descriptor_ = -1;
+    void* gzip_ = nullptr;  // gzFile, kept out of this header
+    std::string buffer_;
+};
+
+/// Writes a whole small file atomically.
+void write_file(const std::filesystem::path& target, std::string_view content);
+
+}  // namespace hitos

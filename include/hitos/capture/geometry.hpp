@@ -1,0 +1,65 @@
+// Points, poses and twists of the plane. Metres, radians, seconds. A pose named `pose_a_b` takes
+// coordinates in frame b to frame a.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace hitos {
+
+inline constexpr double kPi = std::numbers::pi;
+
+/// The angle modulo 2*pi in (-pi, pi]; by formula, so that a huge angle costs no loop. A
+/// non-finite angle gives NaN.
+inline double wrap_angle(double angle_rad) {
+    if (angle_rad > -kPi && angle_rad <= kPi) return angle_rad;
+    const double wrapped = std::remainder(angle_rad, 2.0 * kPi);  // in [-pi, pi]
+    return wrapped <= -kPi ? kPi : wrapped;
+}
+
+/// A point [m] in the frame that its name or owner states.
+struct Point2 {
+    double x = 0.0;
+    double y = 0.0;
+    friend bool operator==(const Point2&, const Point2&) = default;
+};
+
+/// Position [m] and heading [rad] of a frame in another one.
+struct Pose {
+    double x = 0.0;
+    double y = 0.0;
+    double theta = 0.0;
+    friend bool operator==(const Pose&, const Pose&) = default;
+};
+
+/// A velocity that is constant in the moving frame: forward [m/s], to the left [m/s], turn
+/// [rad/s]. A differential robot has no lateral part; logged poses that were rounded do.
+struct Twist {
+    double v = 0.0;
+    double v_lateral = 0.0;
+    double w = 0.0;
+    friend bool operator==(const Twist&, const Twist&) = default;
+};
+
+/// pose_a_c from pose_a_b and pose_b_c; the heading is wrapped to (-pi, pi].
+Pose compose(const Pose& pose_a_b, const Pose& pose_b_c);
+
+/// pose_b_a from pose_a_b.
+Pose inverse(const Pose& pose_a_b);
+
+/// pose_b_c from pose_a_b and pose_a_c, so that compose(pose_a_b, between) == pose_a_c.
+Pose between(const Pose& pose_a_b, const Pose& pose_a_c);
+
+/// The point's coordinates in frame a from those in frame b.
+Point2 transform(const Pose& pose_a_b, const Point2& point_b);
+
+/// The displacement in the starting frame after holding `twist` for `seconds`: the exponential
+/// map of SE(2). With v_lateral = 0 this is [T eq 7.17] seen from the starting pose, with its
+/// straight-line limit as w -> 0.
+Pose displacement(const Twist& twist, double seconds);
+
+/// The constant twist that makes exactly `pose_start_end` in `seconds` > 0 (|turn| <= pi): the
+/// logarithm of SE(2), the inverse of displacement().
+Twist twist_between(const Pose& pose_start_end, double seconds);
+
+}  // namespace hitos

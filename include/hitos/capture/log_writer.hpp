@@ -1,0 +1,28 @@
+// Writes a tour in any of the four formats.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "hitos/capture/fuente.hpp"
+#include "hitos/capture/scan.hpp"
+
+namespace hitos {
+
+/// Takes scans and odometry in the order of time and writes them to a file that appears, whole,
+/// at finish(). The poses that Player, radish and CARMEN log are the readings' twists summed from
+/// (0, 0, 0). Without finish() nothing is left behind.
+class LogWriter {
+  public:
+    virtual ~LogWriter() = default;
+    /// Throws FormatError where the scan cannot be said in the format (rays on no regular fan).
+    virtual void write(const Scan& scan) = 0;
+    virtual void write(const Odometria& odometry) = 0;
+    /// Throws FileError where the file cannot be put in place.
+    virtual void finish() = 0;
+};
+
+/// A path that ends in .gz is compressed. Throws FileError where the folder cannot be written.
+std::unique_ptr<LogWriter> make_log_writer(LogFormat format, const std::filesystem::path& path);
+
+}  // namespace hitos

@@ -1,0 +1,43 @@
+// One laser scan and one odometry reading, as every layer above sees them [T fig 9.2].
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hitos/capture/geometry.hpp"
+
+namespace hitos {
+
+/// The fan of rays a scanner sweeps: ray i of `count` lies at
+/// min_angle + i (max_angle - min_angle) / (count - 1), whatever resolution the log states.
+struct Fan {
+    double min_angle_rad = 0.0;
+    double max_angle_rad = 0.0;
+    std::uint32_t count = 0;
+    double max_range_m = 0.0;  ///< 0 where the log does not say
+    Pose pose_robot_laser;     ///< mounting of the laser; identity where the log does not say
+    friend bool operator==(const Fan&, const Fan&) = default;
+};
+
+/// One scan: the points that were hit, in the ROBOT frame [m] (the sensor frame moved by the
+/// mounting pose where the log gives one), in ray order. Rays without a usable reading leave no
+/// point but end a run of neighbours.
+struct Scan {
+    double time_s = 0.0;                     ///< stamp as logged
+    std::vector<Point2> points;              ///< robot frame, ray order
+    std::vector<std::uint32_t> run_starts;   ///< index of the first point of each run of neighbours
+    std::vector<std::uint32_t> rays;         ///< ray number of each point; empty: unknown
+    Fan fan;                                 ///< count == 0: unknown (normalised logs)
+    std::uint64_t line = 0;                  ///< 1-based line of the log
+    bool carries_odometry = false;           ///< the same line is an odometry reading too
+};
+
+/// One odometry reading: the twist held since the previous reading up to this one's time
+/// [T fig 9.11]. The first reading of a log only sets the clock (its twist is zero).
+struct Odometria {
+    double time_s = 0.0;  ///< strictly increasing from reading to reading
+    Twist twist;          ///< m/s, m/s, rad/s
+    std::uint64_t line = 0;
+};
+
+}  // namespace hitos
