@@ -1,0 +1,40 @@
+// From odometry readings to the controls between two scans [T fig 9.11].
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "hitos/capture/scan.hpp"
+
+namespace hitos {
+
+/// A twist and the time it was held.
+struct Control {
+    Twist twist;            ///< m/s, m/s, rad/s
+    double duration_s = 0.0;
+    friend bool operator==(const Control&, const Control&) = default;
+};
+
+/// Cuts the stream of odometry readings at the scans' times: the reading that spans a scan is
+/// divided in proportion to time [T fig 9.11]. A scan whose line carries its own odometry takes
+/// every reading up to that line, whole. Scans older than readings already used get no control.
+class ControlTrack {
+  public:
+    using NextReading = std::function<std::optional<Odometria>()>;
+
+    explicit ControlTrack(NextReading next) : next_(std::move(next)) {}
+
+    /// Replaces `out` with the controls from the scan before to this one, in order.
+    void controls_until(const Scan& scan, std::vector<Control>& out);
+
+  private:
+    void take(double until_s, std::vector<Control>& out);
+
+    NextReading next_;
+    std::optional<Odometria> pending_;  ///< read, not yet wholly used
+    bool started_ = false;
+    double used_until_s_ = 0.0;  ///< motion is accounted for up to this time
+};
+
+}  // namespace hitos

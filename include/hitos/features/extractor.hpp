@@ -1,0 +1,84 @@
+// From a scan to observed features [T ch. 4, 9.2.3].
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hitos/capture/scan.hpp"
+#include "hitos/features/caracteristica.hpp"
+
+namespace hitos {
+
+/// A detected line with the scan points that support it, in scan order: an index range into
+/// Observation::support.
+struct DetectedLine {
+    Recta recta;               ///< robot frame
+    std::uint32_t first = 0;   ///< first supporting point in `support`
+    std::uint32_t count = 0;
+};
+
+/// What one scan shows, in the robot frame. Reused from scan to scan, so that a steady stream of
+/// scans allocates nothing.
+struct Observation {
+    double time_s = 0.0;
+    std::vector<DetectedLine> lines;
+    std::vector<Esquina> corners;
+    std::vector<Point2> support;  ///< points of all lines, line by line
+
+    bool empty() const { return lines.empty() && corners.empty(); }
+    void clear() {
+        lines.clear();
+        corners.clear();
+        support.clear();
+    }
+};
+
+/// How a line is fitted to its points.
+enum class LineFit {
+    endpoints,     ///< through the first and the last point (iterative end point fit, [T 4.4])
+    least_squares  ///< total least squares over all points of an accepted line [P 2]
+};
+
+/// Split & Merge [T tables 4.3, 4.4]. SPEC names in brackets.
+struct SplitMergeParams {
+    double dmax_m = 0.02;              ///< greatest distance of a point from its line [dmax]
+    double min_length_m = 0.5;         ///< shortest line [mlon]
+    int min_points = 15;               ///< fewest points of a line [mpuntos]
+    LineFit fit = LineFit::endpoints;  ///< fit of the accepted lines
+    double collinear_rho_m = 0.1;      ///< merge below this difference of rho [col]
+    double collinear_theta_rad = 0.07; ///< and this difference of theta [col]
+    double collinear_gap_m = 0.0;      ///< and only pieces less than this apart; 0: any distance
+    double gap_m = 0.0;                ///< neighbours further apart than gap_m + gap_per_range *
+    double gap_per_range = 0.0;        ///< range end a run; both 0: they never do
+};
+
+/// What is looked for in a scan [SPEC 4].
+enum class Detection { lines, corners, both };
+
+struct ExtractionParams {
+    Detection detect = Detection::both;
+    SplitMergeParams split_merge;
+    double corner_distance_m = 0.1;  ///< greatest distance of a corner from both its lines [es]
+};
+
+/// The strategy that finds lines [T fig 9.7].
+class MetodoExtraccionRectas {
+  public:
+    virtual ~MetodoExtraccionRectas() = default;
+    /// Appends the lines of the scan and their points to `out`, which is otherwise left alone.
+    virtual void extract_lines(const Scan& scan, Observation& out) = 0;
+};
+
+/// Finds features in a scan. Not thread-safe: it keeps working memory between calls.
+class Extractor {
+  public:
+    virtual ~Extractor() = default;
+    /// Replaces the content of `out`.
+    virtual void extract(const Scan& scan, Observation& out) = 0;
+};
+
+/// The extractor that the parameters ask for. Throws ConfigError for values out of range.
+std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params);
+
+}  // namespace hitos

@@ -1,0 +1,72 @@
+// Parameters of the filters, one struct per part; SPEC §5.
+#pragma once
+
+#include <cstdint>
+
+namespace hitos {
+
+/// How the robot's motion is modelled [SPEC §5].
+enum class MotionModel {
+    odometry,     ///< "Diferencial con odometría": controls plus noise of constant sigma
+    no_odometry,  ///< "Diferencial sin odometría": controls ignored, particles only spread
+    proportional  ///< controls plus noise whose variance grows with the motion
+};
+
+/// Noise is drawn once per filter step (between two scans), never at the first scan and never
+/// where the controls are zero. The thesis calls its numbers variances; read as standard
+/// deviations they give its results (docs/algorithm.md), so sigmas they are here.
+struct MotionParams {
+    MotionModel model = MotionModel::odometry;
+    double sigma_x_m = 0.008;        ///< world x, per step
+    double sigma_y_m = 0.008;        ///< world y, per step
+    double sigma_theta_rad = 0.008;  ///< heading, per step
+    double var_along_m2_per_m = 0.005;    ///< proportional: along the motion, per metre
+    double var_across_m2_per_m = 0.002;   ///< proportional: across it, per metre
+    double var_theta_rad2_per_rad = 0.02; ///< proportional: heading, per radian turned
+    double var_theta_rad2_per_m = 0.002;  ///< proportional: heading, per metre
+};
+
+/// Variances of an observed line (rho, theta); a corner's range and bearing use the same two.
+struct ObservationParams {
+    double var_rho_m2 = 0.04;
+    double var_theta_rad2 = 0.00122;
+};
+
+enum class AssociationMethod {
+    maximum_likelihood,  ///< [T table 5.1]
+    gated_nearest        ///< nearest by Mahalanobis distance inside a chi-square gate [T 5.3]
+};
+
+/// What happens with an observation that could belong to several landmarks. In every case but
+/// `off` it changes no landmark [T 5.4.2].
+enum class AmbiguityRule {
+    keep_likelihood,  ///< the weight keeps the best likelihood
+    neutral,          ///< the weight does not change
+    new_landmark,     ///< the weight is multiplied with p0
+    off               ///< there is no ambiguity: the best landmark takes the observation
+};
+
+struct AssociationParams {
+    AssociationMethod method = AssociationMethod::maximum_likelihood;
+    double p0 = 0.005;               ///< likelihood of a new landmark
+    double gate_probability = 0.95;  ///< of the chi-square gate with 2 degrees of freedom
+    AmbiguityRule ambiguity = AmbiguityRule::keep_likelihood;
+    double ambiguity_ratio = 0.1;    ///< second best over best from which both are plausible
+};
+
+enum class ResamplingRule { always, neff };
+
+struct ResamplingParams {
+    ResamplingRule rule = ResamplingRule::always;
+    double neff_threshold = 50.0;  ///< effective particles below which `neff` resamples
+};
+
+struct FastSlamParams {
+    int particles = 100;
+    MotionParams motion;
+    ObservationParams observation;
+    AssociationParams association;
+    ResamplingParams resampling;
+};
+
+}  // namespace hitos
