@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "hitos/capture/geometry.hpp"
 
@@ -68,6 +69,9 @@ struct ICaracteristica {
     /// Its point for the error measure [T 10.3]: the corner, or the line's foot.
     Point2 point() const;
 };
+
+/// A map of landmarks, in no particular order unless its owner states one.
+using LandmarkMap = std::vector<ICaracteristica>;
 
 /// The landmark moved as a whole: its values and its covariance.
 ICaracteristica transform(const Pose& pose_a_b, const ICaracteristica& landmark_b);

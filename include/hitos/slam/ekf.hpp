@@ -1,0 +1,76 @@
+// The extended Kalman filter of one landmark under a known pose [T 7.3, table 3.2].
+#pragma once
+
+#include <cmath>
+
+#include "hitos/slam/sensor.hpp"
+
+namespace hitos {
+
+/// A landmark's estimate: mean and covariance, in world coordinates.
+template <Sensor S>
+struct LandmarkEstimate {
+    typename S::Landmark mean;
+    Matrix2 covariance;
+};
+
+/// The filter for one kind of landmark with observation covariance R = diag(r0, r1).
+template <Sensor S>
+class EKF {
+  public:
+    EKF(double variance0, double variance1) {
+        r_ << variance0, 0.0, 0.0, variance1;
+    }
+
+    /// Covariance of the innovation, Q = H P H' + R.
+    Matrix2 innovation_covariance(const Matrix2& jacobian, const Matrix2& covariance) const {
+        return jacobian * covariance * jacobian.transpose() + r_;
+    }
+
+    /// ln N(nu; 0, Q) with Q as above [T table 3.1, line 6], and the squared Mahalanobis distance.
+    struct Likelihood {
+        double log_likelihood;
+        double mahalanobis_squared;
+    };
+    Likelihood likelihood(const Innovation& innovation, const Matrix2& covariance) const {
+        const Matrix2 q = innovation_covariance(innovation.jacobian, covariance);
+        const double det = q(0, 0) * q(1, 1) - q(0, 1) * q(1, 0);
+        const double n0 = innovation.nu(0);
+        const double n1 = innovation.nu(1);
+        const double d2 =
+            (q(1, 1) * n0 * n0 - (q(0, 1) + q(1, 0)) * n0 * n1 + q(0, 0) * n1 * n1) / det;
+        return {-std::log(2.0 * kPi) - 0.5 * std::log(det) - 0.5 * d2, d2};
+    }
+
+    /// A landmark seen for the first time: mean g^-1(z, pose), covariance G R G' with
+    /// G = d(g^-1)/dz [T table 3.2].
+    LandmarkEstimate<S> first(const Pose& pose, const Vector2& z) const {
+        const Matrix2 g = S::inverse_jacobian(pose, z);
+        LandmarkEstimate<S> estimate{S::inverse(pose, z), g * r_ * g.transpose()};
+        S::normalize(estimate.mean, estimate.covariance);
+        return estimate;
+    }
+
+    /// The landmark seen again: K = P H' Q^-1, mean += K nu, P -= K Q K' (equal to (I - K H) P
+    /// [T table 3.2] but symmetric to the last bit).
+    void update(LandmarkEstimate<S>& estimate, const Innovation& innovation) const {
+        const Matrix2 q = innovation_covariance(innovation.jacobian, estimate.covariance);
+        const double det = q(0, 0) * q(1, 1) - q(0, 1) * q(1, 0);
+        Matrix2 q_inverse;
+        q_inverse << q(1, 1) / det, -q(0, 1) / det, -q(0, 1) / det, q(0, 0) / det;
+        const Matrix2 ph = estimate.covariance * innovation.jacobian.transpose();
+        estimate.mean =
+            S::from_state(S::to_state(estimate.mean) + ph * (q_inverse * innovation.nu));
+        Matrix2 reduced = estimate.covariance - ph * q_inverse * ph.transpose();
+        reduced(1, 0) = reduced(0, 1) = 0.5 * (reduced(0, 1) + reduced(1, 0));
+        estimate.covariance = reduced;
+        S::normalize(estimate.mean, estimate.covariance);
+    }
+
+    const Matrix2& observation_covariance() const { return r_; }
+
+  private:
+    Matrix2 r_;
+};
+
+}  // namespace hitos

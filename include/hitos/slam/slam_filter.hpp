@@ -1,0 +1,59 @@
+// What every SLAM algorithm of Hitos offers to the services.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hitos/features/caracteristica.hpp"
+#include "hitos/features/control.hpp"
+#include "hitos/features/extractor.hpp"
+
+namespace hitos {
+
+/// What became of one observed feature in the best hypothesis.
+struct Association {
+    enum class Outcome : std::uint8_t { matched, created, ignored };
+    FeatureKind kind = FeatureKind::recta;
+    std::uint32_t observed = 0;  ///< index in Observation::lines or ::corners
+    Outcome outcome = Outcome::ignored;
+    std::int32_t landmark = -1;  ///< index in best_map(); -1 where ignored
+};
+
+/// A hypothesis of the robot's pose with its normalised weight.
+struct WeightedPose {
+    Pose pose;
+    double weight = 0.0;
+};
+
+struct FilterStatistics {
+    double neff = 0.0;             ///< effective particles before resampling [T eq 6.14]
+    double best_log_weight = 0.0;  ///< ln of the best weight before resampling, not normalised
+    bool resampled = false;
+};
+
+/// One algorithm, fed step by step with the controls since the last scan and what the scan shows.
+class SlamFilter {
+  public:
+    virtual ~SlamFilter() = default;
+
+    /// One scan. Deterministic: the result depends on the seed, not on the number of threads.
+    virtual void step(std::span<const Control> controls, const Observation& observation) = 0;
+
+    virtual std::uint64_t steps() const = 0;
+    /// The best hypothesis (greatest weight before resampling): pose in the world, map (lines
+    /// first, then corners) and its pose at every scan so far.
+    virtual Pose best_pose() const = 0;
+    virtual LandmarkMap best_map() const = 0;
+    virtual std::vector<Pose> best_history() const = 0;
+    /// Landmarks of the best hypothesis without building its map.
+    virtual int best_lines() const = 0;
+    virtual int best_corners() const = 0;
+    /// What the best hypothesis made of the last observation.
+    virtual std::span<const Association> associations() const = 0;
+    /// All hypotheses, after resampling.
+    virtual std::vector<WeightedPose> hypotheses() const = 0;
+    virtual FilterStatistics statistics() const = 0;
+};
+
+}  // namespace hitos

@@ -1,0 +1,40 @@
+#include "hitos/features/control.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace hitos {
+
+void ControlTrack::take(double until_s, std::vector<Control>& out) {
+    while (pending_ || (pending_ = next_())) {
+        const Odometria& reading = *pending_;
+        if (!started_) {
+            started_ = true;  // the first reading only sets the clock
+            used_until_s_ = reading.time_s;
+            pending_.reset();
+            continue;
+        }
+        if (used_until_s_ >= until_s) return;
+        const double end_s = std::min(until_s, reading.time_s);
+        if (end_s > used_until_s_) out.push_back({reading.twist, end_s - used_until_s_});
+        used_until_s_ = std::max(used_until_s_, end_s);
+        if (reading.time_s > until_s) return;  // the rest belongs to the next scan
+        pending_.reset();
+    }
+}
+
+void ControlTrack::controls_until(const Scan& scan, std::vector<Control>& out) {
+    out.clear();
+    if (!scan.carries_odometry) {
+        take(scan.time_s, out);
+        return;
+    }
+    while ((pending_ || (pending_ = next_())) && pending_->line <= scan.line) {
+        take(pending_->time_s, out);
+        if (pending_ && pending_->line <= scan.line && pending_->time_s <= used_until_s_) {
+            pending_.reset();  // nothing of it is left
+        }
+    }
+}
+
+}  // namespace hitos

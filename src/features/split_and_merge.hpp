@@ -1,0 +1,38 @@
+// Split & Merge as the thesis implements it [T 4.4].
+#pragma once
+
+#include <vector>
+
+#include "hitos/features/extractor.hpp"
+
+namespace hitos {
+
+/// Recursive splitting at the farthest point [T table 4.3] in every run of neighbours, then the
+/// merge of collinear pieces [T table 4.4], first piece first.
+class SplitAndMerge final : public MetodoExtraccionRectas {
+  public:
+    explicit SplitAndMerge(const SplitMergeParams& params) : params_(params) {}
+    void extract_lines(const Scan& scan, Observation& out) override;
+
+  private:
+    /// Points [first, last] of the scan lie on one line.
+    struct Piece {
+        std::uint32_t first;
+        std::uint32_t last;
+        Recta recta;
+        bool merged;  ///< taken up by an earlier piece
+    };
+
+    bool gap_between(const Point2& a, const Point2& b) const;
+    void split(const Scan& scan, std::uint32_t first, std::uint32_t last);
+    bool collinear(const Scan& scan, const Recta& recta, const Piece& last_piece,
+                   const Piece& candidate) const;
+    Recta fit(const Point2* points, std::size_t count) const;
+
+    SplitMergeParams params_;
+    // Working memory, kept between scans.
+    std::vector<Piece> pieces_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pending_;
+};
+
+}  // namespace hitos

@@ -1,0 +1,295 @@
+#include "filtro_particulas.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hitos/capture/error.hpp"
+#include "hitos/slam/filters.hpp"
+
+namespace hitos {
+namespace {
+
+/// Below this many particle x landmark x observation evaluations a step gains nothing from a
+/// second thread (measured with tests/bench).
+constexpr std::size_t kParallelWork = 30000;
+constexpr std::size_t kGrain = 32;
+
+PreparedObservation prepare(const Vector2& z, const Pose& pose) {
+    const double angle_world = z(1) + pose.theta;
+    return {z, std::cos(angle_world), std::sin(angle_world)};
+}
+
+template <class Columns, class Filter>
+void apply(const Decision& decision, Columns& landmarks, const Filter& ekf, const Pose& pose,
+           const Vector2& z) {
+    if (decision.outcome == Association::Outcome::ignored) return;
+    if (decision.outcome == Association::Outcome::created) {
+        const std::size_t index = landmarks.append();
+        landmarks.set(index, ekf.first(pose, z));
+        landmarks.observations(index) = 1;
+        return;
+    }
+    auto estimate = landmarks.get(decision.landmark);
+    ekf.update(estimate, landmarks.innovation(decision.landmark, z, pose));
+    landmarks.set(decision.landmark, estimate);
+    ++landmarks.observations(decision.landmark);
+}
+
+}  // namespace
+
+FiltroParticulas::FiltroParticulas(const FastSlamParams& params, std::uint64_t seed, int threads)
+    : params_(params),
+      seed_(seed),
+      robot_(params.motion),
+      associator_(params.association, params.observation),
+      resampler_(make_resampler(params.resampling)),
+      arena_(threads > 0 ? threads : tbb::task_arena::automatic),
+      particles_(static_cast<std::size_t>(params.particles)) {
+    // All particles start as copies of one: same pose, same empty map.
+    const MapStore::Handle empty = maps_.create();
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        particles_[i].map = empty;
+        if (i > 0) maps_.share(empty);
+    }
+    statistics_.neff = static_cast<double>(particles_.size());
+}
+
+void FiltroParticulas::step(std::span<const Control> controls, const Observation& observation) {
+    predict(sum_controls(controls));
+    associations_.clear();
+    statistics_.resampled = false;
+    if (observation.empty()) {
+        remember_poses();  // nothing was observed: weights and particles stay as they are
+        ++steps_;
+        return;
+    }
+
+    lines_seen_.clear();
+    corners_seen_.clear();
+    for (const DetectedLine& line : observation.lines) {
+        lines_seen_.push_back(SensorRecta::measurement(line.recta));
+    }
+    for (const Esquina& corner : observation.corners) {
+        corners_seen_.push_back(SensorEsquina::measurement(corner));
+    }
+    const std::size_t seen = lines_seen_.size() + corners_seen_.size();
+    decisions_.resize(seen * particles_.size());
+
+    detach_maps();
+    const auto landmarks = static_cast<std::size_t>(best_lines() + best_corners());
+    for_each_particle(seen * (landmarks + 8), [&](std::size_t i) {
+        const std::span<Decision> decisions(&decisions_[i * seen], seen);
+        associate(particles_[i], decisions);
+        update(particles_[i], decisions);
+        weigh(particles_[i], decisions);
+    });
+
+    choose_best();
+    note_associations();
+    remember_poses();
+    resample();
+    ++steps_;
+}
+
+void FiltroParticulas::predict(const MotionIncrement& increment) {
+    // At the first scan there is no step to be uncertain about: noise would only turn the map.
+    if (steps_ == 0) {
+        for (Particula& particle : particles_) {
+            particle.pose = robot_.mean(particle.pose, increment);
+        }
+        return;
+    }
+    for_each_particle(10, [&](std::size_t i) {
+        RandomStream random(seed_, RandomPurpose::motion, steps_, static_cast<std::uint32_t>(i));
+        particles_[i].pose = robot_.sample(particles_[i].pose, increment, random);
+    });
+}
+
+void FiltroParticulas::detach_maps() {
+    copies_.clear();
+    for (Particula& particle : particles_) {
+        const MapStore::Handle source = maps_.detach(particle.map);
+        if (source != particle.map) copies_.emplace_back(source, particle.map);
+    }
+    for (const auto& [from, to] : copies_) maps_.copy(from, to);
+}
+
+void FiltroParticulas::associate(const Particula& particle, std::span<Decision> decisions) const {
+    const MapBlock& map = maps_[particle.map];
+    std::size_t next = 0;
+    for (const Vector2& z : lines_seen_) {
+        decisions[next++] =
+            associator_.decide(map.lines, particle.pose, prepare(z, particle.pose));
+    }
+    for (const Vector2& z : corners_seen_) {
+        decisions[next++] =
+            associator_.decide(map.corners, particle.pose, prepare(z, particle.pose));
+    }
+}
+
+void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions) {
+    MapBlock& map = maps_[particle.map];
+    std::size_t next = 0;
+    for (const Vector2& z : lines_seen_) {
+        Decision& decision = decisions[next++];
+        if (decision.outcome == Association::Outcome::created) {
+            decision.landmark = static_cast<std::uint32_t>(map.lines.size());
+        }
+        apply(decision, map.lines, associator_.line_ekf(), particle.pose, z);
+    }
+    for (const Vector2& z : corners_seen_) {
+        Decision& decision = decisions[next++];
+        if (decision.outcome == Association::Outcome::created) {
+            decision.landmark = static_cast<std::uint32_t>(map.corners.size());
+        }
+        apply(decision, map.corners, associator_.corner_ekf(), particle.pose, z);
+    }
+}
+
+void FiltroParticulas::weigh(Particula& particle, std::span<const Decision> decisions) {
+    for (const Decision& decision : decisions) particle.log_weight += decision.log_likelihood;
+}
+
+void FiltroParticulas::choose_best() {
+    log_weights_.resize(particles_.size());
+    best_ = 0;
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        log_weights_[i] = particles_[i].log_weight;
+        if (log_weights_[i] > log_weights_[best_]) best_ = i;
+    }
+    normalize_log_weights(log_weights_, weights_);
+    statistics_.neff = effective_particles(weights_);
+    statistics_.best_log_weight = log_weights_[best_];
+}
+
+void FiltroParticulas::note_associations() {
+    const std::size_t seen = lines_seen_.size() + corners_seen_.size();
+    const auto lines = static_cast<std::int32_t>(maps_[particles_[best_].map].lines.size());
+    for (std::size_t k = 0; k < seen; ++k) {
+        const Decision& decision = decisions_[best_ * seen + k];
+        const bool is_line = k < lines_seen_.size();
+        Association association;
+        association.kind = is_line ? FeatureKind::recta : FeatureKind::esquina;
+        association.observed = static_cast<std::uint32_t>(is_line ? k : k - lines_seen_.size());
+        association.outcome = decision.outcome;
+        if (decision.outcome != Association::Outcome::ignored) {
+            association.landmark =
+                static_cast<std::int32_t>(decision.landmark) + (is_line ? 0 : lines);
+        }
+        associations_.push_back(association);
+    }
+}
+
+void FiltroParticulas::remember_poses() {
+    for (Particula& particle : particles_) {
+        particle.history = history_.append(particle.history, particle.pose);
+    }
+}
+
+void FiltroParticulas::resample() {
+    if (!resampler_->wants(statistics_.neff)) return;
+    const double start =
+        RandomStream(seed_, RandomPurpose::resampling, steps_, 0).uniform();
+    low_variance_selection(weights_, start, selected_);
+
+    resampled_.clear();
+    std::size_t new_best = 0;
+    std::size_t next_source = 0;
+    for (std::size_t m = 0; m < selected_.size(); ++m) {
+        const std::size_t source = selected_[m];
+        for (; next_source < source; ++next_source) {  // passed over: gone
+            maps_.release(particles_[next_source].map);
+            history_.release(particles_[next_source].history);
+        }
+        if (m > 0 && selected_[m - 1] == source) {
+            maps_.share(particles_[source].map);
+            history_.share(particles_[source].history);
+        } else {
+            if (source == best_) new_best = m;
+            next_source = source + 1;
+        }
+        resampled_.push_back(particles_[source]);
+        resampled_.back().log_weight = 0.0;
+    }
+    for (; next_source < particles_.size(); ++next_source) {
+        maps_.release(particles_[next_source].map);
+        history_.release(particles_[next_source].history);
+    }
+    particles_.swap(resampled_);
+    best_ = new_best;
+    statistics_.resampled = true;
+}
+
+LandmarkMap FiltroParticulas::best_map() const {
+    const MapBlock& block = maps_[particles_[best_].map];
+    LandmarkMap map;
+    map.reserve(block.lines.size() + block.corners.size());
+    const auto add = [&map](const auto& landmarks) {
+        for (std::size_t i = 0; i < landmarks.size(); ++i) {
+            const auto estimate = landmarks.get(i);
+            map.push_back({estimate.mean, estimate.covariance, landmarks.observations(i)});
+        }
+    };
+    add(block.lines);
+    add(block.corners);
+    return map;
+}
+
+std::vector<Pose> FiltroParticulas::best_history() const {
+    return history_.path(particles_[best_].history);
+}
+
+int FiltroParticulas::best_lines() const {
+    return static_cast<int>(maps_[particles_[best_].map].lines.size());
+}
+
+int FiltroParticulas::best_corners() const {
+    return static_cast<int>(maps_[particles_[best_].map].corners.size());
+}
+
+std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
+    std::vector<double> log_weights;
+    log_weights.reserve(particles_.size());
+    for (const Particula& particle : particles_) log_weights.push_back(particle.log_weight);
+    std::vector<double> weights;
+    normalize_log_weights(log_weights, weights);
+    std::vector<WeightedPose> poses;
+    poses.reserve(particles_.size());
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        poses.push_back({particles_[i].pose, weights[i]});
+    }
+    return poses;
+}
+
+template <class Body>
+void FiltroParticulas::for_each_particle(std::size_t work_per_particle, const Body& body) {
+    const std::size_t count = particles_.size();
+    if (arena_.max_concurrency() == 1 || count * work_per_particle < kParallelWork) {
+        for (std::size_t i = 0; i < count; ++i) body(i);
+        return;
+    }
+    arena_.execute([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
+                          [&](const tbb::blocked_range<std::size_t>& range) {
+                              for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+                          });
+    });
+}
+
+std::unique_ptr<SlamFilter> make_fastslam(const FastSlamParams& params, std::uint64_t seed,
+                                          int threads) {
+    if (params.particles < 1) {
+        throw ConfigError("filter.particles",
+                          "found " + std::to_string(params.particles) + ", expected 1 or more");
+    }
+    if (!(params.association.p0 > 0.0)) throw ConfigError("association.p0", "expected above 0");
+    if (!(params.observation.var_rho_m2 > 0.0 && params.observation.var_theta_rad2 > 0.0)) {
+        throw ConfigError("observation", "expected variances above 0");
+    }
+    return std::make_unique<FiltroParticulas>(params, seed, threads);
+}
+
+}  // namespace hitos

@@ -1,0 +1,91 @@
+// FastSLAM 1.0 [T ch. 3, tables 3.2 and 6.3].
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <tbb/task_arena.h>
+
+#include "association.hpp"
+#include "hitos/slam/params.hpp"
+#include "hitos/slam/resampler.hpp"
+#include "hitos/slam/robot.hpp"
+#include "hitos/slam/slam_filter.hpp"
+#include "landmark_store.hpp"
+#include "pose_history.hpp"
+
+namespace hitos {
+
+/// One hypothesis: pose, weight, and handles of a map and a pose history.
+struct Particula {
+    Pose pose;
+    double log_weight = 0.0;
+    MapStore::Handle map = 0;
+    PoseHistory::Node history = PoseHistory::kNone;
+};
+
+/// The particle filter with one small EKF per landmark and particle.
+class FiltroParticulas final : public SlamFilter {
+  public:
+    FiltroParticulas(const FastSlamParams& params, std::uint64_t seed, int threads);
+
+    void step(std::span<const Control> controls, const Observation& observation) override;
+
+    std::uint64_t steps() const override { return steps_; }
+    Pose best_pose() const override { return particles_[best_].pose; }
+    LandmarkMap best_map() const override;
+    std::vector<Pose> best_history() const override;
+    int best_lines() const override;
+    int best_corners() const override;
+    std::span<const Association> associations() const override { return associations_; }
+    std::vector<WeightedPose> hypotheses() const override;
+    FilterStatistics statistics() const override { return statistics_; }
+
+    /// For tests and benchmarks: blocks of memory held by maps and nodes held by histories.
+    std::size_t map_blocks() const { return maps_.blocks(); }
+    std::size_t history_nodes() const { return history_.size(); }
+
+  private:
+    void predict(const MotionIncrement& increment);
+    void detach_maps();
+    void associate(const Particula& particle, std::span<Decision> decisions) const;
+    void update(Particula& particle, std::span<Decision> decisions);
+    static void weigh(Particula& particle, std::span<const Decision> decisions);
+    void choose_best();
+    void note_associations();
+    void remember_poses();
+    void resample();
+
+    template <class Body>
+    void for_each_particle(std::size_t work_per_particle, const Body& body);
+
+    FastSlamParams params_;
+    std::uint64_t seed_;
+    Robot robot_;
+    Associator associator_;
+    std::unique_ptr<Resampler> resampler_;
+    tbb::task_arena arena_;
+
+    std::vector<Particula> particles_;
+    MapStore maps_;
+    PoseHistory history_;
+    std::size_t best_ = 0;
+    std::uint64_t steps_ = 0;
+    FilterStatistics statistics_;
+    std::vector<Association> associations_;
+
+    // Working memory of a step.
+    std::vector<Vector2> lines_seen_;
+    std::vector<Vector2> corners_seen_;
+    std::vector<Decision> decisions_;  // observations of particle 0, of particle 1, …
+    std::vector<double> log_weights_;
+    std::vector<double> weights_;
+    std::vector<std::uint32_t> selected_;
+    std::vector<Particula> resampled_;
+    std::vector<std::pair<MapStore::Handle, MapStore::Handle>> copies_;
+};
+
+}  // namespace hitos

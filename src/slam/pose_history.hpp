@@ -1,0 +1,65 @@
+// Pose histories that share their past.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "hitos/capture/geometry.hpp"
+
+namespace hitos {
+
+/// A tree of poses: every particle holds a leaf, the way from it to the root is the particle's
+/// history. Copying a history costs one count; branches that no particle holds are freed, so
+/// memory grows with the length of the tour plus the width of the newest, unmerged part.
+class PoseHistory {
+  public:
+    using Node = std::uint32_t;
+    static constexpr Node kNone = UINT32_MAX;
+
+    /// A new pose after `parent` (kNone: the first). The caller's hold on `parent` passes to the
+    /// new node, which the caller holds.
+    Node append(Node parent, const Pose& pose) {
+        if (free_.empty()) {
+            nodes_.push_back({pose, parent, 1});
+            return static_cast<Node>(nodes_.size() - 1);
+        }
+        const Node node = free_.back();
+        free_.pop_back();
+        nodes_[node] = {pose, parent, 1};
+        return node;
+    }
+
+    void share(Node node) {
+        if (node != kNone) ++nodes_[node].references;
+    }
+
+    void release(Node node) {
+        while (node != kNone && --nodes_[node].references == 0) {
+            free_.push_back(node);
+            node = nodes_[node].parent;
+        }
+    }
+
+    /// Poses from the first to `node`.
+    std::vector<Pose> path(Node node) const {
+        std::vector<Pose> poses;
+        for (; node != kNone; node = nodes_[node].parent) poses.push_back(nodes_[node].pose);
+        std::reverse(poses.begin(), poses.end());
+        return poses;
+    }
+
+    /// Nodes in use.
+    std::size_t size() const { return nodes_.size() - free_.size(); }
+
+  private:
+    struct Entry {
+        Pose pose;
+        Node parent;
+        std::uint32_t references;
+    };
+    std::vector<Entry> nodes_;
+    std::vector<Node> free_;
+};
+
+}  // namespace hitos
