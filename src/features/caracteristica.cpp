@@ -16,8 +16,7 @@ Recta normalized(const Recta& recta) {
 Recta line_through(const Point2& a, const Point2& b) {
     const double theta = std::atan2(a.x - b.x, b.y - a.y);
     // The middle of the two points cancels the error of theta to first order.
-    const double rho =
-        0.5 * ((a.x + b.x) * std::cos(theta) + (a.y + b.y) * std::sin(theta));
+    const double rho = 0.5 * ((a.x + b.x) * std::cos(theta) + (a.y + b.y) * std::sin(theta));
     return normalized({rho, theta});
 }
 
@@ -37,8 +36,7 @@ double signed_distance(const Recta& recta, const Point2& point) {
 
 Recta transform(const Pose& pose_a_b, const Recta& recta_b) {
     const double theta = recta_b.theta + pose_a_b.theta;
-    const double rho =
-        recta_b.rho + pose_a_b.x * std::cos(theta) + pose_a_b.y * std::sin(theta);
+    const double rho = recta_b.rho + pose_a_b.x * std::cos(theta) + pose_a_b.y * std::sin(theta);
     return normalized({rho, theta});
 }
 
@@ -58,8 +56,7 @@ ICaracteristica transform(const Pose& pose_a_b, const ICaracteristica& landmark_
     Eigen::Matrix2d jacobian;
     if (const auto* recta = std::get_if<Recta>(&landmark_b.value)) {
         const double theta = recta->theta + pose_a_b.theta;
-        const double rho =
-            recta->rho + pose_a_b.x * std::cos(theta) + pose_a_b.y * std::sin(theta);
+        const double rho = recta->rho + pose_a_b.x * std::cos(theta) + pose_a_b.y * std::sin(theta);
         const double side = rho < 0.0 ? -1.0 : 1.0;  // the flip to normal form turns rho's sign
         jacobian << side, side * (pose_a_b.y * std::cos(theta) - pose_a_b.x * std::sin(theta)),  //
             0.0, 1.0;

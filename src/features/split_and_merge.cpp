@@ -8,7 +8,9 @@
 namespace hitos {
 namespace {
 
-double distance(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(const Point2& a, const Point2& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
 
 }  // namespace
 
@@ -122,8 +124,7 @@ void SplitAndMerge::extract_lines(const Scan& scan, Observation& out) {
         append(pieces_[i]);
         std::size_t newest = i;
         for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
-            if (pieces_[j].merged ||
-                !collinear(scan, line.recta, pieces_[newest], pieces_[j])) {
+            if (pieces_[j].merged || !collinear(scan, line.recta, pieces_[newest], pieces_[j])) {
                 continue;
             }
             pieces_[j].merged = true;

@@ -19,9 +19,8 @@ Odometria OdometryNoise::operator()(const Odometria& reading) {
     RandomStream random(seed_, RandomPurpose::odometry_noise, count_++, 0);
     const auto [n_v, n_w] = random.normal_pair();
     const auto sigma = [this](double velocity) {
-        return kind_ == OdometryNoiseKind::relative_sigma
-                   ? level_ * std::abs(velocity)
-                   : std::sqrt(level_ * std::abs(velocity));
+        return kind_ == OdometryNoiseKind::relative_sigma ? level_ * std::abs(velocity)
+                                                          : std::sqrt(level_ * std::abs(velocity));
     };
     Odometria noisy = reading;
     noisy.twist.v += n_v * sigma(reading.twist.v);

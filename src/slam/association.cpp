@@ -61,15 +61,15 @@ void mark_near(const CornerColumns& corners, std::size_t begin, std::size_t end,
         const double nu = z0 - std::sqrt(range2);
         const double q00 =
             (dx * dx * p00[i] + 2.0 * dx * dy * p01[i] + dy * dy * p11[i]) / clamped2 + r0;
-        const double q11 = (dy * dy * p00[i] - 2.0 * dx * dy * p01[i] + dx * dx * p11[i]) /
-                               (clamped2 * clamped2) +
-                           r1;
+        const double q11 =
+            (dy * dy * p00[i] - 2.0 * dx * dy * p01[i] + dx * dx * p11[i]) / (clamped2 * clamped2) +
+            r1;
         const double cross = dy * cw - dx * sw;
         const double dot = dx * cw + dy * sw;
         // Behind the ray the angle is over pi/2: its square is above 1, the greatest of the sine.
         const double sine2 = dot < 0.0 ? range2 : cross * cross;
-        near[i - begin] = static_cast<unsigned char>((nu * nu < slack * q00) &
-                                                     (sine2 < slack * q11 * clamped2));
+        near[i - begin] =
+            static_cast<unsigned char>((nu * nu < slack * q00) & (sine2 < slack * q11 * clamped2));
     }
 }
 

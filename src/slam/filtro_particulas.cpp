@@ -1,6 +1,7 @@
 #include "filtro_particulas.hpp"
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -48,6 +49,10 @@ FiltroParticulas::FiltroParticulas(const FastSlamParams& params, std::uint64_t s
       resampler_(make_resampler(params.resampling)),
       arena_(threads > 0 ? threads : tbb::task_arena::automatic),
       particles_(static_cast<std::size_t>(params.particles)) {
+    if (threads > tbb::info::default_concurrency()) {
+        more_threads_.emplace(tbb::global_control::max_allowed_parallelism,
+                              static_cast<std::size_t>(threads));
+    }
     // All particles start as copies of one: same pose, same empty map.
     const MapStore::Handle empty = maps_.create();
     for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -114,15 +119,15 @@ void FiltroParticulas::detach_maps() {
         const MapStore::Handle source = maps_.detach(particle.map);
         if (source != particle.map) copies_.emplace_back(source, particle.map);
     }
-    for (const auto& [from, to] : copies_) maps_.copy(from, to);
+    for (const auto& [from, to] : copies_)
+        maps_.copy(from, to);
 }
 
 void FiltroParticulas::associate(const Particula& particle, std::span<Decision> decisions) const {
     const MapBlock& map = maps_[particle.map];
     std::size_t next = 0;
     for (const Vector2& z : lines_seen_) {
-        decisions[next++] =
-            associator_.decide(map.lines, particle.pose, prepare(z, particle.pose));
+        decisions[next++] = associator_.decide(map.lines, particle.pose, prepare(z, particle.pose));
     }
     for (const Vector2& z : corners_seen_) {
         decisions[next++] =
@@ -150,7 +155,8 @@ void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions
 }
 
 void FiltroParticulas::weigh(Particula& particle, std::span<const Decision> decisions) {
-    for (const Decision& decision : decisions) particle.log_weight += decision.log_likelihood;
+    for (const Decision& decision : decisions)
+        particle.log_weight += decision.log_likelihood;
 }
 
 void FiltroParticulas::choose_best() {
@@ -191,8 +197,7 @@ void FiltroParticulas::remember_poses() {
 
 void FiltroParticulas::resample() {
     if (!resampler_->wants(statistics_.neff)) return;
-    const double start =
-        RandomStream(seed_, RandomPurpose::resampling, steps_, 0).uniform();
+    const double start = RandomStream(seed_, RandomPurpose::resampling, steps_, 0).uniform();
     low_variance_selection(weights_, start, selected_);
 
     resampled_.clear();
@@ -253,7 +258,8 @@ int FiltroParticulas::best_corners() const {
 std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
     std::vector<double> log_weights;
     log_weights.reserve(particles_.size());
-    for (const Particula& particle : particles_) log_weights.push_back(particle.log_weight);
+    for (const Particula& particle : particles_)
+        log_weights.push_back(particle.log_weight);
     std::vector<double> weights;
     normalize_log_weights(log_weights, weights);
     std::vector<WeightedPose> poses;
@@ -268,13 +274,15 @@ template <class Body>
 void FiltroParticulas::for_each_particle(std::size_t work_per_particle, const Body& body) {
     const std::size_t count = particles_.size();
     if (arena_.max_concurrency() == 1 || count * work_per_particle < kParallelWork) {
-        for (std::size_t i = 0; i < count; ++i) body(i);
+        for (std::size_t i = 0; i < count; ++i)
+            body(i);
         return;
     }
     arena_.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
                           [&](const tbb::blocked_range<std::size_t>& range) {
-                              for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+                              for (std::size_t i = range.begin(); i < range.end(); ++i)
+                                  body(i);
                           });
     });
 }

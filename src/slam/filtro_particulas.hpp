@@ -1,13 +1,14 @@
 // FastSLAM 1.0 [T ch. 3, tables 3.2 and 6.3].
 #pragma once
 
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include <tbb/task_arena.h>
 
 #include "association.hpp"
 #include "hitos/slam/params.hpp"
@@ -67,6 +68,7 @@ class FiltroParticulas final : public SlamFilter {
     Robot robot_;
     Associator associator_;
     std::unique_ptr<Resampler> resampler_;
+    std::optional<tbb::global_control> more_threads_;  // where more than the machine has are asked
     tbb::task_arena arena_;
 
     std::vector<Particula> particles_;

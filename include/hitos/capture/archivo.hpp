@@ -1,9 +1,15 @@
 // A log file as a source [T 9.2.2], plain or gzip, streamed in bounded memory.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "hitos/capture/fuente.hpp"
 
@@ -16,8 +22,9 @@ inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 /// Derived kinds say which lines concern which cursor.
 class Archivo : public Fuente {
   public:
-    /// What a line is to the two cursors.
-    enum class LineKind { scan, odometry, both, other };
+    /// What a line is to the two cursors. `other` is a line of the format that neither needs;
+    /// `damaged` is none that the format knows.
+    enum class LineKind { scan, odometry, both, other, damaged };
 
     ~Archivo() override;
     Archivo(const Archivo&) = delete;
@@ -30,8 +37,8 @@ class Archivo : public Fuente {
     std::optional<std::pair<std::uint64_t, std::string>> take_damage() override;
     std::unique_ptr<Fuente> reopen() const override;
 
-    /// Which cursors want the line. Pure text look-up, no parsing of numbers; `text` is trimmed
-    /// and not empty.
+    /// Which cursors want the line. Pure text look-up, no parsing of numbers; `text` is trimmed,
+    /// not empty and no comment.
     virtual LineKind classify(std::string_view text) const = 0;
 
   protected:
@@ -40,9 +47,14 @@ class Archivo : public Fuente {
 
   private:
     struct Cursor;
+    std::optional<RawLine> read(Cursor& cursor, LineKind wanted);
+    void note_damage(std::uint64_t line, std::string reason);
+
     std::filesystem::path path_;
     std::unique_ptr<Cursor> scans_;
     std::unique_ptr<Cursor> odometry_;
+    std::deque<std::pair<std::uint64_t, std::string>> damage_;
+    std::uint64_t damage_untold_ = 0;  ///< lines beyond those that damage_ may hold
 };
 
 /// Player/Stage writelog files [T A.1]; see docs/formats.md for the grammar and its variants.
@@ -79,7 +91,8 @@ class ArchivoCarmen final : public Archivo {
 
 /// Opens a log. With `automatic` the format is found from the first lines; an explicit format is
 /// held against them. Throws FileError (missing, directory, unreadable) or FormatError (empty, not
-/// text, of another format than said, of none that Hitos reads), naming what was found and expected.
+/// text, of another format than said, of none that Hitos reads), naming what was found and
+/// expected.
 std::unique_ptr<Archivo> open_log(const std::filesystem::path& path,
                                   LogFormat format = LogFormat::automatic);
 

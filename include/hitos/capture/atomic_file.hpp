@@ -22,6 +22,8 @@ class AtomicFile {
     void commit();
 
   private:
+    void flush();
+    void discard();
     [[noreturn]] void fail(const std::string& doing) const;
 
     std::filesystem::path target_;

@@ -26,20 +26,29 @@ class FileError : public Error {
     std::string path_;
 };
 
-/// A file whose content is not what it should be; `line` is 1-based, 0 where no line applies.
+/// A file whose content is not what it should be; `line` is 1-based, 0 where no line applies. The
+/// path is empty where the thrower does not know it.
 class FormatError : public Error {
   public:
-    FormatError(std::string path, std::uint64_t line, const std::string& problem)
-        : Error(line == 0 ? path + ": " + problem
-                          : path + ":" + std::to_string(line) + ": " + problem),
+    FormatError(std::string path, std::uint64_t line, std::string problem)
+        : Error(place(path, line) + problem),
           path_(std::move(path)),
-          line_(line) {}
+          line_(line),
+          problem_(std::move(problem)) {}
     const std::string& path() const { return path_; }
     std::uint64_t line() const { return line_; }
+    /// The message without the place.
+    const std::string& problem() const { return problem_; }
 
   private:
+    static std::string place(const std::string& path, std::uint64_t line) {
+        if (path.empty()) return line == 0 ? "" : "line " + std::to_string(line) + ": ";
+        return line == 0 ? path + ": " : path + ":" + std::to_string(line) + ": ";
+    }
+
     std::string path_;
     std::uint64_t line_;
+    std::string problem_;
 };
 
 /// A parameter that does not exist or a value that it cannot take.

@@ -21,11 +21,13 @@ std::optional<LogFormat> log_format_from(std::string_view word);
 struct RawLine {
     std::string_view text;
     std::uint64_t number = 0;  ///< 1-based
+    /// Both cursors hand this line out; where it is damaged, the scan cursor's owner counts it.
+    bool shared = false;
 };
 
 /// A source of raw lines with two independent cursors [T 9.2.2]: reading scans loses no odometry
 /// and the other way round. Lines that set the stage for later ones (geometry, configuration,
-/// parameters) are handed out by both cursors.
+/// parameters) are handed out by each cursor whose lines they concern.
 class Fuente {
   public:
     virtual ~Fuente() = default;

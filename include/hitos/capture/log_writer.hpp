@@ -12,6 +12,10 @@ namespace hitos {
 /// Takes scans and odometry in the order of time and writes them to a file that appears, whole,
 /// at finish(). The poses that Player, radish and CARMEN log are the readings' twists summed from
 /// (0, 0, 0). Without finish() nothing is left behind.
+///
+/// A scan is held until a reading reaches its time. One that carries odometry (a CARMEN line that
+/// is both) waits for the reading of its own line and takes that reading's time where it is later,
+/// which happens only in logs whose stamps go backwards.
 class LogWriter {
   public:
     virtual ~LogWriter() = default;

@@ -1,7 +1,6 @@
 // Hands out scans and odometry in the normalised form [T 9.2.2].
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,7 +25,7 @@ struct ReadReport {
     std::uint64_t odometry = 0;
     std::uint64_t duplicate_scans = 0;   ///< same stamp and same ranges as the scan before
     std::uint64_t stamps_backwards = 0;  ///< readings whose stamp did not advance
-    std::uint64_t skipped = 0;           ///< damaged lines
+    std::uint64_t skipped = 0;           ///< damaged lines, each counted once
     std::vector<Skip> examples;          ///< the first kExamples damaged lines, by line
 };
 
@@ -35,8 +34,12 @@ struct ReadReport {
 ///
 /// * A scan that repeats the stamp and the ranges of the one before is left out and counted.
 /// * Poses become twists that reproduce them exactly (twist_between); a reading whose stamp does
-///   not advance is put 1 ms after the one before, so that file order and every pose are kept.
-/// * Damaged lines are left out, counted and reported with their number.
+///   not advance is put 1 ms after the one before, so that file order and every pose are kept. One
+///   that repeats stamp and pose says nothing new and is left out.
+/// * Logged velocities are held from the reading before; where the stamp does not advance there is
+///   no time to hold them, so such a reading is left out and counted.
+/// * Damaged lines are left out, counted and reported with their number. A line that is scan and
+///   odometry at once (CARMEN's FLASER) counts when the scan sequence passes over it.
 class Procesador {
   public:
     explicit Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options = {});
@@ -54,6 +57,10 @@ class Procesador {
     const Fuente& fuente() const { return *fuente_; }
 
   private:
+    std::optional<Odometria> from_pose(const OdometryRecord& record);
+    std::optional<Odometria> from_velocity(const OdometryRecord& record);
+    Odometria hand_out(double time_s, const Twist& twist, std::uint64_t line);
+    void collect_damage();
     void note_damage(std::uint64_t line, std::string reason);
 
     std::unique_ptr<Fuente> fuente_;
@@ -64,16 +71,6 @@ class Procesador {
     std::optional<Scan> last_scan_;
     std::optional<OdometryRecord> last_odometry_;
     double clock_s_ = 0.0;  ///< time of the last odometry reading handed out
-};
-
-/// Counts of a whole log, for dialogs and summaries.
-struct LogSummary {
-    LogFormat format = LogFormat::automatic;
-    ReadReport report;
-    double first_stamp_s = 0.0;
-    double duration_s = 0.0;
-    Fan fan;  ///< of the first scan
-    std::vector<std::string> first_lines;
 };
 
 }  // namespace hitos

@@ -23,13 +23,13 @@ struct Fan {
 /// mounting pose where the log gives one), in ray order. Rays without a usable reading leave no
 /// point but end a run of neighbours.
 struct Scan {
-    double time_s = 0.0;                     ///< stamp as logged
-    std::vector<Point2> points;              ///< robot frame, ray order
-    std::vector<std::uint32_t> run_starts;   ///< index of the first point of each run of neighbours
-    std::vector<std::uint32_t> rays;         ///< ray number of each point; empty: unknown
-    Fan fan;                                 ///< count == 0: unknown (normalised logs)
-    std::uint64_t line = 0;                  ///< 1-based line of the log
-    bool carries_odometry = false;           ///< the same line is an odometry reading too
+    double time_s = 0.0;                    ///< stamp as logged
+    std::vector<Point2> points;             ///< robot frame, ray order
+    std::vector<std::uint32_t> run_starts;  ///< index of the first point of each run of neighbours
+    std::vector<std::uint32_t> rays;        ///< ray number of each point; empty: unknown
+    Fan fan;                                ///< count == 0: unknown (normalised logs)
+    std::uint64_t line = 0;                 ///< 1-based line of the log
+    bool carries_odometry = false;          ///< the same line is an odometry reading too
 };
 
 /// One odometry reading: the twist held since the previous reading up to this one's time

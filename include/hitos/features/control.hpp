@@ -11,7 +11,7 @@ namespace hitos {
 
 /// A twist and the time it was held.
 struct Control {
-    Twist twist;            ///< m/s, m/s, rad/s
+    Twist twist;  ///< m/s, m/s, rad/s
     double duration_s = 0.0;
     friend bool operator==(const Control&, const Control&) = default;
 };

@@ -13,8 +13,8 @@ namespace hitos {
 /// A detected line with the scan points that support it, in scan order: an index range into
 /// Observation::support.
 struct DetectedLine {
-    Recta recta;               ///< robot frame
-    std::uint32_t first = 0;   ///< first supporting point in `support`
+    Recta recta;              ///< robot frame
+    std::uint32_t first = 0;  ///< first supporting point in `support`
     std::uint32_t count = 0;
 };
 
@@ -42,15 +42,15 @@ enum class LineFit {
 
 /// Split & Merge [T tables 4.3, 4.4]. SPEC names in brackets.
 struct SplitMergeParams {
-    double dmax_m = 0.02;              ///< greatest distance of a point from its line [dmax]
-    double min_length_m = 0.5;         ///< shortest line [mlon]
-    int min_points = 15;               ///< fewest points of a line [mpuntos]
-    LineFit fit = LineFit::endpoints;  ///< fit of the accepted lines
-    double collinear_rho_m = 0.1;      ///< merge below this difference of rho [col]
-    double collinear_theta_rad = 0.07; ///< and this difference of theta [col]
-    double collinear_gap_m = 0.0;      ///< and only pieces less than this apart; 0: any distance
-    double gap_m = 0.0;                ///< neighbours further apart than gap_m + gap_per_range *
-    double gap_per_range = 0.0;        ///< range end a run; both 0: they never do
+    double dmax_m = 0.02;               ///< greatest distance of a point from its line [dmax]
+    double min_length_m = 0.5;          ///< shortest line [mlon]
+    int min_points = 15;                ///< fewest points of a line [mpuntos]
+    LineFit fit = LineFit::endpoints;   ///< fit of the accepted lines
+    double collinear_rho_m = 0.1;       ///< merge below this difference of rho [col]
+    double collinear_theta_rad = 0.07;  ///< and this difference of theta [col]
+    double collinear_gap_m = 0.0;       ///< and only pieces less than this apart; 0: any distance
+    double gap_m = 0.0;                 ///< neighbours further apart than gap_m + gap_per_range *
+    double gap_per_range = 0.0;         ///< range end a run; both 0: they never do
 };
 
 /// What is looked for in a scan [SPEC 4].

@@ -24,8 +24,7 @@ enum class RandomPurpose : std::uint32_t {
 /// Reproducible on every machine up to the last bit of the C library's log, sin and cos.
 class RandomStream {
   public:
-    RandomStream(std::uint64_t seed, RandomPurpose purpose, std::uint64_t step,
-                 std::uint32_t index)
+    RandomStream(std::uint64_t seed, RandomPurpose purpose, std::uint64_t step, std::uint32_t index)
         : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
           counter_{{0, index, static_cast<std::uint32_t>(step),
                     static_cast<std::uint32_t>(step >> 32) ^

@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "hitos/capture/conversor.hpp"
@@ -39,33 +38,48 @@ struct Configuracion {
 };
 
 /// The five groups of the thesis's form plus resampling [T 9.2.6.5], and Hitos's own.
-enum class ParameterGroup { source, particle_filter, motion, observation, split_merge, resampling,
-                            grid, run };
+enum class ParameterGroup {
+    source,
+    particle_filter,
+    motion,
+    observation,
+    split_merge,
+    resampling,
+    grid,
+    run
+};
 
 /// Describes one parameter; the table of all of them drives files, options, forms and studies.
 struct Parameter {
     enum class Type { real, integer, choice, text };
 
-    std::string_view key;          ///< "split_merge.dmax"
-    ParameterGroup group;
-    Type type;
-    std::string_view unit;         ///< "m", "rad", "m^2", … or empty
-    std::string_view description;  ///< one sentence
-    double minimum = 0.0;          ///< numbers: smallest value allowed
-    double maximum = 0.0;          ///< numbers: greatest value allowed
+    std::string_view key;  ///< "split_merge.dmax"
+    ParameterGroup group = ParameterGroup::source;
+    Type type = Type::real;
+    std::string_view unit;                       ///< "m", "rad", "m^2", … or empty
+    std::string_view description;                ///< one sentence
+    double minimum = 0.0;                        ///< numbers: smallest value allowed
+    double maximum = 0.0;                        ///< numbers: greatest value allowed
     std::vector<std::string_view> choices = {};  ///< choice: the words, in the enum's order
 
     /// The value as text, exact: reading it back gives the same bits.
     std::string text(const Configuracion& configuration) const;
-    /// Sets the value from text. Throws ConfigError that names key, value found and what is allowed;
-    /// the configuration is then unchanged.
+    /// Sets the value from text. Throws ConfigError that names key, value found and what is
+    /// allowed; the configuration is then unchanged.
     void set(Configuracion& configuration, std::string_view value) const;
+    /// What is allowed, in words: "0 to 10 m", "one of ml, gnn", "any text".
+    std::string allowed() const;
+    /// Throws ConfigError where the configuration's value is not allowed.
+    void check(const Configuracion& configuration) const;
 
-    // How the value is reached; exactly one is set, as `type` says.
+    // How the value is reached; the pair that `type` names is set, the others are null. A choice is
+    // reached as the integer that is its place in `choices`.
     double& (*real)(Configuracion&) = nullptr;
+    double (*get_real)(const Configuracion&) = nullptr;
     std::int64_t (*get_integer)(const Configuracion&) = nullptr;
     void (*set_integer)(Configuracion&, std::int64_t) = nullptr;
     std::string& (*words)(Configuracion&) = nullptr;
+    const std::string& (*get_words)(const Configuracion&) = nullptr;
 };
 
 /// All parameters, group by group.
@@ -77,7 +91,8 @@ const Parameter& find_parameter(std::string_view key);
 /// Sets one parameter from "key=value". Throws ConfigError.
 void set_parameter(Configuracion& configuration, std::string_view assignment);
 
-/// Throws ConfigError for values that are each allowed but impossible together.
+/// Throws ConfigError for a value out of its range (code can fill the struct without set()) and for
+/// values that are each allowed but impossible together.
 void check(const Configuracion& configuration);
 
 }  // namespace hitos

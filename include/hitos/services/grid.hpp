@@ -9,37 +9,44 @@
 namespace hitos {
 
 struct GridParams {
-    double resolution_m = 0.05;      ///< side of a cell
-    double log_odds_hit = 0.85;      ///< added to the cell a ray ends in
-    double log_odds_miss = -0.4;     ///< added to the cells a ray passes
-    double log_odds_limit = 5.0;     ///< greatest absolute value of a cell
-    double max_range_m = 0.0;        ///< rays are drawn up to it; 0: whole
+    double resolution_m = 0.05;   ///< side of a cell
+    double log_odds_hit = 0.85;   ///< added to the cell a ray ends in
+    double log_odds_miss = -0.4;  ///< added to the cells a ray passes
+    double log_odds_limit = 5.0;  ///< greatest absolute value of a cell
+    double max_range_m = 0.0;     ///< rays are drawn up to it; 0: whole
 };
 
-/// A grid that grows as needed. Cell (column, row) covers
-/// [origin + column * resolution, origin + (column + 1) * resolution) in x, likewise rows in y.
+/// Greatest number of cells of a grid; what would need more is left out and counted.
+inline constexpr std::int64_t kMostGridCells = std::int64_t{1} << 28;
+
+/// A grid that grows as needed and is no greater than what was drawn. Cell (column, row) covers
+/// [origin + column * resolution, origin + (column + 1) * resolution) in x, likewise rows in y;
+/// the world's origin lies on a corner of cells.
 class Grid {
   public:
+    /// Throws ConfigError for a value that no grid can have.
     explicit Grid(const GridParams& params = {});
 
-    /// Adds a scan taken from `pose_world_robot`: every ray frees the cells it passes and occupies
-    /// the one it ends in; within one scan no cell that was hit is freed. Non-finite poses and
-    /// points are left out.
+    /// Adds a scan taken from `pose_world_robot`: every ray frees the cells it passes, from the
+    /// laser on, and occupies the one it ends in; within one scan no cell that was hit is freed. A
+    /// ray beyond the greatest range frees cells up to it and occupies none. Non-finite poses and
+    /// points, and what no grid can hold, are left out and counted.
     void add(const Scan& scan, const Pose& pose_world_robot);
     void clear();
 
-    bool empty() const { return cells_.empty(); }
+    bool empty() const { return columns_ == 0; }
     int columns() const { return columns_; }
     int rows() const { return rows_; }
     Point2 origin() const;  ///< world coordinates of the lower left corner [m]
     double resolution_m() const { return params_.resolution_m; }
     float log_odds(int column, int row) const {
-        return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                      static_cast<std::size_t>(column)];
+        return cells_[(static_cast<std::size_t>(row) + row_offset_) * stride_ +
+                      static_cast<std::size_t>(column) + column_offset_];
     }
     bool known(int column, int row) const { return log_odds(column, row) != 0.0F; }
 
-    /// 8-bit grey picture, row 0 at the top (greatest y): white free, black occupied, 205 unknown.
+    /// 8-bit grey picture, row 0 at the top (greatest y), linear in the probability of known cells:
+    /// white free, black occupied, 205 unknown.
     struct Picture {
         int width = 0;
         int height = 0;
@@ -47,24 +54,51 @@ class Grid {
     };
     Picture picture() const;
 
-    /// Counts additions; a view that saw the same number needs no new picture.
+    /// Counts changes; a view that saw the same number needs no new picture.
     std::uint64_t revision() const { return revision_; }
+    /// Points left out since the start or clear().
+    std::uint64_t left_out() const { return left_out_; }
 
   private:
-    struct CellIndex {
-        std::int64_t column;
-        std::int64_t row;
+    /// Cells [first, end), counted from the world's origin.
+    struct Box {
+        std::int64_t first_column = 0;
+        std::int64_t first_row = 0;
+        std::int64_t end_column = 0;
+        std::int64_t end_row = 0;
     };
-    bool grow_to(double min_x, double min_y, double max_x, double max_y);
+    /// A ray's end in cells from the world's origin.
+    struct Ray {
+        double u = 0.0;
+        double v = 0.0;
+        bool hit = false;
+    };
+    struct Hit {
+        std::size_t cell = 0;
+        float before = 0.0F;
+    };
+
+    void collect_rays(const Scan& scan, const Pose& pose_world_robot, const Pose& pose_world_laser);
+    bool keep_rays_that_fit(double laser_u, double laser_v);
+    void hold(const Box& box);
+    Box bounds() const;
+    static Box united(const Box& box, double u, double v);
+    static bool too_great(const Box& box);
+    static std::int64_t cells_of(const Box& box);  // of a box that is not too great
 
     GridParams params_;
-    std::vector<float> cells_;  // row-major from the lower left
+    std::vector<float> cells_;  // row-major from the lower left; more than the bounds, to grow into
+    std::size_t stride_ = 0;    // cells of one row of the storage
+    std::size_t column_offset_ = 0;  // of the bounds in the storage
+    std::size_t row_offset_ = 0;
     int columns_ = 0;
     int rows_ = 0;
     std::int64_t first_column_ = 0;  // cell index of column 0, counted from the world's origin
     std::int64_t first_row_ = 0;
     std::uint64_t revision_ = 0;
-    std::vector<std::size_t> hits_;  // scratch: cells hit by the scan being added
+    std::uint64_t left_out_ = 0;
+    std::vector<Ray> rays_;  // scratch: the scan being added
+    std::vector<Hit> hits_;  // scratch: cells that it hits, and what they held
 };
 
 }  // namespace hitos

@@ -18,9 +18,7 @@ struct LandmarkEstimate {
 template <Sensor S>
 class EKF {
   public:
-    EKF(double variance0, double variance1) {
-        r_ << variance0, 0.0, 0.0, variance1;
-    }
+    EKF(double variance0, double variance1) { r_ << variance0, 0.0, 0.0, variance1; }
 
     /// Covariance of the innovation, Q = H P H' + R.
     Matrix2 innovation_covariance(const Matrix2& jacobian, const Matrix2& covariance) const {

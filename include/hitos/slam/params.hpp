@@ -17,13 +17,13 @@ enum class MotionModel {
 /// deviations they give its results (docs/algorithm.md), so sigmas they are here.
 struct MotionParams {
     MotionModel model = MotionModel::odometry;
-    double sigma_x_m = 0.008;        ///< world x, per step
-    double sigma_y_m = 0.008;        ///< world y, per step
-    double sigma_theta_rad = 0.008;  ///< heading, per step
-    double var_along_m2_per_m = 0.005;    ///< proportional: along the motion, per metre
-    double var_across_m2_per_m = 0.002;   ///< proportional: across it, per metre
-    double var_theta_rad2_per_rad = 0.02; ///< proportional: heading, per radian turned
-    double var_theta_rad2_per_m = 0.002;  ///< proportional: heading, per metre
+    double sigma_x_m = 0.008;              ///< world x, per step
+    double sigma_y_m = 0.008;              ///< world y, per step
+    double sigma_theta_rad = 0.008;        ///< heading, per step
+    double var_along_m2_per_m = 0.005;     ///< proportional: along the motion, per metre
+    double var_across_m2_per_m = 0.002;    ///< proportional: across it, per metre
+    double var_theta_rad2_per_rad = 0.02;  ///< proportional: heading, per radian turned
+    double var_theta_rad2_per_m = 0.002;   ///< proportional: heading, per metre
 };
 
 /// Variances of an observed line (rho, theta); a corner's range and bearing use the same two.
@@ -51,7 +51,7 @@ struct AssociationParams {
     double p0 = 0.005;               ///< likelihood of a new landmark
     double gate_probability = 0.95;  ///< of the chi-square gate with 2 degrees of freedom
     AmbiguityRule ambiguity = AmbiguityRule::keep_likelihood;
-    double ambiguity_ratio = 0.1;    ///< second best over best from which both are plausible
+    double ambiguity_ratio = 0.1;  ///< second best over best from which both are plausible
 };
 
 enum class ResamplingRule { always, neff };

@@ -16,7 +16,8 @@ using Vector2 = Eigen::Vector2d;
 using Matrix2 = Eigen::Matrix2d;
 using Matrix23 = Eigen::Matrix<double, 2, 3>;
 
-/// What an observation says against the prediction: z - h, with the angle wrapped, and dh/d(landmark).
+/// What an observation says against the prediction: z - h, with the angle wrapped, and
+/// dh/d(landmark).
 struct Innovation {
     Vector2 nu;
     Matrix2 jacobian;
@@ -32,9 +33,9 @@ struct SensorRecta {
 
     /// h, as it comes: rho may be negative and the angle unwrapped.
     static Vector2 predict(const Pose& pose, const Recta& landmark) {
-        return {landmark.rho - pose.x * std::cos(landmark.theta) -
-                    pose.y * std::sin(landmark.theta),
-                landmark.theta - pose.theta};
+        return {
+            landmark.rho - pose.x * std::cos(landmark.theta) - pose.y * std::sin(landmark.theta),
+            landmark.theta - pose.theta};
     }
 
     /// dh/d(rho, theta) = [1, x sin theta - y cos theta; 0, 1].
@@ -94,8 +95,8 @@ struct SensorRecta {
     static Matrix23 inverse_pose_jacobian(const Pose& pose, const Vector2& z) {
         const double theta = z(1) + pose.theta;
         Matrix23 g;
-        g << std::cos(theta), std::sin(theta),
-            pose.y * std::cos(theta) - pose.x * std::sin(theta), 0.0, 0.0, 1.0;
+        g << std::cos(theta), std::sin(theta), pose.y * std::cos(theta) - pose.x * std::sin(theta),
+            0.0, 0.0, 1.0;
         return g;
     }
 

@@ -1,0 +1,53 @@
+// What a finished run leaves on disk.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "hitos/services/measures.hpp"
+#include "hitos/services/slam_run.hpp"
+
+namespace hitos {
+
+/// The version of the program, as in summaries and --version.
+std::string version();
+
+/// What to compare a run with.
+struct References {
+    std::optional<LandmarkMap> map;
+    std::optional<Trajectory> trajectory;
+};
+
+/// The figures of a run, as summary.json states them.
+struct RunSummary {
+    std::string source;
+    LogFormat format = LogFormat::automatic;
+    std::uint64_t scans = 0;
+    double duration_s = 0.0;
+    int particles = 0;
+    std::uint64_t seed = 0;
+    int lines = 0;
+    int corners = 0;
+    ReadReport report;
+    std::optional<MapError> map_error;
+    std::optional<AlignedMapError> aligned_map_error;
+    std::optional<TrajectoryError> trajectory_error;
+    std::optional<TrajectoryError> odometry_error;
+};
+
+RunSummary summarize(const SlamRun& run, const References& references);
+
+/// The summary as JSON text; units stand in the names. `seconds` is the wall time of the run.
+std::string to_json(const RunSummary& summary, double seconds);
+
+/// Makes the folder (and its parents) and makes sure that files can be written there, so that a
+/// long run does not end in vain. Throws FileError.
+void prepare_output_folder(const std::filesystem::path& folder);
+
+/// Writes map.txt, trajectory.tum, odometry.tum, grid_best_steps, grid_best and grid_odometry (each
+/// as .png and .jpg), config.cfg and summary.json, each atomically, and returns the summary.
+RunSummary write_results(const SlamRun& run, const References& references, double seconds,
+                         const std::filesystem::path& folder);
+
+}  // namespace hitos

@@ -1,0 +1,87 @@
+#include "hitos/capture/archivo.hpp"
+
+#include "formats.hpp"
+#include "line_reader.hpp"
+
+namespace hitos {
+namespace {
+
+/// Reports are for people: beyond this many between two scans, damaged lines are only counted, so
+/// that a file of nothing but damage costs no memory.
+constexpr std::size_t kDamageHeld = 64;
+
+}  // namespace
+
+struct Archivo::Cursor {
+    explicit Cursor(const std::filesystem::path& path) : reader(path) {}
+    LineReader reader;
+};
+
+Archivo::Archivo(std::filesystem::path path)
+    : path_(std::move(path)),
+      scans_(std::make_unique<Cursor>(path_)),
+      odometry_(std::make_unique<Cursor>(path_)) {}
+
+Archivo::~Archivo() = default;
+
+std::optional<RawLine> Archivo::read_scan_line() {
+    return read(*scans_, LineKind::scan);
+}
+
+std::optional<RawLine> Archivo::read_odometry_line() {
+    return read(*odometry_, LineKind::odometry);
+}
+
+std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
+    const bool tells_damage = wanted == LineKind::scan;
+    while (std::optional<LineReader::Line> line = cursor.reader.next()) {
+        if (!line->damage.empty()) {
+            if (tells_damage) note_damage(line->number, std::move(line->damage));
+            continue;
+        }
+        if (line->text.empty() || line->text.front() == '#') continue;
+        const LineKind kind = classify(line->text);
+        if (kind == wanted || kind == LineKind::both) {
+            return RawLine{line->text, line->number, kind == LineKind::both};
+        }
+        if (kind == LineKind::damaged && tells_damage) {
+            note_damage(line->number,
+                        "not a line of the format " + std::string(to_string(format())));
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<double> Archivo::progress() const {
+    return scans_->reader.bytes().progress();
+}
+
+std::string Archivo::name() const {
+    return path_.string();
+}
+
+std::unique_ptr<Fuente> Archivo::reopen() const {
+    return make_archivo(format(), path_);
+}
+
+void Archivo::note_damage(std::uint64_t line, std::string reason) {
+    if (damage_.size() < kDamageHeld) {
+        damage_.emplace_back(line, std::move(reason));
+    } else {
+        ++damage_untold_;
+    }
+}
+
+std::optional<std::pair<std::uint64_t, std::string>> Archivo::take_damage() {
+    if (damage_.empty()) return std::nullopt;
+    if (damage_.size() == 1 && damage_untold_ > 0) {
+        // The last one held stands for those that were only counted.
+        --damage_untold_;
+        return damage_.front();
+    }
+    std::pair<std::uint64_t, std::string> first = std::move(damage_.front());
+    damage_.pop_front();
+    return first;
+}
+
+}  // namespace hitos

@@ -1,0 +1,160 @@
+#include "byte_stream.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+#include "hitos/capture/error.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr std::size_t kInputBytes = std::size_t{1} << 16;
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+bool is_gzip_magic(const char* bytes, std::size_t count) {
+    return count >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
+}
+
+}  // namespace
+
+struct ByteStream::Inflater {
+    z_stream stream{};
+    bool between_members = false;
+
+    Inflater() {
+        constexpr int kGzipWindow = 15 + 16;
+        if (inflateInit2(&stream, kGzipWindow) != Z_OK) throw std::bad_alloc();
+    }
+    ~Inflater() { inflateEnd(&stream); }
+    Inflater(const Inflater&) = delete;
+    Inflater& operator=(const Inflater&) = delete;
+};
+
+ByteStream::ByteStream(const std::filesystem::path& path) : path_(path), input_(kInputBytes) {
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor_ < 0) {
+        const int error = errno;
+        if (error == ENOENT || error == ENOTDIR) {
+            throw FileError(path.string(), "there is no such file; check the path");
+        }
+        throw FileError(path.string(), "cannot be opened for reading: " + reason(error));
+    }
+    struct stat status {};
+    const bool known = ::fstat(descriptor_, &status) == 0;
+    if (!known || !S_ISREG(status.st_mode)) {
+        const bool folder = known && S_ISDIR(status.st_mode);
+        ::close(descriptor_);
+        throw FileError(path.string(), folder ? "is a folder; choose a log file inside it"
+                                              : "is no regular file; copy the log to one first");
+    }
+    size_ = static_cast<std::uint64_t>(status.st_size);
+    try {
+        refill();
+        if (is_gzip_magic(input_.data(), input_end_)) inflater_ = std::make_unique<Inflater>();
+    } catch (...) {
+        ::close(descriptor_);
+        throw;
+    }
+}
+
+ByteStream::~ByteStream() {
+    ::close(descriptor_);
+}
+
+bool ByteStream::refill() {
+    // What is left goes to the front, so that a member's magic never straddles two reads.
+    std::memmove(input_.data(), input_.data() + input_begin_, input_end_ - input_begin_);
+    input_end_ -= input_begin_;
+    input_begin_ = 0;
+    for (;;) {
+        const ssize_t got =
+            ::read(descriptor_, input_.data() + input_end_, input_.size() - input_end_);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw FileError(path_.string(), "reading fails: " + reason(errno));
+        input_end_ += static_cast<std::size_t>(got);
+        taken_ += static_cast<std::uint64_t>(got);
+        return got > 0;
+    }
+}
+
+double ByteStream::progress() const {
+    if (size_ == 0) return 1.0;
+    return std::min(1.0, static_cast<double>(taken_) / static_cast<double>(size_));
+}
+
+std::size_t ByteStream::read(std::span<char> out) {
+    if (ended_ || out.empty()) return 0;
+    if (inflater_) return read_inflated(out);
+    if (input_begin_ == input_end_ && !refill()) {
+        ended_ = true;
+        return 0;
+    }
+    const std::size_t count = std::min(out.size(), input_end_ - input_begin_);
+    std::memcpy(out.data(), input_.data() + input_begin_, count);
+    input_begin_ += count;
+    return count;
+}
+
+/// True where another gzip member follows. Zeros after a member are padding; anything else is not
+/// part of the log.
+bool ByteStream::next_member() {
+    for (;;) {
+        if (input_end_ - input_begin_ < 2 && refill()) continue;
+        if (is_gzip_magic(input_.data() + input_begin_, input_end_ - input_begin_)) {
+            inflateReset(&inflater_->stream);
+            return true;
+        }
+        while (input_begin_ < input_end_ && input_[input_begin_] == '\0')
+            ++input_begin_;
+        if (input_begin_ < input_end_) {
+            damage_ = "bytes that are not gzip follow the compressed data";
+            return false;
+        }
+        if (!refill()) return false;
+    }
+}
+
+std::size_t ByteStream::read_inflated(std::span<char> out) {
+    z_stream& stream = inflater_->stream;
+    stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    stream.avail_out = static_cast<uInt>(std::min(out.size(), std::size_t{1} << 30));
+    const uInt room = stream.avail_out;
+    while (stream.avail_out == room && !ended_) {
+        if (inflater_->between_members) {
+            inflater_->between_members = false;
+            if (!next_member()) {
+                ended_ = true;
+                break;
+            }
+        }
+        if (input_begin_ == input_end_ && !refill()) {
+            damage_ = "the compressed data end early";
+            ended_ = true;
+            break;
+        }
+        stream.next_in = reinterpret_cast<Bytef*>(input_.data() + input_begin_);
+        stream.avail_in = static_cast<uInt>(input_end_ - input_begin_);
+        const int result = inflate(&stream, Z_NO_FLUSH);
+        input_begin_ = input_end_ - stream.avail_in;
+        if (result == Z_STREAM_END) {
+            inflater_->between_members = true;
+        } else if (result != Z_OK && result != Z_BUF_ERROR) {
+            damage_ = "the compressed data are damaged";
+            ended_ = true;
+        }
+    }
+    return room - stream.avail_out;
+}
+
+}  // namespace hitos

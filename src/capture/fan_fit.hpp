@@ -1,0 +1,38 @@
+// From points back to a fan's ranges, for formats that log ranges.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hitos/capture/scan.hpp"
+
+namespace hitos {
+
+/// The greatest range written where a scan does not say its own: the one of SICK scanners.
+inline constexpr double kUnknownMaxRange = 81.91;
+
+/// A scan as ranges. Rays without a point have range 0.
+struct Sweep {
+    Fan fan;  ///< max_range_m is set
+    std::vector<double> ranges_m;
+};
+
+/// Turns scans into sweeps. Scans of normalised logs have no fan: one is derived from the points'
+/// bearings and kept from scan to scan as long as it fits.
+class FanFitter {
+  public:
+    /// `path` names the file under way in messages.
+    explicit FanFitter(std::string path) : path_(std::move(path)) {}
+
+    /// Throws FormatError where the points lie on no regular fan, or beyond its greatest range.
+    Sweep sweep(const Scan& scan);
+
+  private:
+    void derive(const Scan& scan);
+    [[noreturn]] void fail(const Scan& scan, const std::string& problem) const;
+
+    std::string path_;
+    Fan derived_;
+};
+
+}  // namespace hitos

@@ -1,0 +1,58 @@
+#include "fields.hpp"
+
+#include <limits>
+
+#include "hitos/capture/error.hpp"
+
+namespace hitos {
+namespace {
+
+/// A field as a message may show it: short, whatever the line holds.
+std::string shown(std::string_view field) {
+    constexpr std::size_t kShown = 24;
+    std::string text(1, '"');
+    text += field.substr(0, kShown);
+    if (field.size() > kShown) text += "...";
+    text += '"';
+    return text;
+}
+
+}  // namespace
+
+std::size_t Fields::remaining() const {
+    Fields ahead = *this;
+    std::size_t count = 0;
+    while (!ahead.at_end()) {
+        ahead.take();
+        ++count;
+    }
+    return count;
+}
+
+std::uint32_t Fields::count(const char* name, std::int64_t least) {
+    const std::string_view field = word(name);
+    const std::optional<std::int64_t> value = parse_integer(field);
+    if (!value || *value < least || *value > std::numeric_limits<std::int32_t>::max()) {
+        fail(name, field, least > 0 ? "a whole number from 1" : "a whole number from 0");
+    }
+    return static_cast<std::uint32_t>(*value);
+}
+
+void Fields::expect_end(const char* after) const {
+    if (rest_.empty()) return;
+    fail("found " + shown(peek()) + " after " + after + ", expected the end of the line");
+}
+
+void Fields::fail(const char* name, std::string_view found, const char* expected) const {
+    fail(std::string(name) + ": found " + shown(found) + ", expected " + expected);
+}
+
+void Fields::fail(const std::string& problem) const {
+    throw FormatError("", line_, problem);
+}
+
+void Fields::fail_missing(const char* name) const {
+    fail(std::string(name) + ": found the end of the line, expected a value");
+}
+
+}  // namespace hitos

@@ -1,0 +1,138 @@
+#include "hitos/capture/procesador.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "hitos/capture/error.hpp"
+
+namespace hitos {
+namespace {
+
+/// Odometry has no readings to judge; a stated range spares its converter the look ahead.
+ReadOptions without_look_ahead(ReadOptions options) {
+    if (!(options.max_range_m > 0.0)) options.max_range_m = 1.0;
+    return options;
+}
+
+constexpr double kRepairStep = 1e-3;
+
+}  // namespace
+
+Procesador::Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options)
+    : fuente_(std::move(fuente)),
+      options_(options),
+      conversor_scans_(make_conversor(*fuente_, options_)),
+      conversor_odometry_(make_conversor(*fuente_, without_look_ahead(options_))) {}
+
+void Procesador::restart() {
+    // All that can throw comes first, so that a failure leaves the reader where it was.
+    std::unique_ptr<Fuente> fresh = fuente_->reopen();
+    std::unique_ptr<Conversor> scans = make_conversor(*fresh, options_);
+    std::unique_ptr<Conversor> odometry = make_conversor(*fresh, without_look_ahead(options_));
+    fuente_ = std::move(fresh);
+    conversor_scans_ = std::move(scans);
+    conversor_odometry_ = std::move(odometry);
+    report_ = {};
+    last_scan_.reset();
+    last_odometry_.reset();
+    clock_s_ = 0.0;
+}
+
+void Procesador::note_damage(std::uint64_t line, std::string reason) {
+    ++report_.skipped;
+    // Two cursors find damage in two orders; the report has it in the log's.
+    std::vector<ReadReport::Skip>& examples = report_.examples;
+    const auto place = std::upper_bound(
+        examples.begin(), examples.end(), line,
+        [](std::uint64_t number, const ReadReport::Skip& skip) { return number < skip.line; });
+    if (place == examples.end() && examples.size() >= ReadReport::kExamples) return;
+    examples.insert(place, {line, std::move(reason)});
+    if (examples.size() > ReadReport::kExamples) examples.pop_back();
+}
+
+void Procesador::collect_damage() {
+    while (std::optional<std::pair<std::uint64_t, std::string>> damage = fuente_->take_damage()) {
+        note_damage(damage->first, std::move(damage->second));
+    }
+}
+
+std::optional<Scan> Procesador::next_scan() {
+    for (;;) {
+        const std::optional<RawLine> line = fuente_->read_scan_line();
+        collect_damage();
+        if (!line) return std::nullopt;
+        try {
+            std::optional<Scan> scan = conversor_scans_->scan(*line);
+            if (!scan) continue;
+            if (last_scan_ && last_scan_->time_s == scan->time_s &&
+                last_scan_->points == scan->points && last_scan_->rays == scan->rays &&
+                last_scan_->run_starts == scan->run_starts) {
+                ++report_.duplicate_scans;
+                continue;
+            }
+            last_scan_ = *scan;
+            ++report_.scans;
+            return scan;
+        } catch (const FormatError& error) {
+            note_damage(line->number, error.problem());
+        }
+    }
+}
+
+std::optional<Odometria> Procesador::next_odometry() {
+    for (;;) {
+        const std::optional<RawLine> line = fuente_->read_odometry_line();
+        if (!line) return std::nullopt;
+        try {
+            const std::optional<OdometryRecord> record = conversor_odometry_->odometry(*line);
+            if (!record) continue;
+            const bool by_pose = record->pose_odom_robot && !options_.logged_velocities;
+            const std::optional<Odometria> reading =
+                by_pose ? from_pose(*record) : from_velocity(*record);
+            if (reading) return reading;
+        } catch (const FormatError& error) {
+            if (!line->shared) note_damage(line->number, error.problem());
+        }
+    }
+}
+
+std::optional<Odometria> Procesador::from_pose(const OdometryRecord& record) {
+    const Pose pose = *record.pose_odom_robot;
+    if (!last_odometry_) {
+        last_odometry_ = record;
+        return hand_out(record.time_s, {}, record.line);
+    }
+    const Pose before = *last_odometry_->pose_odom_robot;
+    if (record.time_s == last_odometry_->time_s && pose == before) return std::nullopt;
+    double time_s = record.time_s;
+    if (!(time_s > clock_s_)) {
+        ++report_.stamps_backwards;
+        time_s = clock_s_ + kRepairStep;
+    }
+    last_odometry_ = record;
+    return hand_out(time_s, twist_between(between(before, pose), time_s - clock_s_), record.line);
+}
+
+std::optional<Odometria> Procesador::from_velocity(const OdometryRecord& record) {
+    if (!record.velocity) return std::nullopt;  // a scan's pose among velocities
+    if (!last_odometry_) {
+        last_odometry_ = record;
+        return hand_out(record.time_s, {}, record.line);
+    }
+    if (!(record.time_s > clock_s_)) {
+        const bool repeated =
+            record.time_s == last_odometry_->time_s && record.velocity == last_odometry_->velocity;
+        if (!repeated) ++report_.stamps_backwards;
+        return std::nullopt;
+    }
+    last_odometry_ = record;
+    return hand_out(record.time_s, *record.velocity, record.line);
+}
+
+Odometria Procesador::hand_out(double time_s, const Twist& twist, std::uint64_t line) {
+    clock_s_ = time_s;
+    ++report_.odometry;
+    return {time_s, twist, line};
+}
+
+}  // namespace hitos

@@ -1,0 +1,108 @@
+#include "range_conversor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace hitos {
+
+void RangeConversor::Readings::clear() {
+    time_s = 0.0;
+    fan = {};
+    max_is_exact = false;
+    carries_odometry = false;
+    ranges_m.clear();
+    bearings_rad.clear();
+}
+
+double RangeConversor::limit(const Readings& readings) const {
+    if (options_.max_range_m > 0.0) return options_.max_range_m;
+    const double stated = readings.fan.max_range_m;
+    if (stated > 0.0) {
+        // A missing return is written as the maximum with the readings' three decimals.
+        const double as_written = std::min(stated, std::round(stated * 1000.0) / 1000.0);
+        // Scanners that state 81.92 write 81.91.
+        const bool code_below = no_return_m_ && *no_return_m_ < as_written;
+        return readings.max_is_exact || !code_below ? as_written : *no_return_m_ - kNoReturnMargin;
+    }
+    return no_return_m_ ? *no_return_m_ - kNoReturnMargin : kAssumedLimit;
+}
+
+void RangeConversor::point_along(const Fan& fan) {
+    Fan key = fan;
+    key.max_range_m = 0.0;
+    if (key == directions_fan_ && directions_.size() == fan.count) return;
+    directions_fan_ = key;
+    directions_.resize(fan.count);
+    const double step =
+        fan.count > 1 ? (fan.max_angle_rad - fan.min_angle_rad) / (fan.count - 1) : 0.0;
+    for (std::size_t i = 0; i < directions_.size(); ++i) {
+        const double angle =
+            fan.pose_robot_laser.theta + fan.min_angle_rad + static_cast<double>(i) * step;
+        directions_[i] = {std::cos(angle), std::sin(angle)};
+    }
+}
+
+void RangeConversor::point_along(const Pose& pose_robot_laser,
+                                 const std::vector<double>& bearings_rad) {
+    directions_fan_ = {};
+    directions_.resize(bearings_rad.size());
+    for (std::size_t i = 0; i < bearings_rad.size(); ++i) {
+        const double angle = pose_robot_laser.theta + bearings_rad[i];
+        directions_[i] = {std::cos(angle), std::sin(angle)};
+    }
+}
+
+std::optional<Scan> RangeConversor::scan(const RawLine& line) {
+    readings_.clear();
+    if (!parse_scan(line, readings_)) return std::nullopt;
+    const double greatest = limit(readings_);
+    const Pose& mount = readings_.fan.pose_robot_laser;
+    if (readings_.bearings_rad.empty()) {
+        point_along(readings_.fan);
+    } else {
+        point_along(mount, readings_.bearings_rad);
+    }
+
+    Scan scan;
+    scan.time_s = readings_.time_s;
+    scan.fan = readings_.fan;
+    if (options_.max_range_m > 0.0) scan.fan.max_range_m = options_.max_range_m;
+    scan.line = line.number;
+    scan.carries_odometry = readings_.carries_odometry;
+    scan.points.reserve(readings_.ranges_m.size());
+    scan.rays.reserve(readings_.ranges_m.size());
+    bool run_open = false;
+    for (std::size_t i = 0; i < readings_.ranges_m.size(); ++i) {
+        const double range = readings_.ranges_m[i];
+        if (!(range > 0.0 && range < greatest)) {  // so that NaN is none
+            run_open = false;
+            continue;
+        }
+        if (!run_open) scan.run_starts.push_back(static_cast<std::uint32_t>(scan.points.size()));
+        run_open = true;
+        scan.points.push_back(
+            {mount.x + range * directions_[i].x, mount.y + range * directions_[i].y});
+        scan.rays.push_back(static_cast<std::uint32_t>(i));
+    }
+    return scan;
+}
+
+Fan fan_of_bearings(const std::vector<double>& bearings_rad) {
+    constexpr double kRegular = 1e-4;  // bearings are logged with four or five decimals
+    if (bearings_rad.empty()) return {};
+    Fan fan;
+    fan.min_angle_rad = bearings_rad.front();
+    fan.max_angle_rad = bearings_rad.back();
+    fan.count = static_cast<std::uint32_t>(bearings_rad.size());
+    if (fan.count == 1) return fan;
+    const double step = (fan.max_angle_rad - fan.min_angle_rad) / (fan.count - 1);
+    if (std::abs(step) < kRegular) return {};
+    for (std::size_t i = 0; i < bearings_rad.size(); ++i) {
+        const double regular = fan.min_angle_rad + static_cast<double>(i) * step;
+        if (std::abs(bearings_rad[i] - regular) > kRegular) return {};
+    }
+    return fan;
+}
+
+}  // namespace hitos

@@ -1,0 +1,70 @@
+// What the converters of range readings have in common: which readings are points, and where.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "fields.hpp"
+#include "hitos/capture/conversor.hpp"
+
+namespace hitos {
+
+/// Readings from here on are no points where nothing better is known: scanners of SICK say "no
+/// return" with 50.00, 81.83 or 81.91 m.
+inline constexpr double kAssumedLimit = 49.9;
+
+/// A code for "no return" may be written a little smaller than it is.
+inline constexpr double kNoReturnMargin = 0.1;
+
+/// A converter whose lines hold ranges. Derived kinds parse a line into readings; this class makes
+/// the scan.
+class RangeConversor : public Conversor {
+  public:
+    explicit RangeConversor(const ReadOptions& options) : options_(options) {}
+
+    std::optional<Scan> scan(const RawLine& line) final;
+
+    /// The readings of one line. With a bearing each, `fan` only describes them.
+    struct Readings {
+        double time_s = 0.0;
+        Fan fan;
+        /// The log's writer marks a missing return with exactly fan.max_range_m.
+        bool max_is_exact = false;
+        bool carries_odometry = false;
+        std::vector<double> ranges_m;
+        std::vector<double> bearings_rad;  ///< in the laser's frame; empty: as the fan says
+        void clear();
+    };
+
+    /// Parses a line; false for metadata and for what another device says. Throws FormatError.
+    virtual bool parse_scan(const RawLine& line, Readings& out) = 0;
+
+    /// Readings from `value` less a margin on are no points, where the log does not say it better.
+    void set_no_return(std::optional<double> value) { no_return_m_ = value; }
+
+  private:
+    double limit(const Readings& readings) const;
+    void point_along(const Fan& fan);
+    void point_along(const Pose& pose_robot_laser, const std::vector<double>& bearings_rad);
+
+    ReadOptions options_;
+    std::optional<double> no_return_m_;
+    Readings readings_;
+    Fan directions_fan_;              // the fan that directions_ were computed for
+    std::vector<Point2> directions_;  // robot frame, unit length
+};
+
+/// Describes bearings by a fan where they are regular to 1e-4 rad, else by one of count 0.
+Fan fan_of_bearings(const std::vector<double>& bearings_rad);
+
+/// The value by which the log's first scans say "no return": their greatest reading, where it is
+/// repeated as no real distance would be. Nothing where there is none, or where the log states it.
+std::optional<double> find_no_return(const Fuente& fuente, RangeConversor& scratch);
+
+std::unique_ptr<RangeConversor> make_conversor_player(const ReadOptions& options);
+std::unique_ptr<RangeConversor> make_conversor_radish(const ReadOptions& options);
+std::unique_ptr<RangeConversor> make_conversor_carmen(const ReadOptions& options);
+std::unique_ptr<Conversor> make_conversor_normalizado(const ReadOptions& options);
+
+}  // namespace hitos

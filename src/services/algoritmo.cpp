@@ -1,0 +1,196 @@
+#include "hitos/services/algoritmo.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace hitos {
+
+Algoritmo::Algoritmo(const Configuracion& configuration, std::unique_ptr<Fuente> fuente,
+                     const SlamRunOptions& options)
+    : run_(configuration, std::move(fuente), options),
+      worker_([this](const std::stop_token& stop) { work(stop); }) {}
+
+Algoritmo::~Algoritmo() {
+    worker_.request_stop();
+    worker_.join();
+}
+
+void Algoritmo::run() {
+    run(std::numeric_limits<std::uint64_t>::max());
+}
+
+void Algoritmo::run(std::uint64_t steps) {
+    const std::scoped_lock lock(mutex_);
+    const bool can_run =
+        progress_.state != Progress::State::finished && progress_.state != Progress::State::failed;
+    if (!can_run && !restart_wanted_) return;
+    budget_ = steps;
+    if (steps > 0) progress_.state = Progress::State::running;
+    rate_since_ = std::chrono::steady_clock::now();
+    rate_steps_ = progress_.steps;
+    wake_.notify_one();
+}
+
+void Algoritmo::pause() {
+    const std::scoped_lock lock(mutex_);
+    budget_ = 0;
+    if (progress_.state == Progress::State::running) progress_.state = Progress::State::paused;
+    wake_.notify_one();
+}
+
+void Algoritmo::restart() {
+    const std::scoped_lock lock(mutex_);
+    budget_ = 0;
+    restart_wanted_ = true;
+    progress_ = {};
+    wake_.notify_one();
+}
+
+void Algoritmo::wait() {
+    std::unique_lock lock(mutex_);
+    idle_.wait(lock, [this] { return idle(); });
+}
+
+void Algoritmo::wait_for(std::chrono::milliseconds time) {
+    std::unique_lock lock(mutex_);
+    idle_.wait_for(lock, time, [this] { return idle(); });
+}
+
+bool Algoritmo::idle() const {
+    return !busy_ && budget_ == 0 && !restart_wanted_ && !snapshot_wanted_ && tasks_.empty();
+}
+
+Progress Algoritmo::progress() const {
+    const std::scoped_lock lock(mutex_);
+    return progress_;
+}
+
+void Algoritmo::request_snapshot() {
+    const std::scoped_lock lock(mutex_);
+    snapshot_wanted_ = true;
+    wake_.notify_one();
+}
+
+std::shared_ptr<const Snapshot> Algoritmo::latest_snapshot() const {
+    const std::scoped_lock lock(mutex_);
+    return snapshot_;
+}
+
+void Algoritmo::post(std::function<void(const SlamRun&)> task) {
+    const std::scoped_lock lock(mutex_);
+    tasks_.push_back(std::move(task));
+    wake_.notify_one();
+}
+
+void Algoritmo::work(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+        wake_.wait(lock, stop, [this] {
+            return budget_ > 0 || restart_wanted_ || snapshot_wanted_ || !tasks_.empty();
+        });
+        if (stop.stop_requested()) break;
+        busy_ = true;
+        if (restart_wanted_) {
+            restart_wanted_ = false;
+            lock.unlock();
+            do_restart();
+            lock.lock();
+        } else if (budget_ > 0) {
+            --budget_;
+            lock.unlock();
+            do_step();
+            lock.lock();
+        }
+        if (snapshot_wanted_) {
+            lock.unlock();
+            publish_snapshot();
+            lock.lock();
+        }
+        for (const auto& task : std::exchange(tasks_, {})) {
+            lock.unlock();
+            task(run_);
+            lock.lock();
+        }
+        busy_ = false;
+        idle_.notify_all();
+    }
+}
+
+void Algoritmo::do_restart() {
+    std::string error;
+    try {
+        run_.restart();
+    } catch (const std::exception& failure) {
+        error = failure.what();
+    }
+    const std::scoped_lock lock(mutex_);
+    snapshot_ = nullptr;
+    if (error.empty()) return;
+    budget_ = 0;
+    progress_.state = Progress::State::failed;
+    progress_.error = error;
+}
+
+void Algoritmo::do_step() {
+    const auto begin = std::chrono::steady_clock::now();
+    bool more = false;
+    std::string error;
+    try {
+        more = run_.step();
+    } catch (const std::exception& failure) {
+        error = failure.what();
+    }
+    const auto end = std::chrono::steady_clock::now();
+
+    const std::scoped_lock lock(mutex_);
+    if (restart_wanted_) return;  // this step's outcome no longer matters
+    progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
+    note_progress();
+    if (more) {
+        if (budget_ == 0) progress_.state = Progress::State::paused;
+        return;
+    }
+    budget_ = 0;
+    progress_.state = error.empty() ? Progress::State::finished : Progress::State::failed;
+    progress_.error = error;
+    if (error.empty()) progress_.fraction = 1.0;
+}
+
+void Algoritmo::note_progress() {
+    progress_.steps = run_.steps();
+    progress_.fraction = run_.fuente().progress();
+    progress_.time_s = run_.scan().time_s;
+    progress_.duration_s = run_.duration_s();
+    progress_.lines = run_.filter().best_lines();
+    progress_.corners = run_.filter().best_corners();
+    progress_.statistics = run_.filter().statistics();
+    progress_.skipped_lines = run_.report().skipped;
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - rate_since_).count();
+    if (seconds >= 0.5) {
+        progress_.steps_per_second = static_cast<double>(progress_.steps - rate_steps_) / seconds;
+        rate_since_ = now;
+        rate_steps_ = progress_.steps;
+    }
+}
+
+void Algoritmo::publish_snapshot() {
+    auto snapshot = std::make_shared<Snapshot>();
+    snapshot->steps = run_.steps();
+    snapshot->scan = run_.scan();
+    snapshot->observation = run_.observation();
+    const auto associations = run_.filter().associations();
+    snapshot->associations.assign(associations.begin(), associations.end());
+    snapshot->best_pose = run_.filter().best_pose();
+    snapshot->best_map = run_.filter().best_map();
+    snapshot->hypotheses = run_.filter().hypotheses();
+    snapshot->best_trajectory = run_.best_trajectory();
+    snapshot->odometry_trajectory = run_.odometry_trajectory();
+    snapshot->step_grid = run_.step_grid();
+
+    const std::scoped_lock lock(mutex_);
+    snapshot_wanted_ = false;
+    if (!restart_wanted_) snapshot_ = std::move(snapshot);
+}
+
+}  // namespace hitos

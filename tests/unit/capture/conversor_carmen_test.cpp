@@ -1,0 +1,172 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "test_files.hpp"
+
+namespace hitos {
+namespace {
+
+using test::expect_near;
+using test::Log;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Log carmen(const std::string& text, ReadOptions options = {}) {
+    return test::read_text(LogFormat::carmen, text, options);
+}
+
+std::string ones(int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text += " 1";
+    return text;
+}
+
+std::string flaser(int count, const std::string& tail = " 5 5 5 1 2 0.5 3.25 h 3.25\n") {
+    return "FLASER " + std::to_string(count) + ones(count) + tail;
+}
+
+double degrees(double rad) {
+    return rad * 180.0 / kPi;
+}
+
+TEST(ConversorCarmen, FlaserIsScanAndOdometry) {
+    const Log log = carmen("ODOM 0 0 0 0.5 0.1 0 3.0 h 3.0\n" + flaser(180));
+    ASSERT_EQ(log.scans.size(), 1U);
+    EXPECT_EQ(log.scans[0].time_s, 3.25);
+    EXPECT_TRUE(log.scans[0].carries_odometry);
+    ASSERT_EQ(log.odometry.size(), 2U);
+    EXPECT_EQ(log.odometry[1].line, 2U);
+    expect_near(test::summed(log.odometry).back(), {1, 2, 0.5}, 1e-12);  // not 5 5 5
+}
+
+TEST(ConversorCarmen, FlaserFans) {
+    const auto fan = [](int count, const std::string& parameter = {}) {
+        return carmen(parameter + flaser(count)).scans.at(0).fan;
+    };
+    EXPECT_NEAR(degrees(fan(180).min_angle_rad), -90, 1e-12);
+    EXPECT_NEAR(degrees(fan(180).max_angle_rad), 89, 1e-12);
+    EXPECT_NEAR(degrees(fan(360).max_angle_rad), 89.5, 1e-12);
+    EXPECT_NEAR(degrees(fan(181).max_angle_rad), 90, 1e-12);
+    EXPECT_NEAR(degrees(fan(361).min_angle_rad), -90, 1e-12);
+    EXPECT_EQ(fan(1).min_angle_rad, 0.0);
+    const std::string half = "PARAM laser_front_laser_resolution 0.5 h 0\n";
+    EXPECT_NEAR(degrees(fan(360, half).min_angle_rad), -90, 1e-12);
+    EXPECT_NEAR(degrees(fan(360, half).max_angle_rad), 89.5, 1e-12);
+    EXPECT_NEAR(degrees(fan(361, half).max_angle_rad), 90, 1e-12);
+    EXPECT_NEAR(degrees(fan(201, half).min_angle_rad), -50, 1e-12);
+    EXPECT_NEAR(degrees(fan(201, half).max_angle_rad), 50, 1e-12);
+}
+
+TEST(ConversorCarmen, ParametersOfTheLaser) {
+    const std::string scan = "FLASER 3 1.0 20.0 30.0 0 0 0 0 0 0 1 h 1\n";
+    EXPECT_THAT(carmen(scan).scans.at(0).rays, ElementsAre(0, 1, 2));
+    const Log log = carmen(
+        "PARAM robot_front_laser_max 20.0 h 0\nPARAM robot_width xyz h 0\n"
+        "PARAM robot_frontlaser_offset 0.3 nohost 0\n" +
+        scan);
+    EXPECT_THAT(log.scans.at(0).rays, ElementsAre(0));
+    EXPECT_EQ(log.scans[0].fan.max_range_m, 20.0);
+    expect_near(log.scans[0].points[0], Point2{0.3, -1.0}, 1e-12);
+    EXPECT_EQ(log.report.skipped, 0U);
+    EXPECT_EQ(carmen("PARAM robot_front_laser_max x h 0\n" + scan).report.skipped, 1U);
+}
+
+TEST(ConversorCarmen, StatedMaximumAboveTheCode) {
+    // SICK scanners under CARMEN state 81.92 and write 81.91.
+    std::string text = "PARAM robot_front_laser_max 81.92 h 0\n";
+    for (int s = 0; s < 12; ++s) {
+        text += "FLASER 8 1 1 81.91 81.91 81.91 81.91 81.91 " + std::to_string(2 + 0.1 * s) +
+                " 0 0 0 0 0 0 " + std::to_string(s) + " h 0\n";
+    }
+    EXPECT_EQ(carmen(text).scans.at(0).points.size(), 3U);
+}
+
+TEST(ConversorCarmen, RobotLaser) {
+    const std::string head = "ROBOTLASER1 0 -1.570796 3.141593 1.570796 20.0 0.01 0 3 1 2 30 ";
+    const std::string tail = "1.0 0.2 1.570796 1 0 1.570796 0.5 0.1 0.8 0.4 0.0 7.5 h 7.5\n";
+    const Log log = carmen(head + "3 10 20 30 " + tail);
+    ASSERT_EQ(log.scans.size(), 1U) << log.report.examples.at(0).reason;
+    const Scan& scan = log.scans[0];
+    EXPECT_TRUE(scan.carries_odometry);
+    EXPECT_EQ(scan.time_s, 7.5);
+    EXPECT_NEAR(scan.fan.max_angle_rad, kPi / 2, 1e-6);
+    EXPECT_EQ(scan.fan.max_range_m, 20.0);
+    expect_near(scan.fan.pose_robot_laser, {0.2, 0, 0}, 1e-6);
+    EXPECT_THAT(scan.rays, ElementsAre(0, 1));
+    expect_near(scan.points[1], Point2{2.2, 0}, 1e-5);
+    ASSERT_EQ(log.odometry.size(), 1U);
+    // The same line in its other shapes: no remissions; none of them; no turn axis; no logger time.
+    const std::vector<std::string> shapes = {
+        head + tail, head + "0 " + tail,
+        head + "1.0 0.2 1.570796 1 0 1.570796 0.5 0.1 0.8 0.4 7.5 h 7.5\n",
+        head + "0 1.0 0.2 1.570796 1 0 1.570796 0.5 0.1 0.8 0.4 0.0 7.5 h\n"};
+    for (const std::string& shape : shapes) {
+        const Log other = carmen(shape);
+        ASSERT_EQ(other.scans.size(), 1U) << shape << other.report.examples.at(0).reason;
+        EXPECT_EQ(other.scans[0].points, scan.points) << shape;
+        EXPECT_EQ(other.scans[0].time_s, 7.5) << shape;
+        EXPECT_EQ(other.odometry.size(), 1U) << shape;
+    }
+    EXPECT_EQ(carmen(head + "4 10 20 30 " + tail).report.skipped, 1U);
+    const Log lying = carmen(head + "9 10 20 30 " + tail);
+    ASSERT_EQ(lying.report.skipped, 1U);
+    EXPECT_THAT(lying.report.examples.at(0).reason, HasSubstr("num_remissions: found 9"));
+}
+
+TEST(ConversorCarmen, RoundedPosesDoNotMoveTheMounting) {
+    const std::string head = "ROBOTLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 ";
+    const Log log = carmen(head + "0.2 0 0 0 0 0 0 0 0 0 0 1.0 h 1\n" + head +
+                           "1.200003 0.000002 0 1 0 0 0 0 0 0 0 2.0 h 2\n");
+    EXPECT_EQ(log.scans.at(0).fan, log.scans.at(1).fan);
+}
+
+TEST(ConversorCarmen, LaserThatLeavesTheLastRayOut) {
+    std::string line = "RAWLASER1 0 -1.570796 3.141593 0.008727 81.92 0.01 0 360" + ones(360);
+    const Log log = carmen(line + " 0 5.0 h 5.0\n");
+    ASSERT_EQ(log.scans.size(), 1U);
+    EXPECT_NEAR(degrees(log.scans[0].fan.max_angle_rad), 89.5, 1e-4);
+    EXPECT_FALSE(log.scans[0].carries_odometry);
+    EXPECT_TRUE(log.odometry.empty());
+    EXPECT_EQ(carmen(line + " 5.0 h 5.0\n").scans.size(), 1U);  // before remission
+}
+
+TEST(ConversorCarmen, ALaserLoggedRawAndAsRobotLaserIsReadOnce) {
+    const std::string raw = "RAWLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 1.0 h 1\n";
+    const std::string robot =
+        "ROBOTLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0 0 0 1.0 h 1\n";
+    const std::string damaged = "ROBOTLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 9 1 2 3 0 1.0 h 1\n";
+    const Log log = carmen(raw + robot + damaged);
+    EXPECT_EQ(log.scans.size(), 1U);
+    EXPECT_EQ(log.odometry.size(), 1U);
+    EXPECT_EQ(log.report.skipped, 1U);
+}
+
+TEST(ConversorCarmen, IgnoresOtherMessages) {
+    const Log log = carmen(
+        "# CARMEN Logfile\nSYNC x 1 h 1\nRLASER 2 1 1 0 0 0 0 0 0 1 h 1\n"
+        "TRUEPOS 0 0 0 0 0 0 1 h 1\nGPS 1 2 3\n" +
+        flaser(2));
+    EXPECT_EQ(log.scans.size(), 1U);
+    EXPECT_EQ(log.report.skipped, 0U);
+}
+
+TEST(ConversorCarmen, ADamagedFlaserIsOutOfBothSequencesAndCountedOnce) {
+    for (const std::string& bad :
+         {std::string("FLASER 3 1 1 0 0 0 1 1 1 2 h 2\n"),
+          std::string("FLASER 2 1 x 0 0 0 1 1 1 2 h 2\n"),
+          std::string("FLASER 2 1 1 0 0 0 1 nan 1 2 h 2\n"),
+          std::string("FLASER 0 0 0 0 1 1 1 2 h 2\n"),
+          std::string("FLASER -2 1 1 0 0 0 1 1 1 2 h 2\n"), std::string("FLASER\n"),
+          std::string("FLASER 2 1 1 0 0 0 1 1 1 2 h 2 3\n"),
+          std::string("FLASER 2 1 1 0 0 0 1 1 1\n")}) {
+        const Log log = carmen(flaser(2) + bad);
+        EXPECT_EQ(log.scans.size(), 1U) << bad;
+        EXPECT_EQ(log.odometry.size(), 1U) << bad;
+        ASSERT_EQ(log.report.skipped, 1U) << bad;
+        EXPECT_EQ(log.report.examples.at(0).line, 2U) << bad;
+    }
+}
+
+}  // namespace
+}  // namespace hitos

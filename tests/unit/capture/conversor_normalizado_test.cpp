@@ -1,0 +1,61 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "test_files.hpp"
+
+namespace hitos {
+namespace {
+
+using test::Log;
+using ::testing::ElementsAre;
+
+Log normalized(const std::string& text, ReadOptions options = {}) {
+    return test::read_text(LogFormat::normalized, text, options);
+}
+
+TEST(ConversorNormalizado, ReadsPointsAndVelocities) {
+    const Log log = normalized(
+        "ODOM 1.0 9 9\n"
+        "ODOM 1.5 0.5 -0.25\n"
+        "LASER 1.5 6 1 2 3 4 0 0 5 6 nan 7 8 9\n"
+        "ODOM 2.0 0.5 -0.25 0.125\n"
+        "LASER 2.0 0\n");
+    EXPECT_EQ(log.report.skipped, 0U);
+    ASSERT_EQ(log.scans.size(), 2U);
+    EXPECT_THAT(log.scans[0].points,
+                ElementsAre(Point2{1, 2}, Point2{3, 4}, Point2{5, 6}, Point2{8, 9}));
+    EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 2, 3));
+    EXPECT_TRUE(log.scans[0].rays.empty());
+    EXPECT_EQ(log.scans[0].fan, Fan{});
+    EXPECT_TRUE(log.scans[1].points.empty());
+    EXPECT_TRUE(log.scans[1].run_starts.empty());
+    ASSERT_EQ(log.odometry.size(), 3U);
+    EXPECT_EQ(log.odometry[0].twist, Twist{});  // it only sets the clock
+    EXPECT_EQ(log.odometry[1].twist, (Twist{0.5, 0, -0.25}));
+    EXPECT_EQ(log.odometry[2].twist, (Twist{0.5, 0.125, -0.25}));
+}
+
+TEST(ConversorNormalizado, MaxRangeOptionCutsPoints) {
+    const Log log = normalized("LASER 1 3 1 0 30 40 2 0\n", {50.0, false});
+    EXPECT_THAT(log.scans.at(0).points, ElementsAre(Point2{1, 0}, Point2{2, 0}));
+    EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 1));
+}
+
+TEST(ConversorNormalizado, DamagedLines) {
+    const Log log = normalized(
+        "LASER 1 1 1 1\n"
+        "LASER 2 2 1 1\n"
+        "LASER 2 1 1 1 2\n"
+        "LASER 2 -1\n"
+        "LASER 2 1 1 x\n"
+        "LASER\n"
+        "ODOM 1 2\n"
+        "ODOM 1 2 3 4 5\n"
+        "ODOM inf 2 3\n");
+    EXPECT_EQ(log.scans.size(), 1U);
+    EXPECT_EQ(log.odometry.size(), 0U);
+    EXPECT_EQ(log.report.skipped, 8U);
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,121 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hitos/capture/archivo.hpp"
+#include "test_files.hpp"
+
+namespace hitos {
+namespace {
+
+using test::TempDir;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const char* const kPlayer = "1.0 16777343 6665 position2d 00 001 001 0 0 0 0 0 0 0\n";
+const char* const kOldPlayer = "1.0 robot 6665 position 00 1.0 0 0 0 0 0 0 0\n";
+const char* const kRadish = "position 0 7.420 0.0 0.0 0.0 0.0 0.0 0.0\n";
+const char* const kNormalized = "ODOM 1.0 0.5 0.1\n";
+const char* const kCarmen = "ODOM 0 0 0 0 0 0 7.4 h 7.4\n";
+
+std::string error_of(const std::filesystem::path& path, LogFormat format = LogFormat::automatic) {
+    const std::string message = test::message_of<Error>([&] { open_log(path, format); });
+    EXPECT_THAT(message, HasSubstr(path.string()));
+    return message;
+}
+
+TEST(OpenLog, FindsEachFormat) {
+    const TempDir folder;
+    EXPECT_EQ(open_log(folder.put("a", kPlayer))->format(), LogFormat::player);
+    EXPECT_EQ(open_log(folder.put("b", kOldPlayer))->format(), LogFormat::player);
+    EXPECT_EQ(open_log(folder.put("c", kRadish))->format(), LogFormat::radish);
+    EXPECT_EQ(open_log(folder.put("d", kNormalized))->format(), LogFormat::normalized);
+    EXPECT_EQ(open_log(folder.put("e", kCarmen))->format(), LogFormat::carmen);
+    EXPECT_EQ(open_log(folder.put("f", "LASER 1.0 1 2 3\n"))->format(), LogFormat::normalized);
+    EXPECT_EQ(open_log(folder.put("g", "# CARMEN Logfile\n"))->format(), LogFormat::carmen);
+    EXPECT_EQ(open_log(folder.put("h", "laser 0 1.0 2.0 0.1 0\n"))->format(), LogFormat::radish);
+    EXPECT_EQ(open_log(folder.put_gz("i", kCarmen))->format(), LogFormat::carmen);
+}
+
+TEST(OpenLog, TheMajorityDecides) {
+    const TempDir folder;
+    // A CARMEN line cut short looks like one of the normalised format.
+    const std::string text = std::string("ODOM 0 0 0\n") + kCarmen + kCarmen;
+    EXPECT_EQ(open_log(folder.put("a", text))->format(), LogFormat::carmen);
+    EXPECT_EQ(open_log(folder.put("b", text), LogFormat::normalized)->format(),
+              LogFormat::normalized);
+}
+
+TEST(OpenLog, GarbageBeforeTheLogDoesNotHideIt) {
+    const TempDir folder;
+    std::string text = std::string(3U << 20U, 'x') + "\n";
+    for (int i = 0; i < 500; ++i)
+        text += "?? noise\n# note\n\n";
+    EXPECT_EQ(open_log(folder.put("a", text + kRadish))->format(), LogFormat::radish);
+}
+
+TEST(OpenLog, MissingFile) {
+    const TempDir folder;
+    EXPECT_THAT(error_of(folder / "none.log"), HasSubstr("no such file"));
+    EXPECT_THROW(open_log(folder / "none.log"), FileError);
+    EXPECT_THROW(open_log(folder.put("file", "x") / "none.log"), FileError);
+}
+
+TEST(OpenLog, FolderAndDevice) {
+    const TempDir folder;
+    EXPECT_THAT(error_of(folder.path()), HasSubstr("is a folder"));
+    EXPECT_THROW(open_log(folder.path()), FileError);
+    EXPECT_THAT(error_of("/dev/null"), HasSubstr("no regular file"));
+}
+
+TEST(OpenLog, EmptyFile) {
+    const TempDir folder;
+    EXPECT_THAT(error_of(folder.put("a.log", "")),
+                AllOf(HasSubstr("is empty"), HasSubstr("expected")));
+    EXPECT_THAT(error_of(folder.put_gz("a.gz", "")), HasSubstr("gzip file that holds nothing"));
+    EXPECT_THAT(error_of(folder.put("b.log", "\n\n# only this\n")),
+                HasSubstr("nothing but comments"));
+}
+
+TEST(OpenLog, BinaryFile) {
+    const TempDir folder;
+    std::string noise;
+    std::mt19937 engine(3);
+    for (int i = 0; i < 20000; ++i)
+        noise.push_back(static_cast<char>(engine()));
+    EXPECT_THAT(error_of(folder.put("a", noise)), HasSubstr("is not text"));
+    EXPECT_THAT(error_of(folder.put_gz("b", noise)), HasSubstr("is not text once unpacked"));
+    EXPECT_THAT(error_of(folder.put("c", "\x89PNG\r\n\x1a\n1234")), HasSubstr("PNG picture"));
+    EXPECT_THAT(error_of(folder.put("d", "BZh91AY&SY")), HasSubstr("unpack them first"));
+    EXPECT_THAT(error_of(folder.put("e", "\x1f\x8b nothing of gzip")), HasSubstr("damaged"));
+    EXPECT_THAT(error_of(folder.put("f", "\x1f\x8b")), HasSubstr("end early"));
+}
+
+TEST(OpenLog, TextOfNoFormat) {
+    const TempDir folder;
+    EXPECT_THAT(error_of(folder.put("a", "rho: 1.0 theta: 90\n")),
+                AllOf(HasSubstr("rho: 1.0"), HasSubstr("expected a text log of Player")));
+}
+
+TEST(OpenLog, WrongExplicitFormat) {
+    const TempDir folder;
+    const auto path = folder.put("a", kCarmen);
+    for (const LogFormat format : {LogFormat::player, LogFormat::radish, LogFormat::normalized}) {
+        EXPECT_THROW(open_log(path, format), FormatError);
+        EXPECT_THAT(error_of(path, format),
+                    AllOf(HasSubstr(std::string(to_string(format))), HasSubstr("looks like carmen"),
+                          HasSubstr("choose the format carmen or auto")));
+    }
+    EXPECT_NO_THROW(open_log(path, LogFormat::carmen));
+}
+
+TEST(LogFormat, WordsGoBothWays) {
+    for (const LogFormat format : {LogFormat::automatic, LogFormat::player, LogFormat::radish,
+                                   LogFormat::normalized, LogFormat::carmen}) {
+        EXPECT_EQ(log_format_from(to_string(format)), format);
+    }
+    EXPECT_FALSE(log_format_from("Player"));
+    EXPECT_FALSE(log_format_from(""));
+}
+
+}  // namespace
+}  // namespace hitos

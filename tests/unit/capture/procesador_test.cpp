@@ -1,0 +1,172 @@
+#include "hitos/capture/procesador.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "test_files.hpp"
+
+namespace hitos {
+namespace {
+
+using test::expect_near;
+using test::Log;
+using test::read_text;
+using test::TempDir;
+using ::testing::HasSubstr;
+
+std::string position(double time, double x, double v = 0.0) {
+    return "position 0 " + std::to_string(time) + " " + std::to_string(x) + " 0 0 " +
+           std::to_string(v) + " 0 0\n";
+}
+
+TEST(Procesador, SumOfTwistsReproducesRandomPoses) {
+    std::mt19937_64 engine(11);
+    std::uniform_real_distribution<double> step(-0.5, 0.5);
+    std::uniform_real_distribution<double> turn(-kPi, kPi);
+    std::vector<Pose> poses;
+    std::string text;
+    double time = 1.6e9;
+    Pose pose{3, -4, 1};
+    for (int i = 0; i < 5000; ++i) {
+        char line[200];
+        std::snprintf(line, sizeof line, "position 0 %.17g %.17g %.17g %.17g 0 0 0\n", time, pose.x,
+                      pose.y, pose.theta);
+        text += line;
+        poses.push_back(pose);
+        // Stamps stand still, go back and jump; turns go up to half a circle, or are tiny.
+        time += i % 7 == 0 ? -0.3 : i % 11 == 0 ? 0.0 : 0.1;
+        const double theta = i % 5 == 0 ? turn(engine) : i % 3 == 0 ? 1e-7 : 0.0;
+        pose = compose(pose, {step(engine), step(engine), theta});
+    }
+    const Log log = read_text(LogFormat::radish, text);
+    ASSERT_EQ(log.odometry.size(), poses.size());
+    const std::vector<Pose> sums = test::summed(log.odometry, poses.front());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        expect_near(sums[i], poses[i], 1e-9, "reading " + std::to_string(i));
+        if (i == 0) continue;
+        ASSERT_GT(log.odometry[i].time_s, log.odometry[i - 1].time_s);
+    }
+    EXPECT_GT(log.report.stamps_backwards, 700U);
+}
+
+TEST(Procesador, RepeatedReadingIsDroppedSilently) {
+    const Log log = read_text(LogFormat::radish, position(1, 0) + position(1, 0) + position(2, 1));
+    EXPECT_EQ(log.odometry.size(), 2U);
+    EXPECT_EQ(log.report.odometry, 2U);
+    EXPECT_EQ(log.report.stamps_backwards, 0U);
+    EXPECT_EQ(log.report.skipped, 0U);
+}
+
+TEST(Procesador, StampsThatDoNotAdvanceArePutAMillisecondLater) {
+    const Log log =
+        read_text(LogFormat::radish, position(1, 0) + position(1, 1) + position(0.5, 2) +
+                                         position(0.5, 2) + position(1.5, 3));
+    ASSERT_EQ(log.odometry.size(), 4U);
+    EXPECT_EQ(log.odometry[1].time_s, 1.0 + 1e-3);
+    EXPECT_EQ(log.odometry[2].time_s, 1.0 + 1e-3 + 1e-3);
+    EXPECT_EQ(log.odometry[3].time_s, 1.5);
+    EXPECT_EQ(log.report.stamps_backwards, 2U);
+    EXPECT_NEAR(test::summed(log.odometry).back().x, 3.0, 1e-12);
+}
+
+TEST(Procesador, VelocitiesInsteadOfPoses) {
+    const std::string text = position(1, 0, 9) + position(2, 1, 0.5) + position(2, 1, 0.5) +
+                             position(1.5, 1, 0.7) + position(3, 2, 0.25);
+    const Log log = read_text(LogFormat::radish, text, {0.0, true});
+    ASSERT_EQ(log.odometry.size(), 3U);
+    EXPECT_EQ(log.odometry[0].twist, Twist{});
+    EXPECT_EQ(log.odometry[1].twist, (Twist{0.5, 0, 0}));
+    EXPECT_EQ(log.odometry[2].twist, (Twist{0.25, 0, 0}));
+    EXPECT_EQ(log.report.stamps_backwards, 1U);
+    // CARMEN's FLASER has no velocities: the next ODOM holds for the whole time.
+    const Log carmen = read_text(LogFormat::carmen,
+                                 "ODOM 0 0 0 0 0 0 1 h 1\nFLASER 1 1 0 0 0 1 0 0 1.5 h 1\n"
+                                 "ODOM 2 0 0 3 0 0 2 h 2\n",
+                                 {0.0, true});
+    ASSERT_EQ(carmen.odometry.size(), 2U);
+    EXPECT_EQ(carmen.odometry[1].twist, (Twist{3, 0, 0}));
+}
+
+TEST(Procesador, DuplicateScansAreOne) {
+    const std::string a = "laser 0 1 1 0 0 2 0.1 0\n";
+    const std::string same_time = "laser 0 1 1 0 0 2.5 0.1 0\n";
+    const std::string same_ranges = "laser 0 2 1 0 0 2.5 0.1 0\n";
+    const Log log =
+        read_text(LogFormat::radish, a + position(1, 0) + a + a + same_time + same_ranges + a);
+    EXPECT_EQ(log.scans.size(), 4U);
+    EXPECT_EQ(log.report.scans, 4U);
+    EXPECT_EQ(log.report.duplicate_scans, 2U);
+}
+
+TEST(Procesador, DamageIsCountedOnceWhateverTheOrderOfReading) {
+    const TempDir folder;
+    const std::string text = position(1, 0) + "?\nlaser 0 1 1 0\nposition 0 x\n" +
+                             std::string(2U << 20U, 'z') + "\nlaser 0 1 1 0 0\n" +
+                             std::string("\0\n", 2) + position(2, 1);
+    const auto path = folder.put("d.log", text);
+    for (const bool scans_first : {true, false}) {
+        Procesador procesador(open_log(path));
+        const auto scans = [&] {
+            while (procesador.next_scan()) {
+            }
+        };
+        const auto odometry = [&] {
+            while (procesador.next_odometry()) {
+            }
+        };
+        if (scans_first) scans();
+        odometry();
+        if (!scans_first) scans();
+        const ReadReport& report = procesador.report();
+        EXPECT_EQ(report.skipped, 5U);
+        ASSERT_EQ(report.examples.size(), 5U);
+        const std::vector<std::uint64_t> expected = {2, 3, 4, 5, 7};
+        for (std::size_t i = 0; i < 5; ++i)
+            EXPECT_EQ(report.examples[i].line, expected[i]);
+        EXPECT_EQ(report.scans, 1U);
+        EXPECT_EQ(report.odometry, 2U);
+    }
+}
+
+TEST(Procesador, KeepsOnlyTheFirstExamples) {
+    std::string text = position(1, 0);
+    for (int i = 0; i < 100; ++i)
+        text += i % 2 == 0 ? "position 0 x\n" : "laser 0 1 1\n";
+    const Log log = read_text(LogFormat::radish, text);
+    EXPECT_EQ(log.report.skipped, 100U);
+    ASSERT_EQ(log.report.examples.size(), ReadReport::kExamples);
+    for (std::size_t i = 0; i < ReadReport::kExamples; ++i) {
+        EXPECT_EQ(log.report.examples[i].line, i + 2);
+    }
+}
+
+TEST(Procesador, TruncatedGzipGivesWhatCanBeReadAndCountsOnce) {
+    const TempDir folder;
+    std::string text;
+    for (int i = 0; i < 20000; ++i)
+        text += position(i, i * 0.37);
+    const std::string packed = test::content_of(folder.put_gz("a", text));
+    const Log log = test::read_log(folder.put("cut.gz", packed.substr(0, packed.size() / 2)));
+    EXPECT_GT(log.odometry.size(), 5000U);
+    EXPECT_LT(log.odometry.size(), 15000U);
+    ASSERT_EQ(log.report.skipped, 1U);
+    EXPECT_EQ(log.report.examples[0].line, log.odometry.size() + 1);
+    EXPECT_THAT(log.report.examples[0].reason, HasSubstr("end early"));
+}
+
+TEST(Procesador, RestartBeginsAnew) {
+    const TempDir folder;
+    Procesador procesador(
+        open_log(folder.put("a", position(1, 0) + "?\nlaser 0 1 1 0 0\n" + position(2, 1))));
+    const Log first = test::read_all(procesador);
+    procesador.restart();
+    EXPECT_EQ(procesador.report().skipped, 0U);
+    const Log second = test::read_all(procesador);
+    EXPECT_EQ(first.scans.size(), second.scans.size());
+    EXPECT_EQ(first.odometry.size(), second.odometry.size());
+    EXPECT_EQ(second.odometry.at(1).twist, first.odometry.at(1).twist);
+    EXPECT_EQ(second.report.skipped, 1U);
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,212 @@
+#include "hitos/features/extractor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "hitos/capture/error.hpp"
+
+namespace hitos {
+namespace {
+
+/// A scan of straight walls, each given by its end points, sampled evenly; `noise_m` shifts every
+/// point along its ray.
+Scan scan_of(const std::vector<std::vector<Point2>>& runs, double noise_m = 0.0,
+             unsigned seed = 3) {
+    Scan scan;
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> noise(0.0, 1.0);
+    for (const auto& run : runs) {
+        scan.run_starts.push_back(static_cast<std::uint32_t>(scan.points.size()));
+        for (const Point2& p : run) {
+            const double range = std::hypot(p.x, p.y);
+            const double factor = (range + noise_m * noise(engine)) / range;
+            scan.points.push_back({p.x * factor, p.y * factor});
+        }
+    }
+    return scan;
+}
+
+std::vector<Point2> wall(const Point2& from, const Point2& to, int points) {
+    std::vector<Point2> result;
+    for (int i = 0; i < points; ++i) {
+        const double t = static_cast<double>(i) / (points - 1);
+        result.push_back({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+    }
+    return result;
+}
+
+std::vector<Point2> joined(std::vector<Point2> a, const std::vector<Point2>& b) {
+    a.insert(a.end(), b.begin() + 1, b.end());  // the corner is in both
+    return a;
+}
+
+Observation extract(const ExtractionParams& params, const Scan& scan) {
+    Observation out;
+    make_extractor(params)->extract(scan, out);
+    return out;
+}
+
+void expect_line(const DetectedLine& line, const Recta& truth, double rho_m, double theta_rad) {
+    const LineDifference apart = difference(line.recta, truth);
+    EXPECT_NEAR(apart.rho, 0.0, rho_m);
+    EXPECT_NEAR(apart.theta, 0.0, theta_rad);
+}
+
+TEST(SplitAndMerge, FindsTheTwoWallsOfACornerAndTheCorner) {
+    const Scan scan =
+        scan_of({joined(wall({2.0, -2.0}, {2.0, 3.0}, 40), wall({2.0, 3.0}, {-3.0, 3.0}, 40))});
+    const Observation seen = extract({}, scan);
+    ASSERT_EQ(seen.lines.size(), 2U);
+    expect_line(seen.lines[0], {2.0, 0.0}, 1e-9, 1e-9);
+    expect_line(seen.lines[1], {3.0, kPi / 2}, 1e-9, 1e-9);
+    EXPECT_EQ(seen.lines[0].count, 40U);
+    EXPECT_EQ(seen.lines[1].count, 40U);
+    ASSERT_EQ(seen.corners.size(), 1U);
+    EXPECT_NEAR(seen.corners[0].x, 2.0, 1e-9);
+    EXPECT_NEAR(seen.corners[0].y, 3.0, 1e-9);
+}
+
+TEST(SplitAndMerge, EverySupportingPointIsWithinDmaxOfItsLine) {
+    std::mt19937 engine(5);
+    std::uniform_real_distribution<double> value(-4.0, 4.0);
+    ExtractionParams params;
+    params.split_merge.min_length_m = 0.3;
+    params.split_merge.min_points = 5;
+    params.split_merge.collinear_rho_m = 1e-9;  // without the merge the bound is exact
+    int found = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Point2 a{value(engine), value(engine)};
+        const Point2 b{value(engine), value(engine)};
+        const Point2 c{value(engine), value(engine)};
+        const Scan scan = scan_of({joined(wall(a, b, 60), wall(b, c, 60))}, 0.004);
+        const Observation seen = extract(params, scan);
+        for (const DetectedLine& line : seen.lines) {
+            ++found;
+            EXPECT_GE(line.count, 5U);
+            for (std::uint32_t k = line.first; k < line.first + line.count; ++k) {
+                EXPECT_LT(std::abs(signed_distance(line.recta, seen.support[k])), 0.02);
+            }
+        }
+    }
+    EXPECT_GT(found, 200);
+}
+
+TEST(SplitAndMerge, ThresholdsRefuseShortAndSparseLines) {
+    const Scan scan = scan_of({wall({2.0, 0.0}, {2.0, 1.0}, 20)});
+    ExtractionParams params;
+    EXPECT_EQ(extract(params, scan).lines.size(), 1U);
+    params.split_merge.min_points = 21;
+    EXPECT_TRUE(extract(params, scan).lines.empty());
+    params.split_merge.min_points = 20;
+    EXPECT_EQ(extract(params, scan).lines.size(), 1U);
+    params.split_merge.min_length_m = 1.01;
+    EXPECT_TRUE(extract(params, scan).lines.empty());
+}
+
+TEST(SplitAndMerge, AnInvalidReadingBreaksARunAndTheMergeJoinsItAgain) {
+    const Scan scan =
+        scan_of({wall({2.0, -2.0}, {2.0, -0.1}, 20), wall({2.0, 0.1}, {2.0, 2.0}, 20)});
+    ExtractionParams params;
+    const Observation merged = extract(params, scan);
+    ASSERT_EQ(merged.lines.size(), 1U);
+    EXPECT_EQ(merged.lines[0].count, 40U);
+    params.split_merge.collinear_gap_m = 0.1;  // the pieces are 0.2 m apart
+    EXPECT_EQ(extract(params, scan).lines.size(), 2U);
+}
+
+TEST(SplitAndMerge, CollinearMergeKnowsThatThetaWraps) {
+    // A wall behind the robot whose normal lies at +-pi: one piece tilts to either side.
+    const Scan scan =
+        scan_of({wall({-2.0, -2.0}, {-2.01, -0.2}, 20), wall({-2.01, 0.2}, {-2.0, 2.0}, 20)});
+    const Observation seen = extract({}, scan);
+    ASSERT_EQ(seen.lines.size(), 1U);
+    expect_line(seen.lines[0], {2.0, kPi}, 1e-9, 1e-9);
+}
+
+TEST(SplitAndMerge, ParallelWallsOnBothSidesAreNotMerged) {
+    const Scan scan =
+        scan_of({wall({-2.0, 0.05}, {2.0, 0.05}, 30), wall({2.0, -0.3}, {-2.0, -0.3}, 30)});
+    EXPECT_EQ(extract({}, scan).lines.size(), 2U);
+}
+
+TEST(SplitAndMerge, AWallThroughTheSensorIsOneLineFromBothSides) {
+    // rho is 0 but for 1 mm: its sign, and with it theta, differ between the pieces.
+    const Scan scan =
+        scan_of({wall({0.5, 0.001}, {2.0, 0.001}, 20), wall({2.5, -0.001}, {4.0, -0.001}, 20)});
+    EXPECT_EQ(extract({}, scan).lines.size(), 1U);
+}
+
+TEST(SplitAndMerge, GapsEndARunWhereAsked) {
+    const Scan scan =
+        scan_of({joined(wall({2.0, -2.0}, {2.0, -0.5}, 20), wall({2.0, 0.5}, {2.0, 2.0}, 20))});
+    ExtractionParams params;
+    params.split_merge.collinear_gap_m = 0.3;
+    ASSERT_EQ(extract(params, scan).lines.size(), 1U);  // without gap breaking one straight run
+    params.split_merge.gap_m = 0.5;
+    EXPECT_EQ(extract(params, scan).lines.size(), 2U);
+    params.split_merge.gap_per_range = 0.5;  // 0.5 + 0.5 * 2 m: wide enough again
+    EXPECT_EQ(extract(params, scan).lines.size(), 1U);
+}
+
+TEST(SplitAndMerge, LeastSquaresBeatsEndPointsOnNoisyWalls) {
+    ExtractionParams ends;
+    ends.split_merge.dmax_m = 0.05;
+    ExtractionParams squares = ends;
+    squares.split_merge.fit = LineFit::least_squares;
+    double error_ends = 0.0;
+    double error_squares = 0.0;
+    for (unsigned seed = 0; seed < 50; ++seed) {
+        const Scan scan = scan_of({wall({2.0, -2.0}, {2.0, 2.0}, 60)}, 0.01, seed);
+        const auto a = extract(ends, scan);
+        const auto b = extract(squares, scan);
+        ASSERT_EQ(a.lines.size(), 1U);
+        ASSERT_EQ(b.lines.size(), 1U);
+        error_ends += difference(a.lines[0].recta, {2.0, 0.0}).theta;
+        error_squares += difference(b.lines[0].recta, {2.0, 0.0}).theta;
+    }
+    EXPECT_LT(error_squares, 0.7 * error_ends);
+}
+
+TEST(Extractor, CornerNeedsSupportOfBothLines) {
+    // The lines meet at (2, 3), but the second wall starts 0.5 m away from there.
+    const Scan scan =
+        scan_of({wall({2.0, -2.0}, {2.0, 3.0}, 40), wall({1.5, 3.0}, {-3.0, 3.0}, 40)});
+    ExtractionParams params;
+    EXPECT_TRUE(extract(params, scan).corners.empty());
+    params.corner_distance_m = 0.51;
+    EXPECT_EQ(extract(params, scan).corners.size(), 1U);
+}
+
+TEST(Extractor, DetectsWhatIsAskedFor) {
+    const Scan scan =
+        scan_of({joined(wall({2.0, -2.0}, {2.0, 3.0}, 40), wall({2.0, 3.0}, {-3.0, 3.0}, 40))});
+    ExtractionParams params;
+    params.detect = Detection::lines;
+    EXPECT_EQ(extract(params, scan).lines.size(), 2U);
+    EXPECT_TRUE(extract(params, scan).corners.empty());
+    params.detect = Detection::corners;
+    EXPECT_TRUE(extract(params, scan).lines.empty());
+    EXPECT_EQ(extract(params, scan).corners.size(), 1U);
+}
+
+TEST(Extractor, EmptyAndTinyScansAreNoTrouble) {
+    EXPECT_TRUE(extract({}, Scan{}).empty());
+    EXPECT_TRUE(extract({}, scan_of({{{1.0, 1.0}}})).empty());
+    ExtractionParams params;
+    params.split_merge.min_points = 2;
+    params.split_merge.min_length_m = 0.0;
+    EXPECT_TRUE(extract(params, scan_of({{{1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}}})).empty());
+}
+
+TEST(Extractor, RefusesImpossibleParameters) {
+    ExtractionParams params;
+    params.split_merge.min_points = 1;
+    EXPECT_THROW(make_extractor(params), ConfigError);
+    params = {};
+    params.split_merge.dmax_m = 0.0;
+    EXPECT_THROW(make_extractor(params), ConfigError);
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,150 @@
+#include "association.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+namespace hitos {
+namespace {
+
+using Outcome = Association::Outcome;
+
+/// [T table 5.1] and the rule of SPEC §5 for ambiguity, word by word over all landmarks: no
+/// rejection, plain likelihoods.
+template <class S, class Columns>
+Decision slow_decision(const Columns& landmarks, const AssociationParams& params,
+                       const ObservationParams& noise, const Pose& pose, const Vector2& z) {
+    Matrix2 r;
+    r << noise.var_rho_m2, 0.0, 0.0, noise.var_theta_rad2;
+    double best_score = -1.0;
+    double best = 0.0;
+    double second = 0.0;
+    std::uint32_t index = 0;
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        const auto estimate = landmarks.get(i);
+        const Innovation nu = S::innovation(z, pose, estimate.mean);
+        const Matrix2 q = nu.jacobian * estimate.covariance * nu.jacobian.transpose() + r;
+        const double d2 = nu.nu.dot(q.inverse() * nu.nu);
+        const double likelihood = std::exp(-0.5 * d2) / (2.0 * kPi * std::sqrt(q.determinant()));
+        const bool by_likelihood = params.method == AssociationMethod::maximum_likelihood;
+        if (by_likelihood ? likelihood <= params.p0
+                          : d2 > -2.0 * std::log(1.0 - params.gate_probability)) {
+            continue;
+        }
+        const double score = by_likelihood ? likelihood : 1.0 / (1.0 + d2);
+        if (score > best_score) {
+            second = std::max(second, best);
+            best_score = score;
+            best = likelihood;
+            index = static_cast<std::uint32_t>(i);
+        } else {
+            second = std::max(second, likelihood);
+        }
+    }
+    if (best_score < 0.0) return {Outcome::created, 0, std::log(params.p0)};
+    if (params.ambiguity == AmbiguityRule::off || second <= params.p0 ||
+        second <= params.ambiguity_ratio * best) {
+        return {Outcome::matched, index, std::log(best)};
+    }
+    const double factor = params.ambiguity == AmbiguityRule::neutral ? 1.0
+                          : params.ambiguity == AmbiguityRule::new_landmark
+                              ? params.p0
+                              : std::max(best, second);
+    return {Outcome::ignored, 0, std::log(factor)};
+}
+
+template <class S, class Columns>
+void compare_with_oracle(int landmarks, bool crowded) {
+    std::mt19937 engine(47);
+    std::uniform_real_distribution<double> value(-10.0, 10.0);
+    std::uniform_real_distribution<double> angle(-kPi, kPi);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    int outcomes[3] = {0, 0, 0};
+    for (int round = 0; round < 3000; ++round) {
+        AssociationParams params;
+        params.method = round % 3 == 0 ? AssociationMethod::gated_nearest
+                                       : AssociationMethod::maximum_likelihood;
+        params.p0 = std::pow(10.0, -9.0 + 10.0 * unit(engine));
+        params.ambiguity = static_cast<AmbiguityRule>(round % 4);
+        ObservationParams noise;
+        noise.var_rho_m2 = 0.001 + 0.08 * unit(engine);
+        noise.var_theta_rad2 = 1e-4 + 3e-3 * unit(engine);
+        const Pose pose{value(engine), value(engine), angle(engine)};
+
+        Columns columns;
+        for (int i = 0; i < landmarks; ++i) {
+            const double a = 1e-3 + 0.2 * unit(engine);
+            const double b = 1e-4 + 0.02 * unit(engine);
+            Matrix2 covariance;
+            covariance << a, 0.5 * std::sqrt(a * b), 0.5 * std::sqrt(a * b), b;
+            const std::size_t index = columns.append();
+            if constexpr (std::is_same_v<S, SensorRecta>) {
+                // Crowded: parallel walls a few decimetres apart, so that several are plausible.
+                const double theta = crowded ? 0.5 * (round % 5) : angle(engine);
+                const double rho = crowded ? 0.3 * i : std::abs(value(engine));
+                columns.set(index, {{rho, wrap_angle(theta)}, covariance});
+            } else {
+                const double spread = crowded ? 0.1 : 1.0;
+                columns.set(index, {{spread * value(engine), spread * value(engine)}, covariance});
+            }
+        }
+        // Mostly an observation of one of them, with an error.
+        Vector2 z{std::abs(value(engine)), angle(engine)};
+        if (landmarks > 0 && round % 5 != 0) {
+            const auto seen = columns.get(static_cast<std::size_t>(round % landmarks)).mean;
+            z = S::predict(pose, seen);
+            if (z(0) < 0.0) z << -z(0), z(1) + kPi;
+            z += Vector2{0.3 * (unit(engine) - 0.5), 0.1 * (unit(engine) - 0.5)};
+            z << std::abs(z(0)), wrap_angle(z(1));
+        }
+        const PreparedObservation prepared{z, std::cos(z(1) + pose.theta),
+                                           std::sin(z(1) + pose.theta)};
+        const Decision fast = Associator(params, noise).decide(columns, pose, prepared);
+        const Decision slow = slow_decision<S>(columns, params, noise, pose, z);
+        ++outcomes[static_cast<int>(slow.outcome)];
+        ASSERT_EQ(fast.outcome, slow.outcome) << "round " << round;
+        ASSERT_EQ(fast.landmark, slow.landmark) << "round " << round;
+        ASSERT_NEAR(fast.log_likelihood, slow.log_likelihood,
+                    1e-7 * (1.0 + std::abs(slow.log_likelihood)));
+    }
+    if (landmarks > 1) {
+        EXPECT_GT(outcomes[static_cast<int>(Outcome::matched)], 100);
+        EXPECT_GT(outcomes[static_cast<int>(Outcome::created)], 100);
+    }
+    if (crowded) {
+        EXPECT_GT(outcomes[static_cast<int>(Outcome::ignored)], 50);
+    }
+}
+
+TEST(Association, EqualsTheOracleOnLines) {
+    compare_with_oracle<SensorRecta, LineColumns>(20, false);
+}
+TEST(Association, EqualsTheOracleOnParallelWalls) {
+    compare_with_oracle<SensorRecta, LineColumns>(12, true);
+}
+TEST(Association, EqualsTheOracleOnManyLines) {
+    compare_with_oracle<SensorRecta, LineColumns>(150, false);
+}
+TEST(Association, EqualsTheOracleOnCorners) {
+    compare_with_oracle<SensorEsquina, CornerColumns>(20, false);
+}
+TEST(Association, EqualsTheOracleOnCrowdedCorners) {
+    compare_with_oracle<SensorEsquina, CornerColumns>(70, true);
+}
+TEST(Association, AnEmptyMapGivesANewLandmark) {
+    compare_with_oracle<SensorRecta, LineColumns>(0, false);
+    compare_with_oracle<SensorEsquina, CornerColumns>(0, false);
+}
+
+TEST(Association, AHighP0MakesEverythingNew) {
+    AssociationParams params;
+    params.p0 = 1000.0;  // above the greatest likelihood there is
+    LineColumns lines;
+    lines.set(lines.append(), {{2.0, 0.0}, Matrix2::Zero()});
+    const PreparedObservation seen{{2.0, 0.0}, 1.0, 0.0};
+    EXPECT_EQ(Associator(params, {}).decide(lines, Pose{}, seen).outcome, Outcome::created);
+}
+
+}  // namespace
+}  // namespace hitos

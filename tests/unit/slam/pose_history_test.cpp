@@ -1,0 +1,98 @@
+#include "pose_history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "landmark_store.hpp"
+
+namespace hitos {
+namespace {
+
+TEST(PoseHistory, EqualsPlainCopiesUnderRandomResampling) {
+    constexpr std::size_t kParticles = 20;
+    std::mt19937 engine(43);
+    std::uniform_real_distribution<double> value(-1.0, 1.0);
+    std::uniform_int_distribution<std::size_t> pick(0, kParticles - 1);
+    PoseHistory history;
+    std::vector<PoseHistory::Node> leaves(kParticles, PoseHistory::kNone);
+    std::vector<std::vector<Pose>> plain(kParticles);
+    for (int step = 0; step < 300; ++step) {
+        for (std::size_t i = 0; i < kParticles; ++i) {
+            const Pose pose{value(engine), value(engine), value(engine)};
+            leaves[i] = history.append(leaves[i], pose);
+            plain[i].push_back(pose);
+        }
+        std::vector<PoseHistory::Node> next;
+        std::vector<std::vector<Pose>> next_plain;
+        for (std::size_t i = 0; i < kParticles; ++i) {
+            const std::size_t source = pick(engine);
+            history.share(leaves[source]);
+            next.push_back(leaves[source]);
+            next_plain.push_back(plain[source]);
+        }
+        for (const auto leaf : leaves)
+            history.release(leaf);
+        leaves = next;
+        plain = next_plain;
+    }
+    for (std::size_t i = 0; i < kParticles; ++i)
+        EXPECT_EQ(history.path(leaves[i]), plain[i]);
+    // Memory: the common trunk plus a young crown, far below particles x steps.
+    EXPECT_LT(history.size(), 300U + kParticles * 100U);
+    for (const auto leaf : leaves)
+        history.release(leaf);
+    EXPECT_EQ(history.size(), 0U);
+}
+
+TEST(PoseHistory, NothingHasNoPoses) {
+    PoseHistory history;
+    EXPECT_TRUE(history.path(PoseHistory::kNone).empty());
+    history.share(PoseHistory::kNone);
+    history.release(PoseHistory::kNone);
+}
+
+TEST(MapStore, WritingASharedMapLeavesTheOtherAlone) {
+    MapStore store;
+    auto a = store.create();
+    store[a].lines.set(store[a].lines.append(), {{1.0, 0.5}, Matrix2::Identity()});
+    store.share(a);
+    auto b = a;
+    const auto source = store.detach(b);
+    ASSERT_NE(a, b);
+    EXPECT_EQ(source, a);
+    store.copy(source, b);
+    EXPECT_EQ(store.detach(a), a);  // alone again: no copy is due
+    store[b].lines.set(0, {{2.0, 0.5}, Matrix2::Identity()});
+    store[b].lines.append();
+    EXPECT_EQ(store[a].lines.size(), 1U);
+    EXPECT_EQ(store[a].lines.get(0).mean.rho, 1.0);
+    EXPECT_EQ(store[b].lines.get(0).mean.rho, 2.0);
+    store.release(b);
+    EXPECT_EQ(store.create(), b);  // its block is used again, empty
+    EXPECT_EQ(store[b].lines.size(), 0U);
+    EXPECT_EQ(store.blocks(), 2U);
+}
+
+TEST(LandmarkColumns, KeepsValuesWhileItGrows) {
+    LineColumns lines;
+    for (int i = 0; i < 100; ++i) {
+        Matrix2 covariance;
+        covariance << i, 0.1, 0.1, 2.0 * i;
+        const std::size_t index = lines.append();
+        lines.set(index, {{1.0 * i, 0.01 * i}, covariance});
+        lines.observations(index) = i;
+    }
+    LineColumns copy;
+    copy.assign(lines);
+    ASSERT_EQ(copy.size(), 100U);
+    for (std::size_t i = 0; i < 100; ++i) {
+        EXPECT_EQ(copy.get(i).mean.rho, static_cast<double>(i));
+        EXPECT_EQ(copy.get(i).covariance(1, 1), 2.0 * static_cast<double>(i));
+        EXPECT_EQ(copy.column(LineColumns::sine)[i], std::sin(0.01 * static_cast<double>(i)));
+        EXPECT_EQ(copy.observations(i), static_cast<int>(i));
+    }
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,143 @@
+#include "hitos/slam/robot.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hitos {
+namespace {
+
+/// [T eq 7.17] as printed, for w != 0.
+Pose thesis_motion(const Pose& pose, double v, double w, double dt) {
+    return {pose.x - v / w * std::sin(pose.theta) + v / w * std::sin(pose.theta + w * dt),
+            pose.y + v / w * std::cos(pose.theta) - v / w * std::cos(pose.theta + w * dt),
+            wrap_angle(pose.theta + w * dt)};
+}
+
+TEST(Robot, MeanIsTheThesissArc) {
+    const Robot robot(MotionParams{});
+    for (const double w : {0.5, -0.8, 1e-3, 3.0}) {
+        const Pose start{1.0, -2.0, 2.5};
+        const Control control{{0.7, 0.0, w}, 0.9};
+        const Pose end = robot.mean(start, sum_controls(std::span(&control, 1)));
+        const Pose expected = thesis_motion(start, 0.7, w, 0.9);
+        EXPECT_NEAR(end.x, expected.x, 1e-9);
+        EXPECT_NEAR(end.y, expected.y, 1e-9);
+        EXPECT_NEAR(wrap_angle(end.theta - expected.theta), 0.0, 1e-12);
+    }
+}
+
+TEST(Robot, StraightLineLimit) {
+    const Robot robot(MotionParams{});
+    const Control control{{0.5, 0.0, 0.0}, 2.0};
+    const Pose end = robot.mean({0.0, 0.0, kPi / 2.0}, sum_controls(std::span(&control, 1)));
+    EXPECT_NEAR(end.x, 0.0, 1e-12);
+    EXPECT_NEAR(end.y, 1.0, 1e-12);
+    // Next to it the arc must agree.
+    const Control arc{{0.5, 0.0, 1e-7}, 2.0};
+    const Pose near = robot.mean({0.0, 0.0, kPi / 2.0}, sum_controls(std::span(&arc, 1)));
+    EXPECT_NEAR(near.x, end.x, 1e-6);
+    EXPECT_NEAR(near.y, end.y, 1e-9);
+}
+
+TEST(Robot, SumOfControlsIsTheirSequence) {
+    const std::vector<Control> controls{
+        {{0.3, 0.0, 0.2}, 0.4}, {{0.5, 0.05, -1.0}, 0.3}, {{0, 0, 1.0}, 0.5}};
+    const Robot robot(MotionParams{});
+    Pose pose{2.0, 1.0, -3.0};
+    const Pose at_once = robot.mean(pose, sum_controls(controls));
+    for (const Control& control : controls) {
+        pose = robot.mean(pose, sum_controls(std::span(&control, 1)));
+    }
+    EXPECT_NEAR(at_once.x, pose.x, 1e-12);
+    EXPECT_NEAR(at_once.y, pose.y, 1e-12);
+    EXPECT_NEAR(at_once.theta, pose.theta, 1e-12);
+    const MotionIncrement sum = sum_controls(controls);
+    EXPECT_NEAR(sum.turned_rad, 0.08 + 0.3 + 0.5, 1e-12);
+    EXPECT_NEAR(sum.path_m, 0.12 + 0.3 * std::hypot(0.5, 0.05), 1e-12);
+}
+
+TEST(Robot, NoNoiseAtRest) {
+    for (const MotionModel model : {MotionModel::odometry, MotionModel::proportional}) {
+        MotionParams params;
+        params.model = model;
+        const Robot robot(params);
+        RandomStream random(1, RandomPurpose::motion, 1, 1);
+        const Pose pose{1.0, 2.0, 3.0};
+        const Control rest{{0.0, 0.0, 0.0}, 1.0};
+        EXPECT_EQ(robot.sample(pose, sum_controls({}), random), pose);
+        EXPECT_EQ(robot.sample(pose, sum_controls(std::span(&rest, 1)), random), pose);
+    }
+}
+
+struct Moments {
+    double mean_x = 0, mean_y = 0, mean_t = 0, var_x = 0, var_y = 0, var_t = 0, cov_xy = 0;
+};
+
+Moments sample_moments(const MotionParams& params, const Pose& start, const Control& control) {
+    constexpr int kDraws = 100000;
+    const Robot robot(params);
+    const MotionIncrement increment = sum_controls(std::span(&control, 1));
+    const Pose centre = robot.mean(start, increment);
+    Moments m;
+    for (int i = 0; i < kDraws; ++i) {
+        RandomStream random(9, RandomPurpose::motion, 1, static_cast<std::uint32_t>(i));
+        const Pose drawn = robot.sample(start, increment, random);
+        const double dx = drawn.x - centre.x;
+        const double dy = drawn.y - centre.y;
+        const double dt = wrap_angle(drawn.theta - centre.theta);
+        m.mean_x += dx / kDraws;
+        m.mean_y += dy / kDraws;
+        m.mean_t += dt / kDraws;
+        m.var_x += dx * dx / kDraws;
+        m.var_y += dy * dy / kDraws;
+        m.var_t += dt * dt / kDraws;
+        m.cov_xy += dx * dy / kDraws;
+    }
+    return m;
+}
+
+/// Five standard errors of a variance from 100,000 normal draws: 5 sqrt(2 / n) of it.
+constexpr double kVarianceTolerance = 0.0224;
+
+TEST(Robot, ConstantNoiseHasTheStatedSigmas) {
+    MotionParams params;
+    params.sigma_x_m = 0.03;
+    params.sigma_y_m = 0.01;
+    params.sigma_theta_rad = 0.02;
+    const Moments m = sample_moments(params, {0, 0, 1.0}, {{0.5, 0, 0.1}, 0.2});
+    EXPECT_NEAR(m.var_x, 9e-4, 9e-4 * kVarianceTolerance);
+    EXPECT_NEAR(m.var_y, 1e-4, 1e-4 * kVarianceTolerance);
+    EXPECT_NEAR(m.var_t, 4e-4, 4e-4 * kVarianceTolerance);
+    EXPECT_NEAR(m.mean_x, 0.0, 5.0 * 0.03 / std::sqrt(1e5));
+    EXPECT_NEAR(m.mean_t, 0.0, 5.0 * 0.02 / std::sqrt(1e5));
+}
+
+TEST(Robot, ProportionalNoiseGrowsWithTheMotion) {
+    MotionParams params;
+    params.model = MotionModel::proportional;
+    params.var_along_m2_per_m = 0.01;
+    params.var_across_m2_per_m = 0.0025;
+    params.var_theta_rad2_per_rad = 0.02;
+    params.var_theta_rad2_per_m = 0.005;
+    // 2 m straight along +y: along is y, across is x.
+    const Moments straight = sample_moments(params, {0, 0, kPi / 2.0}, {{1.0, 0, 0}, 2.0});
+    EXPECT_NEAR(straight.var_y, 0.02, 0.02 * kVarianceTolerance);
+    EXPECT_NEAR(straight.var_x, 0.005, 0.005 * kVarianceTolerance);
+    EXPECT_NEAR(straight.var_t, 0.01, 0.01 * kVarianceTolerance);
+    // Half a radian in place.
+    const Moments turn = sample_moments(params, {0, 0, 0}, {{0, 0, -1.0}, 0.5});
+    EXPECT_EQ(turn.var_x, 0.0);
+    EXPECT_NEAR(turn.var_t, 0.01, 0.01 * kVarianceTolerance);
+}
+
+TEST(Robot, WithoutOdometryParticlesOnlySpread) {
+    MotionParams params;
+    params.model = MotionModel::no_odometry;
+    const Pose start{1.0, 2.0, 0.5};
+    const Control control{{0.5, 0, 0.1}, 1.0};
+    EXPECT_EQ(Robot(params).mean(start, sum_controls(std::span(&control, 1))), start);
+    const Moments m = sample_moments(params, start, {{0, 0, 0}, 0.0});
+    EXPECT_NEAR(m.var_x, 6.4e-5, 6.4e-5 * kVarianceTolerance);
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,167 @@
+#include "hitos/slam/sensor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace hitos {
+namespace {
+
+/// Poses and landmarks at random, with the places where angles wrap and rho changes its sign.
+template <class S>
+class SensorLaws : public testing::Test {
+  protected:
+    Pose pose() { return {value_(engine_), value_(engine_), angle_(engine_)}; }
+    typename S::Landmark landmark() {
+        if constexpr (std::is_same_v<S, SensorRecta>) {
+            return Recta{std::abs(value_(engine_)), angle_(engine_)};
+        } else {
+            return Esquina{value_(engine_), value_(engine_)};
+        }
+    }
+    Vector2 measurement() { return {std::abs(value_(engine_)) + 0.2, angle_(engine_)}; }
+
+    std::mt19937 engine_{23};
+    std::uniform_real_distribution<double> value_{-10.0, 10.0};
+    std::uniform_real_distribution<double> angle_{-kPi, kPi};
+};
+
+using Sensors = testing::Types<SensorRecta, SensorEsquina>;
+TYPED_TEST_SUITE(SensorLaws, Sensors);
+
+constexpr double kStep = 1e-6;
+constexpr double kTolerance = 1e-5;
+
+Vector2 wrapped(Vector2 difference) {
+    difference(1) = wrap_angle(difference(1));
+    return difference;
+}
+
+TYPED_TEST(SensorLaws, JacobianOfTheLandmark) {
+    using S = TypeParam;
+    for (int i = 0; i < 500; ++i) {
+        const Pose pose = this->pose();
+        const auto landmark = this->landmark();
+        const Vector2 state = S::to_state(landmark);
+        const Matrix2 h = S::jacobian(pose, landmark);
+        for (int k = 0; k < 2; ++k) {
+            const Vector2 step = kStep * Vector2::Unit(k);
+            const Vector2 slope = wrapped(S::predict(pose, S::from_state(state + step)) -
+                                          S::predict(pose, S::from_state(state - step))) /
+                                  (2.0 * kStep);
+            EXPECT_LT((h.col(k) - slope).norm(), kTolerance * (1.0 + slope.norm()));
+        }
+    }
+}
+
+TYPED_TEST(SensorLaws, JacobianOfThePose) {
+    using S = TypeParam;
+    for (int i = 0; i < 500; ++i) {
+        const Pose pose = this->pose();
+        const auto landmark = this->landmark();
+        const Matrix23 h = S::pose_jacobian(pose, landmark);
+        for (int k = 0; k < 3; ++k) {
+            const auto moved = [&](double step) {
+                Pose other = pose;
+                (k == 0 ? other.x : k == 1 ? other.y : other.theta) += step;
+                return S::predict(other, landmark);
+            };
+            const Vector2 slope = wrapped(moved(kStep) - moved(-kStep)) / (2.0 * kStep);
+            EXPECT_LT((h.col(k) - slope).norm(), kTolerance * (1.0 + slope.norm()));
+        }
+    }
+}
+
+TYPED_TEST(SensorLaws, InverseUndoesThePrediction) {
+    using S = TypeParam;
+    for (int i = 0; i < 500; ++i) {
+        const Pose pose = this->pose();
+        const Vector2 z = this->measurement();
+        const auto landmark = S::inverse(pose, z);
+        const Innovation innovation = S::innovation(z, pose, landmark);
+        EXPECT_LT(innovation.nu.norm(), 1e-9);
+    }
+}
+
+TYPED_TEST(SensorLaws, JacobiansOfTheInverse) {
+    using S = TypeParam;
+    for (int i = 0; i < 500; ++i) {
+        const Pose pose = this->pose();
+        const Vector2 z = this->measurement();
+        const auto slope_of = [&](auto&& moved) {
+            return ((S::to_state(moved(kStep)) - S::to_state(moved(-kStep))) / (2.0 * kStep))
+                .eval();
+        };
+        const Matrix2 g = S::inverse_jacobian(pose, z);
+        for (int k = 0; k < 2; ++k) {
+            const Vector2 slope = slope_of(
+                [&](double step) { return S::inverse(pose, z + step * Vector2::Unit(k)); });
+            EXPECT_LT((g.col(k) - slope).norm(), kTolerance * (1.0 + slope.norm()));
+        }
+        const Matrix23 gp = S::inverse_pose_jacobian(pose, z);
+        for (int k = 0; k < 3; ++k) {
+            const Vector2 slope = slope_of([&](double step) {
+                Pose other = pose;
+                (k == 0 ? other.x : k == 1 ? other.y : other.theta) += step;
+                return S::inverse(other, z);
+            });
+            EXPECT_LT((gp.col(k) - slope).norm(), kTolerance * (1.0 + slope.norm()));
+        }
+    }
+}
+
+TYPED_TEST(SensorLaws, InnovationIsSmallestAndItsJacobianFits) {
+    using S = TypeParam;
+    for (int i = 0; i < 500; ++i) {
+        const Pose pose = this->pose();
+        const auto landmark = this->landmark();
+        const Vector2 z = this->measurement();
+        const Innovation innovation = S::innovation(z, pose, landmark);
+        EXPECT_LE(std::abs(innovation.nu(1)),
+                  (std::is_same_v<S, SensorRecta> ? kPi / 2.0 : kPi) + 1e-12);
+        // nu = z - h: its slope is minus the Jacobian, on whichever side the line was taken.
+        const Vector2 state = S::to_state(landmark);
+        for (int k = 0; k < 2; ++k) {
+            const Vector2 step = kStep * Vector2::Unit(k);
+            const Innovation plus = S::innovation(z, pose, S::from_state(state + step));
+            const Innovation minus = S::innovation(z, pose, S::from_state(state - step));
+            const Vector2 slope = (minus.nu - plus.nu) / (2.0 * kStep);
+            if (slope.norm() > 1e3) continue;  // the side or the wrap changed between the two
+            EXPECT_LT((innovation.jacobian.col(k) - slope).norm(),
+                      kTolerance * (1.0 + slope.norm()));
+        }
+    }
+}
+
+TEST(SensorRecta, AWallSeenFromItsOtherSideIsTheSameLine) {
+    const Recta wall{4.0, kPi / 2.0};  // y = 4
+    const Pose below{1.0, 2.0, 0.3};
+    const Pose above{1.0, 5.0, 0.3};
+    for (const Pose& pose : {below, above}) {
+        const Recta seen = transform(inverse(pose), wall);
+        const Innovation innovation =
+            SensorRecta::innovation(SensorRecta::measurement(seen), pose, wall);
+        EXPECT_NEAR(innovation.nu.norm(), 0.0, 1e-12);
+    }
+}
+
+TEST(SensorRecta, NormalFormKeepsTheCovarianceOfTheSameLine) {
+    Recta line{-2.0, 0.5};
+    Matrix2 covariance;
+    covariance << 0.04, 0.01, 0.01, 0.02;
+    EXPECT_EQ(SensorRecta::normalize(line, covariance), -1.0);
+    EXPECT_DOUBLE_EQ(line.rho, 2.0);
+    EXPECT_DOUBLE_EQ(line.theta, 0.5 - kPi);
+    EXPECT_DOUBLE_EQ(covariance(0, 1), -0.01);
+    EXPECT_DOUBLE_EQ(covariance(1, 0), -0.01);
+    EXPECT_DOUBLE_EQ(covariance(0, 0), 0.04);
+}
+
+TEST(SensorEsquina, ACornerUnderTheRobotStaysFinite) {
+    const Pose pose{1.0, 1.0, 0.5};
+    const Matrix2 h = SensorEsquina::jacobian(pose, {1.0, 1.0});
+    EXPECT_TRUE(h.allFinite());
+}
+
+}  // namespace
+}  // namespace hitos

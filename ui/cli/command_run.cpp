@@ -1,0 +1,105 @@
+// hitos-cli run: one log in; map, trajectory, pictures and summary out.
+
+#include <fmt/core.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "hitos/capture/error.hpp"
+#include "hitos/services/algoritmo.hpp"
+#include "hitos/services/archivo_configuracion.hpp"
+#include "hitos/services/results.hpp"
+#include "options.hpp"
+#include "progress_line.hpp"
+
+namespace hitos::cli {
+namespace {
+
+struct RunOptions {
+    ConfigurationOptions configuration;
+    std::string log;
+    std::string format;
+    std::string reference;
+    std::string reference_trajectory;
+    std::string out;
+};
+
+void print_summary(const RunSummary& summary, const std::string& folder) {
+    fmt::print("{} scans in {:.1f} s of tour, {} lines and {} corners\n", summary.scans,
+               summary.duration_s, summary.lines, summary.corners);
+    if (summary.report.skipped > 0) {
+        fmt::print("{} damaged lines were skipped; line {}: {}\n", summary.report.skipped,
+                   summary.report.examples.front().line, summary.report.examples.front().reason);
+    }
+    if (summary.map_error) {
+        fmt::print(
+            "map error {:.3f} m (after rigid alignment {:.3f} m), {} of {} landmarks found\n",
+            summary.map_error->mean_m, summary.aligned_map_error->error.mean_m,
+            summary.map_error->reference_found, summary.map_error->reference_landmarks);
+    }
+    if (summary.trajectory_error && summary.odometry_error) {
+        fmt::print("trajectory error (ATE) {:.3f} m, odometry alone {:.3f} m\n",
+                   summary.trajectory_error->rmse_m, summary.odometry_error->rmse_m);
+    }
+    fmt::print("results in {}\n", folder);
+}
+
+void run(const RunOptions& options) {
+    Configuracion configuration = load(options.configuration);
+    configuration.source.file = options.log;
+    if (!options.format.empty()) {
+        configuration.source.format = parse_format(options.format, "--format");
+    }
+    References references;
+    if (!options.reference.empty()) references.map = read_map(options.reference);
+    if (!options.reference_trajectory.empty()) {
+        references.trajectory = read_trajectory(options.reference_trajectory);
+    }
+    prepare_output_folder(options.out);
+
+    Algoritmo algoritmo(configuration, open_source(configuration.source));
+    ProgressLine line("scans");
+    algoritmo.run();
+    Progress progress = algoritmo.progress();
+    while (progress.state == Progress::State::running) {
+        algoritmo.wait_for(std::chrono::milliseconds(20));
+        progress = algoritmo.progress();
+        line.show(progress.steps, progress.fraction,
+                  fmt::format("{} landmarks", progress.lines + progress.corners));
+    }
+    if (progress.state == Progress::State::failed) throw Error(progress.error);
+    const double seconds = line.seconds();
+    line.finish(progress.steps, fmt::format("{} landmarks", progress.lines + progress.corners));
+
+    const RunSummary summary =
+        algoritmo
+            .with_run([&](const SlamRun& finished) {
+                return write_results(finished, references, seconds, options.out);
+            })
+            .get();
+    print_summary(summary, options.out);
+}
+
+}  // namespace
+
+void add_run(CLI::App& program) {
+    auto options = std::make_shared<RunOptions>();
+    CLI::App* command = program.add_subcommand("run", "Build a landmark map from a log");
+    command->add_option("log", options->log, "Log file, plain or .gz")->required();
+    command->add_option("--format", options->format,
+                        "auto, player, radish, normalized or carmen (default: auto)");
+    add_configuration_options(*command, options->configuration);
+    command->add_option("--reference", options->reference,
+                        "Reference map (docs/formats.md) to measure the map against");
+    command->add_option("--reference-trajectory", options->reference_trajectory,
+                        "Reference trajectory in TUM format to measure the path against");
+    command->add_option("--out", options->out, "Folder for the results, made if missing")
+        ->required();
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace hitos::cli

@@ -1,0 +1,13 @@
+// The subcommands of hitos-cli. Each adds itself to the program with its options; the options live
+// as long as the callback that uses them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace hitos::cli {
+
+void add_run(CLI::App& program);
+void add_convert(CLI::App& program);
+void add_evaluate(CLI::App& program);
+
+}  // namespace hitos::cli

@@ -1,0 +1,30 @@
+// Options that several subcommands share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitos/services/configuracion.hpp"
+
+namespace hitos::cli {
+
+/// --config, --set, --seed and --threads.
+struct ConfigurationOptions {
+    std::string file;
+    std::vector<std::string> assignments;
+    std::optional<std::uint64_t> seed;
+    std::optional<int> threads;
+};
+
+void add_configuration_options(CLI::App& command, ConfigurationOptions& options);
+
+/// The file's values (else the defaults), the assignments over them, then seed and threads.
+Configuracion load(const ConfigurationOptions& options);
+
+/// The format a word names; throws ConfigError that lists the words.
+LogFormat parse_format(const std::string& word, const std::string& option);
+
+}  // namespace hitos::cli
