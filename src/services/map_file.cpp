@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -100,11 +101,11 @@ double degrees_that_read_back(double theta_rad) {
     constexpr int kDigitsOfDouble = 17;
     const double nearest = theta_rad * (180.0 / kPi);
     for (int digits = 1; digits <= kDigitsOfDouble; ++digits) {
-        char buffer[32];
-        const auto written = std::to_chars(std::begin(buffer), std::end(buffer), nearest,
+        std::array<char, 32> buffer{};
+        const auto written = std::to_chars(buffer.begin(), buffer.end(), nearest,
                                            std::chars_format::scientific, digits - 1);
         double degrees = 0.0;
-        std::from_chars(std::begin(buffer), written.ptr, degrees);
+        std::from_chars(buffer.begin(), written.ptr, degrees);
         if (radians(degrees) == theta_rad) return degrees;
     }
     return nearest;

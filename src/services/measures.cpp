@@ -156,7 +156,7 @@ class PairFit {
             gradient += jacobian.transpose() * (point - targets_[i]);
         }
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal);
-        const Eigen::Vector3d values = solver.eigenvalues();  // ascending
+        const Eigen::Vector3d& values = solver.eigenvalues();  // ascending
         Eigen::Vector3d result = Eigen::Vector3d::Zero();
         for (Eigen::Index k = 0; k < 3; ++k) {
             if (!(values[k] > kUnfixed * values[2])) continue;

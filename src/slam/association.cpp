@@ -107,8 +107,8 @@ Decision Associator::decide_among(const Columns& landmarks, const Filter& ekf, c
         mark_near(landmarks, begin, end, pose, observed, slack_, var0_, var1_, near);
         for (std::size_t i = begin; i < end; ++i) {
             if (near[i - begin] == 0) continue;
-            const auto [log_likelihood, mahalanobis2] = ekf.likelihood(
-                landmarks.innovation(i, observed.z, pose), landmarks.get(i).covariance);
+            const auto [log_likelihood, mahalanobis2] =
+                ekf.likelihood(landmarks.innovation(i, observed.z, pose), landmarks.covariance(i));
             if (by_likelihood ? log_likelihood <= log_p0_ : mahalanobis2 > gate_) continue;
             const double score = by_likelihood ? log_likelihood : -mahalanobis2;
             if (score > best_score) {
