@@ -65,16 +65,14 @@ TEST(AtomicFile, FollowsALink) {
 TEST(AtomicFile, CompressesWhereAsked) {
     const TempDir folder;
     std::string text;
-    for (int i = 0; i < 100000; ++i)
-        text += std::to_string(i) + "\n";
+    for (int i = 0; i < 100000; ++i) text += std::to_string(i) + "\n";
     AtomicFile packed(folder / "a.log.gz", true);
     packed.write(text);
     packed.commit();
     EXPECT_LT(std::filesystem::file_size(folder / "a.log.gz"), text.size() / 2);
     LineReader reader(folder / "a.log.gz");
     int count = 0;
-    while (const auto line = reader.next())
-        EXPECT_EQ(line->text, std::to_string(count++));
+    while (const auto line = reader.next()) EXPECT_EQ(line->text, std::to_string(count++));
     EXPECT_EQ(count, 100000);
     write_file(folder / "plain.gz", "text");
     EXPECT_EQ(content_of(folder / "plain.gz"), "text");
@@ -109,8 +107,7 @@ TEST(AtomicFile, FullDiskLeavesTheOldFileAndNothingBeside) {
     ::setrlimit(RLIMIT_FSIZE, &small);
     std::string noise;
     std::mt19937 engine(5);
-    for (int i = 0; i < 300000; ++i)
-        noise.push_back(static_cast<char>(engine()));
+    for (int i = 0; i < 300000; ++i) noise.push_back(static_cast<char>(engine()));
     const std::string plain_error = test::message_of<FileError>([&] { write_file(target, noise); });
     const std::string packed_error = test::message_of<FileError>([&] {
         AtomicFile file(packed, true);

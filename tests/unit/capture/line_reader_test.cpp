@@ -27,8 +27,7 @@ std::vector<Got> lines_of(const std::filesystem::path& path) {
 
 std::string many_lines(int count) {
     std::string text;
-    for (int i = 1; i <= count; ++i)
-        text += "line " + std::to_string(i) + "\n";
+    for (int i = 1; i <= count; ++i) text += "line " + std::to_string(i) + "\n";
     return text;
 }
 

@@ -41,7 +41,7 @@ Scan scan_of(double time_s, Fan fan, const std::vector<double>& ranges) {
     return scan;
 }
 
-const Fan kHalf{-kPi / 2, kPi / 2, 0, 8.0, {}};
+constexpr Fan kHalf{-kPi / 2, kPi / 2, 0, 8.0, {}};
 
 /// A short tour: readings at 10 Hz on a curve, a scan with every second one and one in between.
 struct Tour {
@@ -73,8 +73,7 @@ std::filesystem::path write_tour(LogFormat format, const std::filesystem::path& 
         }
         writer->write(reading);
     }
-    while (next < tour.scans.size())
-        writer->write(tour.scans[next++]);
+    while (next < tour.scans.size()) writer->write(tour.scans[next++]);
     writer->finish();
     return path;
 }
@@ -199,10 +198,8 @@ TEST(LogWriter, ScanOvertakenByItsOwnReadingTakesItsTime) {
     const Log log = test::read_text(LogFormat::carmen, text);
     ASSERT_EQ(log.odometry.size(), 6U);
     const auto writer = make_log_writer(LogFormat::normalized, folder / "a");
-    for (const Scan& scan : log.scans)
-        writer->write(scan);
-    for (const Odometria& reading : log.odometry)
-        writer->write(reading);
+    for (const Scan& scan : log.scans) writer->write(scan);
+    for (const Odometria& reading : log.odometry) writer->write(reading);
     writer->finish();
     const Log again = test::read_log(folder / "a");
     ASSERT_EQ(again.scans.size(), 3U);

@@ -19,8 +19,7 @@ void write_merged(const Log& log, LogWriter& writer) {
         }
         writer.write(reading);
     }
-    while (next < log.scans.size())
-        writer.write(log.scans[next++]);
+    while (next < log.scans.size()) writer.write(log.scans[next++]);
     writer.finish();
 }
 

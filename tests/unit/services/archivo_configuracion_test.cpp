@@ -16,7 +16,6 @@ namespace {
 using testing::Folder;
 using ::testing::HasSubstr;
 using testing::message_of;
-using ::testing::Not;
 using Type = Parameter::Type;
 
 void expect_equal(const Configuracion& a, const Configuracion& b) {
@@ -50,8 +49,7 @@ Configuracion random_configuration(std::mt19937_64& random) {
                 break;
             case Type::text: {
                 p.words(c).clear();
-                for (int i = 0; i < 30; ++i)
-                    p.words(c) += static_cast<char>(random() % 0x80);
+                for (int i = 0; i < 30; ++i) p.words(c) += static_cast<char>(random() % 0x80);
                 p.words(c) += "ñ→𝄞";
                 break;
             }
@@ -247,14 +245,16 @@ TEST(ArchivoConfiguracion, AFailedWriteLeavesTheFileThatWasThere) {
     EXPECT_EQ(folder.files(), 1U);
 }
 
-const std::filesystem::path kConfig = std::filesystem::path(HITOS_SOURCE_DIR) / "config";
+std::filesystem::path shipped(std::string_view name) {
+    return std::filesystem::path(HITOS_SOURCE_DIR) / "config" / name;
+}
 
 TEST(ShippedConfigurations, InitIsTheTextOfTheDefaults) {
-    EXPECT_EQ(testing::content(kConfig / "init.cfg"), ArchivoConfiguracion::to_text({}));
+    EXPECT_EQ(testing::content(shipped("init.cfg")), ArchivoConfiguracion::to_text({}));
 }
 
 TEST(ShippedConfigurations, SimulatedIsTheTableOfTheThesis) {
-    const Configuracion c = ArchivoConfiguracion::read(kConfig / "simulated.cfg");
+    const Configuracion c = ArchivoConfiguracion::read(shipped("simulated.cfg"));
     Configuracion expected;  // [T table 10.17]
     expected.filter.particles = 100;
     expected.filter.resampling.rule = ResamplingRule::always;
@@ -270,7 +270,7 @@ TEST(ShippedConfigurations, SimulatedIsTheTableOfTheThesis) {
 }
 
 TEST(ShippedConfigurations, RecordedIsForRealRobots) {
-    const Configuracion c = ArchivoConfiguracion::read(kConfig / "recorded.cfg");
+    const Configuracion c = ArchivoConfiguracion::read(shipped("recorded.cfg"));
     EXPECT_EQ(c.filter.motion.model, MotionModel::proportional);
     EXPECT_EQ(c.extraction.split_merge.fit, LineFit::least_squares);
     EXPECT_GT(c.extraction.split_merge.gap_m, 0.0);
@@ -279,11 +279,10 @@ TEST(ShippedConfigurations, RecordedIsForRealRobots) {
 /// The short files say only what differs from the defaults.
 TEST(ShippedConfigurations, HoldNothingThatIsADefault) {
     for (const char* name : {"simulated.cfg", "recorded.cfg"}) {
-        const Configuracion c = ArchivoConfiguracion::read(kConfig / name);
+        const Configuracion c = ArchivoConfiguracion::read(shipped(name));
         std::size_t differing = 0;
-        for (const Parameter& p : parameters())
-            differing += p.text(c) != p.text({}) ? 1U : 0U;
-        const std::string text = testing::content(kConfig / name);
+        for (const Parameter& p : parameters()) differing += p.text(c) != p.text({}) ? 1U : 0U;
+        const std::string text = testing::content(shipped(name));
         std::size_t set = 0;
         for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {
             const std::string line = text.substr(at, text.find('\n', at) - at);

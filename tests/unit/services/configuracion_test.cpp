@@ -16,7 +16,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using testing::message_of;
-using ::testing::Not;
 using Type = Parameter::Type;
 
 std::string refusal(std::string_view assignment) {

@@ -109,8 +109,7 @@ TEST(Grid, NoCellThatAScanHitIsFreedByIt) {
     const std::vector<Point2> points = {{3.0, 0.0}, {5.0, 0.0}, {3.2, 0.1}};
     for (const auto& order : {std::vector<int>{0, 1, 2}, {1, 0, 2}, {2, 1, 0}}) {
         Scan scan;
-        for (const int i : order)
-            scan.points.push_back(points[static_cast<std::size_t>(i)]);
+        for (const int i : order) scan.points.push_back(points[static_cast<std::size_t>(i)]);
         Grid grid(unit_cells());
         grid.add(scan, {0.5, 0.5, 0.0});
         EXPECT_EQ(grid.log_odds(3, 0), 2.0F);  // hit twice, passed once
@@ -125,8 +124,7 @@ TEST(Grid, NoCellThatAScanHitIsFreedByIt) {
 
 TEST(Grid, ValuesStayWithinTheLimit) {
     Grid grid(unit_cells());
-    for (int i = 0; i < 20; ++i)
-        grid.add(scan_of({{2.0, 0.0}}), {0.5, 0.5, 0.0});
+    for (int i = 0; i < 20; ++i) grid.add(scan_of({{2.0, 0.0}}), {0.5, 0.5, 0.0});
     EXPECT_EQ(grid.log_odds(0, 0), -3.0F);
     EXPECT_EQ(grid.log_odds(2, 0), 3.0F);
 }
@@ -280,8 +278,7 @@ TEST(Grid, TheSameScansGiveTheSameBits) {
         Grid grid;
         for (int i = 0; i < 50; ++i) {
             Scan scan;
-            for (int k = 0; k < 100; ++k)
-                scan.points.push_back({values(random), values(random)});
+            for (int k = 0; k < 100; ++k) scan.points.push_back({values(random), values(random)});
             grid.add(scan, {values(random), values(random), values(random)});
         }
         return known_cells(grid);

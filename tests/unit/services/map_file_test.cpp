@@ -137,10 +137,8 @@ TEST(MapToText, ReadsBack) {
     std::uniform_real_distribution<double> lengths(-50.0, 50.0);
     std::uniform_real_distribution<double> angles(-kPi, kPi);
     LandmarkMap map;
-    for (int i = 0; i < 3000; ++i)
-        map.push_back(line(std::abs(lengths(random)), angles(random)));
-    for (int i = 0; i < 3000; ++i)
-        map.push_back(corner(lengths(random), lengths(random)));
+    for (int i = 0; i < 3000; ++i) map.push_back(line(std::abs(lengths(random)), angles(random)));
+    for (int i = 0; i < 3000; ++i) map.push_back(corner(lengths(random), lengths(random)));
     const LandmarkMap back = parse_map(map_to_text(map), "m");
     ASSERT_EQ(back.size(), map.size());
     for (std::size_t i = 0; i < 3000; ++i) {

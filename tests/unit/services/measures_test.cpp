@@ -18,8 +18,7 @@ ICaracteristica corner(double x, double y) {
 
 LandmarkMap moved(const LandmarkMap& map, const Pose& pose) {
     LandmarkMap out;
-    for (const ICaracteristica& landmark : map)
-        out.push_back(transform(pose, landmark));
+    for (const ICaracteristica& landmark : map) out.push_back(transform(pose, landmark));
     return out;
 }
 
@@ -109,8 +108,7 @@ TEST(AlignedMapError, FindsPairsAnew) {
     std::mt19937_64 random(12);
     std::uniform_real_distribution<double> places(-10.0, 10.0);
     LandmarkMap reference;
-    for (int i = 0; i < 30; ++i)
-        reference.push_back(corner(places(random), places(random)));
+    for (int i = 0; i < 30; ++i) reference.push_back(corner(places(random), places(random)));
     const Pose pose{0.1, -0.2, 0.12};
     const LandmarkMap map = moved(reference, inverse(pose));
     const AlignedMapError aligned = aligned_map_error(map, reference).value();
@@ -172,8 +170,7 @@ Trajectory wavy(int poses) {
 
 Trajectory moved(const Trajectory& trajectory, const Pose& pose) {
     Trajectory out;
-    for (const StampedPose& p : trajectory)
-        out.push_back({p.time_s, compose(pose, p.pose)});
+    for (const StampedPose& p : trajectory) out.push_back({p.time_s, compose(pose, p.pose)});
     return out;
 }
 
@@ -215,8 +212,7 @@ TEST(TrajectoryError, KnownAnswer) {
 TEST(TrajectoryError, HeadingsAreComparedModuloATurnAndAfterAlignment) {
     Trajectory reference = wavy(50);
     Trajectory estimate = moved(reference, {0.0, 0.0, kPi / 2.0});
-    for (StampedPose& p : estimate)
-        p.pose.theta += 0.2 + 6.0 * kPi;
+    for (StampedPose& p : estimate) p.pose.theta += 0.2 + 6.0 * kPi;
     EXPECT_NEAR(trajectory_error(estimate, reference)->heading_rmse_rad, 0.2, 1e-12);
 }
 
@@ -253,7 +249,8 @@ TEST(TrajectoryError, AgreesWithASlowSearch) {
         const Trajectory estimate = shaken(moved(reference, {1.0, 2.0, 2.0}), seed);
         // Pattern search over (x, y, theta) about a coarse scan of the angle.
         Pose best;
-        for (double theta = -kPi; theta < kPi; theta += 0.05) {
+        for (int i = -63; i < 63; ++i) {
+            const double theta = 0.05 * i;
             const Pose middle = compose({0.0, 0.0, theta}, estimate[30].pose);
             const Pose tried{reference[30].pose.x - middle.x, reference[30].pose.y - middle.y,
                              theta};
@@ -324,10 +321,8 @@ TEST(TrajectoryError, PairsEveryPoseOnceNearestFirst) {
     for (int i = 0; i < 200; ++i) {
         Trajectory a(30);
         Trajectory b(25);
-        for (StampedPose& p : a)
-            p.time_s = times(random);
-        for (StampedPose& p : b)
-            p.time_s = times(random);
+        for (StampedPose& p : a) p.time_s = times(random);
+        for (StampedPose& p : b) p.time_s = times(random);
         EXPECT_EQ(trajectory_error(a, b, 0.05)->poses, slow_pairs(a, b, 0.05));
     }
     // Two estimates near one reference: only the nearer counts.

@@ -124,8 +124,7 @@ TEST(EncodePicture, ScaleBarHasARoundLength) {
     // A quarter of 12 m is 3 m: the bar is 2 m, 40 pixels.
     const int row = image.rows - 12;
     int black = 0;
-    for (int x = 0; x < image.cols; ++x)
-        black += image.at<std::uint8_t>(row, x) == 0 ? 1 : 0;
+    for (int x = 0; x < image.cols; ++x) black += image.at<std::uint8_t>(row, x) == 0 ? 1 : 0;
     EXPECT_EQ(black, 40);
     EXPECT_EQ(image.at<std::uint8_t>(row, 10), 0);
     EXPECT_EQ(image.at<std::uint8_t>(row, 49), 0);

@@ -20,8 +20,8 @@ using ::testing::IsEmpty;
 using testing::message_of;
 
 std::string gzipped(const Folder& folder, std::string_view text) {
-    const std::string path = (folder / "packed.gz").string();
-    const gzFile file = gzopen(path.c_str(), "wb");
+    std::string path = (folder / "packed.gz").string();
+    auto* const file = gzopen(path.c_str(), "wb");
     EXPECT_EQ(gzwrite(file, text.data(), static_cast<unsigned>(text.size())),
               static_cast<int>(text.size()));
     EXPECT_EQ(gzclose(file), Z_OK);
@@ -30,8 +30,7 @@ std::string gzipped(const Folder& folder, std::string_view text) {
 
 std::string long_text() {
     std::string text;
-    for (int i = 0; i < 50000; ++i)
-        text += std::to_string(i * 7919) + "\n";
+    for (int i = 0; i < 50000; ++i) text += std::to_string(i * 7919) + "\n";
     return text;
 }
 

@@ -1,5 +1,6 @@
 #include "hitos/services/trajectory_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -53,9 +54,8 @@ TEST(ParseTrajectory, HeadingIsTheYawOfAnyQuaternion) {
         const double qz =
             std::cos(r) * std::cos(p) * std::sin(y) - std::sin(r) * std::sin(p) * std::cos(y);
         for (const double side : {1.0, -1.0}) {
-            char text[300];
-            std::snprintf(text, sizeof text, "0 0 0 0 %.17g %.17g %.17g %.17g", side * qx,
-                          side * qy, side * qz, side * w);
+            const std::string text =
+                fmt::format("0 0 0 0 {} {} {} {}", side * qx, side * qy, side * qz, side * w);
             EXPECT_NEAR(wrap_angle(parse_trajectory(text, "t")[0].pose.theta - yaw), 0.0, 1e-12);
         }
     }
