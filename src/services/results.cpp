@@ -124,7 +124,7 @@ void prepare_output_folder(const std::filesystem::path& folder) {
 
 RunSummary write_results(const SlamRun& run, const References& references, double seconds,
                          const std::filesystem::path& folder) {
-    const RunSummary summary = summarize(run, references);
+    RunSummary summary = summarize(run, references);
     const Trajectory best = run.best_trajectory();
     write_map(run.filter().best_map(), folder / "map.txt");
     write_trajectory(best, folder / "trajectory.tum");

@@ -1,6 +1,7 @@
 #include "association.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -101,10 +102,10 @@ Decision Associator::decide_among(const Columns& landmarks, const Filter& ekf, c
     double best_score = kNothing;  // what the method maximises
     double best_log = kNothing;
     double second_log = kNothing;
-    unsigned char near[kChunk];
+    std::array<unsigned char, kChunk> near{};
     for (std::size_t begin = 0; begin < landmarks.size(); begin += kChunk) {
         const std::size_t end = std::min(begin + kChunk, landmarks.size());
-        mark_near(landmarks, begin, end, pose, observed, slack_, var0_, var1_, near);
+        mark_near(landmarks, begin, end, pose, observed, slack_, var0_, var1_, near.data());
         for (std::size_t i = begin; i < end; ++i) {
             if (near[i - begin] == 0) continue;
             const auto [log_likelihood, mahalanobis2] =

@@ -84,7 +84,8 @@ void FiltroParticulas::step(std::span<const Control> controls, const Observation
     decisions_.resize(seen * particles_.size());
 
     detach_maps();
-    const auto landmarks = static_cast<std::size_t>(best_lines() + best_corners());
+    const auto landmarks =
+        static_cast<std::size_t>(best_lines()) + static_cast<std::size_t>(best_corners());
     for_each(particles_.size(), seen * (landmarks + 8), [&](std::size_t i) {
         const std::span<Decision> decisions(&decisions_[i * seen], seen);
         associate(particles_[i], decisions);
@@ -157,8 +158,7 @@ void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions
 }
 
 void FiltroParticulas::weigh(Particula& particle, std::span<const Decision> decisions) {
-    for (const Decision& decision : decisions)
-        particle.log_weight += decision.log_likelihood;
+    for (const Decision& decision : decisions) particle.log_weight += decision.log_likelihood;
 }
 
 void FiltroParticulas::choose_best() {
@@ -232,7 +232,7 @@ void FiltroParticulas::resample() {
 
 LandmarkMap FiltroParticulas::best_map() const {
     LandmarkMap map;
-    map.reserve(static_cast<std::size_t>(best_lines() + best_corners()));
+    map.reserve(static_cast<std::size_t>(best_lines()) + static_cast<std::size_t>(best_corners()));
     const auto add = [&map](const auto& landmarks) {
         for (std::size_t i = 0; i < landmarks.size(); ++i) {
             const auto estimate = landmarks.get(i);
@@ -259,8 +259,7 @@ int FiltroParticulas::best_corners() const {
 std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
     std::vector<double> log_weights;
     log_weights.reserve(particles_.size());
-    for (const Particula& particle : particles_)
-        log_weights.push_back(particle.log_weight);
+    for (const Particula& particle : particles_) log_weights.push_back(particle.log_weight);
     std::vector<double> weights;
     normalize_log_weights(log_weights, weights);
     std::vector<WeightedPose> poses;
@@ -274,15 +273,13 @@ std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
 template <class Body>
 void FiltroParticulas::for_each(std::size_t count, std::size_t work_each, const Body& body) {
     if (arena_.max_concurrency() == 1 || count * work_each < kParallelWork) {
-        for (std::size_t i = 0; i < count; ++i)
-            body(i);
+        for (std::size_t i = 0; i < count; ++i) body(i);
         return;
     }
     arena_.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
                           [&](const tbb::blocked_range<std::size_t>& range) {
-                              for (std::size_t i = range.begin(); i < range.end(); ++i)
-                                  body(i);
+                              for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
                           });
     });
 }

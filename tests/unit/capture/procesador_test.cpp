@@ -34,10 +34,8 @@ TEST(Procesador, SumOfTwistsReproducesRandomPoses) {
             text += ' ';
             append_exact(text, value);
         }
-        text +=
-            " 0 0 0
-            ";
-            poses.push_back(pose);
+        text += " 0 0 0\n";
+        poses.push_back(pose);
         // Stamps stand still, go back and jump; turns go up to half a circle, or are tiny.
         time += i % 7 == 0 ? -0.3 : i % 11 == 0 ? 0.0 : 0.1;
         const double theta = i % 5 == 0 ? turn(engine) : i % 3 == 0 ? 1e-7 : 0.0;

@@ -72,8 +72,7 @@ struct Log {
 
 inline Log read_all(Procesador& procesador) {
     Log log;
-    while (std::optional<Scan> scan = procesador.next_scan())
-        log.scans.push_back(std::move(*scan));
+    while (std::optional<Scan> scan = procesador.next_scan()) log.scans.push_back(std::move(*scan));
     while (const std::optional<Odometria> reading = procesador.next_odometry()) {
         log.odometry.push_back(*reading);
     }

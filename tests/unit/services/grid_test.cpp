@@ -84,6 +84,10 @@ TEST(Grid, ARayFreesWhatItPassesAndOccupiesItsEnd) {
 TEST(Grid, CellsHoldTheirLowerBorders) {
     const std::map<Cell, float> cells = after_one_ray({0.0, 0.0}, {2.0, 0.0});
     EXPECT_EQ(cells, (std::map<Cell, float>{{{0, 0}, -0.5F}, {{1, 0}, -0.5F}, {{2, 0}, 1.0F}}));
+    // Downwards through the corner (1, 1), which is the cell's to the right and above.
+    EXPECT_EQ(
+        after_one_ray({0.5, 1.25}, {2.5, 0.25}),
+        (std::map<Cell, float>{{{0, 1}, -0.5F}, {{1, 1}, -0.5F}, {{1, 0}, -0.5F}, {{2, 0}, 1.0F}}));
     // 0.15 / 0.05 is a little less than 3 in doubles.
     GridParams params;
     params.resolution_m = 0.05;
@@ -140,6 +144,15 @@ TEST(Grid, RaysAreDrawnUpToTheGreatestRange) {
     EXPECT_EQ(grid.log_odds(0, 3), 1.0F);   // exactly at the range: a hit
     EXPECT_EQ(grid.log_odds(2, 2), -0.5F);
     EXPECT_EQ(grid.left_out(), 0U);
+}
+
+TEST(Grid, ACutRayFreesTheCellItIsCutIn) {
+    GridParams params = unit_cells();
+    params.max_range_m = 1.5;
+    Grid grid(params);
+    grid.add(scan_of({{4.0, 3.0}}), {0.5, 0.25, 0.0});  // ends at (1.7, 1.15)
+    EXPECT_EQ(known_cells(grid),
+              (std::map<Cell, float>{{{0, 0}, -0.5F}, {{1, 0}, -0.5F}, {{1, 1}, -0.5F}}));
 }
 
 TEST(Grid, RaysStartAtTheLaser) {

@@ -88,6 +88,9 @@ TEST(TrajectoryToText, HasFixedDecimalsAndTheShortestTime) {
               "0.1 0.000000000 0.333333333 0 0 0 1.000000000 0.000000000\n"
               "0 0.000000000 0.000000000 0 0 0 -0.707106781 0.707106781\n");
     EXPECT_EQ(trajectory_to_text({}), "");
+    // Whole turns do not show.
+    EXPECT_EQ(trajectory_to_text({{0.0, {0.0, 0.0, 1.5 * kPi}}}),
+              trajectory_to_text({{0.0, {0.0, 0.0, -0.5 * kPi}}}));
 }
 
 TEST(TrajectoryToText, ReadsBackToANanometre) {
