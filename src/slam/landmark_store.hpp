@@ -142,8 +142,7 @@ class LandmarkTable {
     /// Room for `extra` more landmarks in every block. Invalidates views.
     void reserve_more(std::size_t extra) {
         std::size_t largest = 0;
-        for (const std::uint32_t size : sizes_)
-            largest = std::max<std::size_t>(largest, size);
+        for (const std::uint32_t size : sizes_) largest = std::max<std::size_t>(largest, size);
         if (largest + extra <= capacity_) return;
         LandmarkTable larger;
         larger.capacity_ = std::max(largest + extra, capacity_ + capacity_ / 2 + 8);

@@ -108,8 +108,7 @@ void reading(benchmark::State& state) {
     std::uint64_t scans = 0;
     for (auto _ : state) {
         Procesador reader(open_log(log_path()));
-        while (reader.next_scan())
-            ++scans;
+        while (reader.next_scan()) ++scans;
         while (reader.next_odometry()) {
         }
     }

@@ -59,8 +59,7 @@ void convert(const ConvertOptions& options) {
         writer->write(*scan);
         line.show(reader.report().scans, reader.fuente().progress());
     }
-    for (; reading; reading = reader.next_odometry())
-        writer->write(noise(*reading));
+    for (; reading; reading = reader.next_odometry()) writer->write(noise(*reading));
     const ReadReport& report = reader.report();
     if (report.scans == 0) {
         throw FormatError(options.log, 0, "found no readable scan; nothing was written");

@@ -145,7 +145,7 @@ TEST(Procesador, TruncatedGzipGivesWhatCanBeReadAndCountsOnce) {
     const TempDir folder;
     std::string text;
     for (int i = 0; i < 20000; ++i) text += position(i, i * 0.37);
-    const std::string packed = test::content_of(folder.put_gz("a", text));
+    const std::string packed = test::content(folder.put_gz("a", text));
     const Log log = test::read_log(folder.put("cut.gz", packed.substr(0, packed.size() / 2)));
     EXPECT_GT(log.odometry.size(), 5000U);
     EXPECT_LT(log.odometry.size(), 15000U);

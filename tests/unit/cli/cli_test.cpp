@@ -213,7 +213,7 @@ std::string wall_scan(int k, const std::string& extra = "") {
 TEST_F(BadInput, DamagedLinesAreSkippedAndCounted) {
     std::string log = "ODOM 0 0 0\n" + wall_scan(1) + "ODOM 2 0.1 0\n";
     log += "LASER 3 -4 1 2\n";                   // negative count
-    log += "LASER 3 0\n";  // no ray returned: an empty scan, no damage
+    log += "LASER 3 0\n";                        // no ray returned: an empty scan, no damage
     log += "LASER 3 50 1 2 3 4\n";               // a count that lies
     log += "LASER three 1 1 1\n";                // no number
     log += "ODOM 3 abc 0\n";                     // no number

@@ -13,9 +13,9 @@
 namespace hitos {
 namespace {
 
-using testing::Folder;
+using test::message_of;
+using test::TempFolder;
 using ::testing::HasSubstr;
-using testing::message_of;
 using Type = Parameter::Type;
 
 void expect_equal(const Configuracion& a, const Configuracion& b) {
@@ -210,19 +210,19 @@ TEST(ArchivoConfiguracion, TellsBadTomlWithTheLine) {
 }
 
 TEST(ArchivoConfiguracion, WritesAndReadsFiles) {
-    const Folder folder;
+    const TempFolder folder;
     Configuracion c;
     c.grid.resolution_m = 0.1 + 0.2;
     const auto path = folder / "a.cfg";
     ArchivoConfiguracion::write(c, path);
-    EXPECT_EQ(testing::content(path), ArchivoConfiguracion::to_text(c));
+    EXPECT_EQ(test::content(path), ArchivoConfiguracion::to_text(c));
     expect_equal(ArchivoConfiguracion::read(path), c);
     EXPECT_EQ(folder.files(), 1U);
 }
 
 TEST(ArchivoConfiguracion, MessagesNameTheFileThatWasRead) {
-    const Folder folder;
-    const auto path = folder.file("bad.cfg", "\nx = 1\n");
+    const TempFolder folder;
+    const auto path = folder.put("bad.cfg", "\nx = 1\n");
     EXPECT_THAT(message_of<FormatError>([&] { ArchivoConfiguracion::read(path); }),
                 HasSubstr(path.string() + ":2: x: no such parameter"));
     const auto missing = folder / "none.cfg";
@@ -233,15 +233,15 @@ TEST(ArchivoConfiguracion, MessagesNameTheFileThatWasRead) {
 }
 
 TEST(ArchivoConfiguracion, AFailedWriteLeavesTheFileThatWasThere) {
-    const Folder folder;
-    const auto file = folder.file("file", "precious");
+    const TempFolder folder;
+    const auto file = folder.put("file", "precious");
     const auto below = file / "a.cfg";
     EXPECT_THAT(message_of<FileError>([&] { ArchivoConfiguracion::write({}, below); }),
                 HasSubstr(below.string()));
     Configuracion bad;
     bad.source.file = "\xff";
     EXPECT_THROW(ArchivoConfiguracion::write(bad, file), ConfigError);
-    EXPECT_EQ(testing::content(file), "precious");
+    EXPECT_EQ(test::content(file), "precious");
     EXPECT_EQ(folder.files(), 1U);
 }
 
@@ -250,7 +250,7 @@ std::filesystem::path shipped(std::string_view name) {
 }
 
 TEST(ShippedConfigurations, InitIsTheTextOfTheDefaults) {
-    EXPECT_EQ(testing::content(shipped("init.cfg")), ArchivoConfiguracion::to_text({}));
+    EXPECT_EQ(test::content(shipped("init.cfg")), ArchivoConfiguracion::to_text({}));
 }
 
 TEST(ShippedConfigurations, SimulatedIsTheTableOfTheThesis) {
@@ -282,7 +282,7 @@ TEST(ShippedConfigurations, HoldNothingThatIsADefault) {
         const Configuracion c = ArchivoConfiguracion::read(shipped(name));
         std::size_t differing = 0;
         for (const Parameter& p : parameters()) differing += p.text(c) != p.text({}) ? 1U : 0U;
-        const std::string text = testing::content(shipped(name));
+        const std::string text = test::content(shipped(name));
         std::size_t set = 0;
         for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {
             const std::string line = text.substr(at, text.find('\n', at) - at);

@@ -14,8 +14,8 @@
 namespace hitos {
 namespace {
 
+using test::message_of;
 using ::testing::HasSubstr;
-using testing::message_of;
 using Type = Parameter::Type;
 
 std::string refusal(std::string_view assignment) {

@@ -16,8 +16,8 @@
 namespace hitos {
 namespace {
 
+using test::message_of;
 using ::testing::HasSubstr;
-using testing::message_of;
 using Cell = std::pair<std::int64_t, std::int64_t>;  // (column, row) from the world's origin
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

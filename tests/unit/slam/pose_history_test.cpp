@@ -31,17 +31,14 @@ TEST(PoseHistory, EqualsPlainCopiesUnderRandomResampling) {
             next.push_back(leaves[source]);
             next_plain.push_back(plain[source]);
         }
-        for (const auto leaf : leaves)
-            history.release(leaf);
+        for (const auto leaf : leaves) history.release(leaf);
         leaves = next;
         plain = next_plain;
     }
-    for (std::size_t i = 0; i < kParticles; ++i)
-        EXPECT_EQ(history.path(leaves[i]), plain[i]);
+    for (std::size_t i = 0; i < kParticles; ++i) EXPECT_EQ(history.path(leaves[i]), plain[i]);
     // Memory: the common trunk plus a young crown, far below particles x steps.
     EXPECT_LT(history.size(), 300U + kParticles * 100U);
-    for (const auto leaf : leaves)
-        history.release(leaf);
+    for (const auto leaf : leaves) history.release(leaf);
     EXPECT_EQ(history.size(), 0U);
 }
 
@@ -79,8 +76,7 @@ TEST(MapStore, WritingASharedMapLeavesTheOtherAlone) {
 
 TEST(LandmarkTable, KeepsValuesWhileItGrows) {
     LandmarkTable<LineColumns> table;
-    for (int block = 0; block < 3; ++block)
-        table.add_block();
+    for (int block = 0; block < 3; ++block) table.add_block();
     for (int i = 0; i < 100; ++i) {
         table.reserve_more(1);
         for (std::size_t block = 0; block < 3; block += 2) {  // block 1 stays empty
