@@ -114,6 +114,20 @@ std::string axis_label(const StudyPlan::Axis& axis) {
     return units.empty() ? axis.name : fmt::format("{} ({})", axis.name, units);
 }
 
+/// Leaves room at both ends; gnuplot's own range goes to whole decades where x is logarithmic.
+std::string range(const Abscissa& x) {
+    constexpr double kRoom = 0.04;
+    const auto [least, greatest] = std::minmax_element(x.positions.begin(), x.positions.end());
+    if (x.logarithmic) {
+        const double room = std::pow(*greatest / *least, kRoom);
+        return fmt::format("set logscale x\nset xrange [{:.6g}:{:.6g}]\n", *least / room,
+                           *greatest * room);
+    }
+    const double span = *greatest - *least;
+    const double room = span > 0.0 ? kRoom * span : std::max(1.0, std::abs(*least));
+    return fmt::format("set xrange [{:.6g}:{:.6g}]\n", *least - room, *greatest + room);
+}
+
 /// Words, and the values of a logarithmic axis, stand at their places.
 std::string tics(const Abscissa& x) {
     std::vector<std::string> marks;
@@ -148,8 +162,7 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
     text += fmt::format("set xlabel {} noenhanced\n", quoted(axis_label(plan.axes[0])));
     text += fmt::format("set ylabel '{}'\n", measure.label);
     text += "set grid\nset key outside top center horizontal noenhanced\nset yrange [0:*]\n";
-    text += "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n";
-    if (x.logarithmic) text += "set logscale x\nset offsets 0, 0, graph 0.05, 0\n";
+    text += range(x);
     if (x.logarithmic || !x.numbers) text += tics(x);
     text += "set xtics noenhanced\n";
     for (const auto& [extension, terminal] :

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     hitos::cli::add_run(program);
     hitos::cli::add_convert(program);
     hitos::cli::add_evaluate(program);
+    hitos::cli::add_study(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
