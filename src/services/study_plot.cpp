@@ -246,16 +246,19 @@ std::string write_plots(const StudyLayout& layout, const StudyPlan& plan,
         const bool any = std::any_of(cells.begin(), cells.end(), [&](const StudyCell& cell) {
             return (cell.*measure.spread).has_value();
         });
-        if (!any) {
-            if (problem.empty()) problem = fmt::format("no run gave a figure for {}", measure.name);
-            continue;
-        }
-        const std::string gnuplot = run_gnuplot(workshop.path(), stem + ".gp");
-        if (!gnuplot.empty()) return gnuplot;
+        std::string failure = any ? "" : fmt::format("no run gave a figure for {}", measure.name);
+        if (failure.empty()) failure = run_gnuplot(workshop.path(), stem + ".gp");
         for (const char* extension : {".png", ".svg"}) {
-            write_file(layout.folder / (stem + extension),
-                       read_all(workshop.path() / (stem + extension)));
+            const fs::path picture = layout.folder / (stem + extension);
+            if (failure.empty()) {
+                write_file(picture, read_all(workshop.path() / (stem + extension)));
+            } else {
+                // One from an earlier time would not show these figures.
+                std::error_code ignored;
+                fs::remove(picture, ignored);
+            }
         }
+        if (problem.empty()) problem = failure;
     }
     return problem;
 }

@@ -3,6 +3,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "hitos/capture/normalized_text.hpp"
@@ -54,16 +55,16 @@ class NoisySource final : public Fuente {
     }
 
   private:
-    /// Hands on what the inner reader left out since the last call; beyond its examples it tells
-    /// numbers only.
+    /// Hands on what the inner readers left out since the last call. Lines that neither cursor
+    /// could read are counted by the one that reads scans, as everywhere.
     void collect_damage() {
-        const ReadReport& report = scans_.report();
-        for (; told_ < report.skipped; ++told_) {
-            if (told_ < report.examples.size()) {
-                const ReadReport::Skip& skip = report.examples[told_];
-                damage_.emplace_back(skip.line, skip.reason);
-            } else {
-                damage_.emplace_back(0, "damaged line");
+        for (auto& [reader, told] :
+             {std::tie(scans_, told_scans_), std::tie(odometry_, told_odometry_)}) {
+            const ReadReport& report = reader.report();
+            for (; told < report.skipped; ++told) {
+                const bool known = told < report.examples.size();
+                damage_.emplace_back(known ? report.examples[told].line : 0,
+                                     known ? report.examples[told].reason : "damaged line");
             }
         }
     }
@@ -76,7 +77,8 @@ class NoisySource final : public Fuente {
     std::string scan_text_;
     std::string odometry_text_;
     std::deque<std::pair<std::uint64_t, std::string>> damage_;
-    std::uint64_t told_ = 0;
+    std::uint64_t told_scans_ = 0;
+    std::uint64_t told_odometry_ = 0;
 };
 
 }  // namespace
