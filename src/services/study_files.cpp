@@ -1,12 +1,12 @@
 #include "study_files.hpp"
 
 #include <fmt/format.h>
-#include <signal.h>  // NOLINT(modernize-deprecated-headers): kill() is no C++
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>

@@ -275,6 +275,7 @@ std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cell
         {"runs", "error (m)", "variance (m^2)", "aligned (m)", "landmarks", "lines", "corners"});
     const auto line = [](const std::vector<std::string>& fields) {
         std::vector<std::string> cells_text;
+        cells_text.reserve(fields.size());
         for (const std::string& field : fields)
             cells_text.push_back(field == "–" ? "--" : latex(field));
         return fmt::format("{} \\\\\n", fmt::join(cells_text, " & "));

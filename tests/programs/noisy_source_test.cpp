@@ -44,6 +44,7 @@ TEST(NoisySource, ReadsAsTheLogWithNoiseOnItsOdometry) {
 TEST(NoisySource, BeginsAnewWithTheSameNoise) {
     const auto source = noisy(0.1, 3);
     std::vector<std::string> first;
+    first.reserve(50);
     for (int i = 0; i < 50; ++i)
         first.emplace_back(source->read_odometry_line()->text);
     const auto again = source->reopen();

@@ -1,9 +1,9 @@
 // hitos-cli study as a user starts, stops and restarts it.
 #include <gmock/gmock.h>
-#include <signal.h>
 #include <spawn.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <sstream>
 #include <thread>
@@ -51,10 +51,10 @@ TEST_F(StudyCommand, IsWhatConvertAndRunGive) {
     std::string line;
     std::getline(row, line);
     EXPECT_EQ(line.substr(0, 11), "0.02,1,0,1,");
-    char figure[32];
-    std::snprintf(figure, sizeof figure, "map_error_m %.6f",
+    std::array<char, 32> figure{};
+    std::snprintf(figure.data(), figure.size(), "map_error_m %.6f",
                   std::strtod(line.c_str() + 11, nullptr));
-    EXPECT_THAT(measured.said, HasSubstr(figure));
+    EXPECT_THAT(measured.said, HasSubstr(figure.data()));
 }
 
 TEST_F(StudyCommand, ReachesTheThesisOnBigloop) {

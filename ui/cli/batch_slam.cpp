@@ -116,5 +116,9 @@ int run_program(int argc, char** argv) {
 }  // namespace hitos::cli
 
 int main(int argc, char** argv) {
-    return hitos::cli::run_program(argc, argv);
+    try {
+        return hitos::cli::run_program(argc, argv);
+    } catch (...) {  // not even the error could be told
+        return 1;
+    }
 }

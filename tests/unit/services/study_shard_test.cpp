@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using testing::message_of;
 
-Environment environment(std::map<std::string, std::string> variables) {
+Environment environment(const std::map<std::string, std::string>& variables) {
     return [variables](const char* name) -> std::optional<std::string> {
         const auto found = variables.find(name);
         if (found == variables.end()) return std::nullopt;

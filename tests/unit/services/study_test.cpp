@@ -269,7 +269,7 @@ TEST_F(StudyTest, FilesThatCannotBeReadOrWrittenAreNamed) {
     EXPECT_THAT(message_of<FileError>([&] { run(study("taken")); }), HasSubstr("taken"));
     EXPECT_THAT(message_of<FileError>([&] { study_beside(folder_.path()); }),
                 HasSubstr("is a folder; expected the path of the quality file"));
-    folder_.file("study.json", "{\"format\": \"else\"}");
+    folder_.file("study.json", R"({"format": "else"})");
     EXPECT_THAT(message_of<FormatError>([&] { merge_study(study_in_folder(folder_.path())); }),
                 HasSubstr("study.json: expected format hitos-study 1"));
     folder_.file("study.json", "[");
