@@ -14,8 +14,11 @@ int run(int argc, char** argv) {
     program.name("hitos-cli");
     program.set_version_flag("--version", hitos::version());
     program.require_subcommand(1);
-    program.footer("Formats and files: docs/formats.md; every parameter: config/init.cfg");
+    program.footer(
+        "Formats and files: docs/formats.md; worlds: docs/simulation.md; every parameter: "
+        "config/init.cfg");
     hitos::cli::add_run(program);
+    hitos::cli::add_simulate(program);
     hitos::cli::add_convert(program);
     hitos::cli::add_evaluate(program);
     hitos::cli::add_study(program);
