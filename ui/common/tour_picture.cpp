@@ -108,6 +108,9 @@ double round_length(double limit) {
 
 void draw_footer(Canvas& canvas, const SimulatedTour& tour) {
     const int y = canvas.image().rows - kFooter + 10;
+    // The odometry may have run off into it.
+    cv::rectangle(canvas.image(), cv::Rect(0, y - 15, canvas.image().cols, kFooter + 5),
+                  cv::Scalar::all(255), cv::FILLED);
     const double length_m = round_length(160.0 / canvas.pixels_per_m());
     const int length = static_cast<int>(std::lround(length_m * canvas.pixels_per_m()));
     cv::rectangle(canvas.image(), cv::Rect(kMargin, y + 10, length, 5), black, cv::FILLED);
