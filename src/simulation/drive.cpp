@@ -50,8 +50,7 @@ class Driver {
             drive_to(at(goal_), next);
         }
         --goal_;  // where it stops, for messages
-        while (twist_.v != 0.0 || twist_.w != 0.0)
-            command(0.0, 0.0);
+        while (twist_.v != 0.0 || twist_.w != 0.0) command(0.0, 0.0);
         return std::move(path_);
     }
 

@@ -22,8 +22,7 @@ void DrivenPath::append(const Twist& twist) {
 
 double DrivenPath::length_m() const {
     double length = 0.0;
-    for (const Twist& twist : twists_)
-        length += std::abs(twist.v) / rate_hz_;
+    for (const Twist& twist : twists_) length += std::abs(twist.v) / rate_hz_;
     return length;
 }
 

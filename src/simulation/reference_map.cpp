@@ -74,10 +74,8 @@ LandmarkMap reference_map(const World& world) {
         }
     }
     LandmarkMap map;
-    for (const Recta& line : lines)
-        map.push_back({line});
-    for (const Point2& corner : corners)
-        map.push_back({Esquina{corner.x, corner.y}});
+    for (const Recta& line : lines) map.push_back({line});
+    for (const Point2& corner : corners) map.push_back({Esquina{corner.x, corner.y}});
     return map;
 }
 

@@ -17,7 +17,7 @@ constexpr double kEndReach = 1e-12;
 /// Range of the ray from the origin along the unit vector (cos, sin) to the segment a-b, both in
 /// the laser frame; infinity where it passes.
 double range_to(const Point2& a, const Point2& b, double cosine, double sine) {
-    constexpr double kMissed = std::numeric_limits<double>::infinity();
+    const double missed = std::numeric_limits<double>::infinity();
     const double dx = b.x - a.x;
     const double dy = b.y - a.y;
     // a + s (b - a) = r u, solved by Cramer's rule.
@@ -25,12 +25,12 @@ double range_to(const Point2& a, const Point2& b, double cosine, double sine) {
     if (determinant == 0.0) {
         // Along the wall: its nearer end, if the ray runs into it at all.
         const double near = std::min(a.x * cosine + a.y * sine, b.x * cosine + b.y * sine);
-        return a.x * sine - a.y * cosine == 0.0 && near >= 0.0 ? near : kMissed;
+        return a.x * sine - a.y * cosine == 0.0 && near >= 0.0 ? near : missed;
     }
     const double s = (sine * a.x - cosine * a.y) / determinant;
     const double range = (a.x * dy - a.y * dx) / determinant;
     const bool hit = s >= -kEndReach && s <= 1.0 + kEndReach && range >= 0.0;
-    return hit ? range : kMissed;
+    return hit ? range : missed;
 }
 
 /// Bearing in [0, 2 pi) counted from the fan's first ray.

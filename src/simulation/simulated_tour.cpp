@@ -79,8 +79,7 @@ void write_tour(const SimulatedTour& tour, LogWriter& writer, const TourProgress
         writer.write(tour.scan(k));
         if (progress) progress(k + 1);
     }
-    for (; reading < tour.readings(); ++reading)
-        writer.write(noise(tour.true_reading(reading)));
+    for (; reading < tour.readings(); ++reading) writer.write(noise(tour.true_reading(reading)));
 }
 
 }  // namespace hitos

@@ -43,7 +43,7 @@ class Reading {
                 read_value(fmt::format("{}.{}", name, inner.str()), inner.source(), value);
         }
         if (!drawing_.empty()) add_drawing();
-        if (world_.walls.empty()) fail({}, "found no walls; expected \"walls\" or \"walls_dxf\"");
+        if (world_.walls.empty()) fail({}, "found no walls; expected the key walls or walls_dxf");
         if (world_.tour.way_points.empty()) {
             fail({}, "found no way points; expected way_points = [[x, y], ...] in [tour]");
         }

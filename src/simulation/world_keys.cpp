@@ -248,8 +248,7 @@ const WorldKey& find(std::string_view key) {
     }
     if (group == "tour.") near.insert(near.end(), {"tour.start", "tour.way_points"});
     if (near.empty()) {
-        for (const WorldKey& other : keys())
-            near.push_back(other.key);
+        for (const WorldKey& other : keys()) near.push_back(other.key);
     }
     throw ConfigError(std::string(key),
                       fmt::format("no such key; expected one of {}", fmt::join(near, ", ")));

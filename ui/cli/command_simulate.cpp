@@ -40,8 +40,7 @@ struct SimulateOptions {
 
 World load_world(const SimulateOptions& options) {
     World world = read_world(find_world(options.world));
-    for (const std::string& assignment : options.assignments)
-        set_world_value(world, assignment);
+    for (const std::string& assignment : options.assignments) set_world_value(world, assignment);
     const auto set = [&world](const char* key, const std::string& value) {
         if (!value.empty()) set_world_value(world, fmt::format("{}={}", key, value));
     };
@@ -72,8 +71,13 @@ void simulate(const SimulateOptions& options) {
                           "found nothing to write; give --out, --truth, --reference or --picture");
     }
     const SimulatedTour tour(load_world(options));
-    if (!options.out.empty()) {
-        const auto writer = make_log_writer(format, options.out);
+    // The log's place is tried first and the log put there last, so that an error in any other file
+    // leaves no log behind that looks like a whole result.
+    const auto writer = options.out.empty() ? nullptr : make_log_writer(format, options.out);
+    if (!options.picture.empty()) write_tour_picture(tour, options.picture);
+    if (!options.truth.empty()) write_trajectory(truth_of(tour), options.truth);
+    if (!options.reference.empty()) write_map(reference_map(tour.world()), options.reference);
+    if (writer) {
         ProgressLine line("scans");
         write_tour(tour, *writer, [&](std::uint64_t scans) {
             line.show(scans, static_cast<double>(scans) / static_cast<double>(tour.scans()));
@@ -81,9 +85,6 @@ void simulate(const SimulateOptions& options) {
         writer->finish();
         line.finish(tour.scans());
     }
-    if (!options.truth.empty()) write_trajectory(truth_of(tour), options.truth);
-    if (!options.reference.empty()) write_map(reference_map(tour.world()), options.reference);
-    if (!options.picture.empty()) write_tour_picture(tour, options.picture);
     fmt::print("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n", tour.world().name,
                tour.path().length_m(), tour.path().duration_s(), tour.scans(), tour.readings());
 }
@@ -96,8 +97,7 @@ std::string footer() {
                             key.unit.empty() ? "" : fmt::format(" [{}]", key.unit));
     }
     text += "Worlds that come with Hitos:";
-    for (const std::string& name : shipped_worlds())
-        text += " " + name;
+    for (const std::string& name : shipped_worlds()) text += " " + name;
     return text;
 }
 

@@ -10,8 +10,8 @@
 namespace hitos {
 namespace {
 
-using test::TempFolder;
 using test::message_of;
+using test::TempFolder;
 
 /// Writes a drawing with dxflib.
 class Drawing {
@@ -32,8 +32,7 @@ class Drawing {
     void polyline(const std::vector<Point2>& points, bool closed, double bulge = 0.0) {
         dxf_.writePolyline(*writer_, {static_cast<int>(points.size()), 0, 0, closed ? 1 : 0},
                            attributes("0"));
-        for (const Point2& point : points)
-            dxf_.writeVertex(*writer_, {point.x, point.y, 0, bulge});
+        for (const Point2& point : points) dxf_.writeVertex(*writer_, {point.x, point.y, 0, bulge});
         dxf_.writePolylineEnd(*writer_);
     }
     void circle() { dxf_.writeCircle(*writer_, {1, 1, 0, 2}, attributes("0")); }

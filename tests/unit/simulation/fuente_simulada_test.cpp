@@ -9,8 +9,8 @@
 namespace hitos {
 namespace {
 
-using test::TempFolder;
 using test::small_world;
+using test::TempFolder;
 
 struct Line {
     std::string text;
@@ -79,8 +79,7 @@ TEST(FuenteSimulada, gives_the_scans_and_controls_of_the_written_log) {
 
 TEST(FuenteSimulada, reopens_at_its_beginning_with_the_same_noise) {
     FuenteSimulada fuente(std::make_shared<const SimulatedTour>(small_world()));
-    for (int i = 0; i < 20; ++i)
-        fuente.read_odometry_line();
+    for (int i = 0; i < 20; ++i) fuente.read_odometry_line();
     fuente.read_scan_line();
     const auto again = fuente.reopen();
     const auto third = again->reopen();

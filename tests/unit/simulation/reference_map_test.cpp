@@ -35,8 +35,8 @@ TEST(ReferenceMap, of_the_shipped_worlds_is_the_stored_one_to_the_last_digit) {
             EXPECT_EQ(map.size(), expected[i]);
         }
         ++i;
-        const std::string stored = test::content(std::filesystem::path(HITOS_SOURCE_DIR) /
-                                                    "data/maps" / (name + ".map"));
+        const std::string stored =
+            test::content(std::filesystem::path(HITOS_SOURCE_DIR) / "data/maps" / (name + ".map"));
         EXPECT_EQ(sorted_lines(map_to_text(map)), sorted_lines(stored));
     }
 }

@@ -13,7 +13,7 @@ namespace {
 double oracle(const std::vector<WallSegment>& walls, const Pose& laser, double angle, double most) {
     const long double c = std::cos(static_cast<long double>(laser.theta) + angle);
     const long double s = std::sin(static_cast<long double>(laser.theta) + angle);
-    long double best = std::numeric_limits<double>::infinity();
+    auto best = std::numeric_limits<long double>::infinity();
     for (const WallSegment& wall : walls) {
         const long double side_a = c * (wall.a.y - laser.y) - s * (wall.a.x - laser.x);
         const long double side_b = c * (wall.b.y - laser.y) - s * (wall.b.x - laser.x);
@@ -49,6 +49,7 @@ TEST(SimulatedLaser, agrees_with_a_slow_oracle_in_random_worlds) {
     int differ = 0;
     for (int round = 0; round < 200; ++round) {
         std::vector<WallSegment> walls;
+        walls.reserve(12);
         for (int i = 0; i < 12; ++i) {
             walls.push_back({{place(random), place(random)}, {place(random), place(random)}, i, 0});
         }

@@ -11,8 +11,8 @@ namespace hitos {
 namespace {
 
 using test::content;
-using test::TempFolder;
 using test::small_world;
+using test::TempFolder;
 
 std::filesystem::path write(const World& world, LogFormat format,
                             const std::filesystem::path& path) {
@@ -120,8 +120,7 @@ TEST(SimulatedTour, points_lie_on_the_walls_whatever_the_mounting) {
         for (const Point2& point : scan.points) {
             const Point2 at = transform(pose, point);
             double gap = 1.0;
-            for (const WallSegment& wall : world.walls)
-                gap = std::min(gap, distance(wall, at));
+            for (const WallSegment& wall : world.walls) gap = std::min(gap, distance(wall, at));
             ASSERT_LT(gap, 1e-9);
         }
     }

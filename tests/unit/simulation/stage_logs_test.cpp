@@ -55,7 +55,7 @@ TEST_P(StageLog, ranges_agree_within_the_grid_of_stage) {
         }
     }
     ASSERT_GT(compared, 50'000);
-    const double n = static_cast<double>(compared);
+    const auto n = static_cast<double>(compared);
     const double mean = sum / n;
     const double sigma = std::sqrt(squares / n - mean * mean);
     std::cout << GetParam() << ": " << compared << " of " << readings << " readings, mean "

@@ -14,21 +14,21 @@
 namespace hitos {
 namespace {
 
-const std::filesystem::path kSource = HITOS_SOURCE_DIR;
+const std::filesystem::path source_dir = HITOS_SOURCE_DIR;
 
 TEST(OpenTour, simulates_a_world_and_reads_a_log) {
     SourceParams source;
-    source.file = (kSource / "data/worlds/recinto.toml").string();
+    source.file = (source_dir / "data/worlds/recinto.toml").string();
     const auto world = open_tour(source);
     EXPECT_EQ(world->format(), LogFormat::normalized);
     EXPECT_EQ(world->name(), source.file);
-    source.file = (kSource / "data/bigloop.log.gz").string();
+    source.file = (source_dir / "data/bigloop.log.gz").string();
     EXPECT_EQ(open_tour(source)->format(), LogFormat::player);
 }
 
 TEST(OpenTour, refuses_a_world_in_another_format) {
     SourceParams source;
-    source.file = (kSource / "data/worlds/recinto.toml").string();
+    source.file = (source_dir / "data/worlds/recinto.toml").string();
     source.format = LogFormat::normalized;
     EXPECT_NO_THROW(open_tour(source));
     source.format = LogFormat::carmen;
@@ -39,16 +39,16 @@ TEST(OpenTour, refuses_a_world_in_another_format) {
 }
 
 TEST(OpenTour, a_run_over_a_world_maps_it) {
-    Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/simulated.cfg");
+    Configuracion configuration = ArchivoConfiguracion::read(source_dir / "config/simulated.cfg");
     // The world's laser has 10 mm of noise, for which the thesis's end-point fit is too fine.
     configuration.extraction.split_merge.fit = LineFit::least_squares;
     configuration.extraction.split_merge.dmax_m = 0.04;
-    configuration.source.file = (kSource / "data/worlds/lineamedia.toml").string();
+    configuration.source.file = (source_dir / "data/worlds/lineamedia.toml").string();
     SlamRun run(configuration, open_tour(configuration.source), {.step_grid = false});
     while (run.step()) {
     }
     const auto error =
-        map_error(run.filter().best_map(), read_map(kSource / "data/maps/lineamedia.map"));
+        map_error(run.filter().best_map(), read_map(source_dir / "data/maps/lineamedia.map"));
     ASSERT_TRUE(error);
     EXPECT_LT(error->mean_m, 0.3);
     EXPECT_EQ(error->reference_found, 9);

@@ -115,7 +115,10 @@ TEST_F(Simulate, refuses_clearly_and_leaves_nothing) {
     expect_refusal("simulate recinto --out " + in("no/x.log"), "create the folder first");
     expect_refusal("simulate recinto --set laser.sigm=1 --out " + in("x.log"), "no such key");
     expect_refusal("simulate recinto --seed -1 --out " + in("x.log"), "seed: found -1");
-    expect_refusal("simulate recinto --picture " + in("x.bmp"), ".png, .jpg or .jpeg");
+    expect_refusal("simulate recinto --picture " + in("x.bmp") + " --out " + in("x.log"),
+                   ".png, .jpg or .jpeg");
+    expect_refusal("simulate recinto --truth " + in("no/x.tum") + " --out " + in("x.log"),
+                   "create the folder first");
     std::ofstream(folder_ / "bad.toml") << "walls = [[[0, 0]]]\n";
     expect_refusal("simulate " + in("bad.toml") + " --out " + in("x.log"),
                    "bad.toml:1: wall 1: found one point");
