@@ -245,7 +245,7 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
         }
     }
     Crew(studies, outcomes, std::move(tasks), options).work(options.threads);
-    if (options.shard.whole()) {
+    if (options.tables && options.shard.whole()) {
         for (std::size_t s = 0; s < studies.size(); ++s) {
             outcomes[s].plot_problem =
                 study::write_tables(studies[s].layout, outcomes[s].plan, outcomes[s].records);

@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
     hitos::cli::add_convert(program);
     hitos::cli::add_evaluate(program);
     hitos::cli::add_study(program);
+    hitos::cli::add_reproduce(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

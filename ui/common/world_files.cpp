@@ -10,19 +10,23 @@
 namespace hitos {
 namespace {
 
-/// data/worlds of the folder that the program was built or unpacked in: seen from the program's
-/// own place upwards, then from the current folder. Empty where there is none.
-std::filesystem::path worlds_folder() {
+/// The place in the folder that the program was built or unpacked in: seen from the program's own
+/// place upwards, then from the current folder. Empty where there is none.
+std::filesystem::path shipped(const char* built, const char* installed) {
     std::error_code ignored;
     std::filesystem::path above = std::filesystem::read_symlink("/proc/self/exe", ignored);
     while (above.has_relative_path()) {
         above = above.parent_path();
-        for (const char* folder : {"data/worlds", "share/hitos/worlds"}) {
-            if (std::filesystem::is_directory(above / folder, ignored)) return above / folder;
+        for (const char* place : {built, installed}) {
+            if (std::filesystem::exists(above / place, ignored)) return above / place;
         }
     }
-    if (std::filesystem::is_directory("data/worlds", ignored)) return "data/worlds";
+    if (std::filesystem::exists(built, ignored)) return built;
     return {};
+}
+
+std::filesystem::path worlds_folder() {
+    return shipped("data/worlds", "share/hitos/worlds");
 }
 
 }  // namespace
@@ -47,12 +51,21 @@ std::vector<std::string> shipped_worlds() {
 std::filesystem::path find_world(const std::string& name) {
     std::error_code ignored;
     if (std::filesystem::exists(name, ignored)) return name;
-    const std::vector<std::string> shipped = shipped_worlds();
-    if (std::ranges::find(shipped, name) != shipped.end()) {
+    const std::vector<std::string> worlds = shipped_worlds();
+    if (std::ranges::find(worlds, name) != worlds.end()) {
         return worlds_folder() / (name + ".toml");
     }
     throw FileError(name, fmt::format("no such world file; the worlds that come with Hitos are {}",
-                                      fmt::join(shipped, ", ")));
+                                      fmt::join(worlds, ", ")));
+}
+
+std::filesystem::path find_thesis_results() {
+    std::filesystem::path path = shipped("data/results.csv", "share/hitos/results.csv");
+    if (path.empty()) {
+        throw FileError("data/results.csv",
+                        "is not there; it comes with Hitos: start the program from its folder");
+    }
+    return path;
 }
 
 }  // namespace hitos

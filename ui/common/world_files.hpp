@@ -1,4 +1,4 @@
-// Which files are worlds, and where those lie that come with Hitos.
+// Which files are worlds, and where the data lie that come with Hitos.
 #pragma once
 
 #include <filesystem>
@@ -16,5 +16,8 @@ std::filesystem::path find_world(const std::string& name);
 
 /// The worlds that come with Hitos, by name.
 std::vector<std::string> shipped_worlds();
+
+/// data/results.csv, the figures of the thesis, likewise. Throws FileError.
+std::filesystem::path find_thesis_results();
 
 }  // namespace hitos

@@ -61,6 +61,7 @@ using StudyObserver = std::function<void(const StudyProgress&)>;
 struct StudyOptions {
     int threads = 0;  ///< runs at a time; 0: as many as the machine has
     StudyShard shard;
+    bool tables = true;  ///< write tables and plots of whole studies at the end
     /// Told of every start and end of a run and now and then between, by one thread at a time.
     StudyObserver observer;
 };
