@@ -43,6 +43,7 @@ void Algoritmo::restart() {
     budget_ = 0;
     restart_wanted_ = true;
     progress_ = {};
+    figures_.clear();
     wake_.notify_one();
 }
 
@@ -74,6 +75,12 @@ void Algoritmo::request_snapshot() {
 std::shared_ptr<const Snapshot> Algoritmo::latest_snapshot() const {
     const std::scoped_lock lock(mutex_);
     return snapshot_;
+}
+
+std::vector<StepFigures> Algoritmo::figures_since(std::uint64_t first) const {
+    const std::scoped_lock lock(mutex_);
+    if (first >= figures_.size()) return {};
+    return {figures_.begin() + static_cast<std::ptrdiff_t>(first), figures_.end()};
 }
 
 void Algoritmo::post(std::function<void(const SlamRun&)> task) {
@@ -118,6 +125,7 @@ void Algoritmo::work(const std::stop_token& stop) {
 
 void Algoritmo::do_restart() {
     std::string error;
+    tiler_.clear();
     try {
         run_.restart();
     } catch (const std::exception& failure) {
@@ -141,12 +149,16 @@ void Algoritmo::do_step() {
         error = failure.what();
     }
     const auto end = std::chrono::steady_clock::now();
+    if (more) tiler_.note_change(run_.step_grid().last_change());
 
     const std::scoped_lock lock(mutex_);
     if (restart_wanted_) return;  // this step's outcome no longer matters
     progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
     note_progress();
     if (more) {
+        figures_.push_back({progress_.duration_s, progress_.statistics.neff,
+                            progress_.statistics.best_log_weight, progress_.step_seconds,
+                            progress_.lines, progress_.corners});
         if (budget_ == 0) progress_.state = Progress::State::paused;
         return;
     }
@@ -175,6 +187,7 @@ void Algoritmo::note_progress() {
 }
 
 void Algoritmo::publish_snapshot() {
+    const auto begin = std::chrono::steady_clock::now();
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->steps = run_.steps();
     snapshot->scan = run_.scan();
@@ -186,7 +199,9 @@ void Algoritmo::publish_snapshot() {
     snapshot->hypotheses = run_.filter().hypotheses();
     snapshot->best_trajectory = run_.best_trajectory();
     snapshot->odometry_trajectory = run_.odometry_trajectory();
-    snapshot->step_grid = run_.step_grid();
+    snapshot->step_grid = tiler_.tiles(run_.step_grid());
+    snapshot->seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
     const std::scoped_lock lock(mutex_);
     snapshot_wanted_ = false;
