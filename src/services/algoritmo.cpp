@@ -126,6 +126,7 @@ void Algoritmo::work(const std::stop_token& stop) {
 void Algoritmo::do_restart() {
     std::string error;
     tiler_.clear();
+    line_extents_.clear();
     try {
         run_.restart();
     } catch (const std::exception& failure) {
@@ -149,7 +150,10 @@ void Algoritmo::do_step() {
         error = failure.what();
     }
     const auto end = std::chrono::steady_clock::now();
-    if (more) tiler_.note_change(run_.step_grid().last_change());
+    if (more) {
+        tiler_.note_change(run_.step_grid().last_change());
+        line_extents_.note(run_.filter(), run_.observation());
+    }
 
     const std::scoped_lock lock(mutex_);
     if (restart_wanted_) return;  // this step's outcome no longer matters
@@ -196,6 +200,7 @@ void Algoritmo::publish_snapshot() {
     snapshot->associations.assign(associations.begin(), associations.end());
     snapshot->best_pose = run_.filter().best_pose();
     snapshot->best_map = run_.filter().best_map();
+    snapshot->line_extents = line_extents_.of(snapshot->best_map);
     snapshot->hypotheses = run_.filter().hypotheses();
     snapshot->best_trajectory = run_.best_trajectory();
     snapshot->odometry_trajectory = run_.odometry_trajectory();

@@ -19,6 +19,7 @@ void GridView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
     }
     tiles_ = snapshot_->step_grid;
     layer_.set_tiles(tiles_);
+    landmarks_ = {snapshot_->best_map, snapshot_->line_extents};
     path_ = points_of(snapshot_->best_trajectory);
     odometry_ = points_of(snapshot_->odometry_trajectory);
     content_changed(QPointF(snapshot_->best_pose.x, snapshot_->best_pose.y));
@@ -104,8 +105,7 @@ void GridView::paint_marks(QPainter& painter, const Scene& scene) const {
         int index = find_same(snapshot_->best_map, highlight_.landmark);
         if (index < 0) index = hovered_;
         if (index >= 0) {
-            const LandmarkMap one{snapshot_->best_map[static_cast<std::size_t>(index)]};
-            draw_landmarks(painter, scene, one, {layers_.has(Layer::uncertainty), false, 0});
+            draw_highlight(painter, scene, landmarks_, index, layers_.has(Layer::uncertainty));
         }
     }
     if (path_.empty()) return;
@@ -122,7 +122,7 @@ void GridView::paint_marks(QPainter& painter, const Scene& scene) const {
 void GridView::hover(std::optional<QPointF> point) {
     int found = -1;
     if (point && snapshot_) {
-        found = landmark_at(snapshot_->best_map, {point->x(), point->y()}, tolerance_m());
+        found = landmark_at(landmarks_, {point->x(), point->y()}, tolerance_m());
         hovered_at_m_ = *point;
     }
     if (found < 0 && hovered_ < 0) return;
@@ -132,7 +132,7 @@ void GridView::hover(std::optional<QPointF> point) {
 
 void GridView::click(const QPointF& point) {
     if (!snapshot_) return;
-    const int found = landmark_at(snapshot_->best_map, {point.x(), point.y()}, tolerance_m());
+    const int found = landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m());
     PickedLandmark picked;
     if (found >= 0) picked.landmark = snapshot_->best_map[static_cast<std::size_t>(found)];
     emit landmark_clicked(picked);

@@ -53,6 +53,7 @@ class GridView final : public CanvasView {
     std::vector<QPointF> odometry_;
     std::vector<QPointF> reference_path_;
     std::optional<LandmarkMap> reference_map_;
+    MarkedMap landmarks_;
     PickedLandmark highlight_;
     int hovered_ = -1;
     QPointF hovered_at_m_;

@@ -10,49 +10,63 @@ namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
 
+double along(const Recta& line, const Point2& point) {
+    return point.y * std::cos(line.theta) - point.x * std::sin(line.theta);
+}
+
+QPointF at(const Recta& line, double t) {
+    const double c = std::cos(line.theta);
+    const double s = std::sin(line.theta);
+    return {line.rho * c - t * s, line.rho * s + t * c};
+}
+
 struct Painter {
     QPainter& painter;
     const Scene& scene;
     const LandmarkStyle& style;
 
-    void band(const Recta& recta, const Eigen::Matrix2d& covariance, double t_middle, double reach,
+    void band(const Recta& recta, const Eigen::Matrix2d& covariance, double from, double to,
               double sigmas) const {
         // The line moves by d_rho - t d_theta at the place t along it, t = 0 at the foot.
-        constexpr int kPieces = 24;
-        const double c = std::cos(recta.theta);
-        const double s = std::sin(recta.theta);
+        constexpr int kPieces = 12;
         QPolygonF polygon;
         for (const int side : {1, -1}) {
             for (int i = 0; i <= kPieces; ++i) {
-                const double t = t_middle + side * reach * (2.0 * i / kPieces - 1.0);
+                const int place = side > 0 ? i : kPieces - i;
+                const double t = from + (to - from) * place / kPieces;
                 const double variance =
                     covariance(0, 0) - 2.0 * t * covariance(0, 1) + t * t * covariance(1, 1);
                 const double rho =
                     recta.rho + side * sigmas * std::sqrt(std::max(variance, 0.0));
-                polygon.append(scene.to_screen.map(QPointF(rho * c - t * s, rho * s + t * c)));
+                polygon.append(scene.to_screen.map(at({rho, recta.theta}, t)));
             }
         }
         painter.drawPolygon(polygon);
     }
 
-    void line(const Recta& recta, const Eigen::Matrix2d& covariance, bool strong) const {
-        const QPolygonF seen = visible_line(scene, recta.rho, recta.theta);
-        if (seen.isEmpty()) return;
+    void endless(const Recta& recta, bool strong) const {
+        const QColor colour = strong ? scene.colours.highlight : scene.colours.landmark;
+        painter.setPen(thin_pen(faded(colour, 90), 1.0, Qt::DashLine));
+        painter.drawPolyline(visible_line(scene, recta.rho, recta.theta));
+    }
+
+    void stretch(const ICaracteristica& landmark, const LineExtent& extent, bool strong) const {
+        const auto& recta = std::get<Recta>(landmark.value);
+        const auto [from, to] = std::minmax({along(recta, extent.a), along(recta, extent.b)});
+        const QLineF line =
+            scene.to_screen.map(QLineF(at(recta, from), at(recta, to)));
+        const QRectF sight(-50.0, -50.0, scene.size.width() + 100.0, scene.size.height() + 100.0);
+        const QRectF box = QRectF(line.p1(), line.p2()).normalized().adjusted(-1, -1, 1, 1);
+        if (!sight.intersects(box)) return;
         const QColor colour = strong ? scene.colours.highlight : scene.colours.landmark;
         if (style.uncertainty) {
-            const QTransform back = scene.to_screen.inverted();
-            const QPointF a = back.map(seen.front());
-            const QPointF b = back.map(seen.back());
-            const QPointF middle = (a + b) / 2.0;
-            const double t = middle.y() * std::cos(recta.theta) - middle.x() * std::sin(recta.theta);
-            const double reach = std::hypot(b.x() - a.x(), b.y() - a.y()) / 2.0;
             painter.setPen(Qt::NoPen);
-            painter.setBrush(faded(colour, strong ? 40 : 16));
+            painter.setBrush(faded(colour, strong ? 52 : 34));
             for (const double sigmas : {3.0, 2.0, 1.0})
-                band(recta, covariance, t, reach, sigmas);
+                band(recta, landmark.covariance, from, to, sigmas);
         }
-        painter.setPen(thin_pen(faded(colour, strong ? 255 : 150), strong ? 2.4 : 1.2));
-        painter.drawPolyline(seen);
+        painter.setPen(thin_pen(colour, strong ? 2.6 : 1.5));
+        painter.drawLine(line);
     }
 
     void corner(const Esquina& esquina, const Eigen::Matrix2d& covariance, bool strong) const {
@@ -73,18 +87,10 @@ struct Painter {
             {at + QPointF(0, -r), at + QPointF(r, 0), at + QPointF(0, r), at + QPointF(-r, 0)}});
     }
 
-    void number(const ICaracteristica& landmark, int index) const {
-        QPointF at;
-        if (const auto* recta = std::get_if<Recta>(&landmark.value)) {
-            const QPolygonF seen = visible_line(scene, recta->rho, recta->theta);
-            if (seen.isEmpty()) return;
-            at = (seen.front() + seen.back()) / 2.0;
-        } else {
-            const Point2 point = landmark.point();
-            at = scene.to_screen.map(QPointF(point.x, point.y));
-        }
+    void number(const QPointF& place_m, int index) const {
         painter.setPen(scene.colours.landmark);
-        painter.drawText(at + QPointF(7.0, -5.0), QString::number(index + 1));
+        painter.drawText(scene.to_screen.map(place_m) + QPointF(7.0, -5.0),
+                         QString::number(index + 1));
     }
 };
 
@@ -98,39 +104,83 @@ QString translated(const char* text) {
 
 }  // namespace
 
-void draw_landmarks(QPainter& painter, const Scene& scene, const LandmarkMap& map,
+MarkedMap transform(const Pose& pose_a_b, const LandmarkMap& map_b,
+                    const std::vector<LineExtent>& extents_b) {
+    MarkedMap marked;
+    marked.map.reserve(map_b.size());
+    for (const ICaracteristica& landmark : map_b)
+        marked.map.push_back(transform(pose_a_b, landmark));
+    marked.extents.reserve(extents_b.size());
+    for (const LineExtent& extent : extents_b) {
+        marked.extents.push_back({extent.landmark, transform(pose_a_b, extent.a),
+                                  transform(pose_a_b, extent.b)});
+    }
+    return marked;
+}
+
+void draw_landmarks(QPainter& painter, const Scene& scene, const MarkedMap& marked,
                     const LandmarkStyle& style) {
     const Painter draw{painter, scene, style};
     // Lines first, so that they cover no corner.
-    for (const bool lines : {true, false}) {
-        for (std::size_t i = 0; i < map.size(); ++i) {
-            const bool strong = static_cast<int>(i) == style.highlighted;
-            if (const auto* recta = std::get_if<Recta>(&map[i].value)) {
-                if (lines) draw.line(*recta, map[i].covariance, strong);
-            } else if (!lines) {
-                draw.corner(std::get<Esquina>(map[i].value), map[i].covariance, strong);
-            }
+    for (const ICaracteristica& landmark : marked.map) {
+        const auto* recta = std::get_if<Recta>(&landmark.value);
+        if (recta != nullptr && style.endless) draw.endless(*recta, false);
+    }
+    for (const LineExtent& extent : marked.extents)
+        draw.stretch(marked.map[static_cast<std::size_t>(extent.landmark)], extent, false);
+    for (std::size_t i = 0; i < marked.map.size(); ++i) {
+        const ICaracteristica& landmark = marked.map[i];
+        if (const auto* corner = std::get_if<Esquina>(&landmark.value)) {
+            draw.corner(*corner, landmark.covariance, false);
+            if (style.numbers) draw.number(QPointF(corner->x, corner->y), static_cast<int>(i));
         }
     }
-    if (!style.numbers) return;
-    for (std::size_t i = 0; i < map.size(); ++i)
-        draw.number(map[i], static_cast<int>(i));
+    if (style.numbers) {
+        for (const LineExtent& extent : marked.extents) {
+            draw.number(QPointF(extent.a.x + extent.b.x, extent.a.y + extent.b.y) / 2.0,
+                        extent.landmark);
+        }
+    }
+    if (style.highlighted >= 0) {
+        draw_highlight(painter, scene, marked, style.highlighted, style.uncertainty);
+    }
 }
 
-int landmark_at(const LandmarkMap& map, const Point2& point, double tolerance_m) {
+void draw_highlight(QPainter& painter, const Scene& scene, const MarkedMap& marked, int index,
+                    bool uncertainty) {
+    const LandmarkStyle style{uncertainty, true, false, -1};
+    const Painter draw{painter, scene, style};
+    const ICaracteristica& landmark = marked.map[static_cast<std::size_t>(index)];
+    if (const auto* corner = std::get_if<Esquina>(&landmark.value)) {
+        draw.corner(*corner, landmark.covariance, true);
+        return;
+    }
+    draw.endless(std::get<Recta>(landmark.value), true);
+    for (const LineExtent& extent : marked.extents) {
+        if (extent.landmark == index) draw.stretch(landmark, extent, true);
+    }
+}
+
+int landmark_at(const MarkedMap& marked, const Point2& point, double tolerance_m) {
     int found = -1;
-    bool corner_found = false;
     double nearest = tolerance_m;
-    for (std::size_t i = 0; i < map.size(); ++i) {
-        const auto* recta = std::get_if<Recta>(&map[i].value);
-        if (recta != nullptr && corner_found) continue;
-        const double away = recta != nullptr ? std::abs(signed_distance(*recta, point))
-                                             : distance(map[i].point(), point);
-        const bool first_corner = recta == nullptr && !corner_found && away <= tolerance_m;
-        if (away > nearest && !first_corner) continue;
+    for (std::size_t i = 0; i < marked.map.size(); ++i) {
+        if (marked.map[i].kind() != FeatureKind::esquina) continue;
+        const double away = distance(marked.map[i].point(), point);
+        if (away > nearest) continue;
         nearest = away;
         found = static_cast<int>(i);
-        corner_found = recta == nullptr;
+    }
+    if (found >= 0) return found;
+    for (const LineExtent& extent : marked.extents) {
+        const auto& recta =
+            std::get<Recta>(marked.map[static_cast<std::size_t>(extent.landmark)].value);
+        const auto [from, to] = std::minmax({along(recta, extent.a), along(recta, extent.b)});
+        const double t = along(recta, point);
+        const double away = std::abs(signed_distance(recta, point));
+        if (t < from - tolerance_m || t > to + tolerance_m || away > nearest) continue;
+        nearest = away;
+        found = extent.landmark;
     }
     return found;
 }

@@ -12,6 +12,7 @@ const std::array<LayerInfo, kLayers>& layer_table() {
         {Layer::landmarks, "landmarks", QT_TRANSLATE_NOOP("Layers", "Landmarks"), true},
         {Layer::uncertainty, "uncertainty", QT_TRANSLATE_NOOP("Layers", "Uncertainty (1, 2, 3 σ)"),
          true},
+        {Layer::endless, "endless", QT_TRANSLATE_NOOP("Layers", "Lines without end"), false},
         {Layer::associations, "associations", QT_TRANSLATE_NOOP("Layers", "Associations"), true},
         {Layer::robot, "robot", QT_TRANSLATE_NOOP("Layers", "Robot"), true},
         {Layer::path, "path", QT_TRANSLATE_NOOP("Layers", "Best particle's path"), true},

@@ -14,6 +14,7 @@ enum class Layer : std::size_t {
     particles,
     landmarks,
     uncertainty,
+    endless,
     associations,
     robot,
     path,
@@ -21,7 +22,7 @@ enum class Layer : std::size_t {
     reference,
     names
 };
-inline constexpr std::size_t kLayers = 11;
+inline constexpr std::size_t kLayers = 12;
 
 class LayerSet {
   public:

@@ -56,6 +56,7 @@ void MainWindow::make_parts() {
     meter_ = new ReferenceMeter(session_, this);
     status_ = new StatusLine(ui_->statusbar, session_);
     counter_ = new LogCounter(session_, this);
+    connect(counter_, &LogCounter::counted, ui_->controls, &RunControls::set_total);
     connect(counter_, &LogCounter::counted, status_, &StatusLine::set_total);
     plots_ = new Plots(session_, *meter_);
     dock_ = new QDockWidget(tr("Plots"), this);

@@ -88,8 +88,12 @@ void RunControls::show_progress(const Progress& progress, bool has_source) {
     actions_.best_map->setEnabled(begun);
     actions_.save_map->setEnabled(begun);
     actions_.odometry->setEnabled(has_source);
-    progress_->setValue(
-        static_cast<int>(std::lround(progress.fraction.value_or(0.0) * kProgressSteps)));
+    // By scans where their number is known; the place in the file runs ahead by what is buffered.
+    double part = progress.fraction.value_or(0.0);
+    if (total_ && *total_ > 0) {
+        part = static_cast<double>(progress.steps) / static_cast<double>(*total_);
+    }
+    progress_->setValue(static_cast<int>(std::lround(part * kProgressSteps)));
 }
 
 }  // namespace hitos::window

@@ -34,12 +34,15 @@ class RunControls final : public QWidget {
   public slots:
     /// Which actions are possible in this state.
     void show_progress(const Progress& progress, bool has_source);
+    /// The number of scans of the whole log, where it is known.
+    void set_total(std::optional<quint64> scans) { total_ = scans; }
 
   private:
     void add_button(QAction* action, const char* name, bool primary = false);
 
     RunActions actions_;
     QProgressBar* progress_ = nullptr;
+    std::optional<quint64> total_;
 };
 
 }  // namespace hitos::window

@@ -74,7 +74,7 @@ void ScanView::prepare() {
     corners_.clear();
     particles_.clear();
     links_.clear();
-    landmarks_.clear();
+    landmarks_ = {};
     if (!snapshot_) {
         content_changed(std::nullopt);
         return;
@@ -97,9 +97,7 @@ void ScanView::prepare() {
         particles_.emplace_back(pose.x, pose.y, pose.x + std::cos(pose.theta),
                                 pose.y + std::sin(pose.theta));
     }
-    landmarks_.reserve(snapshot_->best_map.size());
-    for (const ICaracteristica& landmark : snapshot_->best_map)
-        landmarks_.push_back(transform(from_world, landmark));
+    landmarks_ = transform(from_world, snapshot_->best_map, snapshot_->line_extents);
     prepare_links();
     grow_content();
     content_changed(QPointF(from_robot.x, from_robot.y));
@@ -114,8 +112,8 @@ void ScanView::prepare_links() {
                              : corners_.at(association.observed);
         link.landmark = link.observed;
         const auto index = static_cast<std::size_t>(std::max(association.landmark, 0));
-        if (association.landmark >= 0 && index < landmarks_.size()) {
-            const ICaracteristica& landmark = landmarks_[index];
+        if (association.landmark >= 0 && index < landmarks_.map.size()) {
+            const ICaracteristica& landmark = landmarks_.map[index];
             if (const auto* recta = std::get_if<Recta>(&landmark.value)) {
                 const double away =
                     recta->rho - link.observed.x() * std::cos(recta->theta) -
@@ -158,7 +156,8 @@ void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
     const int highlighted = find_same(snapshot_->best_map, highlight_.landmark);
     if (layers_.has(Layer::landmarks)) {
         draw_landmarks(painter, scene, landmarks_,
-                       {layers_.has(Layer::uncertainty), layers_.has(Layer::names), highlighted});
+                       {layers_.has(Layer::uncertainty), layers_.has(Layer::endless),
+                        layers_.has(Layer::names), highlighted});
     }
     if (layers_.has(Layer::path) && !robot_frame_) {
         draw_path(painter, scene, points_of(snapshot_->best_trajectory),
@@ -176,7 +175,7 @@ void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
     if (layers_.has(Layer::detected)) paint_detected(painter, scene);
     if (layers_.has(Layer::associations)) paint_links(painter, scene);
     if (scene.chrome) draw_scale_bar(painter, scene);
-    if (hovered_ >= 0 && static_cast<std::size_t>(hovered_) < landmarks_.size()) {
+    if (hovered_ >= 0 && static_cast<std::size_t>(hovered_) < landmarks_.map.size()) {
         draw_chip(painter, scene, scene.to_screen.map(hovered_at_m_) + QPointF(14.0, 14.0),
                   describe(snapshot_->best_map[static_cast<std::size_t>(hovered_)], hovered_));
     }

@@ -70,7 +70,7 @@ class ScanView final : public CanvasView {
     std::vector<QPointF> corners_;
     std::vector<QLineF> particles_;  // place and heading
     std::vector<Link> links_;
-    LandmarkMap landmarks_;
+    MarkedMap landmarks_;
     QRectF content_;
 };
 

@@ -76,6 +76,7 @@ void StatusLine::refresh() {
     scan_->setText(total_ ? tr("Scan %1 of %2").arg(p.steps).arg(*total_)
                           : tr("Scan %1").arg(p.steps));
     time_->setText(tr("Time %1 s").arg(p.duration_s, 0, 'f', 1));
+    speed_->setVisible(p.steps_per_second > 0.0);
     speed_->setText(tr("%1 steps/s").arg(p.steps_per_second, 0, 'f', 0));
     neff_->setText(tr("Neff %1").arg(p.statistics.neff, 0, 'f', 1));
     landmarks_->setText(tr("Landmarks %1 (lines %2, corners %3)")

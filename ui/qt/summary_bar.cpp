@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <array>
 #include <vector>
 
@@ -48,13 +49,28 @@ void set_role(QWidget* widget, const char* role) {
     widget->setProperty("role", role);
 }
 
+/// A label that ends in dots where it is too narrow, instead of a cut word.
+class ElidedLabel final : public QLabel {
+  public:
+    using QLabel::QLabel;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override {
+        Q_UNUSED(event)
+        QPainter painter(this);
+        painter.setPen(palette().color(foregroundRole()));
+        painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    }
+};
+
 void add_row(QGridLayout* rows, const Parameter& parameter, const Configuracion& configuration) {
     auto* name = new QLabel(label_of(parameter));
     set_role(name, "muted");
     QString text = value_of(parameter, configuration);
     if (text.isEmpty()) text = SummaryBar::tr("none");
     const QString unit = unit_of(parameter);
-    auto* value = new QLabel(unit.isEmpty() ? text : text + ' ' + unit);
+    auto* value = new ElidedLabel(unit.isEmpty() ? text : text + ' ' + unit);
     value->setObjectName("value_" + QString::fromStdString(std::string(parameter.key)));
     value->setTextFormat(Qt::PlainText);
     value->setMinimumWidth(20);
