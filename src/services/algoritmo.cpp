@@ -1,9 +1,20 @@
 #include "hitos/services/algoritmo.hpp"
 
+#include <ctime>
 #include <limits>
 #include <utility>
 
 namespace hitos {
+namespace {
+
+/// Time that this thread was at work.
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+}  // namespace
 
 Algoritmo::Algoritmo(const Configuracion& configuration, std::unique_ptr<Fuente> fuente,
                      const SlamRunOptions& options)
@@ -191,7 +202,7 @@ void Algoritmo::note_progress() {
 }
 
 void Algoritmo::publish_snapshot() {
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = thread_seconds();
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->steps = run_.steps();
     snapshot->scan = run_.scan();
@@ -205,8 +216,7 @@ void Algoritmo::publish_snapshot() {
     snapshot->best_trajectory = run_.best_trajectory();
     snapshot->odometry_trajectory = run_.odometry_trajectory();
     snapshot->step_grid = tiler_.tiles(run_.step_grid());
-    snapshot->seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    snapshot->seconds = thread_seconds() - begin;
 
     const std::scoped_lock lock(mutex_);
     snapshot_wanted_ = false;

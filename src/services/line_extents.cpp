@@ -59,17 +59,33 @@ void LineExtents::add(const Recta& line, const Point2& a, const Point2& b) {
 }
 
 std::vector<LineExtent> LineExtents::of(const LandmarkMap& map) const {
+    struct Line {
+        int landmark;
+        Recta recta;
+        double c;  // of theta
+        double s;
+        double away(const Point2& point) const {
+            return std::abs(recta.rho - c * point.x - s * point.y);
+        }
+    };
+    std::vector<Line> lines;
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        const auto* recta = std::get_if<Recta>(&map[i].value);
+        if (recta == nullptr) continue;
+        lines.push_back({static_cast<int>(i), *recta, std::cos(recta->theta),
+                         std::sin(recta->theta)});
+    }
     std::vector<LineExtent> extents;
     for (const Stretch& stretch : stretches_) {
         LineExtent extent{-1, at(stretch.line, stretch.from), at(stretch.line, stretch.to)};
         double nearest = kGreatestDistance_m;
-        for (std::size_t i = 0; i < map.size(); ++i) {
-            const auto* line = std::get_if<Recta>(&map[i].value);
-            if (line == nullptr) continue;
-            const double away = distance(*line, stretch.line, extent.a, extent.b);
-            if (away >= nearest) continue;
+        for (const Line& line : lines) {
+            const double away = std::max(line.away(extent.a), line.away(extent.b));
+            if (away >= nearest || angle_between(line.recta, stretch.line) > kGreatestAngle_rad) {
+                continue;
+            }
             nearest = away;
-            extent.landmark = static_cast<int>(i);
+            extent.landmark = line.landmark;
         }
         if (extent.landmark >= 0) extents.push_back(extent);
     }

@@ -113,18 +113,22 @@ void draw_robot(QPainter& painter, const Scene& scene, const Pose& pose_view_rob
 
 void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>& path_m,
                const QPen& pen) {
+    constexpr double kLeastPixels = 3.0;
     QPolygonF pixels;
     pixels.reserve(1024);
     for (const QPointF& point : path_m) {
         const QPointF pixel = scene.to_screen.map(point);
         if (!pixels.isEmpty()) {
             const QPointF way = pixel - pixels.back();
-            if (way.x() * way.x() + way.y() * way.y() < 2.0) continue;
+            if (way.x() * way.x() + way.y() * way.y() < kLeastPixels * kLeastPixels) continue;
         }
         pixels.append(pixel);
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(pen);
+    QPen cheap = pen;  // round joins of a thousand points take longer than the rest of a view
+    cheap.setJoinStyle(Qt::BevelJoin);
+    cheap.setCapStyle(Qt::FlatCap);
+    painter.setPen(cheap);
     painter.drawPolyline(pixels);
 }
 

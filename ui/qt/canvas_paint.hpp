@@ -22,7 +22,7 @@ void draw_metre_grid(QPainter& painter, const Scene& scene);
 void draw_chip(QPainter& painter, const Scene& scene, const QPointF& at, const QStringList& lines);
 /// The robot's outline with its heading.
 void draw_robot(QPainter& painter, const Scene& scene, const Pose& pose_view_robot);
-/// A path; points nearer than a pixel to the one before are left out.
+/// A path; points nearer than three pixels to the one before are left out.
 void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>& path_m,
                const QPen& pen);
 void draw_disc(QPainter& painter, const QPointF& pixel, double radius, const QColor& colour);

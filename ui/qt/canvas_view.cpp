@@ -1,7 +1,6 @@
 #include "canvas_view.hpp"
 
 #include <QContextMenuEvent>
-#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
@@ -12,6 +11,7 @@
 
 #include "canvas_paint.hpp"
 #include "hitos/capture/error.hpp"
+#include "thread_clock.hpp"
 
 namespace hitos::window {
 namespace {
@@ -137,8 +137,7 @@ QImage CanvasView::picture(bool whole, double scale) const {
 
 void CanvasView::paintEvent(QPaintEvent* event) {
     Q_UNUSED(event)
-    QElapsedTimer clock;
-    clock.start();
+    const double begin = thread_seconds();
     QPainter painter(this);
     const Colours& c = colours();
     painter.fillRect(rect(), c.canvas);
@@ -157,7 +156,8 @@ void CanvasView::paintEvent(QPaintEvent* event) {
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(rect().adjusted(0, 0, -1, -1));
     }
-    emit painted(static_cast<double>(clock.nsecsElapsed()) * 1e-9);
+    painter.end();
+    emit painted(thread_seconds() - begin);
 }
 
 void CanvasView::moved_by_user() {

@@ -28,7 +28,7 @@ struct Painter {
     void band(const Recta& recta, const Eigen::Matrix2d& covariance, double from, double to,
               double sigmas) const {
         // The line moves by d_rho - t d_theta at the place t along it, t = 0 at the foot.
-        constexpr int kPieces = 12;
+        constexpr int kPieces = 8;
         QPolygonF polygon;
         for (const int side : {1, -1}) {
             for (int i = 0; i <= kPieces; ++i) {
@@ -59,11 +59,15 @@ struct Painter {
         const QRectF box = QRectF(line.p1(), line.p2()).normalized().adjusted(-1, -1, 1, 1);
         if (!sight.intersects(box)) return;
         const QColor colour = strong ? scene.colours.highlight : scene.colours.landmark;
-        if (style.uncertainty) {
+        const Eigen::Matrix2d& covariance = landmark.covariance;
+        const double widest = std::max(std::abs(from), std::abs(to));
+        const double sigma = std::sqrt(covariance(0, 0)) + widest * std::sqrt(covariance(1, 1));
+        // A band that hardly leaves its line would only cost time.
+        if (style.uncertainty && 3.0 * sigma * scene.pixels_per_m > 2.0) {
             painter.setPen(Qt::NoPen);
             painter.setBrush(faded(colour, strong ? 52 : 34));
             for (const double sigmas : {3.0, 2.0, 1.0})
-                band(recta, landmark.covariance, from, to, sigmas);
+                band(recta, covariance, from, to, sigmas);
         }
         painter.setPen(thin_pen(colour, strong ? 2.6 : 1.5));
         painter.drawLine(line);
@@ -72,7 +76,10 @@ struct Painter {
     void corner(const Esquina& esquina, const Eigen::Matrix2d& covariance, bool strong) const {
         const QColor colour = strong ? scene.colours.highlight : scene.colours.landmark;
         const QPointF centre(esquina.x, esquina.y);
-        if (style.uncertainty) {
+        const double sigma = std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
+        const QRectF sight(-50.0, -50.0, scene.size.width() + 100.0, scene.size.height() + 100.0);
+        if (!sight.contains(scene.to_screen.map(centre))) return;
+        if (style.uncertainty && 3.0 * sigma * scene.pixels_per_m > 4.0) {
             painter.setBrush(faded(colour, 18));
             for (const double sigmas : {3.0, 2.0, 1.0}) {
                 painter.setPen(thin_pen(faded(colour, sigmas > 2.5 ? 110 : 170)));

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "thread_clock.hpp"
+
 namespace hitos::window {
 namespace {
 
-constexpr int kTickMs = 4;
+constexpr int kTickMs = 5;
 constexpr qint64 kFrameUs = 16'000;  // sixty pictures a second
-constexpr qint64 kTellMs = 33;
+constexpr qint64 kTellMs = 100;
 
 }  // namespace
 
@@ -110,11 +112,10 @@ void Session::tick() {
     if (requested_ && latest && latest != before_request_) {
         requested_ = false;
         snapshot_ = latest;
-        QElapsedTimer preparing;
-        preparing.start();
+        const double begin = thread_seconds();
         emit snapshot_changed();
         const double cost = latest->seconds + std::exchange(paint_seconds_, 0.0) +
-                            static_cast<double>(preparing.nsecsElapsed()) * 1e-9;
+                            thread_seconds() - begin;
         request_not_before_us_ =
             now_us + std::max(kFrameUs, static_cast<qint64>(cost / kShare * 1e6));
     }

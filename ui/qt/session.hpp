@@ -52,7 +52,7 @@ class Session final : public QObject {
     /// The run is at its beginning: earlier pictures mean nothing.
     void restarted();
     void snapshot_changed();
-    /// State or figures changed; at most thirty times a second but at once on a change of state.
+    /// State or figures changed; at most ten times a second but at once on a change of state.
     void progress_changed();
     void references_changed();
     void failed(QString reason);

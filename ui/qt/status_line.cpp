@@ -13,27 +13,34 @@ constexpr int kNoticeMs = 6000;
 StatusLine::StatusLine(QStatusBar* bar, Session& session)
     : QObject(bar), session_(session), bar_(bar) {
     bar->setSizeGripEnabled(false);
-    state_ = add("status_state", false);
-    place_ = add("status_place", true);
-    scan_ = add("status_scan", true);
-    time_ = add("status_time", true);
-    speed_ = add("status_speed", true);
-    neff_ = add("status_neff", true);
-    landmarks_ = add("status_landmarks", true);
-    skipped_ = add("status_skipped", true);
+    state_ = new QLabel;
+    state_->setObjectName("status_state");
+    state_->setContentsMargins(8, 2, 8, 2);
+    bar->addWidget(state_);
+    place_ = add("status_place", "x -00.00  y -00.00 m");
+    skipped_ = add("status_skipped", tr("Skipped lines %1").arg(100000));
+    scan_ = add("status_scan", tr("Scan %1 of %2").arg(100000).arg(100000));
+    time_ = add("status_time", tr("Time %1 s").arg("10000.0"));
+    speed_ = add("status_speed", tr("%1 steps/s").arg(10000));
+    neff_ = add("status_neff", tr("Neff %1").arg("10000.0"));
+    landmarks_ =
+        add("status_landmarks",
+            tr("Landmarks %1 (lines %2, corners %3)").arg(1000).arg(1000).arg(1000));
     connect(&session, &Session::progress_changed, this, &StatusLine::refresh);
     refresh();
 }
 
-QLabel* StatusLine::add(const char* name, bool permanent) {
+/// A label whose size does not change with its text: ten times a second the whole window would be
+/// laid out anew.
+QLabel* StatusLine::add(const char* name, const QString& longest) {
+    constexpr int kMargin = 8;
     auto* label = new QLabel;
     label->setObjectName(name);
-    label->setContentsMargins(8, 2, 8, 2);
-    if (permanent) {
-        bar_->addPermanentWidget(label);
-    } else {
-        bar_->addWidget(label);
-    }
+    label->setContentsMargins(kMargin, 2, kMargin, 2);
+    const QFontMetrics metrics(label->font());
+    label->setFixedSize(metrics.horizontalAdvance(longest) + 2 * kMargin, metrics.height() + 6);
+    label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    bar_->addPermanentWidget(label);
     return label;
 }
 
@@ -76,15 +83,14 @@ void StatusLine::refresh() {
     scan_->setText(total_ ? tr("Scan %1 of %2").arg(p.steps).arg(*total_)
                           : tr("Scan %1").arg(p.steps));
     time_->setText(tr("Time %1 s").arg(p.duration_s, 0, 'f', 1));
-    speed_->setVisible(p.steps_per_second > 0.0);
-    speed_->setText(tr("%1 steps/s").arg(p.steps_per_second, 0, 'f', 0));
+    speed_->setText(p.steps_per_second <= 0.0 ? QString() : tr("%1 steps/s").arg(p.steps_per_second, 0, 'f', 0));
     neff_->setText(tr("Neff %1").arg(p.statistics.neff, 0, 'f', 1));
     landmarks_->setText(tr("Landmarks %1 (lines %2, corners %3)")
                             .arg(p.lines + p.corners)
                             .arg(p.lines)
                             .arg(p.corners));
-    skipped_->setVisible(p.skipped_lines > 0);
-    skipped_->setText(tr("Skipped lines %1").arg(p.skipped_lines));
+    skipped_->setText(p.skipped_lines == 0 ? QString()
+                                           : tr("Skipped lines %1").arg(p.skipped_lines));
 }
 
 }  // namespace hitos::window

@@ -28,7 +28,7 @@ class StatusLine final : public QObject {
 
   private:
     void refresh();
-    QLabel* add(const char* name, bool permanent);
+    QLabel* add(const char* name, const QString& longest);
 
     Session& session_;
     QStatusBar* bar_;

@@ -32,7 +32,7 @@ struct Snapshot {
     Trajectory best_trajectory;
     Trajectory odometry_trajectory;
     GridTiles step_grid;
-    double seconds = 0.0;  ///< wall time that making it took from the run
+    double seconds = 0.0;  ///< of the worker's time that making it took
 };
 
 /// The figures of one step, for plots against time.
