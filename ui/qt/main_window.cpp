@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QMimeData>
 #include <QShortcut>
+#include <QTimer>
 
 #include "configuration_actions.hpp"
 #include "icons.hpp"
@@ -151,9 +152,17 @@ void MainWindow::connect_run() {
 }
 
 void MainWindow::connect_views() {
+    // One view after the other, so that a key press waits for one picture and not for two.
     const auto show_snapshot = [this] {
         ui_->scan_view->set_snapshot(session_.snapshot());
-        ui_->grid_view->set_snapshot(session_.snapshot());
+        const int delay_ms = session_.progress().state == Progress::State::running ? 8 : 0;
+        if (delay_ms == 0) {
+            ui_->grid_view->set_snapshot(session_.snapshot());
+            return;
+        }
+        QTimer::singleShot(delay_ms, Qt::PreciseTimer, ui_->grid_view, [this] {
+            ui_->grid_view->set_snapshot(session_.snapshot());
+        });
     };
     connect(&session_, &Session::snapshot_changed, this, show_snapshot);
     for (CanvasView* view : {static_cast<CanvasView*>(ui_->scan_view),
