@@ -90,9 +90,8 @@ const GridTiles& GridTiler::tiles(const Grid& grid) {
     for (std::int64_t row = tile_of(dirty_.first_row); row <= tile_of(dirty_.end_row - 1); ++row) {
         for (std::int64_t column = tile_of(dirty_.first_column);
              column <= tile_of(dirty_.end_column - 1); ++column) {
-            auto& place =
-                tiles_.tiles[static_cast<std::size_t>((row - tiles_.first_row) * tiles_.columns +
-                                                      column - tiles_.first_column)];
+            auto& place = tiles_.tiles[static_cast<std::size_t>(
+                (row - tiles_.first_row) * tiles_.columns + column - tiles_.first_column)];
             auto tile = drawn(grid, column, row);
             if (!place || place->grey != tile->grey) place = std::move(tile);
         }

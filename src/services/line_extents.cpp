@@ -72,8 +72,8 @@ std::vector<LineExtent> LineExtents::of(const LandmarkMap& map) const {
     for (std::size_t i = 0; i < map.size(); ++i) {
         const auto* recta = std::get_if<Recta>(&map[i].value);
         if (recta == nullptr) continue;
-        lines.push_back({static_cast<int>(i), *recta, std::cos(recta->theta),
-                         std::sin(recta->theta)});
+        lines.push_back(
+            {static_cast<int>(i), *recta, std::cos(recta->theta), std::sin(recta->theta)});
     }
     std::vector<LineExtent> extents;
     for (const Stretch& stretch : stretches_) {

@@ -106,7 +106,8 @@ struct Fixture {
     }
     void run_to_end() {
         trigger("action_run");
-        QTRY_VERIFY_WITH_TIMEOUT(state() == Progress::State::finished && shows_everything(), 120000);
+        QTRY_VERIFY_WITH_TIMEOUT(state() == Progress::State::finished && shows_everything(),
+                                 120000);
     }
 };
 

@@ -157,6 +157,9 @@ void SourceTest::files_can_be_dropped() {
     Fixture f(false);
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(Fixture::source_file("data/bigloop.log.gz"))});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(f.window.get(), &enter);
+    QVERIFY(enter.isAccepted());
     QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(f.window.get(), &drop);
     QVERIFY(f.session.has_source());

@@ -102,10 +102,11 @@ void WordsTest::the_window_speaks_spanish() {
 void WordsTest::the_program_makes_pictures_without_a_display() {
     QTemporaryDir folder;
     const QString path = folder.filePath("window.png");
-    const Outcome outcome = run_program({"--screenshot", path, "--steps", "20", "--size", "1000x700",
-                                         "--scale", "2", "--language", "es", "--theme", "dark"});
+    const Outcome outcome =
+        run_program({"--screenshot", path, "--steps", "20", "--size", "1100x700", "--scale", "2",
+                     "--language", "es", "--theme", "dark"});
     QVERIFY2(outcome.code == 0, qPrintable(outcome.errors));
-    QCOMPARE(QImage(path).size(), QSize(2000, 1400));
+    QCOMPARE(QImage(path).size(), QSize(2200, 1400));
 }
 
 void WordsTest::the_program_tells_what_is_wrong() {
@@ -114,8 +115,7 @@ void WordsTest::the_program_tells_what_is_wrong() {
     const Outcome missing = run_program({"/nowhere/tour.log", "--screenshot", picture});
     QCOMPARE(missing.code, 1);
     QVERIFY2(missing.errors.contains("/nowhere/tour.log"), qPrintable(missing.errors));
-    const Outcome wrong =
-        run_program({"--set", "filter.particle=5", "--screenshot", picture});
+    const Outcome wrong = run_program({"--set", "filter.particle=5", "--screenshot", picture});
     QCOMPARE(wrong.code, 1);
     QVERIFY2(wrong.errors.contains("filter.particles"), qPrintable(wrong.errors));
     QVERIFY(run_program({"--language", "xx"}).code != 0);

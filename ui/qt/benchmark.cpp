@@ -53,8 +53,7 @@ class Probe {
               while (!stop.stop_requested()) {
                   const auto asked = Clock::now();
                   QMetaObject::invokeMethod(
-                      &window,
-                      [this, asked] { answers_ms_.push_back(seconds_since(asked) * 1e3); },
+                      &window, [this, asked] { answers_ms_.push_back(seconds_since(asked) * 1e3); },
                       Qt::QueuedConnection);
                   std::this_thread::sleep_for(kPause);
               }
@@ -129,10 +128,11 @@ int run_benchmark(MainWindow& window, Session& session) {
     }
     const double cost = 1.0 - shown / bare;
     const bool good = cost < kGreatestCost && slowest_ms < kSlowestAnswer_ms;
-    fmt::print("the window costs {:.1f} % of the speed (limit {:.0f} %), slowest answer {:.1f} ms "
-               "(limit {:.0f} ms): {}\n",
-               100.0 * cost, 100.0 * kGreatestCost, slowest_ms, kSlowestAnswer_ms,
-               good ? "good" : "TOO MUCH");
+    fmt::print(
+        "the window costs {:.1f} % of the speed (limit {:.0f} %), slowest answer {:.1f} ms "
+        "(limit {:.0f} ms): {}\n",
+        100.0 * cost, 100.0 * kGreatestCost, slowest_ms, kSlowestAnswer_ms,
+        good ? "good" : "TOO MUCH");
     return good ? 0 : 1;
 }
 

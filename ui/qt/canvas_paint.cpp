@@ -24,9 +24,8 @@ QRectF view_bounds(const Scene& scene) {
 }  // namespace
 
 QPen thin_pen(const QColor& colour, double width, Qt::PenStyle style) {
-    QPen pen(colour, width, style, Qt::RoundCap, Qt::RoundJoin);
-    pen.setCosmetic(true);
-    return pen;
+    // Not cosmetic: on a fine screen and in a great picture lines grow with everything else.
+    return QPen(colour, width, style, Qt::RoundCap, Qt::RoundJoin);
 }
 
 QColor faded(QColor colour, int alpha) {
@@ -36,11 +35,11 @@ QColor faded(QColor colour, int alpha) {
 
 void draw_scale_bar(QPainter& painter, const Scene& scene) {
     constexpr double kMargin = 14.0;
-    const double length_m = round_length(std::min(140.0, scene.size.width() / 3.0) /
-                                         scene.pixels_per_m);
+    const double length_m =
+        round_length(std::min(140.0, scene.size.width() / 3.0) / scene.pixels_per_m);
     const double length = length_m * scene.pixels_per_m;
-    const QString words = length_m >= 1.0 ? QString("%1 m").arg(length_m)
-                                          : QString("%1 cm").arg(length_m * 100.0);
+    const QString words =
+        length_m >= 1.0 ? QString("%1 m").arg(length_m) : QString("%1 cm").arg(length_m * 100.0);
     const QFontMetricsF metrics(painter.font());
     const double width = std::max(length, metrics.horizontalAdvance(words));
     const double bottom = scene.size.height() - kMargin;
@@ -80,9 +79,12 @@ void draw_chip(QPainter& painter, const Scene& scene, const QPointF& at, const Q
     double width = 0.0;
     for (const QString& line : lines)
         width = std::max(width, metrics.horizontalAdvance(line));
-    QRectF box(at, QSizeF(width + 16.0, metrics.height() * static_cast<double>(lines.size()) + 10.0));
-    box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, scene.size.width() - box.width() - 4.0)));
-    box.moveTop(std::clamp(box.top(), 4.0, std::max(4.0, scene.size.height() - box.height() - 4.0)));
+    QRectF box(at,
+               QSizeF(width + 16.0, metrics.height() * static_cast<double>(lines.size()) + 10.0));
+    box.moveLeft(
+        std::clamp(box.left(), 4.0, std::max(4.0, scene.size.width() - box.width() - 4.0)));
+    box.moveTop(
+        std::clamp(box.top(), 4.0, std::max(4.0, scene.size.height() - box.height() - 4.0)));
     painter.setPen(thin_pen(scene.colours.border));
     painter.setBrush(scene.colours.card);
     painter.drawRoundedRect(box, 5.0, 5.0);
@@ -100,11 +102,11 @@ void draw_robot(QPainter& painter, const Scene& scene, const Pose& pose_view_rob
     const double c = std::cos(pose_view_robot.theta) * grow;
     const double s = std::sin(pose_view_robot.theta) * grow;
     const auto at = [&](double x, double y) {
-        return scene.to_screen.map(QPointF(pose_view_robot.x + c * x - s * y,
-                                           pose_view_robot.y + s * x + c * y));
+        return scene.to_screen.map(
+            QPointF(pose_view_robot.x + c * x - s * y, pose_view_robot.y + s * x + c * y));
     };
-    const QPolygonF body{{at(0.26, 0.0), at(0.12, 0.17), at(-0.2, 0.17), at(-0.2, -0.17),
-                          at(0.12, -0.17)}};
+    const QPolygonF body{
+        {at(0.26, 0.0), at(0.12, 0.17), at(-0.2, 0.17), at(-0.2, -0.17), at(0.12, -0.17)}};
     painter.setPen(thin_pen(scene.colours.robot, 1.8));
     painter.setBrush(faded(scene.colours.robot, 40));
     painter.drawPolygon(body);

@@ -40,8 +40,9 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.add_option("--scale", out.scale, "Pixels per point of the picture")
         ->check(CLI::Range(0.5, 4.0));
     program
-        .add_option("--show", out.show,
-                    "What the picture shows: main, plots, source, configuration, best-map, odometry")
+        .add_option(
+            "--show", out.show,
+            "What the picture shows: main, plots, source, configuration, best-map, odometry")
         ->check(CLI::IsMember(
             {"main", "plots", "source", "configuration", "best-map", "odometry", "world"}));
     program.add_flag("--benchmark", out.benchmark,
@@ -57,8 +58,7 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
 Configuracion starting_configuration(const CommandLine& line, const UserFiles& files) {
     Configuracion configuration;
     const QString named = QString::fromStdString(line.open);
-    const bool named_configuration =
-        !named.isEmpty() && kind_of(named) == FileKind::configuration;
+    const bool named_configuration = !named.isEmpty() && kind_of(named) == FileKind::configuration;
     if (!line.config.empty()) {
         configuration = read_configuration(QString::fromStdString(line.config));
     } else if (named_configuration) {

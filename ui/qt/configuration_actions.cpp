@@ -82,10 +82,10 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
     // A file that names no log is about the parameters alone.
     if (next.source.file.empty()) next.source = session_.configuration().source;
     if (!confirmed &&
-        !prompts_.confirm(window_, {tr("Load configuration"),
-                                    tr("Replace the configuration by %1?")
-                                        .arg(QFileInfo(path).fileName()),
-                                    tr("The run starts from the beginning."), tr("Load")})) {
+        !prompts_.confirm(window_,
+                          {tr("Load configuration"),
+                           tr("Replace the configuration by %1?").arg(QFileInfo(path).fileName()),
+                           tr("The run starts from the beginning."), tr("Load")})) {
         return true;  // the user's own wish, nothing to mend
     }
     if (!use(next)) return false;
@@ -98,9 +98,11 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
 void ConfigurationActions::load() {
     QString start = files_.last_folder("config");
     for (;;) {
-        const QString path = prompts_.open_file(
-            window_, {tr("Load configuration"), start,
-                      tr("Configurations (*.cfg *.toml);;All files (*)"), {}});
+        const QString path =
+            prompts_.open_file(window_, {tr("Load configuration"),
+                                         start,
+                                         tr("Configurations (*.cfg *.toml);;All files (*)"),
+                                         {}});
         if (path.isEmpty()) return;
         if (load_file(path, false)) return;
         start = path;
@@ -142,10 +144,9 @@ void ConfigurationActions::configure_group(ParameterGroup group) {
 void ConfigurationActions::set_default() {
     const QString path = files_.init_path();
     if (!prompts_.confirm(
-            window_, {tr("Set as default"),
-                      tr("Start with this configuration from now on?"),
-                      tr("%1 is overwritten.").arg(QDir::toNativeSeparators(path)),
-                      tr("Set as default")})) {
+            window_,
+            {tr("Set as default"), tr("Start with this configuration from now on?"),
+             tr("%1 is overwritten.").arg(QDir::toNativeSeparators(path)), tr("Set as default")})) {
         return;
     }
     try {
@@ -159,9 +160,10 @@ void ConfigurationActions::set_default() {
 
 void ConfigurationActions::load_reference_map() {
     for (;;) {
-        const QString path = prompts_.open_file(
-            window_, {tr("Load reference map"), files_.last_folder("map"),
-                      tr("Maps (*.map *.txt);;All files (*)"), {}});
+        const QString path = prompts_.open_file(window_, {tr("Load reference map"),
+                                                          files_.last_folder("map"),
+                                                          tr("Maps (*.map *.txt);;All files (*)"),
+                                                          {}});
         if (path.isEmpty()) return;
         try {
             References references = session_.references();
@@ -178,9 +180,11 @@ void ConfigurationActions::load_reference_map() {
 
 void ConfigurationActions::load_reference_trajectory() {
     for (;;) {
-        const QString path = prompts_.open_file(
-            window_, {tr("Load reference trajectory"), files_.last_folder("map"),
-                      tr("Trajectories (*.tum *.txt *.gz);;All files (*)"), {}});
+        const QString path =
+            prompts_.open_file(window_, {tr("Load reference trajectory"),
+                                         files_.last_folder("map"),
+                                         tr("Trajectories (*.tum *.txt *.gz);;All files (*)"),
+                                         {}});
         if (path.isEmpty()) return;
         try {
             References references = session_.references();

@@ -1,5 +1,6 @@
 #include "configuration_dialog.hpp"
 
+#include <QApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -22,6 +23,17 @@ const std::array<std::vector<Group>, 2> kColumns{{
     {Group::particle_filter, Group::motion, Group::resampling},
     {Group::observation, Group::split_merge, Group::grid, Group::run},
 }};
+
+/// Of the longest label, so that the editors of all groups stand below each other.
+int label_width() {
+    const QFontMetrics metrics(QApplication::font());
+    int width = 0;
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.group == Group::source) continue;
+        width = std::max(width, metrics.horizontalAdvance(label_of(parameter)));
+    }
+    return width + 8;
+}
 
 }  // namespace
 
@@ -47,6 +59,7 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, Pro
             rows->setHorizontalSpacing(10);
             rows->setVerticalSpacing(5);
             rows->setColumnStretch(1, 1);
+            rows->setColumnMinimumWidth(0, label_width());
             rows->setColumnMinimumWidth(2, 52);
             add_group(group, rows, box);
             column->addWidget(box);
@@ -112,11 +125,10 @@ void ConfigurationDialog::show_verdict() {
     const auto wrong = std::count_if(fields_.begin(), fields_.end(),
                                      [](const auto* field) { return field->has_error(); });
     ui_->verdict->setProperty("role", wrong > 0 ? "error" : "muted");
-    ui_->verdict->setText(wrong > 0
-                              ? tr("Values to correct: %1. Nothing changes until all are possible.")
-                                    .arg(wrong)
-                              : tr("Values that differ from their default are marked. Nothing "
-                                   "changes until you confirm."));
+    ui_->verdict->setText(
+        wrong > 0 ? tr("Values to correct: %1. Nothing changes until all are possible.").arg(wrong)
+                  : tr("Values that differ from their default are marked. Nothing "
+                       "changes until you confirm."));
     ui_->verdict->style()->unpolish(ui_->verdict);
     ui_->verdict->style()->polish(ui_->verdict);
 }
@@ -167,9 +179,9 @@ void ConfigurationDialog::accept() {
         reject();
         return;
     }
-    if (!prompts_.confirm(this, {tr("Change the configuration"),
-                                 tr("Apply these values and start from the beginning?"), what,
-                                 tr("Apply")})) {
+    if (!prompts_.confirm(
+            this, {tr("Change the configuration"),
+                   tr("Apply these values and start from the beginning?"), what, tr("Apply")})) {
         return;
     }
     configuration_ = next;

@@ -57,7 +57,7 @@ void GridLayer::set_tiles(const GridTiles& tiles) {
 void GridLayer::copy_tile(std::size_t place, const GridTile* tile) {
     const int column = static_cast<int>(place) % shown_.columns;
     const int row = static_cast<int>(place) / shown_.columns;
-    std::array<std::uint8_t, std::size_t{kTileSide} * kTileSide> level_grey = tile->grey;
+    std::array<std::uint8_t, std::size_t{kTileSide}* kTileSide> level_grey = tile->grey;
     std::array<std::uint8_t, std::size_t{kTileSide} * kTileSide> half{};
     for (int level = 0; level < kLevels; ++level) {
         QImage& image = images_[static_cast<std::size_t>(level)];
@@ -85,26 +85,24 @@ QRectF GridLayer::bounds() const {
 
 void GridLayer::paint(QPainter& painter, const Scene& scene) const {
     if (shown_.empty()) return;
-    const double scale =
-        painter.deviceTransform().m11() * scene.pixels_per_m * shown_.resolution_m;
+    const double scale = painter.deviceTransform().m11() * scene.pixels_per_m * shown_.resolution_m;
     int level = 0;
     while (level + 1 < kLevels && scale * (1 << level) < 0.5)
         ++level;
     const QImage& image = images_[static_cast<std::size_t>(level)];
     const double cell = shown_.resolution_m * (1 << level);
     const double left = static_cast<double>(shown_.first_column * kTileSide) * shown_.resolution_m;
-    const double top = static_cast<double>((shown_.first_row + shown_.rows) * kTileSide) *
-                       shown_.resolution_m;
+    const double top =
+        static_cast<double>((shown_.first_row + shown_.rows) * kTileSide) * shown_.resolution_m;
     // Only what is in sight: the part of the image under the scene.
     const QRectF seen = scene.to_screen.inverted().mapRect(QRectF(QPointF(), scene.size));
     QRectF part(QPointF((seen.left() - left) / cell, (top - seen.bottom()) / cell),
                 QPointF((seen.right() - left) / cell, (top - seen.top()) / cell));
     const QRect pixels = part.toAlignedRect().intersected(image.rect());
     if (pixels.isEmpty()) return;
-    const QRectF target =
-        scene.to_screen.mapRect(QRectF(left + pixels.left() * cell,
-                                       top - (pixels.top() + pixels.height()) * cell,
-                                       pixels.width() * cell, pixels.height() * cell));
+    const QRectF target = scene.to_screen.mapRect(
+        QRectF(left + pixels.left() * cell, top - (pixels.top() + pixels.height()) * cell,
+               pixels.width() * cell, pixels.height() * cell));
     painter.save();
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale * (1 << level) < 1.0);
     painter.drawImage(target, image, pixels);

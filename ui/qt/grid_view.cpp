@@ -69,8 +69,7 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
     }
     if (layers_.has(Layer::reference)) paint_reference(painter, scene);
     if (layers_.has(Layer::odometry)) {
-        draw_path(painter, scene, odometry_,
-                  thin_pen(light_colours().odometry, 1.4, Qt::DashLine));
+        draw_path(painter, scene, odometry_, thin_pen(light_colours().odometry, 1.4, Qt::DashLine));
     }
     if (layers_.has(Layer::path)) {
         draw_path(painter, scene, path_, thin_pen(light_colours().path, 1.8));

@@ -31,7 +31,8 @@ void draw_application(QPainter& p) {
 }
 
 void draw_folded_map(QPainter& p) {
-    p.drawPolygon(QPolygonF{{3, 6}, {9, 4}, {15, 6}, {21, 4}, {21, 18}, {15, 20}, {9, 18}, {3, 20}});
+    p.drawPolygon(
+        QPolygonF{{3, 6}, {9, 4}, {15, 6}, {21, 4}, {21, 18}, {15, 20}, {9, 18}, {3, 20}});
     p.drawLine(QPointF(9, 4), QPointF(9, 18));
     p.drawLine(QPointF(15, 6), QPointF(15, 20));
 }
@@ -135,7 +136,8 @@ class GlyphEngine final : public QIconEngine {
   public:
     explicit GlyphEngine(Glyph glyph) : glyph_(glyph) {}
 
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode,
+               QIcon::State state) override {
         const Colours& c = colours();
         QColor colour = state == QIcon::On ? c.accent : c.text;
         if (glyph_ == Glyph::run && mode != QIcon::Disabled) colour = c.on_accent;

@@ -36,8 +36,7 @@ struct Painter {
                 const double t = from + (to - from) * place / kPieces;
                 const double variance =
                     covariance(0, 0) - 2.0 * t * covariance(0, 1) + t * t * covariance(1, 1);
-                const double rho =
-                    recta.rho + side * sigmas * std::sqrt(std::max(variance, 0.0));
+                const double rho = recta.rho + side * sigmas * std::sqrt(std::max(variance, 0.0));
                 polygon.append(scene.to_screen.map(at({rho, recta.theta}, t)));
             }
         }
@@ -53,8 +52,7 @@ struct Painter {
     void stretch(const ICaracteristica& landmark, const LineExtent& extent, bool strong) const {
         const auto& recta = std::get<Recta>(landmark.value);
         const auto [from, to] = std::minmax({along(recta, extent.a), along(recta, extent.b)});
-        const QLineF line =
-            scene.to_screen.map(QLineF(at(recta, from), at(recta, to)));
+        const QLineF line = scene.to_screen.map(QLineF(at(recta, from), at(recta, to)));
         const QRectF sight(-50.0, -50.0, scene.size.width() + 100.0, scene.size.height() + 100.0);
         const QRectF box = QRectF(line.p1(), line.p2()).normalized().adjusted(-1, -1, 1, 1);
         if (!sight.intersects(box)) return;
@@ -119,8 +117,8 @@ MarkedMap transform(const Pose& pose_a_b, const LandmarkMap& map_b,
         marked.map.push_back(transform(pose_a_b, landmark));
     marked.extents.reserve(extents_b.size());
     for (const LineExtent& extent : extents_b) {
-        marked.extents.push_back({extent.landmark, transform(pose_a_b, extent.a),
-                                  transform(pose_a_b, extent.b)});
+        marked.extents.push_back(
+            {extent.landmark, transform(pose_a_b, extent.a), transform(pose_a_b, extent.b)});
     }
     return marked;
 }
@@ -226,7 +224,8 @@ QStringList describe(const ICaracteristica& world, int index) {
               << QString("x  %1 ± %2 m").arg(esquina.x, 0, 'f', 3).arg(sigma_0, 0, 'f', 3)
               << QString("y  %1 ± %2 m").arg(esquina.y, 0, 'f', 3).arg(sigma_1, 0, 'f', 3);
     }
-    lines << translated(QT_TRANSLATE_NOOP("Landmarks", "Observed %1 times")).arg(world.observations);
+    lines
+        << translated(QT_TRANSLATE_NOOP("Landmarks", "Observed %1 times")).arg(world.observations);
     return lines;
 }
 

@@ -36,9 +36,9 @@ class LayerSet {
 
 struct LayerInfo {
     Layer layer = Layer::scan;
-    const char* key = "";  ///< in the settings
-    const char* name = ""; ///< source text of layer_name()
-    bool on = true;        ///< by default
+    const char* key = "";   ///< in the settings
+    const char* name = "";  ///< source text of layer_name()
+    bool on = true;         ///< by default
 };
 
 const std::array<LayerInfo, kLayers>& layer_table();

@@ -22,10 +22,7 @@
 namespace hitos::window {
 
 MainWindow::MainWindow(Session& session, UserFiles& files, Prompts& prompts)
-    : ui_(std::make_unique<Ui::MainWindow>()),
-      session_(session),
-      files_(files),
-      prompts_(prompts) {
+    : ui_(std::make_unique<Ui::MainWindow>()), session_(session), files_(files), prompts_(prompts) {
     ui_->setupUi(this);
     setWindowIcon(icon(Glyph::application));
     make_parts();
@@ -81,11 +78,10 @@ void MainWindow::set_up_view_buttons() {
         QToolButton* out;
         QToolButton* picture;
     };
-    for (const Buttons& b :
-         {Buttons{ui_->scan_view, ui_->scan_fit, ui_->scan_zoom_in, ui_->scan_zoom_out,
-                  ui_->scan_picture},
-          Buttons{ui_->grid_view, ui_->grid_fit, ui_->grid_zoom_in, ui_->grid_zoom_out,
-                  ui_->grid_picture}}) {
+    for (const Buttons& b : {Buttons{ui_->scan_view, ui_->scan_fit, ui_->scan_zoom_in,
+                                     ui_->scan_zoom_out, ui_->scan_picture},
+                             Buttons{ui_->grid_view, ui_->grid_fit, ui_->grid_zoom_in,
+                                     ui_->grid_zoom_out, ui_->grid_picture}}) {
         b.fit->setIcon(icon(Glyph::fit));
         b.in->setIcon(icon(Glyph::zoom_in));
         b.out->setIcon(icon(Glyph::zoom_out));
@@ -124,10 +120,10 @@ void MainWindow::connect_configuration() {
 }
 
 void MainWindow::connect_run() {
-    ui_->controls->set_up({ui_->action_run, ui_->action_stop, ui_->action_step,
-                           ui_->action_best_map, ui_->action_odometry, ui_->action_save_map,
-                           ui_->action_restart},
-                          session_);
+    ui_->controls->set_up(
+        {ui_->action_run, ui_->action_stop, ui_->action_step, ui_->action_best_map,
+         ui_->action_odometry, ui_->action_save_map, ui_->action_restart},
+        session_);
     // The space bar runs and stops; an action that is disabled would swallow it.
     ui_->action_run->setShortcut({});
     auto* space = new QShortcut(QKeySequence(Qt::Key_Space), this);
@@ -160,13 +156,12 @@ void MainWindow::connect_views() {
             ui_->grid_view->set_snapshot(session_.snapshot());
             return;
         }
-        QTimer::singleShot(delay_ms, Qt::PreciseTimer, ui_->grid_view, [this] {
-            ui_->grid_view->set_snapshot(session_.snapshot());
-        });
+        QTimer::singleShot(delay_ms, Qt::PreciseTimer, ui_->grid_view,
+                           [this] { ui_->grid_view->set_snapshot(session_.snapshot()); });
     };
     connect(&session_, &Session::snapshot_changed, this, show_snapshot);
-    for (CanvasView* view : {static_cast<CanvasView*>(ui_->scan_view),
-                             static_cast<CanvasView*>(ui_->grid_view)}) {
+    for (CanvasView* view :
+         {static_cast<CanvasView*>(ui_->scan_view), static_cast<CanvasView*>(ui_->grid_view)}) {
         connect(view, &CanvasView::painted, &session_, &Session::note_cost);
         connect(view, &CanvasView::hovered_at, status_, &StatusLine::show_place);
         connect(view, &CanvasView::left, status_, &StatusLine::clear_place);

@@ -32,11 +32,12 @@ void MainWindow::connect_help() {
 }
 
 void MainWindow::show_about() {
-    show_text(this, "about", tr("About Hitos"),
-              "<h3>Hitos " + QString::fromStdString(version()) + "</h3><p>" +
-                  tr("A workbench for landmark SLAM on recorded laser tours: FastSLAM step by step, "
-                     "with every parameter at hand.") +
-                  "</p><p>" + tr("Free software under the GNU GPL, version 3 or later.") + "</p>");
+    show_text(
+        this, "about", tr("About Hitos"),
+        "<h3>Hitos " + QString::fromStdString(version()) + "</h3><p>" +
+            tr("A workbench for landmark SLAM on recorded laser tours: FastSLAM step by step, "
+               "with every parameter at hand.") +
+            "</p><p>" + tr("Free software under the GNU GPL, version 3 or later.") + "</p>");
 }
 
 void MainWindow::show_keys() {

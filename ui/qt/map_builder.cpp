@@ -67,8 +67,7 @@ void MapBuilder::build(const Configuracion& configuration, Trajectory path) {
         const auto show = [&](bool last) {
             const auto done = static_cast<std::ptrdiff_t>(
                 builder.progress() * static_cast<double>(path.size()) + 0.5);
-            publish(builder.grid(), {path.begin(), path.begin() + done}, builder.progress(),
-                    last);
+            publish(builder.grid(), {path.begin(), path.begin() + done}, builder.progress(), last);
         };
         while (!stop.stop_requested() && builder.step())
             show(false);

@@ -19,8 +19,8 @@ void repolish(QWidget* widget) {
 
 QString tip_of(const Parameter& parameter) {
     static const Configuracion defaults;
-    QString tip = "<p style='white-space:pre-wrap'>" +
-                  description_of(parameter).toHtmlEscaped() + "</p><p>";
+    QString tip =
+        "<p style='white-space:pre-wrap'>" + description_of(parameter).toHtmlEscaped() + "</p><p>";
     if (parameter.type == Parameter::Type::real || parameter.type == Parameter::Type::integer) {
         tip += ParameterField::tr("Allowed: %1").arg(allowed_of(parameter)) + "<br/>";
     }

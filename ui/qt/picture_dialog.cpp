@@ -48,10 +48,9 @@ QByteArray encoded(const QImage& image, const QString& path) {
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (!image.save(&buffer, jpeg ? "JPG" : "PNG", jpeg ? kJpegQuality : -1)) {
-        throw FileError(path.toStdString(),
-                        QCoreApplication::translate("PictureDialog",
-                                                    "the picture could not be encoded")
-                            .toStdString());
+        throw FileError(path.toStdString(), QCoreApplication::translate(
+                                                "PictureDialog", "the picture could not be encoded")
+                                                .toStdString());
     }
     return bytes;
 }

@@ -35,9 +35,8 @@ Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
     add_plot(path_error, tr("Trajectory error [m]"));
     clock_.start();
     connect(&session, &Session::restarted, this, &Plots::clear);
-    connect(&session, &Session::progress_changed, this, [this] {
-        refresh(session_.progress().state != Progress::State::running);
-    });
+    connect(&session, &Session::progress_changed, this,
+            [this] { refresh(session_.progress().state != Progress::State::running); });
     connect(&meter, &ReferenceMeter::measured, this,
             [this](const std::shared_ptr<const Measured>& figures) { note_errors(*figures); });
     restyle();
@@ -55,8 +54,7 @@ void Plots::add_plot(std::size_t plot, const QString& title) {
     plot_->plotLayout()->addElement(row + 1, column, rect);
     plot_->plotLayout()->setRowStretchFactor(row, 0.01);
     rects_.push_back(rect);
-    graphs_.push_back(
-        plot_->addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft)));
+    graphs_.push_back(plot_->addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft)));
 }
 
 void Plots::restyle() {
@@ -68,6 +66,9 @@ void Plots::restyle() {
     small.setPointSizeF(small.pointSizeF() * 0.85);
     for (std::size_t i = 0; i < kPlots; ++i) {
         graphs_[i]->setPen(QPen(line[i], 1.4));
+        if (i == map_error || i == path_error) {  // measured now and then
+            graphs_[i]->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 4.0));
+        }
         for (QCPAxis* axis : rects_[i]->axes()) {
             axis->setBasePen(QPen(c.border));
             axis->setTickPen(QPen(c.border));

@@ -11,7 +11,8 @@ constexpr int kLeastMs = 330;
 Measured measure(const Snapshot& snapshot, const References& references) {
     Measured out;
     if (!snapshot.best_trajectory.empty()) {
-        out.time_s = snapshot.best_trajectory.back().time_s - snapshot.best_trajectory.front().time_s;
+        out.time_s =
+            snapshot.best_trajectory.back().time_s - snapshot.best_trajectory.front().time_s;
     }
     if (references.map) out.map = map_error(snapshot.best_map, *references.map);
     if (references.trajectory) {
@@ -51,7 +52,8 @@ ReferenceMeter::~ReferenceMeter() {
 void ReferenceMeter::consider() {
     const auto snapshot = session_.snapshot();
     const References& references = session_.references();
-    if (!snapshot || snapshot->steps == last_steps_ || (!references.map && !references.trajectory)) {
+    if (!snapshot || snapshot->steps == last_steps_ ||
+        (!references.map && !references.trajectory)) {
         return;
     }
     if (busy_) return;  // take() looks again

@@ -29,10 +29,10 @@ void ResultActions::view_best() {
     const auto snapshot = session_.snapshot();
     if (!snapshot || snapshot->steps == 0) return;
     // The newest state, which while the run goes on is a few steps after the one in the views.
-    auto path = session_.algoritmo()->with_run(
-        [](const SlamRun& run) { return run.best_trajectory(); });
-    MapWindow* map = open_window(best_, tr("Grid map of the best particle"),
-                                 MapWindow::Show::result);
+    auto path =
+        session_.algoritmo()->with_run([](const SlamRun& run) { return run.best_trajectory(); });
+    MapWindow* map =
+        open_window(best_, tr("Grid map of the best particle"), MapWindow::Show::result);
     if (path.wait_for(std::chrono::milliseconds(40)) == std::future_status::ready) {
         map->builder().build(session_.configuration(), path.get());
     } else {  // a slow step is under way; what is in the views will do
@@ -42,8 +42,8 @@ void ResultActions::view_best() {
 
 void ResultActions::view_odometry() {
     if (!session_.has_source()) return;
-    MapWindow* map = open_window(odometry_, tr("Grid map based on odometry"),
-                                 MapWindow::Show::growth);
+    MapWindow* map =
+        open_window(odometry_, tr("Grid map based on odometry"), MapWindow::Show::growth);
     map->builder().build_from_odometry(session_.configuration());
 }
 
@@ -54,11 +54,11 @@ void ResultActions::save_map() {
     const auto map = session_.algoritmo()
                          ->with_run([](const SlamRun& run) { return run.filter().best_map(); })
                          .share();
-    const QString path = save_until_done(
-        prompts_, window_,
-        {tr("Save best particle's map"), files_.last_folder("map") + "/map.txt",
-         tr("Maps (*.txt *.map);;All files (*)"), "txt"},
-        [&](const QString& target) { write_map(map.get(), target.toStdString()); });
+    const QString path =
+        save_until_done(prompts_, window_,
+                        {tr("Save best particle's map"), files_.last_folder("map") + "/map.txt",
+                         tr("Maps (*.txt *.map);;All files (*)"), "txt"},
+                        [&](const QString& target) { write_map(map.get(), target.toStdString()); });
     if (path.isEmpty()) return;
     files_.note_folder("map", path);
     emit notice(tr("Map saved: %1").arg(QDir::toNativeSeparators(path)));
@@ -68,8 +68,10 @@ void ResultActions::save_results() {
     if (!session_.has_source() || session_.progress().steps == 0) return;
     const QString path = save_until_done(
         prompts_, window_,
-        {tr("Save all results: name of a new folder"), files_.last_folder("map") + "/results",
-         tr("Folders (*)"), {}},
+        {tr("Save all results: name of a new folder"),
+         files_.last_folder("map") + "/results",
+         tr("Folders (*)"),
+         {}},
         [this](const QString& target) {
             prepare_output_folder(target.toStdString());
             Algoritmo& algoritmo = *session_.algoritmo();
@@ -90,13 +92,13 @@ void ResultActions::save_results() {
 void ResultActions::save_picture(const CanvasView& view) {
     PictureDialog dialog(view, window_);
     if (dialog.exec() != QDialog::Accepted) return;
-    const QString path = save_until_done(
-        prompts_, window_,
-        {tr("Save as image"), files_.last_folder("picture") + "/hitos.jpg",
-         tr("Images (*.jpg *.jpeg *.png)"), "jpg"},
-        [&](const QString& target) {
-            write_image(view.picture(dialog.whole(), dialog.scale()), target);
-        });
+    const QString path =
+        save_until_done(prompts_, window_,
+                        {tr("Save as image"), files_.last_folder("picture") + "/hitos.jpg",
+                         tr("Images (*.jpg *.jpeg *.png)"), "jpg"},
+                        [&](const QString& target) {
+                            write_image(view.picture(dialog.whole(), dialog.scale()), target);
+                        });
     if (path.isEmpty()) return;
     files_.note_folder("picture", path);
     emit notice(tr("Image saved: %1").arg(QDir::toNativeSeparators(path)));

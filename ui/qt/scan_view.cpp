@@ -108,16 +108,15 @@ void ScanView::prepare_links() {
         Link link;
         link.outcome = association.outcome;
         const bool line = association.kind == FeatureKind::recta;
-        link.observed = line ? segments_.at(association.observed).center()
-                             : corners_.at(association.observed);
+        link.observed =
+            line ? segments_.at(association.observed).center() : corners_.at(association.observed);
         link.landmark = link.observed;
         const auto index = static_cast<std::size_t>(std::max(association.landmark, 0));
         if (association.landmark >= 0 && index < landmarks_.map.size()) {
             const ICaracteristica& landmark = landmarks_.map[index];
             if (const auto* recta = std::get_if<Recta>(&landmark.value)) {
-                const double away =
-                    recta->rho - link.observed.x() * std::cos(recta->theta) -
-                    link.observed.y() * std::sin(recta->theta);
+                const double away = recta->rho - link.observed.x() * std::cos(recta->theta) -
+                                    link.observed.y() * std::sin(recta->theta);
                 link.landmark += away * QPointF(std::cos(recta->theta), std::sin(recta->theta));
             } else {
                 link.landmark = to_qt(landmark.point());
@@ -127,8 +126,8 @@ void ScanView::prepare_links() {
     }
 }
 
-/// Keeps in sight what was seen since the start, but for the farthest readings: a window of 80 m for
-/// one reading through a door would show nothing.
+/// Keeps in sight what was seen since the start, but for the farthest readings: a window of 80 m
+/// for one reading through a door would show nothing.
 void ScanView::grow_content() {
     const Pose robot = pose_view_robot();
     std::vector<double> ranges;

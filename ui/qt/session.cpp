@@ -114,8 +114,8 @@ void Session::tick() {
         snapshot_ = latest;
         const double begin = thread_seconds();
         emit snapshot_changed();
-        const double cost = latest->seconds + std::exchange(paint_seconds_, 0.0) +
-                            thread_seconds() - begin;
+        const double cost =
+            latest->seconds + std::exchange(paint_seconds_, 0.0) + thread_seconds() - begin;
         request_not_before_us_ =
             now_us + std::max(kFrameUs, static_cast<qint64>(cost / kShare * 1e6));
     }

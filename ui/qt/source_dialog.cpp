@@ -57,9 +57,11 @@ void SourceDialog::set_path(const QString& path) {
 
 void SourceDialog::browse() {
     const QString path = ui_->path->text().trimmed();
-    const QString chosen = prompts_.open_file(
-        this, {tr("Open log"), path.isEmpty() ? folder_ : path,
-               tr("Logs (*.log *.clf *.gfs *.txt *.gz);;All files (*)"), {}});
+    const QString chosen =
+        prompts_.open_file(this, {tr("Open log"),
+                                  path.isEmpty() ? folder_ : path,
+                                  tr("Logs (*.log *.clf *.gfs *.txt *.gz);;All files (*)"),
+                                  {}});
     if (!chosen.isEmpty()) set_path(chosen);
 }
 
@@ -116,28 +118,27 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<LogSummary>& 
         lines << QString::fromStdString(line);
     ui_->lines->setPlainText(lines.join('\n'));
     const bool scans = summary->report.scans > 0;
-    show_verdict(scans ? words_of(*summary)
-                       : tr("The file holds odometry but not one readable scan."),
-                 scans ? "good" : "error");
+    show_verdict(
+        scans ? words_of(*summary) : tr("The file holds odometry but not one readable scan."),
+        scans ? "good" : "error");
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans);
     emit checked(scans);
 }
 
 QString SourceDialog::words_of(const LogSummary& summary) const {
     const Parameter& format = find_parameter("source.format");
-    QString words =
-        tr("%1: %2 scans, %3 odometry readings, %4 s, %5 m.")
-            .arg(choice_of(format, static_cast<std::size_t>(summary.format)))
-            .arg(summary.report.scans)
-            .arg(summary.report.odometry)
-            .arg(summary.duration_s, 0, 'f', 1)
-            .arg(summary.distance_m, 0, 'f', 1);
+    QString words = tr("%1: %2 scans, %3 odometry readings, %4 s, %5 m.")
+                        .arg(choice_of(format, static_cast<std::size_t>(summary.format)))
+                        .arg(summary.report.scans)
+                        .arg(summary.report.odometry)
+                        .arg(summary.duration_s, 0, 'f', 1)
+                        .arg(summary.distance_m, 0, 'f', 1);
     if (summary.fan.count > 0) {
-        words += ' ' + tr("Laser: %1 rays over %2°.")
-                           .arg(summary.fan.count)
-                           .arg((summary.fan.max_angle_rad - summary.fan.min_angle_rad) * 180.0 /
-                                    kPi,
-                                0, 'f', 0);
+        words +=
+            ' ' + tr("Laser: %1 rays over %2°.")
+                      .arg(summary.fan.count)
+                      .arg((summary.fan.max_angle_rad - summary.fan.min_angle_rad) * 180.0 / kPi, 0,
+                           'f', 0);
     }
     if (summary.report.skipped > 0) {
         const auto& first = summary.report.examples.front();

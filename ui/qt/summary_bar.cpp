@@ -82,8 +82,8 @@ void add_row(QGridLayout* rows, const Parameter& parameter, const Configuracion&
         tip = QDir::toNativeSeparators(QString::fromStdString(parameter.text(configuration)));
     } else if (changed) {
         static const Configuracion defaults;
-        tip += '\n' + SummaryBar::tr("Changed; the default is %1.")
-                          .arg(value_of(parameter, defaults));
+        tip +=
+            '\n' + SummaryBar::tr("Changed; the default is %1.").arg(value_of(parameter, defaults));
     }
     name->setToolTip(tip);
     value->setToolTip(tip);
@@ -103,8 +103,10 @@ SummaryBar::SummaryBar(QWidget* parent) : QWidget(parent) {
 
 void SummaryBar::set_configuration(const Configuracion& configuration) {
     while (QLayoutItem* item = layout()->takeAt(0)) {
-        item->widget()->hide();
-        item->widget()->deleteLater();
+        // Not at once: a click on it may be what brought us here.
+        QWidget* card = item->widget();
+        card->setParent(nullptr);
+        card->deleteLater();
         delete item;
     }
     auto* row = qobject_cast<QHBoxLayout*>(layout());
@@ -120,7 +122,8 @@ void SummaryBar::set_configuration(const Configuracion& configuration) {
         rows->setHorizontalSpacing(10);
         rows->setVerticalSpacing(1);
         rows->setColumnStretch(1, 1);
-        auto* title = new QLabel(title_of(card.group));
+        auto* title = new ElidedLabel(title_of(card.group));
+        title->setMinimumWidth(20);
         set_role(title, "title");
         rows->addWidget(title, 0, 0, 1, 2);
         for (const char* key : card.keys)

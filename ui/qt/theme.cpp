@@ -116,13 +116,13 @@ QLabel[role="error"] { color: %danger; }
 QLabel[role="good"] { color: %good; }
 QLabel[role="changed"] { color: %accent; font-weight: 600; }
 QToolButton[role="run"], QPushButton, QDialogButtonBox QPushButton {
-  background: %card; border: 1px solid %border; border-radius: 6px; padding: 6px 12px; }
+  background: %card; border: 1px solid %border; border-radius: 6px; padding: 6px 10px; }
 QToolButton[role="run"]:hover, QPushButton:hover { border-color: %accent; }
 QToolButton[role="run"]:pressed, QPushButton:pressed { background: %border; }
 QToolButton[role="run"]:focus, QPushButton:focus { border: 1px solid %accent; }
 QToolButton[role="run"]:disabled, QPushButton:disabled { color: %muted; background: %window; }
 QToolButton[primary="true"]:enabled, QPushButton:default:enabled {
-  background: %accent; color: %onaccent; border-color: %accent; font-weight: 600; }
+  background: %accent; color: %onaccent; border-color: %accent; }
 QToolButton[role="view"] { border: 1px solid transparent; border-radius: 5px; padding: 3px 6px; }
 QToolButton[role="view"]:hover { border-color: %border; background: %window; }
 QToolButton[role="view"]:checked { background: %window; border-color: %border; color: %accent; }

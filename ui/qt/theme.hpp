@@ -20,8 +20,8 @@ struct Colours {
     // Surfaces and text.
     QColor window, card, border, text, muted, accent, on_accent, danger, good;
     // Views.
-    QColor canvas, grid_line, scan, robot, particle, observed, landmark, created, ignored, association,
-        highlight, path, start, end, odometry, reference, chip;
+    QColor canvas, grid_line, scan, robot, particle, observed, landmark, created, ignored,
+        association, highlight, path, start, end, odometry, reference, chip;
 };
 
 /// The colours in use; light until a theme is applied.

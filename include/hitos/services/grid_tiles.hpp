@@ -23,7 +23,7 @@ struct GridTile {
 /// cells from (column, row) * kTileSide on, counted from the world's origin, so a tile keeps its
 /// place when the grid grows.
 struct GridTiles {
-    CellArea area;                 ///< cells that the grid holds
+    CellArea area;                  ///< cells that the grid holds
     std::int64_t first_column = 0;  ///< of the tiles
     std::int64_t first_row = 0;
     int columns = 0;

@@ -25,7 +25,7 @@ class LineExtents {
 
   private:
     struct Stretch {
-        Recta line;          // world
+        Recta line;         // world
         double from = 0.0;  // along the line, from its foot [m]
         double to = 0.0;
     };
