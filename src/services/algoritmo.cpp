@@ -1,9 +1,20 @@
 #include "hitos/services/algoritmo.hpp"
 
+#include <ctime>
 #include <limits>
 #include <utility>
 
 namespace hitos {
+namespace {
+
+/// Time that this thread was at work.
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+}  // namespace
 
 Algoritmo::Algoritmo(const Configuracion& configuration, std::unique_ptr<Fuente> fuente,
                      const SlamRunOptions& options)
@@ -43,6 +54,7 @@ void Algoritmo::restart() {
     budget_ = 0;
     restart_wanted_ = true;
     progress_ = {};
+    figures_.clear();
     wake_.notify_one();
 }
 
@@ -74,6 +86,12 @@ void Algoritmo::request_snapshot() {
 std::shared_ptr<const Snapshot> Algoritmo::latest_snapshot() const {
     const std::scoped_lock lock(mutex_);
     return snapshot_;
+}
+
+std::vector<StepFigures> Algoritmo::figures_since(std::uint64_t first) const {
+    const std::scoped_lock lock(mutex_);
+    if (first >= figures_.size()) return {};
+    return {figures_.begin() + static_cast<std::ptrdiff_t>(first), figures_.end()};
 }
 
 void Algoritmo::post(std::function<void(const SlamRun&)> task) {
@@ -118,6 +136,8 @@ void Algoritmo::work(const std::stop_token& stop) {
 
 void Algoritmo::do_restart() {
     std::string error;
+    tiler_.clear();
+    line_extents_.clear();
     try {
         run_.restart();
     } catch (const std::exception& failure) {
@@ -141,12 +161,19 @@ void Algoritmo::do_step() {
         error = failure.what();
     }
     const auto end = std::chrono::steady_clock::now();
+    if (more) {
+        tiler_.note_change(run_.step_grid().last_change());
+        line_extents_.note(run_.filter(), run_.observation());
+    }
 
     const std::scoped_lock lock(mutex_);
     if (restart_wanted_) return;  // this step's outcome no longer matters
     progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
     note_progress();
     if (more) {
+        figures_.push_back({progress_.duration_s, progress_.statistics.neff,
+                            progress_.statistics.best_log_weight, progress_.step_seconds,
+                            progress_.lines, progress_.corners});
         if (budget_ == 0) progress_.state = Progress::State::paused;
         return;
     }
@@ -175,6 +202,7 @@ void Algoritmo::note_progress() {
 }
 
 void Algoritmo::publish_snapshot() {
+    const double begin = thread_seconds();
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->steps = run_.steps();
     snapshot->scan = run_.scan();
@@ -183,10 +211,12 @@ void Algoritmo::publish_snapshot() {
     snapshot->associations.assign(associations.begin(), associations.end());
     snapshot->best_pose = run_.filter().best_pose();
     snapshot->best_map = run_.filter().best_map();
+    snapshot->line_extents = line_extents_.of(snapshot->best_map);
     snapshot->hypotheses = run_.filter().hypotheses();
     snapshot->best_trajectory = run_.best_trajectory();
     snapshot->odometry_trajectory = run_.odometry_trajectory();
-    snapshot->step_grid = run_.step_grid();
+    snapshot->step_grid = tiler_.tiles(run_.step_grid());
+    snapshot->seconds = thread_seconds() - begin;
 
     const std::scoped_lock lock(mutex_);
     snapshot_wanted_ = false;

@@ -127,11 +127,15 @@ void Grid::add(const Scan& scan, const Pose& pose_world_robot) {
     const double laser_u = in_cells(laser.x, params_.resolution_m);
     const double laser_v = in_cells(laser.y, params_.resolution_m);
     rays_.clear();
+    last_change_ = {};
     if (in_reach(laser_u, laser_v)) collect_rays(scan, pose_world_robot, laser);
     const bool fits = !rays_.empty() && keep_rays_that_fit(laser_u, laser_v);
     left_out_ += scan.points.size() - (fits ? rays_.size() : 0);
     if (!fits) return;
 
+    last_change_ = united({}, laser_u, laser_v);
+    for (const Ray& ray : rays_)
+        last_change_ = united(last_change_, ray.u, ray.v);
     // From here on coordinates are those of the storage.
     const double base_u = static_cast<double>(first_column_) - static_cast<double>(column_offset_);
     const double base_v = static_cast<double>(first_row_) - static_cast<double>(row_offset_);
@@ -193,7 +197,7 @@ void Grid::collect_rays(const Scan& scan, const Pose& pose_world_robot,
 /// Makes room for the rays; where the grid would be too great, for those that fit, in their order.
 /// False where not even the laser fits; the grid is then as before.
 bool Grid::keep_rays_that_fit(double laser_u, double laser_v) {
-    Box box = united(bounds(), laser_u, laser_v);
+    Box box = united(area(), laser_u, laser_v);
     if (too_great(box)) return false;
     Box all = box;
     for (const Ray& ray : rays_) all = united(all, ray.u, ray.v);
@@ -211,7 +215,7 @@ bool Grid::keep_rays_that_fit(double laser_u, double laser_v) {
     return true;
 }
 
-Grid::Box Grid::bounds() const {
+CellArea Grid::area() const {
     return {first_column_, first_row_, first_column_ + columns_, first_row_ + rows_};
 }
 
@@ -237,7 +241,7 @@ std::int64_t Grid::cells_of(const Box& box) {
 /// Makes `box`, which holds the bounds, the new bounds. Storage grows by a quarter on each side
 /// that needs it, so that the cost of growing stays in proportion to the area.
 void Grid::hold(const Box& box) {
-    const Box old = bounds();
+    const Box old = area();
     Box storage{first_column_ - static_cast<std::int64_t>(column_offset_),
                 first_row_ - static_cast<std::int64_t>(row_offset_), 0, 0};
     storage.end_column = storage.first_column + static_cast<std::int64_t>(stride_);
@@ -295,20 +299,24 @@ Point2 Grid::origin() const {
             static_cast<double>(first_row_) * params_.resolution_m};
 }
 
-Grid::Picture Grid::picture() const {
+std::uint8_t grey_of(float log_odds) {
     constexpr std::uint8_t kUnknown = 205;
+    if (log_odds == 0.0F) return kUnknown;
+    const double free = 1.0 / (1.0 + std::exp(static_cast<double>(log_odds)));
+    return static_cast<std::uint8_t>(std::lround(255.0 * free));
+}
+
+Grid::Picture Grid::picture() const {
     Picture picture{columns_, rows_, {}};
     picture.grey.reserve(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
     float last = 0.0F;  // most cells equal their neighbour: the exponential is worth remembering
-    std::uint8_t grey = kUnknown;
+    std::uint8_t grey = grey_of(last);
     for (int row = rows_ - 1; row >= 0; --row) {
         for (int column = 0; column < columns_; ++column) {
             const float value = log_odds(column, row);
             if (value != last) {
                 last = value;
-                const double free = 1.0 / (1.0 + std::exp(static_cast<double>(value)));
-                grey =
-                    value == 0.0F ? kUnknown : static_cast<std::uint8_t>(std::lround(255.0 * free));
+                grey = grey_of(value);
             }
             picture.grey.push_back(grey);
         }

@@ -13,6 +13,8 @@
 #include <thread>
 #include <vector>
 
+#include "hitos/services/grid_tiles.hpp"
+#include "hitos/services/line_extents.hpp"
 #include "hitos/services/slam_run.hpp"
 
 namespace hitos {
@@ -25,10 +27,22 @@ struct Snapshot {
     std::vector<Association> associations;
     Pose best_pose;
     LandmarkMap best_map;
+    std::vector<LineExtent> line_extents;  ///< of the lines of best_map, where they were seen
     std::vector<WeightedPose> hypotheses;
     Trajectory best_trajectory;
     Trajectory odometry_trajectory;
-    Grid step_grid;
+    GridTiles step_grid;
+    double seconds = 0.0;  ///< of the worker's time that making it took
+};
+
+/// The figures of one step, for plots against time.
+struct StepFigures {
+    double time_s = 0.0;  ///< stamp of the scan, since that of the first one
+    double neff = 0.0;
+    double best_log_weight = 0.0;
+    double step_seconds = 0.0;
+    int lines = 0;
+    int corners = 0;
 };
 
 /// How far a run has come; cheap to ask for.
@@ -78,6 +92,10 @@ class Algoritmo {
     void request_snapshot();
     std::shared_ptr<const Snapshot> latest_snapshot() const;
 
+    /// The figures of every step from number `first` (0 is the first scan) on. After a restart
+    /// they begin anew.
+    std::vector<StepFigures> figures_since(std::uint64_t first) const;
+
     /// Calls `task` with the run between two steps, on the worker.
     template <class Task>
     auto with_run(Task task) -> std::future<std::invoke_result_t<Task, const SlamRun&>> {
@@ -98,7 +116,9 @@ class Algoritmo {
     void publish_snapshot();
     void note_progress();
 
-    SlamRun run_;  // the worker's own, once it runs
+    SlamRun run_;      // the worker's own, once it runs
+    GridTiler tiler_;  // likewise
+    LineExtents line_extents_;
 
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
@@ -110,6 +130,7 @@ class Algoritmo {
     std::vector<std::function<void(const SlamRun&)>> tasks_;
     Progress progress_;
     std::shared_ptr<const Snapshot> snapshot_;
+    std::vector<StepFigures> figures_;
     std::chrono::steady_clock::time_point rate_since_;
     std::uint64_t rate_steps_ = 0;
 

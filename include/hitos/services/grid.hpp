@@ -16,6 +16,21 @@ struct GridParams {
     double max_range_m = 0.0;     ///< rays are drawn up to it; 0: whole
 };
 
+/// Cells [first, end), counted from the cell whose lower left corner is the world's origin.
+struct CellArea {
+    std::int64_t first_column = 0;
+    std::int64_t first_row = 0;
+    std::int64_t end_column = 0;
+    std::int64_t end_row = 0;
+
+    bool empty() const { return end_column <= first_column || end_row <= first_row; }
+    friend bool operator==(const CellArea&, const CellArea&) = default;
+};
+
+/// The grey of a cell in pictures: 255 free, 0 occupied, linear in the probability; 205 where
+/// nothing is known (log-odds 0).
+std::uint8_t grey_of(float log_odds);
+
 /// Greatest number of cells of a grid; what would need more is left out and counted.
 inline constexpr std::int64_t kMostGridCells = std::int64_t{1} << 28;
 
@@ -38,6 +53,9 @@ class Grid {
     int columns() const { return columns_; }
     int rows() const { return rows_; }
     Point2 origin() const;  ///< world coordinates of the lower left corner [m]
+    CellArea area() const;  ///< the same place in cells
+    /// No cell out of it was changed by the last add(); empty before the first one.
+    const CellArea& last_change() const { return last_change_; }
     double resolution_m() const { return params_.resolution_m; }
     float log_odds(int column, int row) const {
         return cells_[(static_cast<std::size_t>(row) + row_offset_) * stride_ +
@@ -60,13 +78,7 @@ class Grid {
     std::uint64_t left_out() const { return left_out_; }
 
   private:
-    /// Cells [first, end), counted from the world's origin.
-    struct Box {
-        std::int64_t first_column = 0;
-        std::int64_t first_row = 0;
-        std::int64_t end_column = 0;
-        std::int64_t end_row = 0;
-    };
+    using Box = CellArea;
     /// A ray's end in cells from the world's origin.
     struct Ray {
         double u = 0.0;
@@ -81,7 +93,6 @@ class Grid {
     void collect_rays(const Scan& scan, const Pose& pose_world_robot, const Pose& pose_world_laser);
     bool keep_rays_that_fit(double laser_u, double laser_v);
     void hold(const Box& box);
-    Box bounds() const;
     static Box united(const Box& box, double u, double v);
     static bool too_great(const Box& box);
     static std::int64_t cells_of(const Box& box);  // of a box that is not too great
@@ -95,6 +106,7 @@ class Grid {
     int rows_ = 0;
     std::int64_t first_column_ = 0;  // cell index of column 0, counted from the world's origin
     std::int64_t first_row_ = 0;
+    CellArea last_change_;
     std::uint64_t revision_ = 0;
     std::uint64_t left_out_ = 0;
     std::vector<Ray> rays_;  // scratch: the scan being added

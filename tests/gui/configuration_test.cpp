@@ -1,0 +1,229 @@
+// Use cases 8.2.2.2 to 8.2.2.5: loading, saving, editing and keeping configurations.
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "command_line.hpp"
+#include "configuration_dialog.hpp"
+#include "gui_fixture.hpp"
+#include "hitos/services/archivo_configuracion.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+void set_field(const QDialog& dialog, const char* key, const QString& text) {
+    auto* line = dialog.findChild<QLineEdit*>(QString("field_") + key);
+    QVERIFY(line != nullptr);
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, text);
+}
+
+QString error_at(const QDialog& dialog, const char* key) {
+    return dialog.findChild<QLabel*>(QString("error_") + key)->text();
+}
+
+void press_ok(const QDialog& dialog) {
+    dialog.findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Ok)->click();
+}
+
+}  // namespace
+
+void ConfigurationTest::a_configuration_is_loaded() {
+    Fixture f;
+    const QString path = f.write("other.cfg", "[filter]\nparticles = 7\n");
+    f.prompts.opens = {path};
+    f.prompts.confirms = {true};
+    f.trigger("action_load");
+    QCOMPARE(f.session.configuration().filter.particles, 7);
+    QVERIFY(f.prompts.confirmed_texts.front().contains("other.cfg"));
+    // The file names no log, so the one in use stays.
+    QVERIFY(f.session.configuration().source.file.ends_with("bigloop.log.gz"));
+    QCOMPARE(f.window->findChild<QLabel*>("value_filter.particles")->text(), QString("7"));
+}
+
+void ConfigurationTest::loading_can_be_declined_or_cancelled() {
+    Fixture f;
+    f.run_steps(3);
+    f.prompts.opens = {f.write("other.cfg", "[filter]\nparticles = 7\n")};
+    f.prompts.confirms = {false};
+    f.trigger("action_load");
+    QCOMPARE(f.session.configuration().filter.particles, 10);
+    f.trigger("action_load");  // cancelled in the file dialog
+    QCOMPARE(f.steps(), 3U);
+    QVERIFY(f.prompts.warnings.isEmpty());
+}
+
+void ConfigurationTest::a_bad_file_is_told_and_asked_for_again() {
+    Fixture f;
+    f.prompts.opens = {"/nowhere/x.cfg", f.write("bad.cfg", "[filter]\nparticles = 0\n"),
+                       f.write("good.cfg", "[filter]\nparticles = 9\n")};
+    f.prompts.confirms = {true};
+    f.trigger("action_load");
+    QCOMPARE(f.prompts.opens_asked, 3);
+    QCOMPARE(f.prompts.warnings.size(), 2);
+    QVERIFY(f.prompts.warnings[0].contains("/nowhere/x.cfg"));
+    QVERIFY2(f.prompts.warnings[1].contains("filter.particles"), qPrintable(f.prompts.warnings[1]));
+    QCOMPARE(f.session.configuration().filter.particles, 9);
+}
+
+void ConfigurationTest::a_relative_log_is_found_beside_its_file() {
+    Fixture f(false);
+    f.write("small.txt", "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n");
+    f.prompts.opens = {f.write("tour.cfg", "[source]\nfile = \"small.txt\"\n")};
+    f.prompts.confirms = {true};
+    f.trigger("action_load");
+    QVERIFY(f.session.has_source());
+}
+
+void ConfigurationTest::the_configuration_is_saved() {
+    Fixture f;
+    f.prompts.saves = {f.path("mine.cfg")};
+    f.trigger("action_save");
+    QCOMPARE(QString::fromUtf8(Fixture::read(f.path("mine.cfg"))),
+             QString::fromStdString(ArchivoConfiguracion::to_text(f.session.configuration())));
+}
+
+void ConfigurationTest::saving_asks_before_it_overwrites() {
+    Fixture f;
+    const QString there = f.write("there.cfg", "precious");
+    f.prompts.saves = {there, f.path("new.cfg")};
+    f.prompts.confirms = {false};
+    f.trigger("action_save");
+    QCOMPARE(Fixture::read(there), QByteArray("precious"));
+    QVERIFY(QFile::exists(f.path("new.cfg")));
+    QCOMPARE(f.prompts.saves_asked, 2);
+    f.prompts.saves = {there};
+    f.prompts.confirms = {true};
+    f.trigger("action_save");
+    QVERIFY(Fixture::read(there).startsWith("# Configuration of Hitos"));
+}
+
+void ConfigurationTest::a_target_that_cannot_be_written_is_told_and_asked_for_again() {
+    Fixture f;
+    f.prompts.saves = {f.path("no/such/folder/a.cfg"), f.path("good.cfg")};
+    f.trigger("action_save");
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY(f.prompts.warnings.front().contains("no/such/folder"));
+    QVERIFY(QFile::exists(f.path("good.cfg")));
+}
+
+void ConfigurationTest::saving_can_be_cancelled() {
+    Fixture f;
+    f.trigger("action_save");
+    QCOMPARE(f.prompts.saves_asked, 1);
+    QVERIFY(f.prompts.warnings.isEmpty());
+}
+
+void ConfigurationTest::values_are_changed_in_the_form() {
+    Fixture f;
+    f.run_steps(3);
+    f.prompts.confirms = {true};
+    in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
+        set_field(dialog, "filter.particles", "25");
+        set_field(dialog, "split_merge.dmax", "0.05");
+        auto* detect = dialog.findChild<QComboBox*>("field_features.detect");
+        detect->setCurrentIndex(0);
+        press_ok(dialog);
+    });
+    f.trigger("action_manual");
+    QCOMPARE(f.session.configuration().filter.particles, 25);
+    QCOMPARE(f.session.configuration().extraction.split_merge.dmax_m, 0.05);
+    QCOMPARE(f.session.configuration().extraction.detect, Detection::lines);
+    QVERIFY2(f.prompts.confirmed_texts.front().contains("25"),
+             qPrintable(f.prompts.confirmed_texts.front()));
+    QCOMPARE(f.steps(), 0U);  // it starts from the beginning
+}
+
+void ConfigurationTest::every_mistake_is_shown_at_its_field() {
+    Fixture f;
+    in_dialog<ConfigurationDialog>([&f](ConfigurationDialog& dialog) {
+        set_field(dialog, "filter.particles", "0");
+        set_field(dialog, "split_merge.dmax", "wide");
+        press_ok(dialog);
+        QVERIFY(dialog.isVisible());
+        QVERIFY(!error_at(dialog, "filter.particles").isEmpty());
+        QVERIFY(!error_at(dialog, "split_merge.dmax").isEmpty());
+        QVERIFY(error_at(dialog, "grid.resolution").isEmpty());
+        QVERIFY(dialog.findChild<QLabel*>("verdict")->text().contains('2'));
+        QCOMPARE(f.prompts.confirmed_texts.size(), 0);
+        dialog.reject();
+    });
+    f.trigger("action_manual");
+    QCOMPARE(f.session.configuration().filter.particles, 10);
+}
+
+void ConfigurationTest::values_that_are_impossible_together_are_refused() {
+    Fixture f;
+    in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
+        set_field(dialog, "grid.hit", "0");
+        set_field(dialog, "grid.miss", "0");
+        press_ok(dialog);
+        QVERIFY(!error_at(dialog, "grid.hit").isEmpty());
+        dialog.reject();
+    });
+    f.trigger("action_manual");
+    QCOMPARE(f.session.configuration().grid.log_odds_hit, 0.85);
+}
+
+void ConfigurationTest::the_form_can_be_cancelled_or_declined() {
+    Fixture f;
+    in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
+        set_field(dialog, "filter.particles", "25");
+        dialog.reject();
+    });
+    f.trigger("action_manual");
+    QCOMPARE(f.session.configuration().filter.particles, 10);
+    f.prompts.confirms = {false};
+    in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
+        set_field(dialog, "filter.particles", "25");
+        press_ok(dialog);
+        QVERIFY(dialog.isVisible());
+        dialog.reject();
+    });
+    f.trigger("action_manual");
+    QCOMPARE(f.session.configuration().filter.particles, 10);
+}
+
+void ConfigurationTest::the_form_has_every_parameter() {
+    Fixture f;
+    ConfigurationDialog dialog(f.session.configuration(), f.prompts, nullptr);
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.group == ParameterGroup::source) continue;  // it has a dialog of its own
+        const QString name = "field_" + QString::fromStdString(std::string(parameter.key));
+        auto* editor = dialog.findChild<QWidget*>(name);
+        QVERIFY2(editor != nullptr, qPrintable(name));
+        QVERIFY(!editor->toolTip().isEmpty());
+    }
+}
+
+void ConfigurationTest::the_default_is_written_and_read_at_start() {
+    Fixture f;
+    f.prompts.confirms = {true};
+    f.trigger("action_set_default");
+    QVERIFY(f.files.has_init());
+    QVERIFY(f.prompts.confirmed_texts.front().contains("init.cfg"));
+    const Configuracion at_start = starting_configuration(CommandLine{}, f.files);
+    QCOMPARE(ArchivoConfiguracion::to_text(at_start),
+             ArchivoConfiguracion::to_text(f.session.configuration()));
+}
+
+void ConfigurationTest::the_default_is_not_written_without_consent() {
+    Fixture f;
+    f.trigger("action_set_default");
+    QVERIFY(!f.files.has_init());
+}
+
+void ConfigurationTest::references_are_loaded() {
+    Fixture f;
+    f.prompts.opens = {"/nowhere/a.map", Fixture::source_file("data/maps/bigloop.map")};
+    f.trigger("action_reference_map");
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QCOMPARE(f.session.references().map->size(), 16U);
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,129 @@
+// What the tests of the window share: answers to its questions, a window, and ways to wait.
+#pragma once
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QStringList>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThreadPool>
+#include <QTimer>
+#include <functional>
+#include <memory>
+
+#include "configuration_actions.hpp"
+#include "grid_view.hpp"
+#include "main_window.hpp"
+#include "map_window.hpp"
+#include "result_actions.hpp"
+#include "scan_view.hpp"
+
+namespace hitos::window {
+
+/// Answers from lists; where a list is at its end, the answer is "cancel".
+class ScriptedPrompts final : public Prompts {
+  public:
+    QStringList opens;
+    QStringList saves;
+    QList<bool> confirms;
+    // What was asked.
+    QStringList warnings;
+    QStringList confirmed_texts;
+    int opens_asked = 0;
+    int saves_asked = 0;
+
+    QString open_file(QWidget*, const FileQuestion&) override {
+        ++opens_asked;
+        return opens.isEmpty() ? QString() : opens.takeFirst();
+    }
+    QString save_file(QWidget*, const FileQuestion&) override {
+        ++saves_asked;
+        return saves.isEmpty() ? QString() : saves.takeFirst();
+    }
+    bool confirm(QWidget*, const Question& question) override {
+        confirmed_texts << question.text + '\n' + question.details;
+        return !confirms.isEmpty() && confirms.takeFirst();
+    }
+    void warn(QWidget*, const QString&, const QString& text) override { warnings << text; }
+};
+
+/// A window on the ready tour, with files of its own.
+struct Fixture {
+    QTemporaryDir folder;
+    UserFiles files{folder.filePath("user")};
+    ScriptedPrompts prompts;
+    Session session;
+    std::unique_ptr<MainWindow> window;
+
+    explicit Fixture(bool with_source = true, int particles = 10) {
+        QDir().mkpath(folder.filePath("user"));
+        window = std::make_unique<MainWindow>(session, files, prompts);
+        window->show();
+        if (with_source) session.set_configuration(tour(particles));
+    }
+    ~Fixture() {
+        window.reset();
+        QThreadPool::globalInstance()->waitForDone();
+    }
+
+    static Configuracion tour(int particles) {
+        Configuracion configuration = read_configuration(source_file("config/simulated.cfg"));
+        configuration.source.file = source_file("data/bigloop.log.gz").toStdString();
+        configuration.filter.particles = particles;
+        return configuration;
+    }
+    static QString source_file(const QString& path) {
+        return QString(HITOS_SOURCE_DIR) + '/' + path;
+    }
+
+    QAction* action(const char* name) const {
+        auto* found = window->findChild<QAction*>(name);
+        if (found == nullptr) qFatal("no action %s", name);
+        return found;
+    }
+    void trigger(const char* name) const { action(name)->trigger(); }
+    QString path(const QString& name) const { return folder.filePath(name); }
+    QString write(const QString& name, const QByteArray& content) const {
+        QFile file(path(name));
+        if (!file.open(QIODevice::WriteOnly)) qFatal("cannot write %s", qPrintable(name));
+        file.write(content);
+        return path(name);
+    }
+    static QByteArray read(const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    Progress::State state() const { return session.progress().state; }
+    quint64 steps() const { return session.progress().steps; }
+    bool shows_everything() const {
+        return session.snapshot() && session.snapshot()->steps == steps();
+    }
+    void run_steps(quint64 count) {
+        session.run_steps(count);
+        QTRY_VERIFY_WITH_TIMEOUT(state() != Progress::State::running && shows_everything(), 60000);
+    }
+    void run_to_end() {
+        trigger("action_run");
+        QTRY_VERIFY_WITH_TIMEOUT(state() == Progress::State::finished && shows_everything(),
+                                 120000);
+    }
+};
+
+/// Does something with the modal dialog of that kind once it is there.
+template <class Dialog>
+void in_dialog(std::function<void(Dialog&)> act) {
+    auto* timer = new QTimer(qApp);
+    timer->setInterval(10);
+    QObject::connect(timer, &QTimer::timeout, qApp, [timer, act] {
+        auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+        if (dialog == nullptr) return;
+        timer->stop();
+        timer->deleteLater();
+        act(*dialog);
+    });
+    timer->start();
+}
+
+}  // namespace hitos::window

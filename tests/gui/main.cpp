@@ -1,0 +1,37 @@
+// Runs the test class that the first argument names.
+
+#include <QApplication>
+#include <QStandardPaths>
+
+#include "application.hpp"
+#include "gui_fixture.hpp"
+#include "tests.hpp"
+
+namespace {
+
+template <class Tests>
+int run(QStringList arguments) {
+    arguments.removeAt(1);
+    Tests tests;
+    return QTest::qExec(&tests, arguments);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace hitos::window;  // the tests are part of the window
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    QStandardPaths::setTestModeEnabled(true);
+    QApplication application(argc, argv);
+    prepare_application(application, "en");
+    apply_theme(application, Theme::light);
+    const QStringList arguments = QApplication::arguments();
+    const QString name = arguments.value(1);
+    if (name == "source") return run<SourceTest>(arguments);
+    if (name == "configuration") return run<ConfigurationTest>(arguments);
+    if (name == "run") return run<RunTest>(arguments);
+    if (name == "view") return run<ViewTest>(arguments);
+    if (name == "words") return run<WordsTest>(arguments);
+    qCritical("expected source, configuration, run, view or words");
+    return 2;
+}

@@ -1,0 +1,212 @@
+// Use cases 8.2.2.6 to 8.2.2.9: running, looking at maps, saving the map.
+
+#include <QLabel>
+#include <QProcess>
+#include <QPushButton>
+
+#include "gui_fixture.hpp"
+#include "plots.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+using State = Progress::State;
+
+bool run_enabled(const Fixture& f) {
+    return f.action("action_run")->isEnabled() || f.action("action_step")->isEnabled();
+}
+
+/// What hitos-cli makes of the same configuration.
+QString command_line_results(Fixture& f) {
+    f.prompts.saves = {f.path("same.cfg")};
+    f.trigger("action_save");
+    QProcess cli;
+    cli.start(QString(HITOS_BIN_DIR) + "/hitos-cli",
+              {"run", QString::fromStdString(f.session.configuration().source.file), "--config",
+               f.path("same.cfg"), "--out", f.path("cli")});
+    if (!cli.waitForFinished(120000) || cli.exitCode() != 0) qFatal("hitos-cli has failed");
+    return f.path("cli");
+}
+
+}  // namespace
+
+void RunTest::without_a_source_nothing_can_run() {
+    Fixture f(false);
+    for (const char* name : {"action_run", "action_stop", "action_step", "action_best_map",
+                             "action_odometry", "action_save_map", "action_restart"}) {
+        QVERIFY2(!f.action(name)->isEnabled(), name);
+    }
+}
+
+void RunTest::one_step_is_one_scan() {
+    Fixture f;
+    for (quint64 step = 1; step <= 3; ++step) {
+        f.trigger("action_step");
+        QTRY_VERIFY(f.state() == State::paused && f.shows_everything());
+        QCOMPARE(f.steps(), step);
+    }
+    QVERIFY(f.action("action_best_map")->isEnabled());
+    QVERIFY(f.window->findChild<QLabel*>("status_scan")->text().contains('3'));
+}
+
+void RunTest::it_stops_and_goes_on() {
+    Fixture f(true, 200);
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() > 2);
+    QVERIFY(!f.action("action_run")->isEnabled());
+    f.trigger("action_stop");
+    QTRY_VERIFY(f.state() == State::paused && f.shows_everything());
+    const quint64 there = f.steps();
+    QTest::qWait(60);
+    QCOMPARE(f.steps(), there);
+    QVERIFY(f.action("action_run")->isEnabled());
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() > there);
+}
+
+void RunTest::at_the_end_the_run_buttons_are_inactive() {
+    Fixture f;
+    f.run_to_end();
+    QCOMPARE(f.steps(), 1050U);
+    QTRY_VERIFY(!run_enabled(f));
+    QVERIFY(!f.action("action_stop")->isEnabled());
+    QVERIFY(f.action("action_restart")->isEnabled());
+    QVERIFY(f.action("action_save_map")->isEnabled());
+    QCOMPARE(f.window->findChild<QLabel*>("status_state")->text(), QString("End of the log"));
+}
+
+void RunTest::after_the_end_it_restarts() {
+    Fixture f;
+    f.run_to_end();
+    f.trigger("action_restart");
+    QCOMPARE(f.steps(), 0U);
+    QVERIFY(run_enabled(f));
+    QVERIFY(!f.session.snapshot());
+    QVERIFY(!f.action("action_save_map")->isEnabled());
+    f.run_steps(2);
+    QCOMPARE(f.steps(), 2U);
+}
+
+void RunTest::the_space_bar_runs_and_stops() {
+    Fixture f(true, 200);
+    QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
+    QTest::keyClick(f.window.get(), Qt::Key_Space);
+    QTRY_VERIFY(f.steps() > 2);
+    QCOMPARE(f.state(), State::running);
+    QTest::keyClick(f.window.get(), Qt::Key_Space);
+    QTRY_COMPARE(f.state(), State::paused);
+    QTRY_VERIFY(f.shows_everything() && run_enabled(f));
+    const quint64 there = f.steps();
+    QTest::keyClick(f.window.get(), Qt::Key_Right);
+    QTRY_COMPARE(f.steps(), there + 1);
+}
+
+void RunTest::closing_while_running_ends_it() {
+    Fixture f(true, 300);
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() > 2);
+    QVERIFY(f.window->close());
+    QTRY_VERIFY(f.state() != State::running);
+}
+
+void RunTest::a_run_that_fails_is_told() {
+    Fixture f(false);
+    const QString path = f.write("empty.txt", "ODOM 0 0 0\nLASER broken\nODOM 1 0 0\n");
+    QVERIFY(f.window->configuration_actions().open(path));
+    f.trigger("action_run");
+    QTRY_COMPARE(f.state(), State::failed);
+    QTRY_COMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY2(f.prompts.warnings.front().contains("empty.txt"),
+             qPrintable(f.prompts.warnings.front()));
+    QVERIFY(!run_enabled(f));
+}
+
+void RunTest::the_plots_have_every_step() {
+    Fixture f;
+    f.trigger("action_plots");
+    f.run_to_end();
+    for (int plot = 0; plot < 4; ++plot)
+        QTRY_COMPARE(f.window->plots().points(plot), 1050);
+    f.trigger("action_restart");
+    QCOMPARE(f.window->plots().points(0), 0);
+}
+
+void RunTest::errors_against_the_reference_are_measured() {
+    Fixture f;
+    References references;
+    references.map = read_map(Fixture::source_file("data/maps/bigloop.map").toStdString());
+    references.trajectory = Trajectory{{0.0, {0.0, 0.0, 0.0}}, {100.0, {1.0, 0.0, 0.0}}};
+    f.session.set_references(references);
+    f.run_steps(100);
+    QTRY_VERIFY(f.window->plots().points(4) > 0);
+}
+
+void RunTest::the_odometry_map_grows_and_can_be_stopped() {
+    Fixture f;
+    f.trigger("action_odometry");
+    MapWindow* map = f.window->result_actions().odometry_window();
+    QVERIFY(map != nullptr && map->isVisible());
+    QTRY_VERIFY(!map->view().tiles().empty());
+    map->findChild<QPushButton*>("stop")->click();
+    QTRY_VERIFY(!map->builder().state().running);
+    const bool whole = map->builder().state().path.size() == 1050;
+    QVERIFY(map->builder().state().stopped || whole);
+    // Asked for anew, it begins anew; the run itself has not moved.
+    f.trigger("action_odometry");
+    map = f.window->result_actions().odometry_window();
+    QTRY_VERIFY_WITH_TIMEOUT(!map->builder().state().running, 20000);
+    QCOMPARE(map->builder().state().path.size(), 1050U);
+    QCOMPARE(f.steps(), 0U);
+    map->close();
+}
+
+void RunTest::the_best_particles_map_is_shown() {
+    Fixture f;
+    f.run_steps(60);
+    f.trigger("action_best_map");
+    MapWindow* map = f.window->result_actions().best_window();
+    QVERIFY(map != nullptr && map->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!map->builder().state().running, 20000);
+    QCOMPARE(map->builder().state().path.size(), 60U);
+    QVERIFY(!map->view().tiles().empty());
+}
+
+void RunTest::the_map_is_saved_as_the_command_line_writes_it() {
+    Fixture f(true, 30);
+    f.run_to_end();
+    f.prompts.saves = {f.path("map.txt")};
+    f.trigger("action_save_map");
+    const QByteArray mine = Fixture::read(f.path("map.txt"));
+    QVERIFY(!mine.isEmpty());
+    QCOMPARE(mine, Fixture::read(command_line_results(f) + "/map.txt"));
+}
+
+void RunTest::all_results_are_those_of_the_command_line() {
+    Fixture f(true, 20);
+    f.run_to_end();
+    f.prompts.saves = {f.path("results")};
+    f.trigger("action_save_results");
+    QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join('\n')));
+    const QString cli = command_line_results(f);
+    for (const char* name : {"map.txt", "trajectory.tum", "odometry.tum", "grid_best_steps.png",
+                             "grid_best.png", "grid_odometry.jpg", "config.cfg"}) {
+        const QByteArray mine = Fixture::read(f.path("results/") + name);
+        QVERIFY2(!mine.isEmpty(), name);
+        QVERIFY2(mine == Fixture::read(cli + '/' + name), name);
+    }
+}
+
+void RunTest::saving_the_map_can_fail_and_be_cancelled() {
+    Fixture f;
+    f.run_steps(20);
+    const QString there = f.write("there.txt", "precious");
+    f.prompts.saves = {f.path("no/folder/map.txt"), there};
+    f.prompts.confirms = {false};
+    f.trigger("action_save_map");
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QCOMPARE(f.prompts.saves_asked, 3);  // failed, not overwritten, given up
+    QCOMPARE(Fixture::read(there), QByteArray("precious"));
+}
+
+}  // namespace hitos::window

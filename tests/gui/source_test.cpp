@@ -1,0 +1,168 @@
+// Use case 8.2.2.1: selecting the data source.
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "gui_fixture.hpp"
+#include "source_dialog.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+QPushButton* ok(const SourceDialog& dialog) {
+    return dialog.findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Ok);
+}
+
+QString verdict(const SourceDialog& dialog) {
+    return dialog.findChild<QLabel*>("verdict")->text();
+}
+
+void wait_for_check(SourceDialog& dialog) {
+    QSignalSpy checked(&dialog, &SourceDialog::checked);
+    QVERIFY(checked.wait(20000));
+}
+
+}  // namespace
+
+void SourceTest::a_log_is_chosen() {
+    Fixture f(false);
+    QVERIFY(!f.action("action_run")->isEnabled());
+    f.prompts.opens = {Fixture::source_file("data/bigloop.log.gz")};
+    in_dialog<SourceDialog>([](SourceDialog& dialog) {
+        QVERIFY(!ok(dialog)->isEnabled());
+        dialog.findChild<QPushButton*>("browse")->click();
+        wait_for_check(dialog);
+        QVERIFY2(verdict(dialog).contains("1050 scans"), qPrintable(verdict(dialog)));
+        QVERIFY(verdict(dialog).contains("2102 odometry"));
+        QVERIFY(dialog.findChild<QPlainTextEdit*>("lines")->toPlainText().startsWith("## Player"));
+        ok(dialog)->click();
+    });
+    f.trigger("action_select_source");
+    QVERIFY(f.session.has_source());
+    QVERIFY(f.action("action_run")->isEnabled());
+    QCOMPARE(f.files.recent().size(), 1);
+    QTRY_VERIFY(f.window->findChild<QLabel*>("status_scan")->text().contains("1050"));
+}
+
+void SourceTest::a_missing_file_is_told_in_the_form() {
+    Fixture f;
+    const std::string before = f.session.configuration().source.file;
+    in_dialog<SourceDialog>([](SourceDialog& dialog) {
+        wait_for_check(dialog);
+        dialog.set_path("/nowhere/tour.log");
+        wait_for_check(dialog);
+        QVERIFY2(verdict(dialog).contains("/nowhere/tour.log"), qPrintable(verdict(dialog)));
+        QVERIFY(!ok(dialog)->isEnabled());
+        QVERIFY(dialog.isVisible());
+        dialog.reject();
+    });
+    f.trigger("action_select_source");
+    QCOMPARE(f.session.configuration().source.file, before);
+}
+
+void SourceTest::another_type_than_said_is_told_in_the_form() {
+    Fixture f;
+    in_dialog<SourceDialog>([](SourceDialog& dialog) {
+        wait_for_check(dialog);
+        dialog.findChild<QComboBox*>("type")->setCurrentIndex(static_cast<int>(LogFormat::carmen));
+        wait_for_check(dialog);
+        QVERIFY(!ok(dialog)->isEnabled());
+        QVERIFY2(verdict(dialog).contains("carmen"), qPrintable(verdict(dialog)));
+        dialog.findChild<QComboBox*>("type")->setCurrentIndex(static_cast<int>(LogFormat::player));
+        wait_for_check(dialog);
+        QVERIFY(ok(dialog)->isEnabled());
+        ok(dialog)->click();
+    });
+    f.trigger("action_select_source");
+    QCOMPARE(f.session.configuration().source.format, LogFormat::player);
+}
+
+void SourceTest::a_file_that_is_no_log_is_told_in_the_form() {
+    Fixture f(false);
+    const QString path = f.write("letter.txt", "Dear reader,\nthis is no log.\n");
+    in_dialog<SourceDialog>([path](SourceDialog& dialog) {
+        dialog.set_path(path);
+        wait_for_check(dialog);
+        QVERIFY(!ok(dialog)->isEnabled());
+        QVERIFY(verdict(dialog).contains("letter.txt"));
+        dialog.reject();
+    });
+    f.trigger("action_select_source");
+    QVERIFY(!f.session.has_source());
+}
+
+void SourceTest::damaged_lines_are_counted() {
+    Fixture f(false);
+    const QString path = f.write("small.txt",
+                                 "ODOM 0 0 0\nLASER 0 2 1 0 1 1\nLASER broken\n"
+                                 "ODOM 1 0.1 0\nLASER 1 2 1 0 1 1.1\n");
+    in_dialog<SourceDialog>([path](SourceDialog& dialog) {
+        dialog.set_path(path);
+        wait_for_check(dialog);
+        QVERIFY2(verdict(dialog).contains("line 3"), qPrintable(verdict(dialog)));
+        QVERIFY(ok(dialog)->isEnabled());
+        ok(dialog)->click();
+    });
+    f.trigger("action_select_source");
+    QVERIFY(f.session.has_source());
+    f.run_to_end();
+    QVERIFY(f.window->findChild<QLabel*>("status_skipped")->text().contains('1'));
+}
+
+void SourceTest::cancel_changes_nothing() {
+    Fixture f;
+    f.run_steps(5);
+    in_dialog<SourceDialog>([](SourceDialog& dialog) {
+        dialog.set_path(Fixture::source_file("data/maps/bigloop.map"));
+        dialog.reject();
+    });
+    f.trigger("action_select_source");
+    QCOMPARE(f.steps(), 5U);
+    QVERIFY(f.session.configuration().source.file.ends_with("bigloop.log.gz"));
+}
+
+void SourceTest::the_source_changes_while_running() {
+    Fixture f(true, 300);
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() > 3);
+    const QString path = f.write("small.txt", "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n");
+    QVERIFY(f.window->configuration_actions().open(path));
+    QCOMPARE(f.steps(), 0U);
+    QVERIFY(!f.session.snapshot());
+    QCOMPARE(f.state(), Progress::State::ready);
+    QVERIFY(f.action("action_run")->isEnabled());
+    f.run_to_end();
+    QCOMPARE(f.steps(), 1U);
+}
+
+void SourceTest::a_bad_log_leaves_the_run_as_it_was() {
+    Fixture f;
+    f.run_steps(4);
+    QVERIFY(!f.window->configuration_actions().open("/nowhere/tour.log"));
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY(f.prompts.warnings.front().contains("/nowhere/tour.log"));
+    QCOMPARE(f.steps(), 4U);
+    QVERIFY(f.session.configuration().source.file.ends_with("bigloop.log.gz"));
+}
+
+void SourceTest::files_can_be_dropped() {
+    Fixture f(false);
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(Fixture::source_file("data/bigloop.log.gz"))});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(f.window.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(f.window.get(), &drop);
+    QVERIFY(f.session.has_source());
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,95 @@
+// The test classes of the window.
+#pragma once
+
+#include <QObject>
+
+namespace hitos::window {
+
+class SourceTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void a_log_is_chosen();
+    void a_missing_file_is_told_in_the_form();
+    void another_type_than_said_is_told_in_the_form();
+    void a_file_that_is_no_log_is_told_in_the_form();
+    void damaged_lines_are_counted();
+    void cancel_changes_nothing();
+    void the_source_changes_while_running();
+    void a_bad_log_leaves_the_run_as_it_was();
+    void files_can_be_dropped();
+};
+
+class ConfigurationTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void a_configuration_is_loaded();
+    void loading_can_be_declined_or_cancelled();
+    void a_bad_file_is_told_and_asked_for_again();
+    void a_relative_log_is_found_beside_its_file();
+    void the_configuration_is_saved();
+    void saving_asks_before_it_overwrites();
+    void a_target_that_cannot_be_written_is_told_and_asked_for_again();
+    void saving_can_be_cancelled();
+    void values_are_changed_in_the_form();
+    void every_mistake_is_shown_at_its_field();
+    void values_that_are_impossible_together_are_refused();
+    void the_form_can_be_cancelled_or_declined();
+    void the_form_has_every_parameter();
+    void the_default_is_written_and_read_at_start();
+    void the_default_is_not_written_without_consent();
+    void references_are_loaded();
+};
+
+class RunTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void without_a_source_nothing_can_run();
+    void one_step_is_one_scan();
+    void it_stops_and_goes_on();
+    void at_the_end_the_run_buttons_are_inactive();
+    void after_the_end_it_restarts();
+    void the_space_bar_runs_and_stops();
+    void closing_while_running_ends_it();
+    void a_run_that_fails_is_told();
+    void the_plots_have_every_step();
+    void errors_against_the_reference_are_measured();
+    void the_odometry_map_grows_and_can_be_stopped();
+    void the_best_particles_map_is_shown();
+    void the_map_is_saved_as_the_command_line_writes_it();
+    void all_results_are_those_of_the_command_line();
+    void saving_the_map_can_fail_and_be_cancelled();
+};
+
+class ViewTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void a_view_is_saved_as_jpg_and_png();
+    void pictures_ask_before_they_overwrite();
+    void a_picture_of_another_kind_is_refused();
+    void the_right_button_offers_the_picture();
+    void a_window_of_its_own_is_saved_too();
+    void the_wheel_zooms_at_the_cursor();
+    void dragging_pans_and_fit_comes_back();
+    void the_view_follows_the_robot();
+    void a_click_highlights_in_both_views();
+    void layers_are_remembered();
+    void the_grid_view_shows_the_grid_map();
+};
+
+class WordsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void nothing_is_left_untranslated();
+    void the_descriptions_are_those_of_the_table();
+    void every_parameter_has_spanish_words();
+    void the_window_speaks_spanish();
+    void the_program_makes_pictures_without_a_display();
+    void the_program_tells_what_is_wrong();
+};
+
+}  // namespace hitos::window

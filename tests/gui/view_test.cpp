@@ -1,0 +1,198 @@
+// Use case 8.2.2.10, and finding one's way in the views.
+
+#include <QContextMenuEvent>
+#include <QImage>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QWheelEvent>
+
+#include "gui_fixture.hpp"
+#include "hitos/services/picture_file.hpp"
+#include "picture_dialog.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+void accept_picture(bool whole) {
+    in_dialog<PictureDialog>([whole](PictureDialog& dialog) {
+        dialog.findChild<QRadioButton*>(whole ? "whole" : "seen")->setChecked(true);
+        dialog.accept();
+    });
+}
+
+void wheel(QWidget& widget, const QPointF& at, int delta) {
+    QWheelEvent event(at, widget.mapToGlobal(at), {}, QPoint(0, delta), Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&widget, &event);
+}
+
+}  // namespace
+
+void ViewTest::a_view_is_saved_as_jpg_and_png() {
+    Fixture f;
+    f.run_steps(40);
+    for (const bool whole : {false, true}) {
+        for (const char* name : {"scan.jpg", "scan.png"}) {
+            QFile::remove(f.path(name));
+            f.prompts.saves = {f.path(name)};
+            accept_picture(whole);
+            emit f.window->scan_view().picture_wanted();
+            const QImage image(f.path(name));
+            QVERIFY2(!image.isNull(), name);
+            QCOMPARE(image.size(), f.window->scan_view().picture_size(whole, 2.0));
+        }
+    }
+}
+
+void ViewTest::pictures_ask_before_they_overwrite() {
+    Fixture f;
+    f.run_steps(5);
+    const QString there = f.write("there.png", "precious");
+    f.prompts.saves = {there};
+    f.prompts.confirms = {false};
+    accept_picture(false);
+    emit f.window->grid_view().picture_wanted();
+    QCOMPARE(Fixture::read(there), QByteArray("precious"));
+    QCOMPARE(f.prompts.saves_asked, 2);
+    f.prompts.saves = {there};
+    f.prompts.confirms = {true};
+    accept_picture(true);
+    emit f.window->grid_view().picture_wanted();
+    QVERIFY(!QImage(there).isNull());
+}
+
+void ViewTest::a_picture_of_another_kind_is_refused() {
+    Fixture f;
+    f.run_steps(5);
+    f.prompts.saves = {f.path("map.bmp"), f.path("no/folder/map.png")};
+    accept_picture(false);
+    emit f.window->grid_view().picture_wanted();
+    QCOMPARE(f.prompts.warnings.size(), 2);
+    QVERIFY(f.prompts.warnings.front().contains(".png"));
+    QVERIFY(!QFile::exists(f.path("map.bmp")));
+}
+
+void ViewTest::the_right_button_offers_the_picture() {
+    Fixture f;
+    f.run_steps(5);
+    ScanView& view = f.window->scan_view();
+    QContextMenuEvent event(QContextMenuEvent::Mouse, view.rect().center(),
+                            view.mapToGlobal(view.rect().center()));
+    QApplication::sendEvent(&view, &event);
+    auto* menu = view.findChild<QMenu*>("view_menu");
+    QVERIFY(menu != nullptr);
+    f.prompts.saves = {f.path("scan.jpg")};
+    accept_picture(false);
+    menu->actions().front()->trigger();
+    QVERIFY(QFile::exists(f.path("scan.jpg")));
+    menu->close();
+}
+
+void ViewTest::a_window_of_its_own_is_saved_too() {
+    Fixture f;
+    f.trigger("action_odometry");
+    MapWindow* map = f.window->result_actions().odometry_window();
+    QTRY_VERIFY_WITH_TIMEOUT(!map->builder().state().running, 20000);
+    f.prompts.saves = {f.path("odometry.jpg")};
+    accept_picture(true);
+    map->findChild<QPushButton*>("picture")->click();
+    QVERIFY(!QImage(f.path("odometry.jpg")).isNull());
+}
+
+void ViewTest::the_wheel_zooms_at_the_cursor() {
+    Fixture f;
+    f.run_steps(10);
+    for (CanvasView* view : {static_cast<CanvasView*>(&f.window->scan_view()),
+                             static_cast<CanvasView*>(&f.window->grid_view())}) {
+        const QPointF cursor(60.0, 90.0);
+        const QPointF before = view->world_at(cursor);
+        const double zoom = view->camera().pixels_per_m;
+        wheel(*view, cursor, 240);
+        QVERIFY(view->camera().pixels_per_m > zoom * 1.2);
+        const QPointF after = view->world_at(cursor);
+        QVERIFY(QLineF(before, after).length() < 1e-9);
+    }
+}
+
+void ViewTest::dragging_pans_and_fit_comes_back() {
+    Fixture f;
+    f.run_steps(10);
+    GridView& view = f.window->grid_view();
+    QVERIFY(view.fits());
+    const QPointF before = view.world_at({100.0, 100.0});
+    QTest::mousePress(&view, Qt::LeftButton, {}, QPoint(100, 100));
+    QTest::mouseMove(&view, QPoint(120, 100));
+    QTest::mouseMove(&view, QPoint(140, 130));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, QPoint(140, 130));
+    QVERIFY(!view.fits());
+    QVERIFY(QLineF(before, view.world_at({140.0, 130.0})).length() < 1e-9);
+    QTest::keyClick(&view, Qt::Key_F);
+    QVERIFY(view.fits());
+    QVERIFY(QLineF(before, view.world_at({100.0, 100.0})).length() < 1e-9);
+}
+
+void ViewTest::the_view_follows_the_robot() {
+    Fixture f;
+    f.trigger("action_follow");
+    f.run_steps(80);
+    const Pose pose = f.session.snapshot()->best_pose;
+    const QPointF centre = f.window->grid_view().camera().centre;
+    QVERIFY(QLineF(centre, QPointF(pose.x, pose.y)).length() < 1e-9);
+    f.window->grid_view().fit();
+    QVERIFY(!f.action("action_follow")->isChecked());
+}
+
+void ViewTest::a_click_highlights_in_both_views() {
+    Fixture f;
+    f.trigger("action_world_frame");
+    f.run_steps(60);
+    const auto snapshot = f.session.snapshot();
+    QVERIFY(!snapshot->line_extents.empty());
+    const LineExtent& extent = snapshot->line_extents.front();
+    ScanView& view = f.window->scan_view();
+    const QPointF middle((extent.a.x + extent.b.x) / 2.0, (extent.a.y + extent.b.y) / 2.0);
+    const QPoint pixel = view.camera().to_screen(view.size()).map(middle).toPoint();
+    const QImage scan_before = view.grab().toImage();
+    const QImage grid_before = f.window->grid_view().grab().toImage();
+    QTest::mouseMove(&view, pixel);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, pixel);
+    QVERIFY(view.grab().toImage() != scan_before);
+    QVERIFY(f.window->grid_view().grab().toImage() != grid_before);
+    QVERIFY(f.window->findChild<QLabel*>("status_place")->text().startsWith("x "));
+}
+
+void ViewTest::layers_are_remembered() {
+    Fixture f;
+    f.run_steps(30);
+    const QImage with = f.window->scan_view().grab().toImage();
+    f.trigger("layer_landmarks");
+    QVERIFY(f.window->scan_view().grab().toImage() != with);
+    f.window->close();
+    MainWindow next(f.session, f.files, f.prompts);
+    QVERIFY(!next.findChild<QAction*>("layer_landmarks")->isChecked());
+    QVERIFY(next.findChild<QAction*>("layer_scan")->isChecked());
+}
+
+void ViewTest::the_grid_view_shows_the_grid_map() {
+    Fixture f;
+    f.run_steps(200);
+    const Grid grid =
+        f.session.algoritmo()->with_run([](const SlamRun& run) { return run.step_grid(); }).get();
+    const GridTiles& tiles = f.window->grid_view().tiles();
+    QCOMPARE(tiles.area, grid.area());
+    const GridTiles whole = tiles_of(grid);
+    QCOMPARE(tiles.tiles.size(), whole.tiles.size());
+    for (std::size_t i = 0; i < whole.tiles.size(); ++i) {
+        if (tiles.tiles[i]) {
+            QVERIFY(tiles.tiles[i]->grey == whole.tiles[i]->grey);
+        } else {
+            for (const std::uint8_t grey : whole.tiles[i]->grey)
+                QCOMPARE(grey, std::uint8_t{205});
+        }
+    }
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,16 @@
+// How much the window costs, and how fast it answers.
+#pragma once
+
+#include "hitos/services/configuracion.hpp"
+
+namespace hitos::window {
+
+class MainWindow;
+class Session;
+
+/// Runs the session's log to its end, in turn without and with the window, and prints steps per
+/// second, pictures per second and how late input was answered. Returns the exit code: 0 where
+/// every answer came within 50 ms and the window took less than a fifth of the speed.
+int run_benchmark(MainWindow& window, Session& session);
+
+}  // namespace hitos::window

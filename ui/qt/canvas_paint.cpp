@@ -1,0 +1,181 @@
+#include "canvas_paint.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <QFontMetricsF>
+#include <algorithm>
+#include <cmath>
+
+namespace hitos::window {
+namespace {
+
+/// The greatest of 1, 2, 5 times a power of ten that is at most `limit` > 0.
+double round_length(double limit) {
+    const double power = std::pow(10.0, std::floor(std::log10(limit)));
+    for (const double factor : {5.0, 2.0}) {
+        if (factor * power <= limit) return factor * power;
+    }
+    return power;
+}
+
+QRectF view_bounds(const Scene& scene) {
+    return scene.to_screen.inverted().mapRect(QRectF(QPointF(), scene.size));
+}
+
+}  // namespace
+
+QPen thin_pen(const QColor& colour, double width, Qt::PenStyle style) {
+    // Not cosmetic: on a fine screen and in a great picture lines grow with everything else.
+    return QPen(colour, width, style, Qt::RoundCap, Qt::RoundJoin);
+}
+
+QColor faded(QColor colour, int alpha) {
+    colour.setAlpha(alpha);
+    return colour;
+}
+
+void draw_scale_bar(QPainter& painter, const Scene& scene) {
+    constexpr double kMargin = 14.0;
+    const double length_m =
+        round_length(std::min(140.0, scene.size.width() / 3.0) / scene.pixels_per_m);
+    const double length = length_m * scene.pixels_per_m;
+    const QString words =
+        length_m >= 1.0 ? QString("%1 m").arg(length_m) : QString("%1 cm").arg(length_m * 100.0);
+    const QFontMetricsF metrics(painter.font());
+    const double width = std::max(length, metrics.horizontalAdvance(words));
+    const double bottom = scene.size.height() - kMargin;
+    const QRectF chip(kMargin - 8.0, bottom - metrics.height() - 14.0, width + 16.0,
+                      metrics.height() + 20.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(scene.colours.chip);
+    painter.drawRoundedRect(chip, 5.0, 5.0);
+    painter.setPen(thin_pen(scene.colours.text, 1.6));
+    painter.drawPolyline(QPolygonF{{kMargin, bottom - 6.0},
+                                   {kMargin, bottom},
+                                   {kMargin + length, bottom},
+                                   {kMargin + length, bottom - 6.0}});
+    painter.drawText(QPointF(kMargin + 5.0, bottom - 6.0 - metrics.descent()), words);
+}
+
+void draw_metre_grid(QPainter& painter, const Scene& scene) {
+    constexpr double kLeastPixels = 48.0;
+    double step = 1e-3;
+    for (int i = 0; step * scene.pixels_per_m < kLeastPixels; ++i)
+        step *= i % 3 == 1 ? 2.5 : 2.0;  // 1, 2, 5, 10, …
+    const QRectF bounds = view_bounds(scene);
+    painter.setPen(thin_pen(scene.colours.grid_line));
+    QVector<QLineF> lines;
+    for (double x = std::floor(bounds.left() / step) * step; x <= bounds.right(); x += step) {
+        lines.append(scene.to_screen.map(QLineF(x, bounds.top(), x, bounds.bottom())));
+    }
+    for (double y = std::floor(bounds.top() / step) * step; y <= bounds.bottom(); y += step) {
+        lines.append(scene.to_screen.map(QLineF(bounds.left(), y, bounds.right(), y)));
+    }
+    painter.drawLines(lines);
+}
+
+void draw_chip(QPainter& painter, const Scene& scene, const QPointF& at, const QStringList& lines) {
+    if (lines.isEmpty()) return;
+    const QFontMetricsF metrics(painter.font());
+    double width = 0.0;
+    for (const QString& line : lines)
+        width = std::max(width, metrics.horizontalAdvance(line));
+    QRectF box(at,
+               QSizeF(width + 16.0, metrics.height() * static_cast<double>(lines.size()) + 10.0));
+    box.moveLeft(
+        std::clamp(box.left(), 4.0, std::max(4.0, scene.size.width() - box.width() - 4.0)));
+    box.moveTop(
+        std::clamp(box.top(), 4.0, std::max(4.0, scene.size.height() - box.height() - 4.0)));
+    painter.setPen(thin_pen(scene.colours.border));
+    painter.setBrush(scene.colours.card);
+    painter.drawRoundedRect(box, 5.0, 5.0);
+    painter.setPen(scene.colours.text);
+    double y = box.top() + 5.0 + metrics.ascent();
+    for (const QString& line : lines) {
+        painter.drawText(QPointF(box.left() + 8.0, y), line);
+        y += metrics.height();
+    }
+}
+
+void draw_robot(QPainter& painter, const Scene& scene, const Pose& pose_view_robot) {
+    // A differential robot of 45 x 38 cm; never smaller than a mark that can be seen.
+    const double grow = std::max(1.0, 20.0 / (0.45 * scene.pixels_per_m));
+    const double c = std::cos(pose_view_robot.theta) * grow;
+    const double s = std::sin(pose_view_robot.theta) * grow;
+    const auto at = [&](double x, double y) {
+        return scene.to_screen.map(
+            QPointF(pose_view_robot.x + c * x - s * y, pose_view_robot.y + s * x + c * y));
+    };
+    const QPolygonF body{
+        {at(0.26, 0.0), at(0.12, 0.17), at(-0.2, 0.17), at(-0.2, -0.17), at(0.12, -0.17)}};
+    painter.setPen(thin_pen(scene.colours.robot, 1.8));
+    painter.setBrush(faded(scene.colours.robot, 40));
+    painter.drawPolygon(body);
+    painter.drawLine(at(0.0, 0.0), at(0.26, 0.0));
+}
+
+void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>& path_m,
+               const QPen& pen) {
+    constexpr double kLeastPixels = 3.0;
+    QPolygonF pixels;
+    pixels.reserve(1024);
+    for (const QPointF& point : path_m) {
+        const QPointF pixel = scene.to_screen.map(point);
+        if (!pixels.isEmpty()) {
+            const QPointF way = pixel - pixels.back();
+            if (way.x() * way.x() + way.y() * way.y() < kLeastPixels * kLeastPixels) continue;
+        }
+        pixels.append(pixel);
+    }
+    painter.setBrush(Qt::NoBrush);
+    QPen cheap = pen;  // round joins of a thousand points take longer than the rest of a view
+    cheap.setJoinStyle(Qt::BevelJoin);
+    cheap.setCapStyle(Qt::FlatCap);
+    painter.setPen(cheap);
+    painter.drawPolyline(pixels);
+}
+
+void draw_disc(QPainter& painter, const QPointF& pixel, double radius, const QColor& colour) {
+    painter.setPen(thin_pen(Qt::white, 1.5));
+    painter.setBrush(colour);
+    painter.drawEllipse(pixel, radius, radius);
+}
+
+QPolygonF visible_line(const Scene& scene, double rho_m, double theta_rad) {
+    const QRectF bounds = view_bounds(scene);
+    const QPointF middle = bounds.center();
+    const double reach = std::hypot(bounds.width(), bounds.height()) / 2.0;
+    const double c = std::cos(theta_rad);
+    const double s = std::sin(theta_rad);
+    const double away = rho_m - (middle.x() * c + middle.y() * s);
+    if (std::abs(away) > reach) return {};
+    const QPointF foot(middle.x() + away * c, middle.y() + away * s);
+    const QPointF along(-s * reach, c * reach);
+    return QPolygonF{scene.to_screen.map(foot - along), scene.to_screen.map(foot + along)};
+}
+
+QPolygonF ellipse(const QPointF& centre_m, const Eigen::Matrix2d& covariance, double sigmas) {
+    constexpr int kCorners = 32;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance);
+    const Eigen::Vector2d length = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt() * sigmas;
+    const Eigen::Matrix2d axes = solver.eigenvectors();
+    QPolygonF polygon;
+    for (int i = 0; i <= kCorners; ++i) {
+        const double angle = 2.0 * kPi * i / kCorners;
+        const Eigen::Vector2d point =
+            axes * Eigen::Vector2d(length.x() * std::cos(angle), length.y() * std::sin(angle));
+        polygon.append(centre_m + QPointF(point.x(), point.y()));
+    }
+    return polygon;
+}
+
+std::vector<QPointF> points_of(const Trajectory& trajectory, const Pose& pose_view_world) {
+    std::vector<QPointF> points;
+    points.reserve(trajectory.size());
+    for (const StampedPose& stamped : trajectory) {
+        const Point2 point = transform(pose_view_world, Point2{stamped.pose.x, stamped.pose.y});
+        points.emplace_back(point.x, point.y);
+    }
+    return points;
+}
+
+}  // namespace hitos::window

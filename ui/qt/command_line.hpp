@@ -1,0 +1,46 @@
+// What the program is told on the command line.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitos/services/configuracion.hpp"
+#include "hitos/services/results.hpp"
+
+namespace hitos::window {
+
+class UserFiles;
+
+struct CommandLine {
+    std::string open;  ///< log or configuration
+    std::string config;
+    std::vector<std::string> assignments;
+    std::optional<std::uint64_t> seed;
+    std::optional<int> threads;
+    std::string reference;
+    std::string reference_trajectory;
+    std::string language;
+    std::string theme;
+    std::string size;
+    bool run = false;
+    // Pictures for documents.
+    std::string screenshot;
+    std::uint64_t steps = 0;
+    double scale = 1.0;
+    std::string show = "main";
+    // Measuring.
+    bool benchmark = false;
+};
+
+/// Reads the arguments. Where they ask for help or are wrong, it prints and gives the exit code.
+std::optional<int> parse(int argc, char** argv, CommandLine& out);
+
+/// The configuration to start with: the named one, else the user's init.cfg, else the defaults;
+/// then the log, else the ready tour; then the single parameters. Throws hitos::Error.
+Configuracion starting_configuration(const CommandLine& line, const UserFiles& files);
+
+/// The references named, or for the ready tour the one that belongs to it. Throws hitos::Error.
+References starting_references(const CommandLine& line, const Configuracion& configuration);
+
+}  // namespace hitos::window

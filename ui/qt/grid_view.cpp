@@ -1,0 +1,144 @@
+#include "grid_view.hpp"
+
+#include <cmath>
+
+namespace hitos::window {
+
+GridView::GridView(QWidget* parent) : CanvasView(parent), layers_(default_layers()) {}
+
+void GridView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
+    snapshot_ = snapshot && snapshot->steps > 0 ? snapshot : nullptr;
+    hovered_ = -1;
+    if (!snapshot_) {
+        tiles_ = {};
+        layer_.clear();
+        path_.clear();
+        odometry_.clear();
+        content_changed(std::nullopt);
+        return;
+    }
+    tiles_ = snapshot_->step_grid;
+    layer_.set_tiles(tiles_);
+    landmarks_ = {snapshot_->best_map, snapshot_->line_extents};
+    path_ = points_of(snapshot_->best_trajectory);
+    odometry_ = points_of(snapshot_->odometry_trajectory);
+    content_changed(QPointF(snapshot_->best_pose.x, snapshot_->best_pose.y));
+}
+
+void GridView::set_grid(const GridTiles& tiles, const Trajectory& path) {
+    tiles_ = tiles;
+    layer_.set_tiles(tiles_);
+    path_ = points_of(path);
+    content_changed(path_.empty() ? std::nullopt : std::optional<QPointF>(path_.back()));
+}
+
+void GridView::set_layers(const LayerSet& layers) {
+    layers_ = layers;
+    update();
+}
+
+void GridView::set_highlight(const PickedLandmark& picked) {
+    highlight_ = picked;
+    update();
+}
+
+void GridView::set_reference_map(const std::optional<LandmarkMap>& map) {
+    reference_map_ = map;
+    update();
+}
+
+void GridView::set_reference_path(const Trajectory& path_world) {
+    reference_path_ = points_of(path_world);
+    update();
+}
+
+QRectF GridView::content() const {
+    return layer_.bounds();
+}
+
+double GridView::whole_pixels_per_m() const {
+    return tiles_.empty() ? 20.0 : 1.0 / tiles_.resolution_m;
+}
+
+void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
+    // What lies out of the grid is as unknown as what it holds of it.
+    painter.fillRect(QRectF(QPointF(), scene.size), QColor(205, 205, 205));
+    layer_.paint(painter, scene);
+    if (scene.colours.dark) {  // calm for eyes that are used to the dark; the order of greys stays
+        painter.fillRect(QRectF(QPointF(), scene.size), QColor(17, 21, 26, 84));
+    }
+    if (layers_.has(Layer::reference)) paint_reference(painter, scene);
+    if (layers_.has(Layer::odometry)) {
+        draw_path(painter, scene, odometry_, thin_pen(light_colours().odometry, 1.4, Qt::DashLine));
+    }
+    if (layers_.has(Layer::path)) {
+        draw_path(painter, scene, path_, thin_pen(light_colours().path, 1.8));
+    }
+    paint_marks(painter, scene);
+    if (scene.chrome) draw_scale_bar(painter, scene);
+    if (snapshot_ && hovered_ >= 0) {
+        draw_chip(painter, scene, scene.to_screen.map(hovered_at_m_) + QPointF(14.0, 14.0),
+                  describe(snapshot_->best_map[static_cast<std::size_t>(hovered_)], hovered_));
+    }
+}
+
+void GridView::paint_reference(QPainter& painter, const Scene& scene) const {
+    const QColor colour = light_colours().reference;
+    if (reference_map_) {
+        painter.setPen(thin_pen(faded(colour, 190), 1.3, Qt::DotLine));
+        painter.setBrush(Qt::NoBrush);
+        for (const ICaracteristica& landmark : *reference_map_) {
+            if (const auto* recta = std::get_if<Recta>(&landmark.value)) {
+                painter.drawPolyline(visible_line(scene, recta->rho, recta->theta));
+            } else {
+                const Point2 point = landmark.point();
+                painter.drawEllipse(scene.to_screen.map(QPointF(point.x, point.y)), 5.0, 5.0);
+            }
+        }
+    }
+    draw_path(painter, scene, reference_path_, thin_pen(colour, 1.6, Qt::DashLine));
+}
+
+void GridView::paint_marks(QPainter& painter, const Scene& scene) const {
+    if (snapshot_ && (highlight_.landmark || hovered_ >= 0)) {
+        int index = find_same(snapshot_->best_map, highlight_.landmark);
+        if (index < 0) index = hovered_;
+        if (index >= 0) {
+            draw_highlight(painter, scene, landmarks_, index, layers_.has(Layer::uncertainty));
+        }
+    }
+    if (path_.empty()) return;
+    if (layers_.has(Layer::path)) {
+        draw_disc(painter, scene.to_screen.map(path_.front()), 5.5, light_colours().start);
+        draw_disc(painter, scene.to_screen.map(path_.back()), 5.5, light_colours().end);
+    }
+    if (layers_.has(Layer::robot) && snapshot_) {
+        Scene paper{scene.to_screen, scene.size, scene.pixels_per_m, light_colours(), false};
+        draw_robot(painter, paper, snapshot_->best_pose);
+    }
+}
+
+void GridView::hover(std::optional<QPointF> point) {
+    int found = -1;
+    if (point && snapshot_) {
+        found = landmark_at(landmarks_, {point->x(), point->y()}, tolerance_m());
+        hovered_at_m_ = *point;
+    }
+    if (found < 0 && hovered_ < 0) return;
+    hovered_ = found;
+    update();
+}
+
+void GridView::click(const QPointF& point) {
+    if (!snapshot_) return;
+    const int found = landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m());
+    PickedLandmark picked;
+    if (found >= 0) picked.landmark = snapshot_->best_map[static_cast<std::size_t>(found)];
+    emit landmark_clicked(picked);
+}
+
+QString GridView::empty_text() const {
+    return tr("The map grows here, step by step, from the best particle of each step.");
+}
+
+}  // namespace hitos::window

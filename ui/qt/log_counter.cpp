@@ -1,0 +1,46 @@
+#include "log_counter.hpp"
+
+#include <exception>
+
+#include "hitos/capture/log_summary.hpp"
+
+namespace hitos::window {
+
+LogCounter::LogCounter(Session& session, QObject* parent) : QObject(parent), session_(session) {
+    pool_.setMaxThreadCount(1);
+    connect(&session, &Session::configuration_changed, this, &LogCounter::begin);
+    begin();
+}
+
+LogCounter::~LogCounter() {
+    if (stop_) *stop_ = true;
+    pool_.waitForDone();
+}
+
+void LogCounter::begin() {
+    const SourceParams& wanted = session_.configuration().source;
+    if (wanted.file == source_.file && wanted.format == source_.format) return;
+    source_ = wanted;
+    if (stop_) *stop_ = true;
+    emit counted(std::nullopt);
+    if (wanted.file.empty()) return;
+    stop_ = std::make_shared<std::atomic<bool>>(false);
+    pool_.start([this, wanted, stop = stop_] {
+        std::optional<quint64> scans;
+        try {
+            const LogSummary summary = inspect_log(wanted.file, wanted.format, wanted.read,
+                                                   [&](double) { return !stop->load(); });
+            if (summary.complete) scans = summary.report.scans;
+        } catch (const std::exception&) {
+            scans.reset();  // the run itself tells what is wrong with the log
+        }
+        QMetaObject::invokeMethod(
+            this,
+            [this, stop, scans] {
+                if (stop == stop_ && !*stop) emit counted(scans);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+}  // namespace hitos::window

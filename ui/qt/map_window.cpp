@@ -1,0 +1,55 @@
+#include "map_window.hpp"
+
+#include <QPushButton>
+#include <cmath>
+
+#include "ui_map_window.h"
+
+namespace hitos::window {
+
+MapWindow::MapWindow(const QString& title, Show show, QWidget* parent)
+    : QDialog(parent, Qt::Window), ui_(std::make_unique<Ui::MapWindow>()), show_(show) {
+    ui_->setupUi(this);
+    setWindowTitle(title);
+    setAttribute(Qt::WA_DeleteOnClose);
+    LayerSet layers = default_layers();
+    layers.set(Layer::reference, false);
+    ui_->view->set_layers(layers);
+    connect(ui_->stop, &QPushButton::clicked, &builder_, &MapBuilder::stop);
+    connect(ui_->close, &QPushButton::clicked, this, &QDialog::close);
+    connect(ui_->picture, &QPushButton::clicked, this, [this] { emit picture_wanted(ui_->view); });
+    connect(ui_->view, &CanvasView::picture_wanted, this,
+            [this] { emit picture_wanted(ui_->view); });
+    connect(&builder_, &MapBuilder::changed, this, &MapWindow::refresh);
+    connect(&builder_, &MapBuilder::finished, this, &MapWindow::finish);
+    ui_->verdict->setText(tr("Drawing the map…"));
+    ui_->picture->setEnabled(false);
+}
+
+MapWindow::~MapWindow() = default;
+
+GridView& MapWindow::view() const {
+    return *ui_->view;
+}
+
+void MapWindow::refresh() {
+    const MapBuilder::State& state = builder_.state();
+    ui_->progress->setValue(static_cast<int>(std::lround(state.progress * 1000.0)));
+    if (show_ == Show::growth || !state.running) ui_->view->set_grid(state.tiles, state.path);
+}
+
+void MapWindow::finish() {
+    const MapBuilder::State& state = builder_.state();
+    ui_->stop->setEnabled(false);
+    ui_->progress->hide();
+    ui_->picture->setEnabled(!state.tiles.empty());
+    if (!state.error.isEmpty()) {
+        ui_->verdict->setText(state.error);
+    } else if (state.stopped) {
+        ui_->verdict->setText(tr("Stopped after %1 scans").arg(state.path.size()));
+    } else {
+        ui_->verdict->setText(tr("Map of %1 scans").arg(state.path.size()));
+    }
+}
+
+}  // namespace hitos::window

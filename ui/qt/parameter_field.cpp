@@ -1,0 +1,132 @@
+#include "parameter_field.hpp"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QStyle>
+
+#include "hitos/capture/error.hpp"
+#include "parameter_text.hpp"
+
+namespace hitos::window {
+namespace {
+
+void repolish(QWidget* widget) {
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+}
+
+QString tip_of(const Parameter& parameter) {
+    static const Configuracion defaults;
+    QString tip =
+        "<p style='white-space:pre-wrap'>" + description_of(parameter).toHtmlEscaped() + "</p><p>";
+    if (parameter.type == Parameter::Type::real || parameter.type == Parameter::Type::integer) {
+        tip += ParameterField::tr("Allowed: %1").arg(allowed_of(parameter)) + "<br/>";
+    }
+    if (parameter.type != Parameter::Type::text) {
+        tip += ParameterField::tr("Default: %1").arg(value_of(parameter, defaults)) + "<br/>";
+    }
+    return tip + "<code>" + QString::fromStdString(std::string(parameter.key)) + "</code></p>";
+}
+
+}  // namespace
+
+ParameterField::ParameterField(const Parameter& parameter, QGridLayout* rows, QWidget* parent)
+    : QObject(parent), parameter_(parameter) {
+    const QString key = QString::fromStdString(std::string(parameter.key));
+    const int row = rows->rowCount();
+    label_ = new QLabel(label_of(parameter), parent);
+    if (parameter.type == Parameter::Type::choice) {
+        choice_ = new QComboBox(parent);
+        choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        choice_->setFocusPolicy(Qt::StrongFocus);
+        for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+            choice_->addItem(choice_of(parameter, i));
+        connect(choice_, &QComboBox::currentIndexChanged, this, &ParameterField::mark_changed);
+        connect(choice_, &QComboBox::currentIndexChanged, this, &ParameterField::edited);
+    } else {
+        line_ = new QLineEdit(parent);
+        connect(line_, &QLineEdit::textChanged, this, &ParameterField::mark_changed);
+        connect(line_, &QLineEdit::textEdited, this, &ParameterField::edited);
+    }
+    editor()->setObjectName("field_" + key);
+    label_->setBuddy(editor());
+    auto* unit = new QLabel(unit_of(parameter), parent);
+    unit->setProperty("role", "muted");
+    error_ = new QLabel(parent);
+    error_->setObjectName("error_" + key);
+    error_->setProperty("role", "error");
+    error_->setWordWrap(true);
+    error_->hide();
+    for (QWidget* widget : {static_cast<QWidget*>(label_), editor()})
+        widget->setToolTip(tip_of(parameter));
+    rows->addWidget(label_, row, 0);
+    rows->addWidget(editor(), row, 1);
+    rows->addWidget(unit, row, 2);
+    rows->addWidget(error_, row + 1, 0, 1, 3);
+}
+
+QWidget* ParameterField::editor() const {
+    return choice_ != nullptr ? static_cast<QWidget*>(choice_) : line_;
+}
+
+QString ParameterField::text() const {
+    if (choice_ == nullptr) return line_->text();
+    return QString::fromStdString(
+        std::string(parameter_.choices.at(static_cast<std::size_t>(choice_->currentIndex()))));
+}
+
+void ParameterField::set_value(const Configuracion& configuration) {
+    if (choice_ != nullptr) {
+        choice_->setCurrentIndex(static_cast<int>(parameter_.get_integer(configuration)));
+    } else {
+        line_->setText(QString::fromStdString(parameter_.text(configuration)));
+    }
+    set_error({});
+    mark_changed();
+}
+
+bool ParameterField::apply(Configuracion& configuration) {
+    try {
+        parameter_.set(configuration, text().toStdString());
+        set_error({});
+        return true;
+    } catch (const Error&) {
+        // The library's words name the key; here the field itself says what is meant.
+        set_error(parameter_.type == Parameter::Type::integer
+                      ? tr("Whole numbers: %1").arg(allowed_of(parameter_))
+                      : tr("Allowed: %1").arg(allowed_of(parameter_)));
+        return false;
+    }
+}
+
+void ParameterField::set_error(const QString& error) {
+    error_->setText(error);
+    error_->setVisible(!error.isEmpty());
+    editor()->setProperty("state", error.isEmpty() ? "good" : "wrong");
+    repolish(editor());
+}
+
+bool ParameterField::has_error() const {
+    return !error_->text().isEmpty();
+}
+
+void ParameterField::set_used(bool used) {
+    editor()->setEnabled(used);
+    label_->setEnabled(used);
+}
+
+void ParameterField::focus() {
+    editor()->setFocus();
+    if (line_ != nullptr) line_->selectAll();
+}
+
+void ParameterField::mark_changed() {
+    static const Configuracion defaults;
+    const QString normal = QString::fromStdString(parameter_.text(defaults));
+    label_->setProperty("role", text() == normal ? "value" : "changed");
+    repolish(label_);
+}
+
+}  // namespace hitos::window

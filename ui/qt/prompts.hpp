@@ -1,0 +1,69 @@
+// Questions to the user, behind one face so that tests can answer them.
+#pragma once
+
+#include <QFileInfo>
+#include <QString>
+#include <exception>
+
+class QWidget;
+
+namespace hitos::window {
+
+class Prompts {
+  public:
+    struct FileQuestion {
+        QString title;
+        QString start;    ///< folder or file to begin with
+        QString filters;  ///< as QFileDialog takes them
+        QString suffix;   ///< added to a name without one
+    };
+    struct Question {
+        QString title;
+        QString text;
+        QString details;  ///< shown below, smaller
+        QString accept;   ///< the button's words
+    };
+
+    virtual ~Prompts() = default;
+    /// The file to read; empty where the user cancelled.
+    virtual QString open_file(QWidget* parent, const FileQuestion& question) = 0;
+    /// The file to write, whether it exists or not; empty where the user cancelled.
+    virtual QString save_file(QWidget* parent, const FileQuestion& question) = 0;
+    virtual bool confirm(QWidget* parent, const Question& question) = 0;
+    virtual void warn(QWidget* parent, const QString& title, const QString& text) = 0;
+};
+
+/// The real questions.
+class QtPrompts final : public Prompts {
+  public:
+    QString open_file(QWidget* parent, const FileQuestion& question) override;
+    QString save_file(QWidget* parent, const FileQuestion& question) override;
+    bool confirm(QWidget* parent, const Question& question) override;
+    void warn(QWidget* parent, const QString& title, const QString& text) override;
+};
+
+/// Whether the user lets an existing file be replaced.
+bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path);
+void tell_not_written(Prompts& prompts, QWidget* parent, const QString& reason);
+
+/// Asks for a file to write until it is written or the user gives up: asks before it overwrites,
+/// and where `write` throws hitos::Error it says why and asks again [T 8.2.2.3, 8.2.2.9, 8.2.2.10].
+/// Returns the path written, empty where the user gave up.
+template <class Write>
+QString save_until_done(Prompts& prompts, QWidget* parent, Prompts::FileQuestion question,
+                        Write write) {
+    for (;;) {
+        const QString path = prompts.save_file(parent, question);
+        if (path.isEmpty()) return {};
+        question.start = path;
+        if (QFileInfo::exists(path) && !may_overwrite(prompts, parent, path)) continue;
+        try {
+            write(path);
+            return path;
+        } catch (const std::exception& error) {
+            tell_not_written(prompts, parent, QString::fromUtf8(error.what()));
+        }
+    }
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,94 @@
+#include "screenshot.hpp"
+
+#include <QApplication>
+#include <QDialog>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QPixmap>
+#include <QTimer>
+#include <functional>
+
+#include "configuration_dialog.hpp"
+#include "main_window.hpp"
+#include "map_window.hpp"
+#include "picture_dialog.hpp"
+#include "result_actions.hpp"
+#include "scan_view.hpp"
+#include "source_dialog.hpp"
+
+namespace hitos::window {
+namespace {
+
+void process_until(const std::function<bool()>& done) {
+    constexpr int kStepMs = 10;
+    while (!done()) {
+        QEventLoop loop;
+        QTimer::singleShot(kStepMs, &loop, &QEventLoop::quit);
+        loop.exec();
+    }
+}
+
+void settle(int milliseconds) {
+    QElapsedTimer clock;
+    clock.start();
+    process_until([&] { return clock.elapsed() >= milliseconds; });
+}
+
+void run_steps(Session& session, std::uint64_t steps) {
+    if (steps == 0) return;
+    session.run_steps(steps);
+    process_until([&] {
+        const Progress p = session.progress();
+        const bool idle = p.state != Progress::State::running;
+        return idle &&
+               (p.steps == 0 || (session.snapshot() && session.snapshot()->steps == p.steps));
+    });
+    constexpr int kMeasureMs = 900;  // the errors against a reference come a little later
+    settle(session.references().map || session.references().trajectory ? kMeasureMs : 100);
+}
+
+void write_picture_of(QWidget& widget, const CommandLine& line) {
+    write_image(widget.grab().toImage(), QString::fromStdString(line.screenshot));
+}
+
+void show_map(MapWindow* map, const CommandLine& line) {
+    process_until([map] { return !map->builder().state().running; });
+    settle(100);
+    write_picture_of(*map, line);
+}
+
+}  // namespace
+
+void take_screenshot(MainWindow& window, Session& session, const CommandLine& line) {
+    window.plots_dock().setVisible(line.show == "plots");
+    if (line.show == "world") window.scan_view().set_robot_frame(false);
+    window.show();
+    settle(100);
+    run_steps(session, line.steps);
+    QtPrompts prompts;
+    if (line.show == "source") {
+        SourceDialog dialog(session.configuration().source, prompts, {}, &window);
+        bool checked = false;
+        QObject::connect(&dialog, &SourceDialog::checked, &dialog, [&] { checked = true; });
+        dialog.show();
+        process_until([&] { return checked; });
+        settle(100);
+        write_picture_of(dialog, line);
+    } else if (line.show == "configuration") {
+        ConfigurationDialog dialog(session.configuration(), prompts, &window);
+        dialog.show();
+        settle(100);
+        write_picture_of(dialog, line);
+    } else if (line.show == "best-map") {
+        window.result_actions().view_best();
+        show_map(window.result_actions().best_window(), line);
+    } else if (line.show == "odometry") {
+        window.result_actions().view_odometry();
+        show_map(window.result_actions().odometry_window(), line);
+    } else {
+        write_picture_of(window, line);
+    }
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,132 @@
+#include "session.hpp"
+
+#include <QThreadPool>
+#include <algorithm>
+#include <utility>
+
+#include "thread_clock.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr int kTickMs = 5;
+constexpr qint64 kFrameUs = 16'000;  // sixty pictures a second
+constexpr qint64 kTellMs = 100;
+
+}  // namespace
+
+Session::Session(QObject* parent) : QObject(parent) {
+    timer_.setInterval(kTickMs);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, &Session::tick);
+    clock_.start();
+}
+
+Session::~Session() = default;
+
+Progress Session::progress() const {
+    return algoritmo_ ? algoritmo_->progress() : Progress{};
+}
+
+/// The old run ends after the step under way; nobody waits for it here.
+void Session::retire() {
+    if (!algoritmo_) return;
+    QThreadPool::globalInstance()->start(
+        [old = std::shared_ptr<Algoritmo>(std::move(algoritmo_))]() mutable { old.reset(); });
+}
+
+void Session::set_configuration(const Configuracion& configuration) {
+    check(configuration);
+    std::unique_ptr<Algoritmo> next;
+    if (!configuration.source.file.empty()) {
+        next = std::make_unique<Algoritmo>(configuration, open_source(configuration.source));
+    }
+    retire();
+    configuration_ = configuration;
+    algoritmo_ = std::move(next);
+    begin_anew();
+    emit configuration_changed();
+}
+
+void Session::begin_anew() {
+    snapshot_ = nullptr;
+    requested_ = false;
+    before_request_ = nullptr;
+    told_ = {};
+    emit restarted();
+    emit snapshot_changed();
+    emit progress_changed();
+}
+
+void Session::set_references(const References& references) {
+    references_ = references;
+    emit references_changed();
+}
+
+void Session::run() {
+    if (!algoritmo_) return;
+    algoritmo_->run();
+    wake();
+}
+
+void Session::run_steps(quint64 steps) {
+    if (!algoritmo_) return;
+    algoritmo_->run(steps);
+    wake();
+}
+
+void Session::pause() {
+    if (!algoritmo_) return;
+    algoritmo_->pause();
+    wake();
+}
+
+void Session::restart() {
+    if (!algoritmo_) return;
+    algoritmo_->restart();
+    begin_anew();
+}
+
+void Session::wake() {
+    timer_.start();
+    tick();
+}
+
+void Session::tick() {
+    if (!algoritmo_) {
+        timer_.stop();
+        return;
+    }
+    const Progress now = algoritmo_->progress();
+    const bool changed_state = now.state != told_.state;
+    if (changed_state || (now.steps != told_.steps && clock_.elapsed() - told_ms_ >= kTellMs)) {
+        told_ = now;
+        told_ms_ = clock_.elapsed();
+        emit progress_changed();
+        if (changed_state && now.state == Progress::State::failed) {
+            emit failed(QString::fromStdString(now.error));
+        }
+    }
+    const qint64 now_us = clock_.nsecsElapsed() / 1000;
+    const std::shared_ptr<const Snapshot> latest = algoritmo_->latest_snapshot();
+    if (requested_ && latest && latest != before_request_) {
+        requested_ = false;
+        snapshot_ = latest;
+        const double begin = thread_seconds();
+        emit snapshot_changed();
+        const double cost =
+            latest->seconds + std::exchange(paint_seconds_, 0.0) + thread_seconds() - begin;
+        request_not_before_us_ =
+            now_us + std::max(kFrameUs, static_cast<qint64>(cost / kShare * 1e6));
+    }
+    const bool running = now.state == Progress::State::running;
+    const bool behind = now.steps > 0 && (!snapshot_ || snapshot_->steps != now.steps);
+    if (!requested_ && behind && (!running || now_us >= request_not_before_us_)) {
+        before_request_ = algoritmo_->latest_snapshot();
+        requested_ = true;
+        algoritmo_->request_snapshot();
+    }
+    if (!running && !behind && told_.steps == now.steps && !changed_state) timer_.stop();
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,80 @@
+// What the window works on: a configuration, its run, and what it is compared with.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+
+#include "hitos/services/algoritmo.hpp"
+#include "hitos/services/results.hpp"
+
+namespace hitos::window {
+
+/// Holds the configuration and the Algoritmo that runs it, and tells the views what is new at the
+/// rate of the screen. Snapshots are asked for so seldom that making and painting them takes no
+/// more than kShare of the time.
+class Session final : public QObject {
+    Q_OBJECT
+
+  public:
+    static constexpr double kShare = 0.1;
+
+    explicit Session(QObject* parent = nullptr);
+    ~Session() override;
+
+    const Configuracion& configuration() const { return configuration_; }
+    /// Starts anew with this configuration. Throws hitos::Error and changes nothing where the
+    /// configuration or its source is not possible; without a source there is nothing to run.
+    void set_configuration(const Configuracion& configuration);
+
+    bool has_source() const { return algoritmo_ != nullptr; }
+    /// Null without a source.
+    Algoritmo* algoritmo() const { return algoritmo_.get(); }
+    /// The newest one; null before the first.
+    std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
+    Progress progress() const;
+
+    const References& references() const { return references_; }
+    void set_references(const References& references);
+
+  public slots:
+    void run();
+    void run_steps(quint64 steps);
+    void pause();
+    void restart();
+    /// A view says how long it took to paint.
+    void note_cost(double seconds) { paint_seconds_ += seconds; }
+
+  signals:
+    void configuration_changed();
+    /// The run is at its beginning: earlier pictures mean nothing.
+    void restarted();
+    void snapshot_changed();
+    /// State or figures changed; at most ten times a second but at once on a change of state.
+    void progress_changed();
+    void references_changed();
+    void failed(QString reason);
+
+  private:
+    void tick();
+    void wake();
+    void retire();
+    void begin_anew();
+
+    Configuracion configuration_;
+    References references_;
+    std::unique_ptr<Algoritmo> algoritmo_;
+    std::shared_ptr<const Snapshot> snapshot_;
+    QTimer timer_;
+    QElapsedTimer clock_;
+    Progress told_;
+    qint64 told_ms_ = 0;
+    qint64 request_not_before_us_ = 0;
+    bool requested_ = false;
+    std::shared_ptr<const Snapshot> before_request_;
+    double paint_seconds_ = 0.0;
+};
+
+}  // namespace hitos::window

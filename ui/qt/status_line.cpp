@@ -1,0 +1,100 @@
+#include "status_line.hpp"
+
+#include <QLabel>
+#include <QStatusBar>
+
+namespace hitos::window {
+namespace {
+
+constexpr int kNoticeMs = 6000;
+
+}  // namespace
+
+StatusLine::StatusLine(QStatusBar* bar, Session& session)
+    : QObject(bar), session_(session), bar_(bar) {
+    bar->setSizeGripEnabled(false);
+    state_ = new QLabel;
+    state_->setObjectName("status_state");
+    state_->setContentsMargins(8, 2, 8, 2);
+    bar->addWidget(state_);
+    place_ = new QLabel;
+    place_->setObjectName("status_place");
+    place_->setProperty("role", "muted");
+    place_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    bar->addWidget(place_, 1);
+    skipped_ = add("status_skipped", tr("Skipped lines %1").arg(10000));
+    scan_ = add("status_scan", tr("Scan %1 of %2").arg(99999).arg(99999));
+    time_ = add("status_time", tr("Time %1 s").arg("10000.0"));
+    speed_ = add("status_speed", tr("%1 steps/s").arg(10000));
+    neff_ = add("status_neff", tr("Neff %1").arg("10000.0"));
+    landmarks_ = add("status_landmarks",
+                     tr("Landmarks %1 (lines %2, corners %3)").arg(999).arg(999).arg(999));
+    connect(&session, &Session::progress_changed, this, &StatusLine::refresh);
+    refresh();
+}
+
+/// A label whose size does not change with its text: ten times a second the whole window would be
+/// laid out anew.
+QLabel* StatusLine::add(const char* name, const QString& longest) {
+    constexpr int kMargin = 6;
+    auto* label = new QLabel;
+    label->setObjectName(name);
+    label->setContentsMargins(kMargin, 2, kMargin, 2);
+    const QFontMetrics metrics(label->font());
+    label->setFixedSize(metrics.horizontalAdvance(longest) + 2 * kMargin, metrics.height() + 6);
+    label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    bar_->addPermanentWidget(label);
+    return label;
+}
+
+void StatusLine::set_total(std::optional<quint64> scans) {
+    total_ = scans;
+    refresh();
+}
+
+void StatusLine::show_place(QPointF world_m) {
+    place_->setText(
+        QString("x %1  y %2 m").arg(world_m.x(), 0, 'f', 2).arg(world_m.y(), 0, 'f', 2));
+}
+
+void StatusLine::clear_place() {
+    place_->clear();
+}
+
+void StatusLine::notice(const QString& text) {
+    bar_->showMessage(text, kNoticeMs);
+}
+
+void StatusLine::refresh() {
+    using State = Progress::State;
+    const Progress p = session_.progress();
+    if (!session_.has_source()) {
+        state_->setText(tr("No data source"));
+    } else if (p.state == State::ready) {
+        state_->setText(tr("Ready"));
+    } else if (p.state == State::running) {
+        state_->setText(tr("Running"));
+    } else if (p.state == State::paused) {
+        state_->setText(tr("Stopped"));
+    } else if (p.state == State::finished) {
+        state_->setText(tr("End of the log"));
+    } else {
+        state_->setText(tr("Failed"));
+    }
+    state_->setProperty("role", p.state == State::failed ? "error" : "value");
+    scan_->setText(total_ ? tr("Scan %1 of %2").arg(p.steps).arg(*total_)
+                          : tr("Scan %1").arg(p.steps));
+    time_->setText(tr("Time %1 s").arg(p.duration_s, 0, 'f', 1));
+    speed_->setText(p.steps_per_second <= 0.0
+                        ? QString()
+                        : tr("%1 steps/s").arg(p.steps_per_second, 0, 'f', 0));
+    neff_->setText(tr("Neff %1").arg(p.statistics.neff, 0, 'f', 1));
+    landmarks_->setText(tr("Landmarks %1 (lines %2, corners %3)")
+                            .arg(p.lines + p.corners)
+                            .arg(p.lines)
+                            .arg(p.corners));
+    skipped_->setVisible(p.skipped_lines > 0);
+    skipped_->setText(tr("Skipped lines %1").arg(p.skipped_lines));
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,46 @@
+// What the status bar says of the run.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "session.hpp"
+
+class QLabel;
+class QStatusBar;
+
+namespace hitos::window {
+
+class StatusLine final : public QObject {
+    Q_OBJECT
+
+  public:
+    StatusLine(QStatusBar* bar, Session& session);
+
+    /// The number of scans of the whole log, where it is known.
+    void set_total(std::optional<quint64> scans);
+
+  public slots:
+    void show_place(QPointF world_m);
+    void clear_place();
+    /// A short message that goes away.
+    void notice(const QString& text);
+
+  private:
+    void refresh();
+    QLabel* add(const char* name, const QString& longest);
+
+    Session& session_;
+    QStatusBar* bar_;
+    std::optional<quint64> total_;
+    QLabel* state_;
+    QLabel* scan_;
+    QLabel* time_;
+    QLabel* speed_;
+    QLabel* neff_;
+    QLabel* landmarks_;
+    QLabel* skipped_;
+    QLabel* place_;
+};
+
+}  // namespace hitos::window

@@ -1,0 +1,187 @@
+#include "theme.hpp"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+#include <QStyleHints>
+
+namespace hitos::window {
+namespace {
+
+Colours make_light() {
+    Colours c;
+    c.window = "#f3f5f8";
+    c.card = "#ffffff";
+    c.border = "#d9dee6";
+    c.text = "#1d2530";
+    c.muted = "#5d6878";
+    c.accent = "#1f5fd6";
+    c.on_accent = "#ffffff";
+    c.danger = "#c0271d";
+    c.good = "#13795b";
+    c.canvas = "#fcfdfe";
+    c.grid_line = "#e8ecf1";
+    c.scan = "#44505f";
+    c.robot = "#b3261e";
+    c.particle = "#e08a00";
+    c.observed = "#0b8f62";
+    c.landmark = "#2563c9";
+    c.created = "#0b8f62";
+    c.ignored = "#98a2b0";
+    c.association = "#7a3fc9";
+    c.highlight = "#d4237a";
+    c.path = "#cf2e22";
+    c.start = "#14935c";
+    c.end = "#2563c9";
+    c.odometry = "#a16a00";
+    c.reference = "#0883a0";
+    c.chip = QColor(255, 255, 255, 224);
+    return c;
+}
+
+Colours make_dark() {
+    Colours c;
+    c.dark = true;
+    c.window = "#14181e";
+    c.card = "#1c222b";
+    c.border = "#323a47";
+    c.text = "#e6eaf0";
+    c.muted = "#9aa6b6";
+    c.accent = "#5b98f5";
+    c.on_accent = "#0c1420";
+    c.danger = "#ff8077";
+    c.good = "#4fd0a0";
+    c.canvas = "#11151a";
+    c.grid_line = "#1f262f";
+    c.scan = "#c3ccd8";
+    c.robot = "#ff7a70";
+    c.particle = "#ffb547";
+    c.observed = "#45d69c";
+    c.landmark = "#6aa5ff";
+    c.created = "#45d69c";
+    c.ignored = "#6c7787";
+    c.association = "#b58cff";
+    c.highlight = "#ff6fb5";
+    c.path = "#e5382b";
+    c.start = "#19b370";
+    c.end = "#3f83f0";
+    c.odometry = "#d39a2c";
+    c.reference = "#1aa7c4";
+    c.chip = QColor(28, 34, 43, 224);
+    return c;
+}
+
+Colours& current() {
+    static Colours colours = make_light();  // one application, one look
+    return colours;
+}
+
+bool system_is_dark(const QPalette& palette) {
+    return palette.color(QPalette::WindowText).lightness() >
+           palette.color(QPalette::Window).lightness();
+}
+
+QPalette palette_of(const Colours& c) {
+    QPalette palette;
+    palette.setColor(QPalette::Window, c.window);
+    palette.setColor(QPalette::WindowText, c.text);
+    palette.setColor(QPalette::Base, c.card);
+    palette.setColor(QPalette::AlternateBase, c.window);
+    palette.setColor(QPalette::Text, c.text);
+    palette.setColor(QPalette::PlaceholderText, c.muted);
+    palette.setColor(QPalette::Button, c.card);
+    palette.setColor(QPalette::ButtonText, c.text);
+    palette.setColor(QPalette::ToolTipBase, c.card);
+    palette.setColor(QPalette::ToolTipText, c.text);
+    palette.setColor(QPalette::Highlight, c.accent);
+    palette.setColor(QPalette::HighlightedText, c.on_accent);
+    palette.setColor(QPalette::Link, c.accent);
+    palette.setColor(QPalette::BrightText, c.danger);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        QColor faint = c.muted;
+        faint.setAlpha(130);
+        palette.setColor(QPalette::Disabled, role, faint);
+    }
+    return palette;
+}
+
+QString style_sheet(const Colours& c) {
+    QString sheet = QStringLiteral(R"(
+QMainWindow::separator { background: %window; width: 6px; height: 6px; }
+QToolTip { background: %card; color: %text; border: 1px solid %border; padding: 4px; }
+QFrame[role="card"] { background: %card; border: 1px solid %border; border-radius: 8px; }
+QLabel[role="title"] { font-weight: 600; }
+QLabel[role="muted"] { color: %muted; }
+QLabel[role="error"] { color: %danger; }
+QLabel[role="good"] { color: %good; }
+QLabel[role="changed"] { color: %accent; font-weight: 600; }
+QToolButton[role="run"], QPushButton, QDialogButtonBox QPushButton {
+  background: %card; border: 1px solid %border; border-radius: 6px; padding: 6px 10px; }
+QToolButton[role="run"]:hover, QPushButton:hover { border-color: %accent; }
+QToolButton[role="run"]:pressed, QPushButton:pressed { background: %border; }
+QToolButton[role="run"]:focus, QPushButton:focus { border: 1px solid %accent; }
+QToolButton[role="run"]:disabled, QPushButton:disabled { color: %muted; background: %window; }
+QToolButton[primary="true"]:enabled, QPushButton:default:enabled {
+  background: %accent; color: %onaccent; border-color: %accent; }
+QToolButton[role="view"] { border: 1px solid transparent; border-radius: 5px; padding: 3px 6px; }
+QToolButton[role="view"]:hover { border-color: %border; background: %window; }
+QToolButton[role="view"]:checked { background: %window; border-color: %border; color: %accent; }
+QProgressBar { border: none; background: %border; border-radius: 3px; max-height: 6px; }
+QProgressBar::chunk { background: %accent; border-radius: 3px; }
+QSplitter::handle { background: transparent; }
+QStatusBar { background: %window; }
+QStatusBar::item { border: none; }
+QLineEdit[state="wrong"], QComboBox[state="wrong"] { border: 1px solid %danger; border-radius: 3px; }
+QDockWidget::title { padding: 6px 8px; text-align: left; font-weight: 600; }
+)");
+    sheet.replace("%window", c.window.name());
+    sheet.replace("%card", c.card.name());
+    sheet.replace("%border", c.border.name());
+    sheet.replace("%text", c.text.name());
+    sheet.replace("%muted", c.muted.name());
+    sheet.replace("%accent", c.accent.name());
+    sheet.replace("%onaccent", c.on_accent.name());
+    sheet.replace("%danger", c.danger.name());
+    sheet.replace("%good", c.good.name());
+    return sheet;
+}
+
+}  // namespace
+
+Theme theme_from(const QString& word) {
+    if (word == "light") return Theme::light;
+    if (word == "dark") return Theme::dark;
+    return Theme::system;
+}
+
+QString to_word(Theme theme) {
+    switch (theme) {
+        case Theme::light:
+            return "light";
+        case Theme::dark:
+            return "dark";
+        case Theme::system:
+            break;
+    }
+    return "system";
+}
+
+const Colours& colours() {
+    return current();
+}
+
+const Colours& light_colours() {
+    static const Colours light = make_light();
+    return light;
+}
+
+void apply_theme(QApplication& application, Theme theme) {
+    static const bool kSystemDark = system_is_dark(QApplication::palette());
+    const bool dark = theme == Theme::dark || (theme == Theme::system && kSystemDark);
+    current() = dark ? make_dark() : make_light();
+    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setPalette(palette_of(current()));
+    application.setStyleSheet(style_sheet(current()));
+}
+
+}  // namespace hitos::window

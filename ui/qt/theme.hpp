@@ -1,0 +1,37 @@
+// Colours and style of the window, light and dark.
+#pragma once
+
+#include <QColor>
+#include <QString>
+
+class QApplication;
+
+namespace hitos::window {
+
+enum class Theme { system, light, dark };
+
+/// "system", "light", "dark"; another word means system.
+Theme theme_from(const QString& word);
+QString to_word(Theme theme);
+
+/// Every colour of the window in one place.
+struct Colours {
+    bool dark = false;
+    // Surfaces and text.
+    QColor window, card, border, text, muted, accent, on_accent, danger, good;
+    // Views.
+    QColor canvas, grid_line, scan, robot, particle, observed, landmark, created, ignored,
+        association, highlight, path, start, end, odometry, reference, chip;
+};
+
+/// The colours in use; light until a theme is applied.
+const Colours& colours();
+
+/// The light colours, whatever is in use: saved pictures are for paper.
+const Colours& light_colours();
+
+/// Gives the application style, palette and style sheet. `system` follows the platform's palette as
+/// it was when the application started.
+void apply_theme(QApplication& application, Theme theme);
+
+}  // namespace hitos::window

@@ -1,0 +1,1329 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es_ES" sourcelanguage="en">
+<context>
+    <name>Landmarks</name>
+    <message>
+        <source>Line %1</source>
+        <translation>Recta %1</translation>
+    </message>
+    <message>
+        <source>Corner %1</source>
+        <translation>Esquina %1</translation>
+    </message>
+    <message>
+        <source>Observed %1 times</source>
+        <translation>Observaciones: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Layers</name>
+    <message>
+        <source>Scan points</source>
+        <translation>Puntos del barrido</translation>
+    </message>
+    <message>
+        <source>Detected features</source>
+        <translation>Características detectadas</translation>
+    </message>
+    <message>
+        <source>Particle cloud</source>
+        <translation>Nube de partículas</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Hitos</translation>
+    </message>
+    <message>
+        <source>Uncertainty (1, 2, 3 σ)</source>
+        <translation>Incertidumbre (1, 2, 3 σ)</translation>
+    </message>
+    <message>
+        <source>Lines without end</source>
+        <translation>Rectas sin fin</translation>
+    </message>
+    <message>
+        <source>Associations</source>
+        <translation>Asociaciones</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Best particle's path</source>
+        <translation>Camino de la mejor partícula</translation>
+    </message>
+    <message>
+        <source>Odometry path</source>
+        <translation>Camino de la odometría</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referencia</translation>
+    </message>
+    <message>
+        <source>Landmark numbers</source>
+        <translation>Números de los hitos</translation>
+    </message>
+</context>
+<context>
+    <name>Parameter</name>
+    <message>
+        <source>Path of the log to read, plain or gzip; empty where none is chosen.</source>
+        <translation>Ruta del registro que se lee, en texto o gzip; vacía si no se ha elegido ninguno.</translation>
+    </message>
+    <message>
+        <source>Format of the log; auto finds it from the first lines.</source>
+        <translation>Formato del registro; en automático se averigua por las primeras líneas.</translation>
+    </message>
+    <message>
+        <source>Readings at or beyond this range are no points, so a higher value keeps more far readings; 0 takes what the log says.</source>
+        <translation>Las lecturas a esta distancia o más lejos no son puntos: un valor mayor conserva más lecturas lejanas; 0 toma lo que dice el registro.</translation>
+    </message>
+    <message>
+        <source>Whether controls come from the differences of the logged poses or are the logged v and omega.</source>
+        <translation>Si los controles salen de las diferencias entre las poses registradas o son la v y la omega registradas.</translation>
+    </message>
+    <message>
+        <source>Number of particles M; more of them follow more hypotheses, and time and memory grow in proportion.</source>
+        <translation>Número de partículas M; con más se siguen más hipótesis, y el tiempo y la memoria crecen en proporción.</translation>
+    </message>
+    <message>
+        <source>How an observation finds its landmark: ml takes the maximum likelihood, with p0 for a new landmark; gnn the nearest one inside a chi-square gate.</source>
+        <translation>Cómo encuentra una observación su hito: por máxima verosimilitud, con P0 para un hito nuevo, o el más cercano dentro de una puerta de ji cuadrado.</translation>
+    </message>
+    <message>
+        <source>Likelihood P0 of a new landmark; a higher value makes new landmarks more readily.</source>
+        <translation>Verosimilitud P0 de un hito nuevo; con un valor mayor se crean hitos con más facilidad.</translation>
+    </message>
+    <message>
+        <source>Probability of the chi-square gate of gnn; a higher value accepts observations that lie further from their landmark.</source>
+        <translation>Probabilidad de la puerta de ji cuadrado del vecino más cercano; un valor mayor acepta observaciones más alejadas de su hito.</translation>
+    </message>
+    <message>
+        <source>What an observation that fits several landmarks, and is kept out of the map, does to the weight: keep-likelihood multiplies it with the best likelihood, neutral leaves it, new-landmark multiplies it with p0; off updates the best landmark instead.</source>
+        <translation>Qué hace con el peso una observación que encaja con varios hitos y queda fuera del mapa: multiplicarlo por la mejor verosimilitud, dejarlo igual o multiplicarlo por P0 como un hito nuevo; sin regla, actualiza el mejor hito.</translation>
+    </message>
+    <message>
+        <source>Second best likelihood over the best from which an observation is ambiguous; a higher value calls fewer observations ambiguous.</source>
+        <translation>Cociente entre la segunda verosimilitud y la mejor a partir del cual una observación es ambigua; con un valor mayor lo son menos.</translation>
+    </message>
+    <message>
+        <source>odometry: controls and noise of constant sigma; no-odometry: controls are ignored and the particles only spread; proportional: controls and noise that grows with the motion.</source>
+        <translation>Con odometría: controles y ruido de sigma constante; sin odometría: los controles se ignoran y las partículas solo se dispersan; proporcional: controles y ruido que crece con el movimiento.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the motion noise in x per step with constant noise; a higher value spreads the particles more.</source>
+        <translation>Desviación típica del ruido de movimiento en x por paso, con ruido constante; un valor mayor dispersa más las partículas.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the motion noise in y per step with constant noise; a higher value spreads the particles more.</source>
+        <translation>Desviación típica del ruido de movimiento en y por paso, con ruido constante; un valor mayor dispersa más las partículas.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the heading noise per step with constant noise; a higher value spreads the headings more.</source>
+        <translation>Desviación típica del ruido de orientación por paso, con ruido constante; un valor mayor dispersa más las orientaciones.</translation>
+    </message>
+    <message>
+        <source>Proportional noise: variance along the motion per metre; a higher value trusts the measured distance less.</source>
+        <translation>Ruido proporcional: varianza a lo largo del movimiento por metro; con un valor mayor se confía menos en la distancia medida.</translation>
+    </message>
+    <message>
+        <source>Proportional noise: variance across the motion per metre; a higher value allows more sideways slip.</source>
+        <translation>Ruido proporcional: varianza de través al movimiento por metro; un valor mayor admite más deslizamiento lateral.</translation>
+    </message>
+    <message>
+        <source>Proportional noise: variance of the heading per radian turned; a higher value trusts measured turns less.</source>
+        <translation>Ruido proporcional: varianza de la orientación por radián girado; con un valor mayor se confía menos en los giros medidos.</translation>
+    </message>
+    <message>
+        <source>Proportional noise: variance of the heading per metre driven; a higher value allows more drift of the heading on straight ways.</source>
+        <translation>Ruido proporcional: varianza de la orientación por metro recorrido; un valor mayor admite más deriva de la orientación en las rectas.</translation>
+    </message>
+    <message>
+        <source>Variance sigma^2 of the observed rho of a line or range of a corner; a higher value trusts the laser less and accepts greater differences from a landmark.</source>
+        <translation>Varianza sigma² de la rho observada de una recta o de la distancia a una esquina; con un valor mayor se confía menos en el láser y se aceptan diferencias mayores con un hito.</translation>
+    </message>
+    <message>
+        <source>Variance sigma^2 of the observed theta of a line or bearing of a corner; a higher value trusts the laser less and accepts greater differences from a landmark.</source>
+        <translation>Varianza sigma² de la theta observada de una recta o del ángulo de una esquina; con un valor mayor se confía menos en el láser y se aceptan diferencias mayores con un hito.</translation>
+    </message>
+    <message>
+        <source>What is looked for in a scan: lines, corners where two lines meet, or both.</source>
+        <translation>Qué se busca en un barrido: rectas, esquinas donde se cortan dos rectas, o ambas.</translation>
+    </message>
+    <message>
+        <source>Greatest distance Es of a corner from the nearest point of each of its lines; a higher value accepts corners that were seen less closely.</source>
+        <translation>Distancia máxima Es de una esquina al punto más próximo de cada una de sus rectas; un valor mayor acepta esquinas vistas con menos detalle.</translation>
+    </message>
+    <message>
+        <source>Greatest distance Dmax of a point from its line; a higher value makes fewer and rougher lines.</source>
+        <translation>Distancia máxima Dmax de un punto a su recta; un valor mayor da menos rectas y más toscas.</translation>
+    </message>
+    <message>
+        <source>Shortest line Lmin; a higher value drops more short lines.</source>
+        <translation>Longitud mínima Lmin de una recta; un valor mayor descarta más rectas cortas.</translation>
+    </message>
+    <message>
+        <source>Fewest points Pmin of a line; a higher value drops more lines that are short or far.</source>
+        <translation>Número mínimo Pmin de puntos de una recta; un valor mayor descarta más rectas cortas o lejanas.</translation>
+    </message>
+    <message>
+        <source>How an accepted line is fitted: through its first and last point, or by total least squares over all its points.</source>
+        <translation>Cómo se ajusta una recta aceptada: por su primer y último punto, o por mínimos cuadrados totales sobre todos sus puntos.</translation>
+    </message>
+    <message>
+        <source>Lines whose rho differs by less than this are merged if their theta is near too; a higher value merges more.</source>
+        <translation>Las rectas cuya rho difiere en menos se funden si su theta también es próxima; un valor mayor funde más.</translation>
+    </message>
+    <message>
+        <source>Lines whose theta differs by less than this are merged if their rho is near too; a higher value merges more.</source>
+        <translation>Las rectas cuya theta difiere en menos se funden si su rho también es próxima; un valor mayor funde más.</translation>
+    </message>
+    <message>
+        <source>Lines are merged only where they are less than this apart, so a higher value merges more; 0 merges over any distance.</source>
+        <translation>Las rectas solo se funden si distan menos que esto, así que un valor mayor funde más; 0 las funde a cualquier distancia.</translation>
+    </message>
+    <message>
+        <source>Neighbouring points further apart than gap + gap_per_range * range never share a line, so a higher value lets lines cross wider gaps; both 0 allow any gap.</source>
+        <translation>Los puntos vecinos que distan más que hueco + hueco_por_distancia × distancia nunca comparten recta, así que un valor mayor deja que las rectas crucen huecos más anchos; con ambos a 0 vale cualquier hueco.</translation>
+    </message>
+    <message>
+        <source>How much the gap allowed between neighbours grows with their range; a higher value lets far lines cross wider gaps.</source>
+        <translation>Cuánto crece con la distancia el hueco permitido entre vecinos; un valor mayor deja que las rectas lejanas crucen huecos más anchos.</translation>
+    </message>
+    <message>
+        <source>When particles are drawn anew: after every step that observed something, or only where Neff has fallen below its threshold.</source>
+        <translation>Cuándo se remuestrean las partículas: tras cada paso que observó algo, o solo cuando Neff ha caído por debajo de su umbral.</translation>
+    </message>
+    <message>
+        <source>Effective number of particles Neff below which the rule neff resamples; a higher value resamples more often.</source>
+        <translation>Número efectivo de partículas Neff por debajo del cual se remuestrea; con un valor mayor se remuestrea más a menudo.</translation>
+    </message>
+    <message>
+        <source>Side of a cell of the occupancy grid; a higher value makes a coarser and faster map.</source>
+        <translation>Lado de una celda de la rejilla de ocupación; un valor mayor da un mapa más tosco y más rápido.</translation>
+    </message>
+    <message>
+        <source>Added to the cell that a ray ends in; a higher value makes walls appear sooner.</source>
+        <translation>Se suma a la celda en que acaba un rayo; con un valor mayor las paredes aparecen antes.</translation>
+    </message>
+    <message>
+        <source>Added to every cell that a ray passes; a value nearer to 0 clears free space more slowly.</source>
+        <translation>Se suma a cada celda que atraviesa un rayo; con un valor más cercano a 0 el espacio libre se despeja más despacio.</translation>
+    </message>
+    <message>
+        <source>Greatest absolute value of a cell; a higher value makes a sure cell slower to change again.</source>
+        <translation>Mayor valor absoluto de una celda; con un valor mayor una celda segura tarda más en volver a cambiar.</translation>
+    </message>
+    <message>
+        <source>Rays are drawn up to this length, so a higher value draws more of the far readings; 0 draws them whole.</source>
+        <translation>Los rayos se dibujan hasta esta longitud, así que un valor mayor dibuja más de las lecturas lejanas; 0 los dibuja enteros.</translation>
+    </message>
+    <message>
+        <source>Seed of all random numbers; the same seed gives the same result to the last bit.</source>
+        <translation>Semilla de todos los números aleatorios; la misma semilla da el mismo resultado hasta el último bit.</translation>
+    </message>
+    <message>
+        <source>Number of threads, which changes the time and never the result; 0 uses as many as the machine has.</source>
+        <translation>Número de hilos, que cambia el tiempo y nunca el resultado; 0 usa todos los de la máquina.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>de %1 a %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterChoice</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Player</source>
+        <translation>Player</translation>
+    </message>
+    <message>
+        <source>Radish</source>
+        <translation>Radish</translation>
+    </message>
+    <message>
+        <source>Normalised</source>
+        <translation>Normalizado</translation>
+    </message>
+    <message>
+        <source>CARMEN</source>
+        <translation>CARMEN</translation>
+    </message>
+    <message>
+        <source>Logged poses</source>
+        <translation>Poses registradas</translation>
+    </message>
+    <message>
+        <source>Logged velocities</source>
+        <translation>Velocidades registradas</translation>
+    </message>
+    <message>
+        <source>Maximum likelihood</source>
+        <translation>Máxima verosimilitud</translation>
+    </message>
+    <message>
+        <source>Gated nearest neighbour</source>
+        <translation>Vecino más cercano</translation>
+    </message>
+    <message>
+        <source>Keep the likelihood</source>
+        <translation>Con verosimilitud</translation>
+    </message>
+    <message>
+        <source>Neutral</source>
+        <translation>Neutra</translation>
+    </message>
+    <message>
+        <source>As a new landmark</source>
+        <translation>Como hito nuevo</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Sin regla</translation>
+    </message>
+    <message>
+        <source>Differential with odometry</source>
+        <translation>Diferencial con odometría</translation>
+    </message>
+    <message>
+        <source>Differential without odometry</source>
+        <translation>Diferencial sin odometría</translation>
+    </message>
+    <message>
+        <source>Proportional</source>
+        <translation>Proporcional</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Recta</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Ambas</translation>
+    </message>
+    <message>
+        <source>End points</source>
+        <translation>Extremos</translation>
+    </message>
+    <message>
+        <source>Least squares</source>
+        <translation>Mínimos cuadrados</translation>
+    </message>
+    <message>
+        <source>Without threshold</source>
+        <translation>Sin umbral</translation>
+    </message>
+    <message>
+        <source>Neff threshold</source>
+        <translation>Umbral Neff</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterGroup</name>
+    <message>
+        <source>Data source</source>
+        <translation>Origen de los datos</translation>
+    </message>
+    <message>
+        <source>Particle filter</source>
+        <translation>Filtro de partículas</translation>
+    </message>
+    <message>
+        <source>Motion model</source>
+        <translation>Modelo de movimiento</translation>
+    </message>
+    <message>
+        <source>Observation model</source>
+        <translation>Modelo de observación</translation>
+    </message>
+    <message>
+        <source>Split and Merge algorithm</source>
+        <translation>Algoritmo Split and Merge</translation>
+    </message>
+    <message>
+        <source>Resampling</source>
+        <translation>Remuestreo</translation>
+    </message>
+    <message>
+        <source>Grid map</source>
+        <translation>Mapa de rejilla</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterLabel</name>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Maximum range</source>
+        <translation>Alcance máximo</translation>
+    </message>
+    <message>
+        <source>Odometry from</source>
+        <translation>Odometría</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>Partículas</translation>
+    </message>
+    <message>
+        <source>Association</source>
+        <translation>Asociación</translation>
+    </message>
+    <message>
+        <source>P0</source>
+        <translation>P0</translation>
+    </message>
+    <message>
+        <source>Gate probability</source>
+        <translation>Probabilidad de la puerta</translation>
+    </message>
+    <message>
+        <source>Ambiguous</source>
+        <translation>Ambiguas</translation>
+    </message>
+    <message>
+        <source>Ambiguity ratio</source>
+        <translation>Razón de ambigüedad</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>σ x</source>
+        <translation>σ x</translation>
+    </message>
+    <message>
+        <source>σ y</source>
+        <translation>σ y</translation>
+    </message>
+    <message>
+        <source>σ θ</source>
+        <translation>σ θ</translation>
+    </message>
+    <message>
+        <source>Var. along</source>
+        <translation>Var. a lo largo</translation>
+    </message>
+    <message>
+        <source>Var. across</source>
+        <translation>Var. de través</translation>
+    </message>
+    <message>
+        <source>Var. θ per rad</source>
+        <translation>Var. θ por rad</translation>
+    </message>
+    <message>
+        <source>Var. θ per m</source>
+        <translation>Var. θ por m</translation>
+    </message>
+    <message>
+        <source>σ² ρ</source>
+        <translation>σ² ρ</translation>
+    </message>
+    <message>
+        <source>σ² θ</source>
+        <translation>σ² θ</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Características</translation>
+    </message>
+    <message>
+        <source>Corner distance (Es)</source>
+        <translation>Distancia de esquina (Es)</translation>
+    </message>
+    <message>
+        <source>D max</source>
+        <translation>D máx</translation>
+    </message>
+    <message>
+        <source>L min</source>
+        <translation>L mín</translation>
+    </message>
+    <message>
+        <source>P min</source>
+        <translation>P mín</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>Collinear ρ</source>
+        <translation>ρ colineal</translation>
+    </message>
+    <message>
+        <source>Collinear θ</source>
+        <translation>θ colineal</translation>
+    </message>
+    <message>
+        <source>Collinear gap</source>
+        <translation>Hueco colineal</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Hueco</translation>
+    </message>
+    <message>
+        <source>Gap per range</source>
+        <translation>Hueco por distancia</translation>
+    </message>
+    <message>
+        <source>Resampling</source>
+        <translation>Remuestreo</translation>
+    </message>
+    <message>
+        <source>Neff threshold</source>
+        <translation>Umbral Neff</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Lado de celda</translation>
+    </message>
+    <message>
+        <source>Hit</source>
+        <translation>Impacto</translation>
+    </message>
+    <message>
+        <source>Miss</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Límite</translation>
+    </message>
+    <message>
+        <source>Longest ray</source>
+        <translation>Rayo más largo</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Hilos</translation>
+    </message>
+</context>
+<context>
+    <name>PictureDialog</name>
+    <message>
+        <source>pictures are written as .png, .jpg or .jpeg</source>
+        <translation>las imágenes se escriben como .png, .jpg o .jpeg</translation>
+    </message>
+    <message>
+        <source>the picture could not be encoded</source>
+        <translation>la imagen no se pudo codificar</translation>
+    </message>
+</context>
+<context>
+    <name>Prompts</name>
+    <message>
+        <source>The file exists</source>
+        <translation>El archivo existe</translation>
+    </message>
+    <message>
+        <source>Replace %1?</source>
+        <translation>¿Reemplazar %1?</translation>
+    </message>
+    <message>
+        <source>What it holds now will be lost.</source>
+        <translation>Se perderá lo que contiene ahora.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>The file was not written</source>
+        <translation>El archivo no se ha escrito</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::CanvasView</name>
+    <message>
+        <source>The picture would have %1 × %2 pixels and may have %3 a side; choose a smaller scale.</source>
+        <translation>La imagen tendría %1 × %2 píxeles y puede tener %3 por lado; elija una escala menor.</translation>
+    </message>
+    <message>
+        <source>Save as image…</source>
+        <translation>Guardar como imagen…</translation>
+    </message>
+    <message>
+        <source>Fit to window</source>
+        <translation>Ajustar a la ventana</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Acercar</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Alejar</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ConfigurationActions</name>
+    <message>
+        <source>The configuration cannot be used</source>
+        <translation>La configuración no se puede usar</translation>
+    </message>
+    <message>
+        <source>Source loaded: %1, %2 scans</source>
+        <translation>Origen cargado: %1, %2 barridos</translation>
+    </message>
+    <message>
+        <source>The log cannot be used</source>
+        <translation>El registro no se puede usar</translation>
+    </message>
+    <message>
+        <source>Source loaded: %1</source>
+        <translation>Origen cargado: %1</translation>
+    </message>
+    <message>
+        <source>The configuration was not loaded</source>
+        <translation>La configuración no se ha cargado</translation>
+    </message>
+    <message>
+        <source>Load configuration</source>
+        <translation>Cargar configuración</translation>
+    </message>
+    <message>
+        <source>Replace the configuration by %1?</source>
+        <translation>¿Reemplazar la configuración por %1?</translation>
+    </message>
+    <message>
+        <source>The run starts from the beginning.</source>
+        <translation>La ejecución empieza desde el principio.</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Cargar</translation>
+    </message>
+    <message>
+        <source>Configuration loaded: %1</source>
+        <translation>Configuración cargada: %1</translation>
+    </message>
+    <message>
+        <source>Configurations (*.cfg *.toml);;All files (*)</source>
+        <translation>Configuraciones (*.cfg *.toml);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Save configuration</source>
+        <translation>Guardar configuración</translation>
+    </message>
+    <message>
+        <source>Configurations (*.cfg);;All files (*)</source>
+        <translation>Configuraciones (*.cfg);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Configuration saved: %1</source>
+        <translation>Configuración guardada: %1</translation>
+    </message>
+    <message>
+        <source>The configuration has changed</source>
+        <translation>La configuración ha cambiado</translation>
+    </message>
+    <message>
+        <source>Set as default</source>
+        <translation>Establecer como predeterminada</translation>
+    </message>
+    <message>
+        <source>Start with this configuration from now on?</source>
+        <translation>¿Empezar con esta configuración de ahora en adelante?</translation>
+    </message>
+    <message>
+        <source>%1 is overwritten.</source>
+        <translation>Se sobreescribe %1.</translation>
+    </message>
+    <message>
+        <source>Default configuration written: %1</source>
+        <translation>Configuración predeterminada escrita: %1</translation>
+    </message>
+    <message>
+        <source>Load reference map</source>
+        <translation>Cargar mapa de referencia</translation>
+    </message>
+    <message>
+        <source>Maps (*.map *.txt);;All files (*)</source>
+        <translation>Mapas (*.map *.txt);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Reference map: %1 landmarks</source>
+        <translation>Mapa de referencia: %1 hitos</translation>
+    </message>
+    <message>
+        <source>The reference was not loaded</source>
+        <translation>La referencia no se ha cargado</translation>
+    </message>
+    <message>
+        <source>Load reference trajectory</source>
+        <translation>Cargar trayectoria de referencia</translation>
+    </message>
+    <message>
+        <source>Trajectories (*.tum *.txt *.gz);;All files (*)</source>
+        <translation>Trayectorias (*.tum *.txt *.gz);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Reference trajectory: %1 poses</source>
+        <translation>Trayectoria de referencia: %1 poses</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ConfigurationDialog</name>
+    <message>
+        <source>Manual configuration</source>
+        <translation>Configuración manual</translation>
+    </message>
+    <message>
+        <source>Values to correct: %1. Nothing changes until all are possible.</source>
+        <translation>Valores por corregir: %1. Nada cambia hasta que todos sean posibles.</translation>
+    </message>
+    <message>
+        <source>Values that differ from their default are marked. Nothing changes until you confirm.</source>
+        <translation>Los valores distintos del predeterminado están marcados. Nada cambia hasta que confirme.</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… y %1 más</translation>
+    </message>
+    <message>
+        <source>Change the configuration</source>
+        <translation>Cambiar la configuración</translation>
+    </message>
+    <message>
+        <source>Apply these values and start from the beginning?</source>
+        <translation>¿Aplicar estos valores y empezar desde el principio?</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::GridView</name>
+    <message>
+        <source>The map grows here, step by step, from the best particle of each step.</source>
+        <translation>Aquí crece el mapa, paso a paso, con la mejor partícula de cada paso.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::MainWindow</name>
+    <message>
+        <source>Last scan</source>
+        <translation>Último barrido</translation>
+    </message>
+    <message>
+        <source>World frame (Ctrl+T)</source>
+        <translation>Sistema del mundo (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Zoom out (-)</source>
+        <translation>Alejar (-)</translation>
+    </message>
+    <message>
+        <source>Zoom in (+)</source>
+        <translation>Acercar (+)</translation>
+    </message>
+    <message>
+        <source>Fit to window (F)</source>
+        <translation>Ajustar a la ventana (F)</translation>
+    </message>
+    <message>
+        <source>Save as image…</source>
+        <translation>Guardar como imagen…</translation>
+    </message>
+    <message>
+        <source>Grid map, step by step</source>
+        <translation>Mapa de rejilla, paso a paso</translation>
+    </message>
+    <message>
+        <source>Follow the robot (Ctrl+F)</source>
+        <translation>Seguir al robot (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Archivos recientes</translation>
+    </message>
+    <message>
+        <source>&amp;Configuration</source>
+        <translation>&amp;Configuración</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Ejecución</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Apariencia</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>Select source…</source>
+        <translation>Seleccionar origen…</translation>
+    </message>
+    <message>
+        <source>Choose the log and its type</source>
+        <translation>Elegir el registro y su tipo</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Guardar imagen…</translation>
+    </message>
+    <message>
+        <source>Save the view in use as an image</source>
+        <translation>Guardar la vista en uso como imagen</translation>
+    </message>
+    <message>
+        <source>Save all results…</source>
+        <translation>Guardar todos los resultados…</translation>
+    </message>
+    <message>
+        <source>Write map, trajectories, pictures and summary into a folder</source>
+        <translation>Escribir mapa, trayectorias, imágenes y resumen en una carpeta</translation>
+    </message>
+    <message>
+        <source>Load reference map…</source>
+        <translation>Cargar mapa de referencia…</translation>
+    </message>
+    <message>
+        <source>Compare the map with a known one</source>
+        <translation>Comparar el mapa con uno conocido</translation>
+    </message>
+    <message>
+        <source>Load reference trajectory…</source>
+        <translation>Cargar trayectoria de referencia…</translation>
+    </message>
+    <message>
+        <source>Compare the path with a known one (TUM format)</source>
+        <translation>Comparar el camino con uno conocido (formato TUM)</translation>
+    </message>
+    <message>
+        <source>Exit</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Manual configuration…</source>
+        <translation>Configuración manual…</translation>
+    </message>
+    <message>
+        <source>Change the parameters</source>
+        <translation>Cambiar los parámetros</translation>
+    </message>
+    <message>
+        <source>Load configuration…</source>
+        <translation>Cargar configuración…</translation>
+    </message>
+    <message>
+        <source>Save configuration…</source>
+        <translation>Guardar configuración…</translation>
+    </message>
+    <message>
+        <source>Set as default…</source>
+        <translation>Establecer como predeterminada…</translation>
+    </message>
+    <message>
+        <source>Start with this configuration from now on</source>
+        <translation>Empezar con esta configuración de ahora en adelante</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecutar</translation>
+    </message>
+    <message>
+        <source>Start or resume the algorithm (Space)</source>
+        <translation>Iniciar o reanudar el algoritmo (Espacio)</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Pause the algorithm (Space)</source>
+        <translation>Pausar el algoritmo (Espacio)</translation>
+    </message>
+    <message>
+        <source>Run 1 step</source>
+        <translation>Ejecutar 1 paso</translation>
+    </message>
+    <message>
+        <source>Process one scan (Right arrow)</source>
+        <translation>Procesar un barrido (flecha derecha)</translation>
+    </message>
+    <message>
+        <source>View best particle</source>
+        <translation>Ver mejor partícula</translation>
+    </message>
+    <message>
+        <source>Grid map of the best particle (B)</source>
+        <translation>Mapa de rejilla de la mejor partícula (B)</translation>
+    </message>
+    <message>
+        <source>View odometry</source>
+        <translation>Ver odometría</translation>
+    </message>
+    <message>
+        <source>Grid map from odometry alone (O)</source>
+        <translation>Mapa de rejilla solo con odometría (O)</translation>
+    </message>
+    <message>
+        <source>Save best particle's map</source>
+        <translation>Guardar mapa mejor partícula</translation>
+    </message>
+    <message>
+        <source>Write the landmarks to a file (Ctrl+Shift+S)</source>
+        <translation>Escribir los hitos en un archivo (Ctrl+Mayús+S)</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Reiniciar</translation>
+    </message>
+    <message>
+        <source>Back to the beginning (Ctrl+R)</source>
+        <translation>Volver al principio (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>About Hitos</source>
+        <translation>Acerca de Hitos</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Teclado</translation>
+    </message>
+    <message>
+        <source>User's guide</source>
+        <translation>Guía del usuario</translation>
+    </message>
+    <message>
+        <source>World frame</source>
+        <translation>Sistema del mundo</translation>
+    </message>
+    <message>
+        <source>Show the scan in the world's frame instead of the robot's</source>
+        <translation>Mostrar el barrido en el sistema del mundo en vez del robot</translation>
+    </message>
+    <message>
+        <source>Follow the robot</source>
+        <translation>Seguir al robot</translation>
+    </message>
+    <message>
+        <source>Keep the robot in the middle of the map</source>
+        <translation>Mantener el robot en el centro del mapa</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficas</translation>
+    </message>
+    <message>
+        <source>The run has failed</source>
+        <translation>La ejecución ha fallado</translation>
+    </message>
+    <message>
+        <source>Save as image</source>
+        <translation>Guardar como imagen</translation>
+    </message>
+    <message>
+        <source>Images (*.jpg *.jpeg *.png)</source>
+        <translation>Imágenes (*.jpg *.jpeg *.png)</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Vaciar la lista</translation>
+    </message>
+    <message>
+        <source>A workbench for landmark SLAM on recorded laser tours: FastSLAM step by step, with every parameter at hand.</source>
+        <translation>Banco de trabajo de SLAM con hitos sobre recorridos láser grabados: FastSLAM paso a paso, con todos los parámetros a mano.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU GPL, version 3 or later.</source>
+        <translation>Software libre bajo la GNU GPL, versión 3 o posterior.</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>run or stop</source>
+        <translation>ejecutar o detener</translation>
+    </message>
+    <message>
+        <source>Right arrow</source>
+        <translation>Flecha derecha</translation>
+    </message>
+    <message>
+        <source>one step</source>
+        <translation>un paso</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>reiniciar</translation>
+    </message>
+    <message>
+        <source>map of the best particle, of the odometry</source>
+        <translation>mapa de la mejor partícula, de la odometría</translation>
+    </message>
+    <message>
+        <source>save the best particle's map</source>
+        <translation>guardar el mapa de la mejor partícula</translation>
+    </message>
+    <message>
+        <source>save the view in use as an image</source>
+        <translation>guardar la vista en uso como imagen</translation>
+    </message>
+    <message>
+        <source>data source, parameters</source>
+        <translation>origen de datos, parámetros</translation>
+    </message>
+    <message>
+        <source>load, save the configuration</source>
+        <translation>cargar, guardar la configuración</translation>
+    </message>
+    <message>
+        <source>plots</source>
+        <translation>gráficas</translation>
+    </message>
+    <message>
+        <source>world frame, follow the robot</source>
+        <translation>sistema del mundo, seguir al robot</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation>capas</translation>
+    </message>
+    <message>
+        <source>zoom, fit and move the view in use</source>
+        <translation>acercar, ajustar y mover la vista en uso</translation>
+    </message>
+    <message>
+        <source>docs/user-guide.md is not installed.</source>
+        <translation>docs/user-guide.md no está instalado.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::MapWindow</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
+    </message>
+    <message>
+        <source>Save as &amp;image…</source>
+        <translation>Guardar como &amp;imagen…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Cerrar</translation>
+    </message>
+    <message>
+        <source>Drawing the map…</source>
+        <translation>Dibujando el mapa…</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 scans</source>
+        <translation>Detenido tras %1 barridos</translation>
+    </message>
+    <message>
+        <source>Map of %1 scans</source>
+        <translation>Mapa de %1 barridos</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ParameterField</name>
+    <message>
+        <source>Allowed: %1</source>
+        <translation>Permitido: %1</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Predeterminado: %1</translation>
+    </message>
+    <message>
+        <source>Whole numbers: %1</source>
+        <translation>Números enteros: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::PictureDialog</name>
+    <message>
+        <source>Save as image</source>
+        <translation>Guardar como imagen</translation>
+    </message>
+    <message>
+        <source>What is &amp;seen now</source>
+        <translation>Lo que se &amp;ve ahora</translation>
+    </message>
+    <message>
+        <source>The &amp;whole picture</source>
+        <translation>La imagen &amp;completa</translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation>&amp;Escala</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 píxeles</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::Plots</name>
+    <message>
+        <source>Effective particles (Neff)</source>
+        <translation>Partículas efectivas (Neff)</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Hitos</translation>
+    </message>
+    <message>
+        <source>Best weight (ln)</source>
+        <translation>Mejor peso (ln)</translation>
+    </message>
+    <message>
+        <source>Time per step [ms]</source>
+        <translation>Tiempo por paso [ms]</translation>
+    </message>
+    <message>
+        <source>Landmark error [m]</source>
+        <translation>Error de los hitos [m]</translation>
+    </message>
+    <message>
+        <source>Trajectory error [m]</source>
+        <translation>Error de la trayectoria [m]</translation>
+    </message>
+    <message>
+        <source>Save as image…</source>
+        <translation>Guardar como imagen…</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ResultActions</name>
+    <message>
+        <source>Grid map of the best particle</source>
+        <translation>Mapa de rejilla de la mejor partícula</translation>
+    </message>
+    <message>
+        <source>Grid map based on odometry</source>
+        <translation>Mapa de rejilla basado en odometría</translation>
+    </message>
+    <message>
+        <source>Save best particle's map</source>
+        <translation>Guardar mapa mejor partícula</translation>
+    </message>
+    <message>
+        <source>Maps (*.txt *.map);;All files (*)</source>
+        <translation>Mapas (*.txt *.map);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Map saved: %1</source>
+        <translation>Mapa guardado: %1</translation>
+    </message>
+    <message>
+        <source>Save all results: name of a new folder</source>
+        <translation>Guardar todos los resultados: nombre de una carpeta nueva</translation>
+    </message>
+    <message>
+        <source>Folders (*)</source>
+        <translation>Carpetas (*)</translation>
+    </message>
+    <message>
+        <source>Results saved: %1</source>
+        <translation>Resultados guardados: %1</translation>
+    </message>
+    <message>
+        <source>Save as image</source>
+        <translation>Guardar como imagen</translation>
+    </message>
+    <message>
+        <source>Images (*.jpg *.jpeg *.png)</source>
+        <translation>Imágenes (*.jpg *.jpeg *.png)</translation>
+    </message>
+    <message>
+        <source>Image saved: %1</source>
+        <translation>Imagen guardada: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ScanView</name>
+    <message>
+        <source>The scan, the particles and the landmarks appear here once the algorithm runs.</source>
+        <translation>El barrido, las partículas y los hitos aparecen aquí cuando el algoritmo se ejecuta.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::SourceDialog</name>
+    <message>
+        <source>Data source selection</source>
+        <translation>Selección de origen</translation>
+    </message>
+    <message>
+        <source>&amp;Type</source>
+        <translation>&amp;Tipo</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>Path of a log, plain or .gz; files can be dropped here</source>
+        <translation>Ruta de un registro, en texto o .gz; se pueden soltar archivos aquí</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Examinar…</translation>
+    </message>
+    <message>
+        <source>First lines</source>
+        <translation>Primeras líneas</translation>
+    </message>
+    <message>
+        <source>Open log</source>
+        <translation>Abrir registro</translation>
+    </message>
+    <message>
+        <source>Logs (*.log *.clf *.gfs *.txt *.gz);;All files (*)</source>
+        <translation>Registros (*.log *.clf *.gfs *.txt *.gz);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Choose a log: odometry and laser scans, as text or .gz.</source>
+        <translation>Elija un registro: odometría y barridos láser, en texto o .gz.</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Leyendo…</translation>
+    </message>
+    <message>
+        <source>The file holds odometry but not one readable scan.</source>
+        <translation>El archivo contiene odometría pero ni un barrido legible.</translation>
+    </message>
+    <message>
+        <source>%1: %2 scans, %3 odometry readings, %4 s, %5 m.</source>
+        <translation>%1: %2 barridos, %3 lecturas de odometría, %4 s, %5 m.</translation>
+    </message>
+    <message>
+        <source>Laser: %1 rays over %2°.</source>
+        <translation>Láser: %1 rayos en %2°.</translation>
+    </message>
+    <message>
+        <source>Damaged lines that will be skipped: %1; the first is line %2: %3</source>
+        <translation>Líneas dañadas que se saltarán: %1; la primera es la %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::StatusLine</name>
+    <message>
+        <source>Skipped lines %1</source>
+        <translation>Líneas saltadas %1</translation>
+    </message>
+    <message>
+        <source>Scan %1 of %2</source>
+        <translation>Barrido %1 de %2</translation>
+    </message>
+    <message>
+        <source>Time %1 s</source>
+        <translation>Tiempo %1 s</translation>
+    </message>
+    <message>
+        <source>%1 steps/s</source>
+        <translation>%1 pasos/s</translation>
+    </message>
+    <message>
+        <source>Neff %1</source>
+        <translation>Neff %1</translation>
+    </message>
+    <message>
+        <source>Landmarks %1 (lines %2, corners %3)</source>
+        <translation>Hitos %1 (rectas %2, esquinas %3)</translation>
+    </message>
+    <message>
+        <source>No data source</source>
+        <translation>Sin origen de datos</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Ejecutando</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Detenido</translation>
+    </message>
+    <message>
+        <source>End of the log</source>
+        <translation>Fin del registro</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fallo</translation>
+    </message>
+    <message>
+        <source>Scan %1</source>
+        <translation>Barrido %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::SummaryBar</name>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Changed; the default is %1.</source>
+        <translation>Cambiado; el predeterminado es %1.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ViewSettings</name>
+    <message>
+        <source>As the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clara</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscura</translation>
+    </message>
+</context>
+</TS>

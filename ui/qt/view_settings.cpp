@@ -1,0 +1,62 @@
+#include "view_settings.hpp"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QMenu>
+#include <array>
+#include <utility>
+
+namespace hitos::window {
+
+ViewSettings::ViewSettings(UserFiles& files, QMenu* layers_menu, QMenu* theme_menu, QObject* parent)
+    : QObject(parent), files_(files), layers_(default_layers()) {
+    fill_layers(layers_menu);
+    fill_themes(theme_menu);
+}
+
+Theme ViewSettings::saved_theme(UserFiles& files) {
+    return theme_from(files.settings().value("view/theme").toString());
+}
+
+void ViewSettings::fill_layers(QMenu* menu) {
+    int number = 1;
+    for (const LayerInfo& info : layer_table()) {
+        const QString key = QString("layers/") + info.key;
+        const bool on = files_.settings().value(key, info.on).toBool();
+        layers_.set(info.layer, on);
+        QAction* action = menu->addAction(layer_name(info));
+        action->setObjectName(QString("layer_") + info.key);
+        action->setCheckable(true);
+        action->setChecked(on);
+        if (number <= 9) action->setShortcut(QKeySequence(Qt::ALT | (Qt::Key_0 + number)));
+        ++number;
+        connect(action, &QAction::toggled, this, [this, key, layer = info.layer](bool checked) {
+            layers_.set(layer, checked);
+            files_.settings().setValue(key, checked);
+            emit layers_changed(layers_);
+        });
+    }
+}
+
+void ViewSettings::fill_themes(QMenu* menu) {
+    auto* group = new QActionGroup(this);
+    const Theme now = saved_theme(files_);
+    const std::array<std::pair<Theme, QString>, 3> themes{{{Theme::system, tr("As the system")},
+                                                           {Theme::light, tr("Light")},
+                                                           {Theme::dark, tr("Dark")}}};
+    for (const auto& [theme, words] : themes) {
+        QAction* action = menu->addAction(words);
+        action->setObjectName("theme_" + to_word(theme));
+        action->setCheckable(true);
+        action->setChecked(theme == now);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, wanted = theme] {
+            files_.settings().setValue("view/theme", to_word(wanted));
+            apply_theme(*qobject_cast<QApplication*>(QApplication::instance()), wanted);
+            emit theme_changed();
+        });
+    }
+}
+
+}  // namespace hitos::window
