@@ -115,8 +115,7 @@ bool ByteStream::next_member() {
             inflateReset(&inflater_->stream);
             return true;
         }
-        while (input_begin_ < input_end_ && input_[input_begin_] == '\0')
-            ++input_begin_;
+        while (input_begin_ < input_end_ && input_[input_begin_] == '\0') ++input_begin_;
         if (input_begin_ < input_end_) {
             damage_ = "bytes that are not gzip follow the compressed data";
             return false;

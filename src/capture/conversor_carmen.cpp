@@ -80,8 +80,7 @@ bool skip_remissions(Fields& fields, bool with_pose) {
         fields.fail("num_remissions: found " + std::to_string(remissions) + ", but " +
                     std::to_string(left - 1) + " fields follow");
     }
-    for (std::uint32_t i = 0; i < remissions; ++i)
-        fields.reading("remission");
+    for (std::uint32_t i = 0; i < remissions; ++i) fields.reading("remission");
     return true;
 }
 
@@ -141,8 +140,7 @@ void ConversorCarmen::parse_parameter(Fields fields) {
 
 Message ConversorCarmen::parse_flaser(Fields fields, Readings& out) {
     const std::uint32_t count = fields.count("num_readings");
-    for (std::uint32_t i = 0; i < count; ++i)
-        out.ranges_m.push_back(fields.reading("range"));
+    for (std::uint32_t i = 0; i < count; ++i) out.ranges_m.push_back(fields.reading("range"));
     Message message;
     take_pose(fields, "x", "y", "theta");
     message.pose_odom_robot = take_pose(fields, "odom_x", "odom_y", "odom_theta");
@@ -162,8 +160,7 @@ Message ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readings& ou
     fields.number("accuracy");
     fields.number("remission_mode");
     const std::uint32_t count = fields.count("num_readings");
-    for (std::uint32_t i = 0; i < count; ++i)
-        out.ranges_m.push_back(fields.reading("range"));
+    for (std::uint32_t i = 0; i < count; ++i) out.ranges_m.push_back(fields.reading("range"));
 
     const bool has_block = skip_remissions(fields, with_pose);
     Message message;

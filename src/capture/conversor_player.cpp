@@ -1,6 +1,7 @@
 // Player/Stage writelog [T A.1], in the variants of Player 1.5 to 3.1.
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "formats.hpp"
@@ -13,7 +14,10 @@ namespace {
 struct Device {
     std::string interface;
     std::int64_t index = 0;
-    friend auto operator<=>(const Device&, const Device&) = default;
+    friend bool operator==(const Device&, const Device&) = default;
+    friend bool operator<(const Device& a, const Device& b) {
+        return std::tie(a.interface, a.index) < std::tie(b.interface, b.index);
+    }
 };
 
 /// What the lines of metadata say about one laser.
@@ -127,8 +131,7 @@ void ConversorPlayer::parse_laser(Fields fields, const PlayerHeader& header, Rea
     const bool with_pose = header.is(1, 2);
     if (with_pose || is_integer_text(fields.peek())) fields.integer("scan_id");
     if (with_pose) {
-        for (const char* name : {"px", "py", "pa"})
-            fields.number(name);  // of the robot, not used
+        for (const char* name : {"px", "py", "pa"}) fields.number(name);  // of the robot, not used
     }
     out.fan.min_angle_rad = fields.number("min_angle");
     out.fan.max_angle_rad = fields.number("max_angle");

@@ -21,8 +21,7 @@ double step_of(const Fan& fan) {
 std::vector<double> bearings_of(const Scan& scan) {
     std::vector<double> bearings;
     bearings.reserve(scan.points.size());
-    for (const Point2& point : scan.points)
-        bearings.push_back(std::atan2(point.y, point.x));
+    for (const Point2& point : scan.points) bearings.push_back(std::atan2(point.y, point.x));
     return bearings;
 }
 

@@ -97,14 +97,12 @@ class Fields {
     static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
     std::size_t word_length() const {
         std::size_t length = 0;
-        while (length < rest_.size() && !is_blank(rest_[length]))
-            ++length;
+        while (length < rest_.size() && !is_blank(rest_[length])) ++length;
         return length;
     }
     void skip_blanks() {
         std::size_t blanks = 0;
-        while (blanks < rest_.size() && is_blank(rest_[blanks]))
-            ++blanks;
+        while (blanks < rest_.size() && is_blank(rest_[blanks])) ++blanks;
         rest_.remove_prefix(blanks);
     }
     [[noreturn]] void fail_missing(const char* name) const;

@@ -1,9 +1,11 @@
 // Numbers as text, whatever the locale.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace hitos {
 
@@ -16,19 +18,20 @@ struct Layout {
 };
 
 inline void append_fixed(std::string& out, double value, const Layout& layout) {
-    char digits[400];  // the longest double has 309 digits before the point
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value,
-                                            std::chars_format::fixed, layout.decimals);
-    static_cast<void>(error);
-    const bool negative = digits[0] == '-';
-    const char* begin = digits + (negative ? 1 : 0);
+    std::array<char, 400> digits;  // the longest double has 309 digits before the point
+    const std::to_chars_result end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed,
+                      layout.decimals);
+    std::string_view text(digits.data(), static_cast<std::size_t>(end.ptr - digits.data()));
+    const bool negative = text.starts_with('-');
+    if (negative) text.remove_prefix(1);
     const bool sign = negative || layout.plus;
-    const std::size_t length = static_cast<std::size_t>(end - begin) + (sign ? 1 : 0);
+    const std::size_t length = text.size() + (sign ? 1 : 0);
     const std::size_t padding = layout.width > length ? layout.width - length : 0;
     if (layout.pad == ' ') out.append(padding, ' ');
     if (sign) out.push_back(negative ? '-' : '+');
     if (layout.pad != ' ') out.append(padding, layout.pad);
-    out.append(begin, static_cast<std::size_t>(end - begin));
+    out += text;
 }
 
 inline void append_fixed(std::string& out, double value, int decimals) {
@@ -37,10 +40,10 @@ inline void append_fixed(std::string& out, double value, int decimals) {
 
 /// The shortest digits that read back as the same bits.
 inline void append_exact(std::string& out, double value) {
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-    static_cast<void>(error);
-    out.append(digits, static_cast<std::size_t>(end - digits));
+    std::array<char, 32> digits;
+    const std::to_chars_result end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    out.append(digits.data(), static_cast<std::size_t>(end.ptr - digits.data()));
 }
 
 inline void append_count(std::string& out, std::size_t value, std::size_t width = 0) {

@@ -163,8 +163,7 @@ std::size_t end_of_utf8(std::string_view text) {
         const std::size_t length = length_after(lead);
         if (length == 0) break;
         bool good = true;
-        for (std::size_t k = 1; k < length; ++k)
-            good = good && (byte(i + k) & 0xc0U) == 0x80U;
+        for (std::size_t k = 1; k < length; ++k) good = good && (byte(i + k) & 0xc0U) == 0x80U;
         const unsigned second = byte(i + 1);
         const bool overlong = (lead == 0xe0 && second < 0xa0) || (lead == 0xf0 && second < 0x90);
         const bool beyond = (lead == 0xed && second > 0x9f) || (lead == 0xf4 && second > 0x8f);

@@ -200,8 +200,7 @@ void set_parameter(Configuracion& configuration, std::string_view assignment) {
 }
 
 void check(const Configuracion& configuration) {
-    for (const Parameter& parameter : parameters())
-        parameter.check(configuration);
+    for (const Parameter& parameter : parameters()) parameter.check(configuration);
 
     const MotionParams& motion = configuration.filter.motion;
     if (motion.model == MotionModel::no_odometry && motion.sigma_x_m == 0.0 &&

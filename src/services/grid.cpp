@@ -134,8 +134,7 @@ void Grid::add(const Scan& scan, const Pose& pose_world_robot) {
     if (!fits) return;
 
     last_change_ = united({}, laser_u, laser_v);
-    for (const Ray& ray : rays_)
-        last_change_ = united(last_change_, ray.u, ray.v);
+    for (const Ray& ray : rays_) last_change_ = united(last_change_, ray.u, ray.v);
     // From here on coordinates are those of the storage.
     const double base_u = static_cast<double>(first_column_) - static_cast<double>(column_offset_);
     const double base_v = static_cast<double>(first_row_) - static_cast<double>(row_offset_);
@@ -162,11 +161,9 @@ void Grid::add(const Scan& scan, const Pose& pose_world_robot) {
         }
     }
     // What was hit gets back what it held before any ray of this scan passed it.
-    for (const Hit& hit : hits_)
-        cells_[hit.cell] = hit.before;
+    for (const Hit& hit : hits_) cells_[hit.cell] = hit.before;
     const auto gain = static_cast<float>(params_.log_odds_hit);
-    for (const Hit& hit : hits_)
-        cells_[hit.cell] = std::min(cells_[hit.cell] + gain, limit);
+    for (const Hit& hit : hits_) cells_[hit.cell] = std::min(cells_[hit.cell] + gain, limit);
     ++revision_;
 }
 
@@ -202,8 +199,7 @@ bool Grid::keep_rays_that_fit(double laser_u, double laser_v) {
     Box box = united(area(), laser_u, laser_v);
     if (too_great(box)) return false;
     Box all = box;
-    for (const Ray& ray : rays_)
-        all = united(all, ray.u, ray.v);
+    for (const Ray& ray : rays_) all = united(all, ray.u, ray.v);
     if (too_great(all)) {
         std::erase_if(rays_, [&](const Ray& ray) {
             const Box with = united(box, ray.u, ray.v);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -64,8 +65,7 @@ class LineParser {
         const std::size_t colon = rest_.find(':');
         if (colon == std::string_view::npos) fail_line();
         std::string word(input::trimmed(rest_.substr(0, colon)));
-        for (char& c : word)
-            c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         rest_.remove_prefix(colon + 1);
         return word;
     }
@@ -100,11 +100,11 @@ double degrees_that_read_back(double theta_rad) {
     constexpr int kDigitsOfDouble = 17;
     const double nearest = theta_rad * (180.0 / kPi);
     for (int digits = 1; digits <= kDigitsOfDouble; ++digits) {
-        char buffer[32];
-        const auto written = std::to_chars(std::begin(buffer), std::end(buffer), nearest,
+        std::array<char, 32> buffer{};
+        const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), nearest,
                                            std::chars_format::scientific, digits - 1);
         double degrees = 0.0;
-        std::from_chars(std::begin(buffer), written.ptr, degrees);
+        std::from_chars(buffer.data(), written.ptr, degrees);
         if (radians(degrees) == theta_rad) return degrees;
     }
     return nearest;

@@ -35,8 +35,7 @@ bool same_pairs(std::span<const MapPair> a, std::span<const MapPair> b) {
 std::vector<MapPair> nearest_pairs(const LandmarkMap& map, const LandmarkMap& reference) {
     std::vector<Point2> points;
     points.reserve(reference.size());
-    for (const ICaracteristica& landmark : reference)
-        points.push_back(landmark.point());
+    for (const ICaracteristica& landmark : reference) points.push_back(landmark.point());
     std::vector<MapPair> pairs;
     for (std::size_t i = 0; i < map.size(); ++i) {
         const Point2 point = map[i].point();
@@ -74,8 +73,7 @@ std::optional<MapError> error_of(std::span<const MapPair> pairs, const LandmarkM
 LandmarkMap moved(const LandmarkMap& map, const Pose& pose) {
     LandmarkMap out;
     out.reserve(map.size());
-    for (const ICaracteristica& landmark : map)
-        out.push_back(transform(pose, landmark));
+    for (const ICaracteristica& landmark : map) out.push_back(transform(pose, landmark));
     return out;
 }
 
@@ -156,7 +154,7 @@ class PairFit {
             gradient += jacobian.transpose() * (point - targets_[i]);
         }
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal);
-        const Eigen::Vector3d values = solver.eigenvalues();  // ascending
+        const Eigen::Vector3d& values = solver.eigenvalues();  // ascending
         Eigen::Vector3d result = Eigen::Vector3d::Zero();
         for (Eigen::Index k = 0; k < 3; ++k) {
             if (!(values[k] > kUnfixed * values[2])) continue;

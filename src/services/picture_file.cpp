@@ -19,14 +19,13 @@ constexpr std::int64_t kMostPixels = std::int64_t{1} << 30;  // what OpenCV read
 constexpr int kLongestJpegSide = 65500;                      // the limit of libjpeg
 
 // OpenCV's order: blue, green, red.
-const cv::Scalar kRed(0, 0, 255);
-const cv::Scalar kGreen(0, 160, 0);
-const cv::Scalar kBlue(255, 64, 0);
+const cv::Scalar red(0, 0, 255);
+const cv::Scalar green(0, 160, 0);
+const cv::Scalar blue(255, 64, 0);
 
 std::string lower(std::string_view text) {
     std::string out(text);
-    for (char& c : out)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return out;
 }
 
@@ -90,7 +89,7 @@ void draw_path(cv::Mat& image, const Frame& frame, const std::vector<Point2>& pa
         const cv::Point2d a = frame.pixel(path[i - 1]);
         const cv::Point2d b = frame.pixel(path[i]);
         if (!drawable(a) || !drawable(b)) continue;
-        cv::line(image, fixed(a), fixed(b), kRed, width, cv::LINE_AA, kShift);
+        cv::line(image, fixed(a), fixed(b), red, width, cv::LINE_AA, kShift);
     }
     const int radius = (3 + scale) << kShift;
     const auto mark = [&](const Point2& world, const cv::Scalar& colour) {
@@ -99,8 +98,8 @@ void draw_path(cv::Mat& image, const Frame& frame, const std::vector<Point2>& pa
             cv::circle(image, fixed(pixel), radius, colour, cv::FILLED, cv::LINE_AA, kShift);
         }
     };
-    mark(path.front(), kGreen);
-    mark(path.back(), kBlue);
+    mark(path.front(), green);
+    mark(path.back(), blue);
 }
 
 /// The greatest of 1, 2, 5 times a power of ten that is at most `limit` > 0.

@@ -42,8 +42,7 @@ void write_grid(const Grid& grid, const Trajectory& path, const std::filesystem:
     PictureStyle style;
     style.scale = picture_scale(grid);
     style.scale_bar = true;
-    for (const StampedPose& stamped : path)
-        style.path.push_back({stamped.pose.x, stamped.pose.y});
+    for (const StampedPose& stamped : path) style.path.push_back({stamped.pose.x, stamped.pose.y});
     for (const char* extension : {".png", ".jpg"}) {
         write_picture(grid, style, std::filesystem::path(stem).concat(extension));
     }
@@ -125,7 +124,7 @@ void prepare_output_folder(const std::filesystem::path& folder) {
 
 RunSummary write_results(const SlamRun& run, const References& references, double seconds,
                          const std::filesystem::path& folder) {
-    const RunSummary summary = summarize(run, references);
+    RunSummary summary = summarize(run, references);
     const Trajectory best = run.best_trajectory();
     write_map(run.filter().best_map(), folder / "map.txt");
     write_trajectory(best, folder / "trajectory.tum");

@@ -1,6 +1,7 @@
 #include "association.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -101,14 +102,14 @@ Decision Associator::decide_among(const Columns& landmarks, const Filter& ekf, c
     double best_score = kNothing;  // what the method maximises
     double best_log = kNothing;
     double second_log = kNothing;
-    unsigned char near[kChunk];
+    std::array<unsigned char, kChunk> near{};
     for (std::size_t begin = 0; begin < landmarks.size(); begin += kChunk) {
         const std::size_t end = std::min(begin + kChunk, landmarks.size());
-        mark_near(landmarks, begin, end, pose, observed, slack_, var0_, var1_, near);
+        mark_near(landmarks, begin, end, pose, observed, slack_, var0_, var1_, near.data());
         for (std::size_t i = begin; i < end; ++i) {
             if (near[i - begin] == 0) continue;
-            const auto [log_likelihood, mahalanobis2] = ekf.likelihood(
-                landmarks.innovation(i, observed.z, pose), landmarks.get(i).covariance);
+            const auto [log_likelihood, mahalanobis2] =
+                ekf.likelihood(landmarks.innovation(i, observed.z, pose), landmarks.covariance(i));
             if (by_likelihood ? log_likelihood <= log_p0_ : mahalanobis2 > gate_) continue;
             const double score = by_likelihood ? log_likelihood : -mahalanobis2;
             if (score > best_score) {

@@ -84,8 +84,9 @@ void FiltroParticulas::step(std::span<const Control> controls, const Observation
     decisions_.resize(seen * particles_.size());
 
     detach_maps();
-    const auto landmarks = static_cast<std::size_t>(best_lines() + best_corners());
-    for_each_particle(seen * (landmarks + 8), [&](std::size_t i) {
+    const auto landmarks =
+        static_cast<std::size_t>(best_lines()) + static_cast<std::size_t>(best_corners());
+    for_each(particles_.size(), seen * (landmarks + 8), [&](std::size_t i) {
         const std::span<Decision> decisions(&decisions_[i * seen], seen);
         associate(particles_[i], decisions);
         update(particles_[i], decisions);
@@ -107,7 +108,7 @@ void FiltroParticulas::predict(const MotionIncrement& increment) {
         }
         return;
     }
-    for_each_particle(10, [&](std::size_t i) {
+    for_each(particles_.size(), 10, [&](std::size_t i) {
         RandomStream random(seed_, RandomPurpose::motion, steps_, static_cast<std::uint32_t>(i));
         particles_[i].pose = robot_.sample(particles_[i].pose, increment, random);
     });
@@ -119,44 +120,45 @@ void FiltroParticulas::detach_maps() {
         const MapStore::Handle source = maps_.detach(particle.map);
         if (source != particle.map) copies_.emplace_back(source, particle.map);
     }
-    for (const auto& [from, to] : copies_)
-        maps_.copy(from, to);
+    maps_.reserve_more(lines_seen_.size(), corners_seen_.size());
+    for_each(copies_.size(), 20,
+             [&](std::size_t i) { maps_.copy(copies_[i].first, copies_[i].second); });
 }
 
 void FiltroParticulas::associate(const Particula& particle, std::span<Decision> decisions) const {
-    const MapBlock& map = maps_[particle.map];
+    const auto& lines = maps_.lines(particle.map);
+    const auto& corners = maps_.corners(particle.map);
     std::size_t next = 0;
     for (const Vector2& z : lines_seen_) {
-        decisions[next++] = associator_.decide(map.lines, particle.pose, prepare(z, particle.pose));
+        decisions[next++] = associator_.decide(lines, particle.pose, prepare(z, particle.pose));
     }
     for (const Vector2& z : corners_seen_) {
-        decisions[next++] =
-            associator_.decide(map.corners, particle.pose, prepare(z, particle.pose));
+        decisions[next++] = associator_.decide(corners, particle.pose, prepare(z, particle.pose));
     }
 }
 
 void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions) {
-    MapBlock& map = maps_[particle.map];
+    auto lines = maps_.lines(particle.map);
+    auto corners = maps_.corners(particle.map);
     std::size_t next = 0;
     for (const Vector2& z : lines_seen_) {
         Decision& decision = decisions[next++];
         if (decision.outcome == Association::Outcome::created) {
-            decision.landmark = static_cast<std::uint32_t>(map.lines.size());
+            decision.landmark = static_cast<std::uint32_t>(lines.size());
         }
-        apply(decision, map.lines, associator_.line_ekf(), particle.pose, z);
+        apply(decision, lines, associator_.line_ekf(), particle.pose, z);
     }
     for (const Vector2& z : corners_seen_) {
         Decision& decision = decisions[next++];
         if (decision.outcome == Association::Outcome::created) {
-            decision.landmark = static_cast<std::uint32_t>(map.corners.size());
+            decision.landmark = static_cast<std::uint32_t>(corners.size());
         }
-        apply(decision, map.corners, associator_.corner_ekf(), particle.pose, z);
+        apply(decision, corners, associator_.corner_ekf(), particle.pose, z);
     }
 }
 
 void FiltroParticulas::weigh(Particula& particle, std::span<const Decision> decisions) {
-    for (const Decision& decision : decisions)
-        particle.log_weight += decision.log_likelihood;
+    for (const Decision& decision : decisions) particle.log_weight += decision.log_likelihood;
 }
 
 void FiltroParticulas::choose_best() {
@@ -173,7 +175,7 @@ void FiltroParticulas::choose_best() {
 
 void FiltroParticulas::note_associations() {
     const std::size_t seen = lines_seen_.size() + corners_seen_.size();
-    const auto lines = static_cast<std::int32_t>(maps_[particles_[best_].map].lines.size());
+    const auto lines = static_cast<std::int32_t>(maps_.lines(particles_[best_].map).size());
     for (std::size_t k = 0; k < seen; ++k) {
         const Decision& decision = decisions_[best_ * seen + k];
         const bool is_line = k < lines_seen_.size();
@@ -229,17 +231,16 @@ void FiltroParticulas::resample() {
 }
 
 LandmarkMap FiltroParticulas::best_map() const {
-    const MapBlock& block = maps_[particles_[best_].map];
     LandmarkMap map;
-    map.reserve(block.lines.size() + block.corners.size());
+    map.reserve(static_cast<std::size_t>(best_lines()) + static_cast<std::size_t>(best_corners()));
     const auto add = [&map](const auto& landmarks) {
         for (std::size_t i = 0; i < landmarks.size(); ++i) {
             const auto estimate = landmarks.get(i);
             map.push_back({estimate.mean, estimate.covariance, landmarks.observations(i)});
         }
     };
-    add(block.lines);
-    add(block.corners);
+    add(maps_.lines(particles_[best_].map));
+    add(maps_.corners(particles_[best_].map));
     return map;
 }
 
@@ -248,18 +249,17 @@ std::vector<Pose> FiltroParticulas::best_history() const {
 }
 
 int FiltroParticulas::best_lines() const {
-    return static_cast<int>(maps_[particles_[best_].map].lines.size());
+    return static_cast<int>(maps_.lines(particles_[best_].map).size());
 }
 
 int FiltroParticulas::best_corners() const {
-    return static_cast<int>(maps_[particles_[best_].map].corners.size());
+    return static_cast<int>(maps_.corners(particles_[best_].map).size());
 }
 
 std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
     std::vector<double> log_weights;
     log_weights.reserve(particles_.size());
-    for (const Particula& particle : particles_)
-        log_weights.push_back(particle.log_weight);
+    for (const Particula& particle : particles_) log_weights.push_back(particle.log_weight);
     std::vector<double> weights;
     normalize_log_weights(log_weights, weights);
     std::vector<WeightedPose> poses;
@@ -271,18 +271,15 @@ std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
 }
 
 template <class Body>
-void FiltroParticulas::for_each_particle(std::size_t work_per_particle, const Body& body) {
-    const std::size_t count = particles_.size();
-    if (arena_.max_concurrency() == 1 || count * work_per_particle < kParallelWork) {
-        for (std::size_t i = 0; i < count; ++i)
-            body(i);
+void FiltroParticulas::for_each(std::size_t count, std::size_t work_each, const Body& body) {
+    if (arena_.max_concurrency() == 1 || count * work_each < kParallelWork) {
+        for (std::size_t i = 0; i < count; ++i) body(i);
         return;
     }
     arena_.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
                           [&](const tbb::blocked_range<std::size_t>& range) {
-                              for (std::size_t i = range.begin(); i < range.end(); ++i)
-                                  body(i);
+                              for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
                           });
     });
 }

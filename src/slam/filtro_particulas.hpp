@@ -60,8 +60,9 @@ class FiltroParticulas final : public SlamFilter {
     void remember_poses();
     void resample();
 
+    /// Calls body(0 … count - 1), in parallel where the work is worth it.
     template <class Body>
-    void for_each_particle(std::size_t work_per_particle, const Body& body);
+    void for_each(std::size_t count, std::size_t work_each, const Body& body);
 
     FastSlamParams params_;
     std::uint64_t seed_;

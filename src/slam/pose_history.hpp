@@ -44,8 +44,7 @@ class PoseHistory {
     /// Poses from the first to `node`.
     std::vector<Pose> path(Node node) const {
         std::vector<Pose> poses;
-        for (; node != kNone; node = nodes_[node].parent)
-            poses.push_back(nodes_[node].pose);
+        for (; node != kNone; node = nodes_[node].parent) poses.push_back(nodes_[node].pose);
         std::reverse(poses.begin(), poses.end());
         return poses;
     }

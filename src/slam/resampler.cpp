@@ -21,14 +21,12 @@ void normalize_log_weights(std::span<const double> log_weights, std::vector<doub
         std::fill(weights.begin(), weights.end(), 1.0);
         sum = static_cast<double>(weights.size());
     }
-    for (double& weight : weights)
-        weight /= sum;
+    for (double& weight : weights) weight /= sum;
 }
 
 double effective_particles(std::span<const double> weights) {
     double squares = 0.0;
-    for (const double weight : weights)
-        squares += weight * weight;
+    for (const double weight : weights) squares += weight * weight;
     return 1.0 / squares;
 }
 
@@ -38,15 +36,13 @@ void low_variance_selection(std::span<const double> weights, double start,
     selected.resize(count);
     const double spacing = 1.0 / static_cast<double>(count);
     std::size_t last = count - 1;  // the last that weighs anything
-    while (last > 0 && weights[last] == 0.0)
-        --last;
+    while (last > 0 && weights[last] == 0.0) --last;
     std::size_t i = 0;
     double cumulated = weights[0];
     for (std::size_t m = 0; m < count; ++m) {
         const double u = (start + static_cast<double>(m)) * spacing;
         // The bound on i: rounding may leave the last cumulated weight a little below 1.
-        while (u > cumulated && i < last)
-            cumulated += weights[++i];
+        while (u > cumulated && i < last) cumulated += weights[++i];
         selected[m] = static_cast<std::uint32_t>(i);
     }
 }

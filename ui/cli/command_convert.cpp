@@ -28,13 +28,6 @@ struct ConvertOptions {
     std::uint64_t seed = 1;
 };
 
-OdometryNoiseKind parse_noise_kind(const std::string& word) {
-    if (word == "relative-sigma") return OdometryNoiseKind::relative_sigma;
-    if (word == "variance") return OdometryNoiseKind::variance;
-    throw ConfigError("--odometry-noise-kind",
-                      "found \"" + word + "\", expected relative-sigma or variance");
-}
-
 /// Whether the reading belongs before the scan in the written file. A scan whose line carries
 /// odometry goes by line: stamps may jitter there.
 bool belongs_before(const Odometria& reading, const Scan& scan) {
@@ -59,8 +52,7 @@ void convert(const ConvertOptions& options) {
         writer->write(*scan);
         line.show(reader.report().scans, reader.fuente().progress());
     }
-    for (; reading; reading = reader.next_odometry())
-        writer->write(noise(*reading));
+    for (; reading; reading = reader.next_odometry()) writer->write(noise(*reading));
     const ReadReport& report = reader.report();
     if (report.scans == 0) {
         throw FormatError(options.log, 0, "found no readable scan; nothing was written");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "common/open_tour.hpp"
 #include "hitos/capture/error.hpp"
 #include "hitos/services/algoritmo.hpp"
 #include "hitos/services/archivo_configuracion.hpp"
@@ -61,7 +62,7 @@ void run(const RunOptions& options) {
     }
     prepare_output_folder(options.out);
 
-    Algoritmo algoritmo(configuration, open_source(configuration.source));
+    Algoritmo algoritmo(configuration, open_tour(configuration.source));
     ProgressLine line("scans");
     algoritmo.run();
     Progress progress = algoritmo.progress();
@@ -88,8 +89,12 @@ void run(const RunOptions& options) {
 
 void add_run(CLI::App& program) {
     auto options = std::make_shared<RunOptions>();
-    CLI::App* command = program.add_subcommand("run", "Build a landmark map from a log");
-    command->add_option("log", options->log, "Log file, plain or .gz")->required();
+    CLI::App* command =
+        program.add_subcommand("run", "Build a landmark map from a log or a simulated tour");
+    command
+        ->add_option("log", options->log,
+                     "Log file, plain or .gz, or a world file (.toml) to simulate")
+        ->required();
     command->add_option("--format", options->format,
                         "auto, player, radish, normalized or carmen (default: auto)");
     add_configuration_options(*command, options->configuration);

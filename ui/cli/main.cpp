@@ -1,29 +1,43 @@
 // hitos-cli: runs, conversions and measures from the command line.
 
-#include <fmt/core.h>
-
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 
 #include "commands.hpp"
 #include "hitos/services/results.hpp"
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
     CLI::App program{"Hitos: landmark SLAM on recorded laser tours, from the command line"};
     program.name("hitos-cli");
     program.set_version_flag("--version", hitos::version());
     program.require_subcommand(1);
-    program.footer("Formats and files: docs/formats.md; every parameter: config/init.cfg");
+    program.footer(
+        "Formats and files: docs/formats.md; worlds: docs/simulation.md; every parameter: "
+        "config/init.cfg");
     hitos::cli::add_run(program);
+    hitos::cli::add_simulate(program);
     hitos::cli::add_convert(program);
     hitos::cli::add_evaluate(program);
+    hitos::cli::add_study(program);
+    hitos::cli::add_reproduce(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "hitos-cli: {}\n", error.what());
-        return 1;
     }
     return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "hitos-cli: %s\n", error.what());
+        return 1;
+    }
 }

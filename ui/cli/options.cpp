@@ -40,4 +40,11 @@ LogFormat parse_format(const std::string& word, const std::string& option) {
         option, "found \"" + word + "\", expected auto, player, radish, normalized or carmen");
 }
 
+OdometryNoiseKind parse_noise_kind(const std::string& word) {
+    if (word == "relative-sigma") return OdometryNoiseKind::relative_sigma;
+    if (word == "variance") return OdometryNoiseKind::variance;
+    throw ConfigError("--odometry-noise-kind",
+                      "found \"" + word + "\", expected relative-sigma or variance");
+}
+
 }  // namespace hitos::cli

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hitos/services/configuracion.hpp"
+#include "hitos/simulation/odometry_noise.hpp"
 
 namespace hitos::cli {
 
@@ -26,5 +27,8 @@ Configuracion load(const ConfigurationOptions& options);
 
 /// The format a word names; throws ConfigError that lists the words.
 LogFormat parse_format(const std::string& word, const std::string& option);
+
+/// The kind of noise a word names; throws ConfigError that lists the words.
+OdometryNoiseKind parse_noise_kind(const std::string& word);
 
 }  // namespace hitos::cli

@@ -3,13 +3,14 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace hitos::cli {
 namespace {
 
 std::string clock_text(double seconds) {
-    const auto whole = static_cast<std::int64_t>(seconds + 0.5);
+    const auto whole = std::llround(seconds);
     if (whole >= 3600) {
         return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
     }
@@ -47,6 +48,11 @@ void ProgressLine::finish(std::uint64_t count, const std::string& detail) {
     open_ = false;
 }
 
+void ProgressLine::say(const std::string& message) {
+    fmt::print(stderr, "{}{}\n", open_ ? "\r\033[K" : "", message);
+    open_ = false;
+}
+
 void ProgressLine::print(std::uint64_t count, std::optional<double> fraction,
                          const std::string& detail) {
     const double elapsed = seconds();
@@ -54,13 +60,17 @@ void ProgressLine::print(std::uint64_t count, std::optional<double> fraction,
     if (fraction) {
         if (terminal_) {
             constexpr int kWidth = 24;
-            const int full = static_cast<int>(*fraction * kWidth + 0.5);
+            const int full = static_cast<int>(std::lround(*fraction * kWidth));
             line += fmt::format("[{:#<{}}{:.<{}}] ", "", full, "", kWidth - full);
         }
         line += fmt::format("{:3.0f} %  ", 100.0 * *fraction);
     }
     line += fmt::format("{} {}", count, unit_);
-    if (elapsed > 0.05) line += fmt::format("  {:.0f}/s", static_cast<double>(count) / elapsed);
+    if (elapsed > 0.05) {
+        constexpr double kFast = 10.0;  // below it whole numbers say too little
+        const double rate = static_cast<double>(count) / elapsed;
+        line += fmt::format("  {:.{}f}/s", rate, rate < kFast ? 2 : 0);
+    }
     if (fraction && *fraction > 0.01 && *fraction < 1.0) {
         line += fmt::format("  {} left", clock_text(elapsed * (1.0 - *fraction) / *fraction));
     } else if (fraction && *fraction >= 1.0) {

@@ -23,6 +23,8 @@ class ProgressLine {
     void show(std::uint64_t count, std::optional<double> fraction, const std::string& detail = {});
     /// Ends the line with its final state.
     void finish(std::uint64_t count, const std::string& detail = {});
+    /// A line of its own on stderr, above the progress.
+    void say(const std::string& message);
     double seconds() const;
 
   private:

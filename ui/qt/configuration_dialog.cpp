@@ -94,8 +94,7 @@ void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box
 }
 
 void ConfigurationDialog::fill(const Configuracion& configuration) {
-    for (ParameterField* field : fields_)
-        field->set_value(configuration);
+    for (ParameterField* field : fields_) field->set_value(configuration);
     mark_unused();
     show_verdict();
 }

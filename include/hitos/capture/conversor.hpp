@@ -29,8 +29,9 @@ class Conversor {
 
 /// What a reader may be told beside the log.
 struct ReadOptions {
-    /// Readings at or beyond it are no points [m]; 0: what the log says, else the repeated maximum
-    /// of its first scans, else 49.9 (above it lie the codes for "no return" of SICK scanners).
+    /// Readings at or beyond it are no points [m]. 0: what the log says; where it says nothing,
+    /// the code for "no return" that its first scans repeat, less 0.1 m; else 49.9 (above it lie
+    /// the codes of SICK scanners).
     double max_range_m = 0.0;
     /// Use the logged v, w where there are some, instead of the twists that reproduce the poses.
     bool logged_velocities = false;

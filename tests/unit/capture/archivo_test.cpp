@@ -97,8 +97,7 @@ TEST_F(ArchivoTest, SharedLinesAreMarked) {
 
 TEST_F(ArchivoTest, DamageIsToldOnceAndInBoundedMemory) {
     std::string text = "ODOM 1 0 0\n";
-    for (int i = 0; i < 1000; ++i)
-        text += "?\n";
+    for (int i = 0; i < 1000; ++i) text += "?\n";
     ArchivoNormalizado log(folder_.put("d.log", text));
     while (log.read_odometry_line()) {
     }

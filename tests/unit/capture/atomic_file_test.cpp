@@ -13,7 +13,7 @@
 namespace hitos {
 namespace {
 
-using test::content_of;
+using test::content;
 using test::TempDir;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -26,7 +26,7 @@ TEST(AtomicFile, AppearsOnlyAtCommit) {
         file.write("hello");
         EXPECT_FALSE(std::filesystem::exists(target));
         file.commit();
-        EXPECT_EQ(content_of(target), "hello");
+        EXPECT_EQ(content(target), "hello");
     }
     EXPECT_EQ(folder.files(), 1U);
 }
@@ -38,7 +38,7 @@ TEST(AtomicFile, WithoutCommitTheOldFileStays) {
         AtomicFile file(target);
         file.write(std::string(1U << 20U, 'x'));
     }
-    EXPECT_EQ(content_of(target), "old");
+    EXPECT_EQ(content(target), "old");
     EXPECT_EQ(folder.files(), 1U);
 }
 
@@ -47,7 +47,7 @@ TEST(AtomicFile, ReplacesAndKeepsPermissions) {
     const auto target = folder.put("map.txt", "old");
     ::chmod(target.c_str(), 0640);
     write_file(target, "new");
-    EXPECT_EQ(content_of(target), "new");
+    EXPECT_EQ(content(target), "new");
     struct stat status {};
     ::stat(target.c_str(), &status);
     EXPECT_EQ(status.st_mode & 0777U, 0640U);
@@ -59,25 +59,23 @@ TEST(AtomicFile, FollowsALink) {
     std::filesystem::create_symlink("real.txt", folder / "link.txt");
     write_file(folder / "link.txt", "new");
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
-    EXPECT_EQ(content_of(real), "new");
+    EXPECT_EQ(content(real), "new");
 }
 
 TEST(AtomicFile, CompressesWhereAsked) {
     const TempDir folder;
     std::string text;
-    for (int i = 0; i < 100000; ++i)
-        text += std::to_string(i) + "\n";
+    for (int i = 0; i < 100000; ++i) text += std::to_string(i) + "\n";
     AtomicFile packed(folder / "a.log.gz", true);
     packed.write(text);
     packed.commit();
     EXPECT_LT(std::filesystem::file_size(folder / "a.log.gz"), text.size() / 2);
     LineReader reader(folder / "a.log.gz");
     int count = 0;
-    while (const auto line = reader.next())
-        EXPECT_EQ(line->text, std::to_string(count++));
+    while (const auto line = reader.next()) EXPECT_EQ(line->text, std::to_string(count++));
     EXPECT_EQ(count, 100000);
     write_file(folder / "plain.gz", "text");
-    EXPECT_EQ(content_of(folder / "plain.gz"), "text");
+    EXPECT_EQ(content(folder / "plain.gz"), "text");
 }
 
 TEST(AtomicFile, ErrorsNameThePathTheReasonAndWhatToDo) {
@@ -109,8 +107,7 @@ TEST(AtomicFile, FullDiskLeavesTheOldFileAndNothingBeside) {
     ::setrlimit(RLIMIT_FSIZE, &small);
     std::string noise;
     std::mt19937 engine(5);
-    for (int i = 0; i < 300000; ++i)
-        noise.push_back(static_cast<char>(engine()));
+    for (int i = 0; i < 300000; ++i) noise.push_back(static_cast<char>(engine()));
     const std::string plain_error = test::message_of<FileError>([&] { write_file(target, noise); });
     const std::string packed_error = test::message_of<FileError>([&] {
         AtomicFile file(packed, true);
@@ -121,8 +118,8 @@ TEST(AtomicFile, FullDiskLeavesTheOldFileAndNothingBeside) {
     std::signal(SIGXFSZ, handler);
     EXPECT_THAT(plain_error, HasSubstr("File too large"));
     EXPECT_THAT(packed_error, HasSubstr("File too large"));
-    EXPECT_EQ(content_of(target), "old");
-    EXPECT_EQ(content_of(packed), "old");
+    EXPECT_EQ(content(target), "old");
+    EXPECT_EQ(content(packed), "old");
     EXPECT_EQ(folder.files(), 2U);
 }
 

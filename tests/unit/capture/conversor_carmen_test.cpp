@@ -17,8 +17,7 @@ Log carmen(const std::string& text, ReadOptions options = {}) {
 
 std::string ones(int count) {
     std::string text;
-    for (int i = 0; i < count; ++i)
-        text += " 1";
+    for (int i = 0; i < count; ++i) text += " 1";
     return text;
 }
 

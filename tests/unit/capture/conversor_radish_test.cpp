@@ -99,8 +99,7 @@ TEST(ConversorRadish, DamagedLines) {
     EXPECT_EQ(log.scans.size(), 1U);
     ASSERT_EQ(log.report.skipped, 7U);
     ASSERT_EQ(log.report.examples.size(), 7U);
-    for (std::size_t i = 0; i < 7; ++i)
-        EXPECT_EQ(log.report.examples[i].line, i + 2);
+    for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(log.report.examples[i].line, i + 2);
     EXPECT_THAT(log.report.examples[0].reason, HasSubstr("found none"));
     EXPECT_THAT(log.report.examples[1].reason, HasSubstr("intensity"));
     EXPECT_THAT(log.report.examples[2].reason, HasSubstr("bearing"));

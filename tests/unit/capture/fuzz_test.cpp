@@ -2,6 +2,8 @@
 // for.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <ostream>
 #include <set>
 
 #include "test_files.hpp"
@@ -17,8 +19,8 @@ struct Sample {
     std::vector<std::string> lines;
 };
 
-void PrintTo(const Sample& sample, std::ostream* out) {
-    *out << to_string(sample.format);
+std::ostream& operator<<(std::ostream& out, const Sample& sample) {
+    return out << to_string(sample.format);
 }
 
 std::vector<Sample> samples() {
@@ -26,8 +28,7 @@ std::vector<Sample> samples() {
         {LogFormat::player,
          {"0.1 16777343 6665 laser 00 004 001 +0.1 +0.0 0.0 0.1 0.1",
           "0.1 16777343 6665 position2d 00 001 001 +00.000 +00.000 +0.000 +00.1 +00.0 +00.0 0",
-          "0.2 16777343 6665 laser 00 001 001 0000 -1.5708 +1.5708 +0.01 +8.0 0003 1.0  1 8.0  0 "
-          "2.0  1",
+          "0.2 16777343 6665 laser 00 001 001 0000 -1.5708 +1.5708 +0.01 +8.0 0002 1.0  1 2.0  1",
           "0.3 16777343 6665 position2d 00 001 001 +00.100 +00.000 +0.010 +00.1 +00.0 +00.0 0",
           "0.4 16777343 6665 laser 00 001 003 0000 +8.0 0003 1.0 -0.5  1 8.0 0.0  0 2.0 0.5  1",
           "0.4 16777343 6665 sonar 00 001 001 4 4 4", "## comment",
@@ -50,8 +51,7 @@ class Mutator {
   public:
     std::string mutate(std::string line) {
         const int times = 1 + below(3);
-        for (int i = 0; i < times && !line.empty(); ++i)
-            once(line);
+        for (int i = 0; i < times && !line.empty(); ++i) once(line);
         for (char& c : line) {
             if (c == '\n') c = ' ';
         }
@@ -61,7 +61,7 @@ class Mutator {
 
   private:
     void once(std::string& line) {
-        static const std::vector<std::string> kWords = {
+        static constexpr std::array kWords = {
             "-1",   "0",   "nan",    "-inf",       "1e308", "99999999999999999999", "+-1",
             "x",    "0x7", "1e-320", "4294967296", "-0",    "2147483647",           "#",
             "ODOM", ".",   "1.",     "\r",         "\t"};
@@ -83,7 +83,9 @@ class Mutator {
                 line += line.substr(at);
                 break;
             case 5:
-                replace_word(line, at, kWords[static_cast<std::size_t>(below(19))]);
+                replace_word(
+                    line, at,
+                    kWords.at(static_cast<std::size_t>(below(static_cast<int>(kWords.size())))));
                 break;
             default:
                 replace_word(line, at, "");
@@ -133,8 +135,7 @@ TEST_P(Fuzz, OneDamagedLineCostsThatLineAtMost) {
     const Sample& sample = GetParam();
     const TempDir folder;
     std::string good;
-    for (const std::string& line : sample.lines)
-        good += line + "\n";
+    for (const std::string& line : sample.lines) good += line + "\n";
     const Log whole = test::read_log(folder.put("good", good), sample.format);
     ASSERT_GE(whole.scans.size(), 1U);
     Mutator mutator;
@@ -183,10 +184,8 @@ TEST_P(Fuzz, LogsOfDamagedLinesAreReadToTheirEnd) {
             check_values(log);
             // A line is damage, or a scan, or odometry, or both of these.
             std::set<std::uint64_t> useful;
-            for (const Scan& scan : log.scans)
-                useful.insert(scan.line);
-            for (const Odometria& reading : log.odometry)
-                useful.insert(reading.line);
+            for (const Scan& scan : log.scans) useful.insert(scan.line);
+            for (const Odometria& reading : log.odometry) useful.insert(reading.line);
             ASSERT_LE(useful.size() + log.report.skipped + log.report.duplicate_scans, lines);
             for (const ReadReport::Skip& skip : log.report.examples) {
                 ASSERT_FALSE(useful.contains(skip.line)) << skip.line << " " << skip.reason;
@@ -202,10 +201,9 @@ TEST_P(Fuzz, DamagedGzipNeverFails) {
     const TempDir folder;
     std::string text;
     for (int i = 0; i < 50; ++i) {
-        for (const std::string& line : sample.lines)
-            text += line + "\n";
+        for (const std::string& line : sample.lines) text += line + "\n";
     }
-    const std::string packed = test::content_of(folder.put_gz("good", text));
+    const std::string packed = test::content(folder.put_gz("good", text));
     Mutator mutator;
     for (int round = 0; round < 300; ++round) {
         std::string bad = packed;

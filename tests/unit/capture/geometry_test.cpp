@@ -93,8 +93,7 @@ TEST_F(GeometryTest, TwistBetweenInvertsDisplacement) {
     const auto check = [](const Pose& moved, double seconds) {
         expect_near(displacement(twist_between(moved, seconds), seconds), moved, 1e-11);
     };
-    for (int i = 0; i < 5000; ++i)
-        check(random_pose(), uniform(1e-3, 10));
+    for (int i = 0; i < 5000; ++i) check(random_pose(), uniform(1e-3, 10));
     for (const double turn : {0.0, 1e-300, 1e-12, -1e-9, 9.9e-5, 1.01e-4, -1e-3, kPi, kPi - 1e-9,
                               -kPi + 1e-9, kPi / 2}) {
         check({0.3, -0.1, turn}, 0.1);

@@ -27,8 +27,7 @@ std::vector<Got> lines_of(const std::filesystem::path& path) {
 
 std::string many_lines(int count) {
     std::string text;
-    for (int i = 1; i <= count; ++i)
-        text += "line " + std::to_string(i) + "\n";
+    for (int i = 1; i <= count; ++i) text += "line " + std::to_string(i) + "\n";
     return text;
 }
 
@@ -56,8 +55,8 @@ TEST(LineReader, GzipByContentNotByName) {
 
 TEST(LineReader, ReadsSeveralGzipMembersAndPadding) {
     const TempDir folder;
-    const std::string one = test::content_of(folder.put_gz("1", "first\n"));
-    const std::string two = test::content_of(folder.put_gz("2", "second\n"));
+    const std::string one = test::content(folder.put_gz("1", "first\n"));
+    const std::string two = test::content(folder.put_gz("2", "second\n"));
     const auto lines = lines_of(folder.put("both.gz", one + two + std::string(512, '\0')));
     ASSERT_EQ(lines.size(), 2U);
     EXPECT_EQ(lines[1].text, "second");
@@ -68,7 +67,7 @@ TEST(LineReader, ReadsSeveralGzipMembersAndPadding) {
 
 TEST(LineReader, TruncatedGzipGivesWholeLinesThenOneDamage) {
     const TempDir folder;
-    const std::string packed = test::content_of(folder.put_gz("a", many_lines(20000)));
+    const std::string packed = test::content(folder.put_gz("a", many_lines(20000)));
     const auto lines = lines_of(folder.put("cut.gz", packed.substr(0, packed.size() / 2)));
     ASSERT_GT(lines.size(), 1000U);
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -81,7 +80,7 @@ TEST(LineReader, TruncatedGzipGivesWholeLinesThenOneDamage) {
 
 TEST(LineReader, CorruptGzipGivesWhatCameBefore) {
     const TempDir folder;
-    std::string packed = test::content_of(folder.put_gz("a", many_lines(20000)));
+    std::string packed = test::content(folder.put_gz("a", many_lines(20000)));
     packed[packed.size() - 6] ^= '\x55';  // in the checksum
     const auto lines = lines_of(folder.put("bad.gz", packed));
     ASSERT_EQ(lines.size(), 20001U);

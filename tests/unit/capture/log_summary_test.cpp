@@ -39,8 +39,7 @@ TEST(LogSummary, CountsAWholeLog) {
 TEST(LogSummary, CanBeStopped) {
     const TempDir folder;
     std::string text;
-    for (int i = 0; i < 100; ++i)
-        text += "laser 0 " + std::to_string(i) + " 1 -1 0\n";
+    for (int i = 0; i < 100; ++i) text += "laser 0 " + std::to_string(i) + " 1 -1 0\n";
     const LogSummary summary =
         inspect_log(folder.put("a.log", text), LogFormat::radish, {}, [](double) { return false; });
     EXPECT_FALSE(summary.complete);

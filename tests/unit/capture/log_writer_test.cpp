@@ -8,7 +8,7 @@
 namespace hitos {
 namespace {
 
-using test::content_of;
+using test::content;
 using test::expect_near;
 using test::Log;
 using test::TempDir;
@@ -41,7 +41,7 @@ Scan scan_of(double time_s, Fan fan, const std::vector<double>& ranges) {
     return scan;
 }
 
-const Fan kHalf{-kPi / 2, kPi / 2, 0, 8.0, {}};
+constexpr Fan kHalf{-kPi / 2, kPi / 2, 0, 8.0, {}};
 
 /// A short tour: readings at 10 Hz on a curve, a scan with every second one and one in between.
 struct Tour {
@@ -73,8 +73,7 @@ std::filesystem::path write_tour(LogFormat format, const std::filesystem::path& 
         }
         writer->write(reading);
     }
-    while (next < tour.scans.size())
-        writer->write(tour.scans[next++]);
+    while (next < tour.scans.size()) writer->write(tour.scans[next++]);
     writer->finish();
     return path;
 }
@@ -125,7 +124,7 @@ TEST(LogWriter, MountedLaserAndUnusualFan) {
         SCOPED_TRACE(to_string(format));
         expect_same(tour, log, 2e-4);
         if (format == LogFormat::carmen) {
-            EXPECT_THAT(content_of(path), HasSubstr("ROBOTLASER1"));
+            EXPECT_THAT(content(path), HasSubstr("ROBOTLASER1"));
         }
         if (format != LogFormat::player && format != LogFormat::carmen) continue;
         expect_near(log.scans[0].fan.pose_robot_laser, fan.pose_robot_laser, 1e-5);
@@ -139,7 +138,7 @@ TEST(LogWriter, GzipByName) {
     for (const LogFormat format : kAll) {
         const auto path =
             write_tour(format, folder / (std::string(to_string(format)) + ".log.gz"), tour);
-        EXPECT_EQ(content_of(path).substr(0, 2), "\x1f\x8b");
+        EXPECT_EQ(content(path).substr(0, 2), "\x1f\x8b");
         EXPECT_EQ(test::read_log(path).scans.size(), tour.scans.size());
     }
 }
@@ -151,7 +150,7 @@ TEST(LogWriter, PlayerLinesAreLaidOutAsWritelogDoes) {
     writer->write(Odometria{0.2, {1, 0, 0}, 0});
     writer->write(scan_of(0.2, {-1.0, 1.0, 0, 8.0, {}}, {1.0, 0.0}));
     writer->finish();
-    const std::string text = content_of(folder / "a");
+    const std::string text = content(folder / "a");
     EXPECT_THAT(text, HasSubstr("## File version 0.3.0 \n"));
     EXPECT_THAT(text, HasSubstr("0000000000.200000 16777343 6665 position2d 00 001 001 +00.100000 "
                                 "+00.000000 +00.000000 +01.000000 +00.000000 +00.000000 0\n"));
@@ -199,10 +198,8 @@ TEST(LogWriter, ScanOvertakenByItsOwnReadingTakesItsTime) {
     const Log log = test::read_text(LogFormat::carmen, text);
     ASSERT_EQ(log.odometry.size(), 6U);
     const auto writer = make_log_writer(LogFormat::normalized, folder / "a");
-    for (const Scan& scan : log.scans)
-        writer->write(scan);
-    for (const Odometria& reading : log.odometry)
-        writer->write(reading);
+    for (const Scan& scan : log.scans) writer->write(scan);
+    for (const Odometria& reading : log.odometry) writer->write(reading);
     writer->finish();
     const Log again = test::read_log(folder / "a");
     ASSERT_EQ(again.scans.size(), 3U);
@@ -313,7 +310,7 @@ TEST(LogWriter, NormalizedBreaksAreCounted) {
     writer->write(Odometria{0.1, {0.5, 0.0, 0.1}, 0});
     writer->write(Odometria{0.2, {0.5, 0.25, 0.1}, 0});
     writer->finish();
-    EXPECT_EQ(content_of(folder / "a"),
+    EXPECT_EQ(content(folder / "a"),
               "ODOM 0.1 0.5 0.1\nLASER 0.1 4 1 2 1e-300 0 0 0 5 6\nODOM 0.2 0.5 0.1 0.25\n");
     EXPECT_THAT(test::read_log(folder / "a").scans.at(0).run_starts, ElementsAre(0, 2));
 }

@@ -11,14 +11,14 @@ using test::TempDir;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-const char* const kPlayer = "1.0 16777343 6665 position2d 00 001 001 0 0 0 0 0 0 0\n";
-const char* const kOldPlayer = "1.0 robot 6665 position 00 1.0 0 0 0 0 0 0 0\n";
-const char* const kRadish = "position 0 7.420 0.0 0.0 0.0 0.0 0.0 0.0\n";
-const char* const kNormalized = "ODOM 1.0 0.5 0.1\n";
-const char* const kCarmen = "ODOM 0 0 0 0 0 0 7.4 h 7.4\n";
+constexpr const char* kPlayer = "1.0 16777343 6665 position2d 00 001 001 0 0 0 0 0 0 0\n";
+constexpr const char* kOldPlayer = "1.0 robot 6665 position 00 1.0 0 0 0 0 0 0 0\n";
+constexpr const char* kRadish = "position 0 7.420 0.0 0.0 0.0 0.0 0.0 0.0\n";
+constexpr const char* kNormalized = "ODOM 1.0 0.5 0.1\n";
+constexpr const char* kCarmen = "ODOM 0 0 0 0 0 0 7.4 h 7.4\n";
 
 std::string error_of(const std::filesystem::path& path, LogFormat format = LogFormat::automatic) {
-    const std::string message = test::message_of<Error>([&] { open_log(path, format); });
+    std::string message = test::message_of<Error>([&] { open_log(path, format); });
     EXPECT_THAT(message, HasSubstr(path.string()));
     return message;
 }
@@ -48,8 +48,7 @@ TEST(OpenLog, TheMajorityDecides) {
 TEST(OpenLog, GarbageBeforeTheLogDoesNotHideIt) {
     const TempDir folder;
     std::string text = std::string(3U << 20U, 'x') + "\n";
-    for (int i = 0; i < 500; ++i)
-        text += "?? noise\n# note\n\n";
+    for (int i = 0; i < 500; ++i) text += "?? noise\n# note\n\n";
     EXPECT_EQ(open_log(folder.put("a", text + kRadish))->format(), LogFormat::radish);
 }
 
@@ -80,8 +79,7 @@ TEST(OpenLog, BinaryFile) {
     const TempDir folder;
     std::string noise;
     std::mt19937 engine(3);
-    for (int i = 0; i < 20000; ++i)
-        noise.push_back(static_cast<char>(engine()));
+    for (int i = 0; i < 20000; ++i) noise.push_back(static_cast<char>(engine()));
     EXPECT_THAT(error_of(folder.put("a", noise)), HasSubstr("is not text"));
     EXPECT_THAT(error_of(folder.put_gz("b", noise)), HasSubstr("is not text once unpacked"));
     EXPECT_THAT(error_of(folder.put("c", "\x89PNG\r\n\x1a\n1234")), HasSubstr("PNG picture"));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "test_files.hpp"
+#include "text_out.hpp"
 
 namespace hitos {
 namespace {
@@ -28,10 +29,12 @@ TEST(Procesador, SumOfTwistsReproducesRandomPoses) {
     double time = 1.6e9;
     Pose pose{3, -4, 1};
     for (int i = 0; i < 5000; ++i) {
-        char line[200];
-        std::snprintf(line, sizeof line, "position 0 %.17g %.17g %.17g %.17g 0 0 0\n", time, pose.x,
-                      pose.y, pose.theta);
-        text += line;
+        text += "position 0";
+        for (const double value : {time, pose.x, pose.y, pose.theta}) {
+            text += ' ';
+            append_exact(text, value);
+        }
+        text += " 0 0 0\n";
         poses.push_back(pose);
         // Stamps stand still, go back and jump; turns go up to half a circle, or are tiny.
         time += i % 7 == 0 ? -0.3 : i % 11 == 0 ? 0.0 : 0.1;
@@ -121,8 +124,7 @@ TEST(Procesador, DamageIsCountedOnceWhateverTheOrderOfReading) {
         EXPECT_EQ(report.skipped, 5U);
         ASSERT_EQ(report.examples.size(), 5U);
         const std::vector<std::uint64_t> expected = {2, 3, 4, 5, 7};
-        for (std::size_t i = 0; i < 5; ++i)
-            EXPECT_EQ(report.examples[i].line, expected[i]);
+        for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(report.examples[i].line, expected[i]);
         EXPECT_EQ(report.scans, 1U);
         EXPECT_EQ(report.odometry, 2U);
     }
@@ -130,8 +132,7 @@ TEST(Procesador, DamageIsCountedOnceWhateverTheOrderOfReading) {
 
 TEST(Procesador, KeepsOnlyTheFirstExamples) {
     std::string text = position(1, 0);
-    for (int i = 0; i < 100; ++i)
-        text += i % 2 == 0 ? "position 0 x\n" : "laser 0 1 1\n";
+    for (int i = 0; i < 100; ++i) text += i % 2 == 0 ? "position 0 x\n" : "laser 0 1 1\n";
     const Log log = read_text(LogFormat::radish, text);
     EXPECT_EQ(log.report.skipped, 100U);
     ASSERT_EQ(log.report.examples.size(), ReadReport::kExamples);
@@ -143,9 +144,8 @@ TEST(Procesador, KeepsOnlyTheFirstExamples) {
 TEST(Procesador, TruncatedGzipGivesWhatCanBeReadAndCountsOnce) {
     const TempDir folder;
     std::string text;
-    for (int i = 0; i < 20000; ++i)
-        text += position(i, i * 0.37);
-    const std::string packed = test::content_of(folder.put_gz("a", text));
+    for (int i = 0; i < 20000; ++i) text += position(i, i * 0.37);
+    const std::string packed = test::content(folder.put_gz("a", text));
     const Log log = test::read_log(folder.put("cut.gz", packed.substr(0, packed.size() / 2)));
     EXPECT_GT(log.odometry.size(), 5000U);
     EXPECT_LT(log.odometry.size(), 15000U);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <ostream>
 
 #include "fields.hpp"
 #include "hitos/capture/log_summary.hpp"
@@ -23,8 +24,8 @@ struct Golden {
     double duration_s;
 };
 
-void PrintTo(const Golden& golden, std::ostream* out) {
-    *out << golden.file;
+std::ostream& operator<<(std::ostream& out, const Golden& golden) {
+    return out << golden.file;
 }
 
 class RealLog : public ::testing::TestWithParam<Golden> {};
@@ -50,8 +51,7 @@ std::map<std::uint64_t, Pose> logged_poses(const std::filesystem::path& path) {
     LineReader reader(path);
     while (const std::optional<LineReader::Line> line = reader.next()) {
         std::vector<std::string> fields;
-        for (Fields walk(line->text); !walk.at_end();)
-            fields.emplace_back(walk.take());
+        for (Fields walk(line->text); !walk.at_end();) fields.emplace_back(walk.take());
         std::size_t at = 0;
         if (fields.empty() || fields[0].front() == '#') continue;
         if (fields[0] == "ODOM") at = 1;
@@ -75,8 +75,7 @@ TEST_P(RealLog, SummedTwistsReproduceEveryLoggedPose) {
     std::size_t reading = 0;
     for (const auto& [line, pose] : poses) {
         // A line that repeats stamp and pose gives no reading: the one before stands for it.
-        while (reading + 1 < sums.size() && log.odometry[reading + 1].line <= line)
-            ++reading;
+        while (reading + 1 < sums.size() && log.odometry[reading + 1].line <= line) ++reading;
         ASSERT_LE(log.odometry[reading].line, line);
         ASSERT_NEAR(sums[reading].x, pose.x, 1e-9) << line;
         ASSERT_NEAR(sums[reading].y, pose.y, 1e-9) << line;

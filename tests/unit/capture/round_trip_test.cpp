@@ -19,8 +19,7 @@ void write_merged(const Log& log, LogWriter& writer) {
         }
         writer.write(reading);
     }
-    while (next < log.scans.size())
-        writer.write(log.scans[next++]);
+    while (next < log.scans.size()) writer.write(log.scans[next++]);
     writer.finish();
 }
 
@@ -50,7 +49,7 @@ TEST_P(RoundTrip, ThroughTheNormalizedFormatToTheLastBit) {
         ASSERT_EQ(again.odometry[i].twist, log.odometry[i].twist) << i;
     }
     write_merged(again, *make_log_writer(LogFormat::normalized, folder / "n2.log"));
-    EXPECT_EQ(test::content_of(folder / "n2.log"), test::content_of(folder / "n.log"));
+    EXPECT_EQ(test::content(folder / "n2.log"), test::content(folder / "n.log"));
 }
 
 TEST_P(RoundTrip, ThroughTheOtherFormatsToTheirDecimals) {

@@ -18,50 +18,20 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/error.hpp"
 #include "hitos/capture/procesador.hpp"
+#include "support.hpp"
 
 namespace hitos::test {
 
-class TempDir {
+/// A folder that also takes compressed files.
+class TempDir : public TempFolder {
   public:
-    TempDir() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "hitos-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        path_ = pattern;
-    }
-    ~TempDir() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TempDir(const TempDir&) = delete;
-    TempDir& operator=(const TempDir&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    const std::filesystem::path& path() const { return path_; }
-    std::size_t files() const {
-        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_),
-                                                      std::filesystem::directory_iterator{}));
-    }
-    /// Writes the text and returns its path.
-    std::filesystem::path put(const std::string& name, std::string_view text) const {
-        std::ofstream(path_ / name, std::ios::binary)
-            .write(text.data(), static_cast<std::streamsize>(text.size()));
-        return path_ / name;
-    }
     std::filesystem::path put_gz(const std::string& name, std::string_view text) const {
-        const gzFile file = ::gzopen((path_ / name).c_str(), "wb");
+        const gzFile file = ::gzopen((path() / name).c_str(), "wb");
         ::gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
         ::gzclose(file);
-        return path_ / name;
+        return path() / name;
     }
-
-  private:
-    std::filesystem::path path_;
 };
-
-inline std::string content_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 /// Everything that a log gives.
 struct Log {
@@ -72,8 +42,7 @@ struct Log {
 
 inline Log read_all(Procesador& procesador) {
     Log log;
-    while (std::optional<Scan> scan = procesador.next_scan())
-        log.scans.push_back(std::move(*scan));
+    while (std::optional<Scan> scan = procesador.next_scan()) log.scans.push_back(std::move(*scan));
     while (const std::optional<Odometria> reading = procesador.next_odometry()) {
         log.odometry.push_back(*reading);
     }
@@ -114,17 +83,6 @@ inline void expect_near(const Pose& a, const Pose& b, double tolerance,
 inline void expect_near(const Point2& a, const Point2& b, double tolerance) {
     EXPECT_NEAR(a.x, b.x, tolerance);
     EXPECT_NEAR(a.y, b.y, tolerance);
-}
-
-/// The message of the error that the call throws; empty where it throws none of that type.
-template <typename ErrorType, typename Call>
-std::string message_of(Call&& call) {
-    try {
-        std::forward<Call>(call)();
-    } catch (const ErrorType& error) {
-        return error.what();
-    }
-    return {};
 }
 
 /// A log of the shared folder.

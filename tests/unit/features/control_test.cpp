@@ -93,8 +93,7 @@ TEST(ControlTrack, AScanWithItsOwnOdometryGoesByLine) {
 
 TEST(ControlTrack, DurationsSumToTheTimeCovered) {
     std::deque<Odometria> readings;
-    for (int i = 0; i <= 100; ++i)
-        readings.push_back(reading(0.1 * i, 0.5, 0.01 * i));
+    for (int i = 0; i <= 100; ++i) readings.push_back(reading(0.1 * i, 0.5, 0.01 * i));
     auto track = track_of(readings);
     std::vector<Control> controls;
     double total = 0.0;

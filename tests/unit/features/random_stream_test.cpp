@@ -10,8 +10,7 @@ namespace {
 TEST(RandomStream, SameAddressSameDraws) {
     RandomStream a(42, RandomPurpose::motion, 7, 3);
     RandomStream b(42, RandomPurpose::motion, 7, 3);
-    for (int i = 0; i < 100; ++i)
-        EXPECT_EQ(a.next(), b.next());
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(a.next(), b.next());
 }
 
 TEST(RandomStream, EveryPartOfTheAddressMatters) {

@@ -13,10 +13,9 @@
 namespace hitos {
 namespace {
 
-using testing::Folder;
+using test::message_of;
+using test::TempFolder;
 using ::testing::HasSubstr;
-using testing::message_of;
-using ::testing::Not;
 using Type = Parameter::Type;
 
 void expect_equal(const Configuracion& a, const Configuracion& b) {
@@ -50,8 +49,7 @@ Configuracion random_configuration(std::mt19937_64& random) {
                 break;
             case Type::text: {
                 p.words(c).clear();
-                for (int i = 0; i < 30; ++i)
-                    p.words(c) += static_cast<char>(random() % 0x80);
+                for (int i = 0; i < 30; ++i) p.words(c) += static_cast<char>(random() % 0x80);
                 p.words(c) += "ñ→𝄞";
                 break;
             }
@@ -212,19 +210,19 @@ TEST(ArchivoConfiguracion, TellsBadTomlWithTheLine) {
 }
 
 TEST(ArchivoConfiguracion, WritesAndReadsFiles) {
-    const Folder folder;
+    const TempFolder folder;
     Configuracion c;
     c.grid.resolution_m = 0.1 + 0.2;
     const auto path = folder / "a.cfg";
     ArchivoConfiguracion::write(c, path);
-    EXPECT_EQ(testing::content(path), ArchivoConfiguracion::to_text(c));
+    EXPECT_EQ(test::content(path), ArchivoConfiguracion::to_text(c));
     expect_equal(ArchivoConfiguracion::read(path), c);
     EXPECT_EQ(folder.files(), 1U);
 }
 
 TEST(ArchivoConfiguracion, MessagesNameTheFileThatWasRead) {
-    const Folder folder;
-    const auto path = folder.file("bad.cfg", "\nx = 1\n");
+    const TempFolder folder;
+    const auto path = folder.put("bad.cfg", "\nx = 1\n");
     EXPECT_THAT(message_of<FormatError>([&] { ArchivoConfiguracion::read(path); }),
                 HasSubstr(path.string() + ":2: x: no such parameter"));
     const auto missing = folder / "none.cfg";
@@ -235,26 +233,28 @@ TEST(ArchivoConfiguracion, MessagesNameTheFileThatWasRead) {
 }
 
 TEST(ArchivoConfiguracion, AFailedWriteLeavesTheFileThatWasThere) {
-    const Folder folder;
-    const auto file = folder.file("file", "precious");
+    const TempFolder folder;
+    const auto file = folder.put("file", "precious");
     const auto below = file / "a.cfg";
     EXPECT_THAT(message_of<FileError>([&] { ArchivoConfiguracion::write({}, below); }),
                 HasSubstr(below.string()));
     Configuracion bad;
     bad.source.file = "\xff";
     EXPECT_THROW(ArchivoConfiguracion::write(bad, file), ConfigError);
-    EXPECT_EQ(testing::content(file), "precious");
+    EXPECT_EQ(test::content(file), "precious");
     EXPECT_EQ(folder.files(), 1U);
 }
 
-const std::filesystem::path kConfig = std::filesystem::path(HITOS_SOURCE_DIR) / "config";
+std::filesystem::path shipped(std::string_view name) {
+    return std::filesystem::path(HITOS_SOURCE_DIR) / "config" / name;
+}
 
 TEST(ShippedConfigurations, InitIsTheTextOfTheDefaults) {
-    EXPECT_EQ(testing::content(kConfig / "init.cfg"), ArchivoConfiguracion::to_text({}));
+    EXPECT_EQ(test::content(shipped("init.cfg")), ArchivoConfiguracion::to_text({}));
 }
 
 TEST(ShippedConfigurations, SimulatedIsTheTableOfTheThesis) {
-    const Configuracion c = ArchivoConfiguracion::read(kConfig / "simulated.cfg");
+    const Configuracion c = ArchivoConfiguracion::read(shipped("simulated.cfg"));
     Configuracion expected;  // [T table 10.17]
     expected.filter.particles = 100;
     expected.filter.resampling.rule = ResamplingRule::always;
@@ -270,7 +270,7 @@ TEST(ShippedConfigurations, SimulatedIsTheTableOfTheThesis) {
 }
 
 TEST(ShippedConfigurations, RecordedIsForRealRobots) {
-    const Configuracion c = ArchivoConfiguracion::read(kConfig / "recorded.cfg");
+    const Configuracion c = ArchivoConfiguracion::read(shipped("recorded.cfg"));
     EXPECT_EQ(c.filter.motion.model, MotionModel::proportional);
     EXPECT_EQ(c.extraction.split_merge.fit, LineFit::least_squares);
     EXPECT_GT(c.extraction.split_merge.gap_m, 0.0);
@@ -279,11 +279,10 @@ TEST(ShippedConfigurations, RecordedIsForRealRobots) {
 /// The short files say only what differs from the defaults.
 TEST(ShippedConfigurations, HoldNothingThatIsADefault) {
     for (const char* name : {"simulated.cfg", "recorded.cfg"}) {
-        const Configuracion c = ArchivoConfiguracion::read(kConfig / name);
+        const Configuracion c = ArchivoConfiguracion::read(shipped(name));
         std::size_t differing = 0;
-        for (const Parameter& p : parameters())
-            differing += p.text(c) != p.text({}) ? 1U : 0U;
-        const std::string text = testing::content(kConfig / name);
+        for (const Parameter& p : parameters()) differing += p.text(c) != p.text({}) ? 1U : 0U;
+        const std::string text = test::content(shipped(name));
         std::size_t set = 0;
         for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {
             const std::string line = text.substr(at, text.find('\n', at) - at);

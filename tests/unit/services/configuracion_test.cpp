@@ -14,9 +14,8 @@
 namespace hitos {
 namespace {
 
+using test::message_of;
 using ::testing::HasSubstr;
-using testing::message_of;
-using ::testing::Not;
 using Type = Parameter::Type;
 
 std::string refusal(std::string_view assignment) {

@@ -16,8 +16,8 @@
 namespace hitos {
 namespace {
 
+using test::message_of;
 using ::testing::HasSubstr;
-using testing::message_of;
 using Cell = std::pair<std::int64_t, std::int64_t>;  // (column, row) from the world's origin
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -84,6 +84,10 @@ TEST(Grid, ARayFreesWhatItPassesAndOccupiesItsEnd) {
 TEST(Grid, CellsHoldTheirLowerBorders) {
     const std::map<Cell, float> cells = after_one_ray({0.0, 0.0}, {2.0, 0.0});
     EXPECT_EQ(cells, (std::map<Cell, float>{{{0, 0}, -0.5F}, {{1, 0}, -0.5F}, {{2, 0}, 1.0F}}));
+    // Downwards through the corner (1, 1), which is the cell's to the right and above.
+    EXPECT_EQ(
+        after_one_ray({0.5, 1.25}, {2.5, 0.25}),
+        (std::map<Cell, float>{{{0, 1}, -0.5F}, {{1, 1}, -0.5F}, {{1, 0}, -0.5F}, {{2, 0}, 1.0F}}));
     // 0.15 / 0.05 is a little less than 3 in doubles.
     GridParams params;
     params.resolution_m = 0.05;
@@ -109,8 +113,7 @@ TEST(Grid, NoCellThatAScanHitIsFreedByIt) {
     const std::vector<Point2> points = {{3.0, 0.0}, {5.0, 0.0}, {3.2, 0.1}};
     for (const auto& order : {std::vector<int>{0, 1, 2}, {1, 0, 2}, {2, 1, 0}}) {
         Scan scan;
-        for (const int i : order)
-            scan.points.push_back(points[static_cast<std::size_t>(i)]);
+        for (const int i : order) scan.points.push_back(points[static_cast<std::size_t>(i)]);
         Grid grid(unit_cells());
         grid.add(scan, {0.5, 0.5, 0.0});
         EXPECT_EQ(grid.log_odds(3, 0), 2.0F);  // hit twice, passed once
@@ -125,8 +128,7 @@ TEST(Grid, NoCellThatAScanHitIsFreedByIt) {
 
 TEST(Grid, ValuesStayWithinTheLimit) {
     Grid grid(unit_cells());
-    for (int i = 0; i < 20; ++i)
-        grid.add(scan_of({{2.0, 0.0}}), {0.5, 0.5, 0.0});
+    for (int i = 0; i < 20; ++i) grid.add(scan_of({{2.0, 0.0}}), {0.5, 0.5, 0.0});
     EXPECT_EQ(grid.log_odds(0, 0), -3.0F);
     EXPECT_EQ(grid.log_odds(2, 0), 3.0F);
 }
@@ -142,6 +144,15 @@ TEST(Grid, RaysAreDrawnUpToTheGreatestRange) {
     EXPECT_EQ(grid.log_odds(0, 3), 1.0F);   // exactly at the range: a hit
     EXPECT_EQ(grid.log_odds(2, 2), -0.5F);
     EXPECT_EQ(grid.left_out(), 0U);
+}
+
+TEST(Grid, ACutRayFreesTheCellItIsCutIn) {
+    GridParams params = unit_cells();
+    params.max_range_m = 1.5;
+    Grid grid(params);
+    grid.add(scan_of({{4.0, 3.0}}), {0.5, 0.25, 0.0});  // ends at (1.7, 1.15)
+    EXPECT_EQ(known_cells(grid),
+              (std::map<Cell, float>{{{0, 0}, -0.5F}, {{1, 0}, -0.5F}, {{1, 1}, -0.5F}}));
 }
 
 TEST(Grid, RaysStartAtTheLaser) {
@@ -280,8 +291,7 @@ TEST(Grid, TheSameScansGiveTheSameBits) {
         Grid grid;
         for (int i = 0; i < 50; ++i) {
             Scan scan;
-            for (int k = 0; k < 100; ++k)
-                scan.points.push_back({values(random), values(random)});
+            for (int k = 0; k < 100; ++k) scan.points.push_back({values(random), values(random)});
             grid.add(scan, {values(random), values(random), values(random)});
         }
         return known_cells(grid);

@@ -14,9 +14,9 @@
 namespace hitos {
 namespace {
 
-using testing::Folder;
+using test::message_of;
+using test::TempFolder;
 using ::testing::HasSubstr;
-using testing::message_of;
 
 ICaracteristica line(double rho, double theta) {
     return {Recta{rho, theta}};
@@ -137,10 +137,8 @@ TEST(MapToText, ReadsBack) {
     std::uniform_real_distribution<double> lengths(-50.0, 50.0);
     std::uniform_real_distribution<double> angles(-kPi, kPi);
     LandmarkMap map;
-    for (int i = 0; i < 3000; ++i)
-        map.push_back(line(std::abs(lengths(random)), angles(random)));
-    for (int i = 0; i < 3000; ++i)
-        map.push_back(corner(lengths(random), lengths(random)));
+    for (int i = 0; i < 3000; ++i) map.push_back(line(std::abs(lengths(random)), angles(random)));
+    for (int i = 0; i < 3000; ++i) map.push_back(corner(lengths(random), lengths(random)));
     const LandmarkMap back = parse_map(map_to_text(map), "m");
     ASSERT_EQ(back.size(), map.size());
     for (std::size_t i = 0; i < 3000; ++i) {
@@ -166,27 +164,27 @@ TEST(MapToText, RefusesLandmarksThatAreNotFinite) {
 }
 
 TEST(MapFiles, AreWrittenAndRead) {
-    const Folder folder;
+    const TempFolder folder;
     const auto path = folder / "a.map";
     write_map({line(1.0, kPi), corner(1.0, 2.0)}, path);
-    EXPECT_EQ(testing::content(path), "rho: 1 theta: 180\nx: 1 y: 2\n");
+    EXPECT_EQ(test::content(path), "rho: 1 theta: 180\nx: 1 y: 2\n");
     EXPECT_EQ(read_map(path).size(), 2U);
     EXPECT_EQ(folder.files(), 1U);
 }
 
 TEST(MapFiles, ErrorsNameTheFile) {
-    const Folder folder;
+    const TempFolder folder;
     const auto missing = folder / "none.map";
     EXPECT_EQ(message_of<FileError>([&] { read_map(missing); }),
               missing.string() + ": no such file");
     EXPECT_THAT(message_of<FileError>([&] { read_map(folder.path()); }), HasSubstr("directory"));
-    const auto bad = folder.file("bad.map", "x: 1 y: 2\nx: 1\n");
+    const auto bad = folder.put("bad.map", "x: 1 y: 2\nx: 1\n");
     EXPECT_THAT(message_of<FormatError>([&] { read_map(bad); }), HasSubstr(bad.string() + ":2: "));
     EXPECT_THAT(message_of<FileError>([&] { write_map({corner(1, 2)}, bad / "m.map"); }),
                 HasSubstr((bad / "m.map").string()));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(write_map({corner(nan, 2)}, bad), Error);
-    EXPECT_EQ(testing::content(bad), "x: 1 y: 2\nx: 1\n");
+    EXPECT_EQ(test::content(bad), "x: 1 y: 2\nx: 1\n");
     EXPECT_EQ(folder.files(), 1U);
 }
 

@@ -14,9 +14,9 @@
 namespace hitos {
 namespace {
 
-using testing::Folder;
+using test::message_of;
+using test::TempFolder;
 using ::testing::HasSubstr;
-using testing::message_of;
 
 /// 12 x 10 m with a cell of 0.5 m: free but for a wall at the right end of the bottom row.
 Grid grid_map() {
@@ -124,8 +124,7 @@ TEST(EncodePicture, ScaleBarHasARoundLength) {
     // A quarter of 12 m is 3 m: the bar is 2 m, 40 pixels.
     const int row = image.rows - 12;
     int black = 0;
-    for (int x = 0; x < image.cols; ++x)
-        black += image.at<std::uint8_t>(row, x) == 0 ? 1 : 0;
+    for (int x = 0; x < image.cols; ++x) black += image.at<std::uint8_t>(row, x) == 0 ? 1 : 0;
     EXPECT_EQ(black, 40);
     EXPECT_EQ(image.at<std::uint8_t>(row, 10), 0);
     EXPECT_EQ(image.at<std::uint8_t>(row, 49), 0);
@@ -166,22 +165,22 @@ TEST(EncodePicture, RefusesPicturesOfTooManyPixels) {
 }
 
 TEST(WritePicture, WritesTheKindThatTheExtensionNames) {
-    const Folder folder;
+    const TempFolder folder;
     const Grid grid = grid_map();
     const PictureStyle style{.scale = 2, .path = {{1.0, 1.0}, {5.0, 5.0}}};
     for (const char* name : {"a.png", "b.PNG"}) {
         write_picture(grid, style, folder / name);
-        EXPECT_EQ(testing::content(folder / name), encode_picture(grid, style, "png"));
+        EXPECT_EQ(test::content(folder / name), encode_picture(grid, style, "png"));
     }
     for (const char* name : {"a.jpg", "b.Jpeg"}) {
         write_picture(grid.picture(), folder / name);
-        EXPECT_EQ(testing::content(folder / name), encode_picture(grid.picture(), "jpg"));
+        EXPECT_EQ(test::content(folder / name), encode_picture(grid.picture(), "jpg"));
     }
     EXPECT_EQ(folder.files(), 4U);
 }
 
 TEST(WritePicture, ErrorsNameTheFileAndLeaveWhatWasThere) {
-    const Folder folder;
+    const TempFolder folder;
     const Grid grid = grid_map();
     const auto bmp = folder / "a.bmp";
     EXPECT_EQ(message_of<FileError>([&] { write_picture(grid, {}, bmp); }),
@@ -189,14 +188,14 @@ TEST(WritePicture, ErrorsNameTheFileAndLeaveWhatWasThere) {
                   ": found the extension \".bmp\"; pictures are written as .png, .jpg or .jpeg");
     EXPECT_THAT(message_of<FileError>([&] { write_picture(grid, {}, folder / "a"); }),
                 HasSubstr("found the extension \"\""));
-    const auto old = folder.file("old.png", "precious");
+    const auto old = folder.put("old.png", "precious");
     EXPECT_THAT(message_of<FileError>([&] { write_picture(Grid{}, {}, old); }),
                 HasSubstr(old.string() + ": the grid map is empty"));
     EXPECT_THAT(message_of<FileError>([&] { write_picture(grid, {.scale = 0, .path = {}}, old); }),
                 HasSubstr(old.string() + ": scale: 0 is out of range"));
     EXPECT_THAT(message_of<FileError>([&] { write_picture(grid, {}, old / "b.png"); }),
                 HasSubstr((old / "b.png").string()));
-    EXPECT_EQ(testing::content(old), "precious");
+    EXPECT_EQ(test::content(old), "precious");
     EXPECT_EQ(folder.files(), 1U);
 }
 

@@ -13,15 +13,15 @@
 namespace hitos::input {
 namespace {
 
+using test::message_of;
+using test::TempFolder;
 using ::testing::ElementsAre;
-using testing::Folder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::message_of;
 
-std::string gzipped(const Folder& folder, std::string_view text) {
-    const std::string path = (folder / "packed.gz").string();
-    const gzFile file = gzopen(path.c_str(), "wb");
+std::string gzipped(const TempFolder& folder, std::string_view text) {
+    std::string path = (folder / "packed.gz").string();
+    auto* const file = gzopen(path.c_str(), "wb");
     EXPECT_EQ(gzwrite(file, text.data(), static_cast<unsigned>(text.size())),
               static_cast<int>(text.size()));
     EXPECT_EQ(gzclose(file), Z_OK);
@@ -30,43 +30,42 @@ std::string gzipped(const Folder& folder, std::string_view text) {
 
 std::string long_text() {
     std::string text;
-    for (int i = 0; i < 50000; ++i)
-        text += std::to_string(i * 7919) + "\n";
+    for (int i = 0; i < 50000; ++i) text += std::to_string(i * 7919) + "\n";
     return text;
 }
 
 TEST(ReadText, GivesPlainFilesByteByByte) {
-    const Folder folder;
+    const TempFolder folder;
     const std::string text("a\r\n\0\xff", 5);
-    EXPECT_EQ(read_text(folder.file("plain", text)), text);
-    EXPECT_EQ(read_text(folder.file("empty", "")), "");
-    EXPECT_EQ(read_text(folder.file("long", long_text())), long_text());
+    EXPECT_EQ(read_text(folder.put("plain", text)), text);
+    EXPECT_EQ(read_text(folder.put("empty", "")), "");
+    EXPECT_EQ(read_text(folder.put("long", long_text())), long_text());
 }
 
 TEST(ReadText, UnpacksGzip) {
-    const Folder folder;
+    const TempFolder folder;
     EXPECT_EQ(read_text(gzipped(folder, long_text())), long_text());
 }
 
 TEST(ReadText, RefusesTruncatedAndDamagedGzip) {
-    const Folder folder;
-    const std::string packed = testing::content(gzipped(folder, long_text()));
-    const auto cut = folder.file("cut.gz", packed.substr(0, packed.size() / 2));
+    const TempFolder folder;
+    const std::string packed = test::content(gzipped(folder, long_text()));
+    const auto cut = folder.put("cut.gz", packed.substr(0, packed.size() / 2));
     EXPECT_THAT(message_of<FileError>([&] { read_text(cut); }),
                 HasSubstr(cut.string() + ": damaged gzip file: "));
     std::string bent = packed;
     bent[bent.size() / 2] = static_cast<char>(~bent[bent.size() / 2]);
-    const auto damaged = folder.file("bent.gz", bent);
+    const auto damaged = folder.put("bent.gz", bent);
     EXPECT_THAT(message_of<FileError>([&] { read_text(damaged); }),
                 HasSubstr(damaged.string() + ": damaged gzip file: "));
 }
 
 TEST(ReadText, TellsMissingFilesAndFolders) {
-    const Folder folder;
+    const TempFolder folder;
     const auto missing = folder / "missing";
     EXPECT_EQ(message_of<FileError>([&] { read_text(missing); }),
               missing.string() + ": no such file");
-    const auto below_a_file = folder.file("file", "x") / "y";
+    const auto below_a_file = folder.put("file", "x") / "y";
     EXPECT_EQ(message_of<FileError>([&] { read_text(below_a_file); }),
               below_a_file.string() + ": no such file");
     EXPECT_EQ(message_of<FileError>([&] { read_text(folder.path()); }),

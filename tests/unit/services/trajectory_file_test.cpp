@@ -1,5 +1,6 @@
 #include "hitos/services/trajectory_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,9 +14,9 @@
 namespace hitos {
 namespace {
 
-using testing::Folder;
+using test::message_of;
+using test::TempFolder;
 using ::testing::HasSubstr;
-using testing::message_of;
 
 std::string refusal(std::string_view text) {
     return message_of<FormatError>([&] { parse_trajectory(text, "t.tum"); });
@@ -53,9 +54,8 @@ TEST(ParseTrajectory, HeadingIsTheYawOfAnyQuaternion) {
         const double qz =
             std::cos(r) * std::cos(p) * std::sin(y) - std::sin(r) * std::sin(p) * std::cos(y);
         for (const double side : {1.0, -1.0}) {
-            char text[300];
-            std::snprintf(text, sizeof text, "0 0 0 0 %.17g %.17g %.17g %.17g", side * qx,
-                          side * qy, side * qz, side * w);
+            const std::string text =
+                fmt::format("0 0 0 0 {} {} {} {}", side * qx, side * qy, side * qz, side * w);
             EXPECT_NEAR(wrap_angle(parse_trajectory(text, "t")[0].pose.theta - yaw), 0.0, 1e-12);
         }
     }
@@ -88,6 +88,9 @@ TEST(TrajectoryToText, HasFixedDecimalsAndTheShortestTime) {
               "0.1 0.000000000 0.333333333 0 0 0 1.000000000 0.000000000\n"
               "0 0.000000000 0.000000000 0 0 0 -0.707106781 0.707106781\n");
     EXPECT_EQ(trajectory_to_text({}), "");
+    // Whole turns do not show.
+    EXPECT_EQ(trajectory_to_text({{0.0, {0.0, 0.0, 1.5 * kPi}}}),
+              trajectory_to_text({{0.0, {0.0, 0.0, -0.5 * kPi}}}));
 }
 
 TEST(TrajectoryToText, ReadsBackToANanometre) {
@@ -121,22 +124,22 @@ TEST(TrajectoryToText, RefusesPosesThatAreNotFinite) {
 }
 
 TEST(TrajectoryFiles, AreWrittenAndRead) {
-    const Folder folder;
+    const TempFolder folder;
     const auto path = folder / "a.tum";
     const Trajectory trajectory = {{0.25, {1.0, 2.0, 0.0}}};
     write_trajectory(trajectory, path);
-    EXPECT_EQ(testing::content(path), trajectory_to_text(trajectory));
+    EXPECT_EQ(test::content(path), trajectory_to_text(trajectory));
     EXPECT_EQ(read_trajectory(path), trajectory);
 }
 
 TEST(TrajectoryFiles, ErrorsNameTheFile) {
-    const Folder folder;
+    const TempFolder folder;
     const auto missing = folder / "none.tum";
     EXPECT_EQ(message_of<FileError>([&] { read_trajectory(missing); }),
               missing.string() + ": no such file");
     EXPECT_THAT(message_of<FileError>([&] { read_trajectory(folder.path()); }),
                 HasSubstr("is a directory"));
-    const auto bad = folder.file("bad.tum", "1 2\n");
+    const auto bad = folder.put("bad.tum", "1 2\n");
     EXPECT_THAT(message_of<FormatError>([&] { read_trajectory(bad); }),
                 HasSubstr(bad.string() + ":1: found 2 fields"));
     EXPECT_THAT(message_of<FileError>([&] {
@@ -144,7 +147,7 @@ TEST(TrajectoryFiles, ErrorsNameTheFile) {
                 }),
                 HasSubstr((bad / "x.tum").string()));
     EXPECT_THROW(write_trajectory({{HUGE_VAL, {}}}, bad), Error);
-    EXPECT_EQ(testing::content(bad), "1 2\n");
+    EXPECT_EQ(test::content(bad), "1 2\n");
 }
 
 TEST(TrajectoryFiles, ReadsTheReferencesOfTheRealTours) {

@@ -72,7 +72,10 @@ void compare_with_oracle(int landmarks, bool crowded) {
         noise.var_theta_rad2 = 1e-4 + 3e-3 * unit(engine);
         const Pose pose{value(engine), value(engine), angle(engine)};
 
-        Columns columns;
+        LandmarkTable<Columns> table;
+        table.add_block();
+        table.reserve_more(static_cast<std::size_t>(landmarks));
+        Columns columns = table[0];
         for (int i = 0; i < landmarks; ++i) {
             const double a = 1e-3 + 0.2 * unit(engine);
             const double b = 1e-4 + 0.02 * unit(engine);
@@ -140,7 +143,10 @@ TEST(Association, AnEmptyMapGivesANewLandmark) {
 TEST(Association, AHighP0MakesEverythingNew) {
     AssociationParams params;
     params.p0 = 1000.0;  // above the greatest likelihood there is
-    LineColumns lines;
+    LandmarkTable<LineColumns> table;
+    table.add_block();
+    table.reserve_more(1);
+    LineColumns lines = table[0];
     lines.set(lines.append(), {{2.0, 0.0}, Matrix2::Zero()});
     const PreparedObservation seen{{2.0, 0.0}, 1.0, 0.0};
     EXPECT_EQ(Associator(params, {}).decide(lines, Pose{}, seen).outcome, Outcome::created);

@@ -61,8 +61,7 @@ void expect_chi_square(const typename S::Landmark& truth) {
         if (errors.back() < 5.991) ++inside95;  // 95 % quantile of chi-square(2)
     }
     const double tolerance = 5.0 * std::sqrt(4.0 / kSeeds);
-    for (const double sum : sums)
-        EXPECT_NEAR(sum / kSeeds, 2.0, tolerance);
+    for (const double sum : sums) EXPECT_NEAR(sum / kSeeds, 2.0, tolerance);
     EXPECT_NEAR(inside95 / double{kSeeds}, 0.95, 5.0 * std::sqrt(0.95 * 0.05 / kSeeds));
 }
 

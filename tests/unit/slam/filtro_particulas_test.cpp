@@ -80,8 +80,7 @@ class SlowFastSlam {
             particles_[i].path.push_back(particles_[i].pose);
         }
         if (!observation.empty()) {
-            for (auto& particle : particles_)
-                observe(particle, observation);
+            for (auto& particle : particles_) observe(particle, observation);
             best_ = particles_[0];
             for (const auto& particle : particles_) {
                 if (particle.weight > best_.weight) best_ = particle;
@@ -168,11 +167,9 @@ class SlowFastSlam {
 
     void resample() {
         double sum = 0.0;
-        for (const auto& particle : particles_)
-            sum += particle.weight;
+        for (const auto& particle : particles_) sum += particle.weight;
         std::vector<double> weights;
-        for (const auto& particle : particles_)
-            weights.push_back(particle.weight / sum);
+        for (const auto& particle : particles_) weights.push_back(particle.weight / sum);
         if (params_.resampling.rule == ResamplingRule::neff &&
             effective_particles(weights) >= params_.resampling.neff_threshold) {
             return;
@@ -302,10 +299,8 @@ TEST(FiltroParticulas, TheFirstScanAndRestDrawNoNoise) {
     FiltroParticulas filter(room_params(20), 1, 1);
     Observation seen;
     seen.lines.push_back({{3.0, 0.2}, 0, 0});
-    for (int k = 0; k < 5; ++k)
-        filter.step({}, seen);
-    for (const WeightedPose& hypothesis : filter.hypotheses())
-        EXPECT_EQ(hypothesis.pose, Pose{});
+    for (int k = 0; k < 5; ++k) filter.step({}, seen);
+    for (const WeightedPose& hypothesis : filter.hypotheses()) EXPECT_EQ(hypothesis.pose, Pose{});
     EXPECT_EQ(filter.best_lines(), 1);
 }
 

@@ -31,17 +31,14 @@ TEST(PoseHistory, EqualsPlainCopiesUnderRandomResampling) {
             next.push_back(leaves[source]);
             next_plain.push_back(plain[source]);
         }
-        for (const auto leaf : leaves)
-            history.release(leaf);
+        for (const auto leaf : leaves) history.release(leaf);
         leaves = next;
         plain = next_plain;
     }
-    for (std::size_t i = 0; i < kParticles; ++i)
-        EXPECT_EQ(history.path(leaves[i]), plain[i]);
+    for (std::size_t i = 0; i < kParticles; ++i) EXPECT_EQ(history.path(leaves[i]), plain[i]);
     // Memory: the common trunk plus a young crown, far below particles x steps.
     EXPECT_LT(history.size(), 300U + kParticles * 100U);
-    for (const auto leaf : leaves)
-        history.release(leaf);
+    for (const auto leaf : leaves) history.release(leaf);
     EXPECT_EQ(history.size(), 0U);
 }
 
@@ -55,7 +52,9 @@ TEST(PoseHistory, NothingHasNoPoses) {
 TEST(MapStore, WritingASharedMapLeavesTheOtherAlone) {
     MapStore store;
     auto a = store.create();
-    store[a].lines.set(store[a].lines.append(), {{1.0, 0.5}, Matrix2::Identity()});
+    store.reserve_more(2, 0);
+    auto first = store.lines(a);
+    first.set(first.append(), {{1.0, 0.5}, Matrix2::Identity()});
     store.share(a);
     auto b = a;
     const auto source = store.detach(b);
@@ -63,31 +62,39 @@ TEST(MapStore, WritingASharedMapLeavesTheOtherAlone) {
     EXPECT_EQ(source, a);
     store.copy(source, b);
     EXPECT_EQ(store.detach(a), a);  // alone again: no copy is due
-    store[b].lines.set(0, {{2.0, 0.5}, Matrix2::Identity()});
-    store[b].lines.append();
-    EXPECT_EQ(store[a].lines.size(), 1U);
-    EXPECT_EQ(store[a].lines.get(0).mean.rho, 1.0);
-    EXPECT_EQ(store[b].lines.get(0).mean.rho, 2.0);
+    store.lines(b).set(0, {{2.0, 0.5}, Matrix2::Identity()});
+    store.lines(b).append();
+    EXPECT_EQ(store.lines(a).size(), 1U);
+    EXPECT_EQ(store.lines(b).size(), 2U);
+    EXPECT_EQ(store.lines(a).get(0).mean.rho, 1.0);
+    EXPECT_EQ(store.lines(b).get(0).mean.rho, 2.0);
     store.release(b);
     EXPECT_EQ(store.create(), b);  // its block is used again, empty
-    EXPECT_EQ(store[b].lines.size(), 0U);
+    EXPECT_EQ(store.lines(b).size(), 0U);
     EXPECT_EQ(store.blocks(), 2U);
 }
 
-TEST(LandmarkColumns, KeepsValuesWhileItGrows) {
-    LineColumns lines;
+TEST(LandmarkTable, KeepsValuesWhileItGrows) {
+    LandmarkTable<LineColumns> table;
+    for (int block = 0; block < 3; ++block) table.add_block();
     for (int i = 0; i < 100; ++i) {
-        Matrix2 covariance;
-        covariance << i, 0.1, 0.1, 2.0 * i;
-        const std::size_t index = lines.append();
-        lines.set(index, {{1.0 * i, 0.01 * i}, covariance});
-        lines.observations(index) = i;
+        table.reserve_more(1);
+        for (std::size_t block = 0; block < 3; block += 2) {  // block 1 stays empty
+            Matrix2 covariance;
+            covariance << i, 0.1, 0.1, 2.0 * i;
+            auto lines = table[block];
+            const std::size_t index = lines.append();
+            lines.set(index, {{1.0 * i + static_cast<double>(block), 0.01 * i}, covariance});
+            lines.observations(index) = i;
+        }
     }
-    LineColumns copy;
-    copy.assign(lines);
+    EXPECT_EQ(table.size(1), 0U);
+    table.copy(2, 1);
+    const auto copy = table[1];
     ASSERT_EQ(copy.size(), 100U);
     for (std::size_t i = 0; i < 100; ++i) {
-        EXPECT_EQ(copy.get(i).mean.rho, static_cast<double>(i));
+        EXPECT_EQ(table[0].get(i).mean.rho, static_cast<double>(i));
+        EXPECT_EQ(copy.get(i).mean.rho, static_cast<double>(i) + 2.0);
         EXPECT_EQ(copy.get(i).covariance(1, 1), 2.0 * static_cast<double>(i));
         EXPECT_EQ(copy.column(LineColumns::sine)[i], std::sin(0.01 * static_cast<double>(i)));
         EXPECT_EQ(copy.observations(i), static_cast<int>(i));

@@ -57,10 +57,8 @@ TEST(LowVariance, EqualsTheSlowSearch) {
     for (int round = 0; round < 200; ++round) {
         std::vector<double> weights(static_cast<std::size_t>(1 + round % 97));
         double sum = 0.0;
-        for (double& w : weights)
-            sum += w = std::pow(uniform(engine), 4.0);
-        for (double& w : weights)
-            w /= sum;
+        for (double& w : weights) sum += w = std::pow(uniform(engine), 4.0);
+        for (double& w : weights) w /= sum;
         const double start = uniform(engine);
         std::vector<std::uint32_t> fast;
         low_variance_selection(weights, start, fast);
@@ -73,15 +71,12 @@ TEST(LowVariance, CopiesAreTheExpectedNumberToWithinOne) {
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     std::vector<double> weights(500);
     double sum = 0.0;
-    for (double& w : weights)
-        sum += w = uniform(engine);
-    for (double& w : weights)
-        w /= sum;
+    for (double& w : weights) sum += w = uniform(engine);
+    for (double& w : weights) w /= sum;
     std::vector<std::uint32_t> selected;
     low_variance_selection(weights, uniform(engine), selected);
     std::vector<int> copies(weights.size(), 0);
-    for (const auto i : selected)
-        ++copies[i];
+    for (const auto i : selected) ++copies[i];
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const double expected = weights[i] * 500.0;
         EXPECT_GE(copies[i], std::floor(expected - 1e-9));
@@ -92,13 +87,11 @@ TEST(LowVariance, CopiesAreTheExpectedNumberToWithinOne) {
 TEST(LowVariance, EqualWeightsLoseNobodyAndZeroWeightsAreNeverDrawn) {
     std::vector<std::uint32_t> selected;
     low_variance_selection(std::vector<double>(10, 0.1), 0.5, selected);
-    for (std::uint32_t i = 0; i < 10; ++i)
-        EXPECT_EQ(selected[i], i);
+    for (std::uint32_t i = 0; i < 10; ++i) EXPECT_EQ(selected[i], i);
     std::vector<double> weights(10, 0.0);
     weights[4] = 1.0 - 1e-12;  // rounding: the cumulated weight stays below 1
     low_variance_selection(weights, 0.999999999, selected);
-    for (const auto i : selected)
-        EXPECT_EQ(i, 4U);
+    for (const auto i : selected) EXPECT_EQ(i, 4U);
 }
 
 TEST(LowVariance, FrequenciesFollowTheWeights) {
@@ -110,8 +103,7 @@ TEST(LowVariance, FrequenciesFollowTheWeights) {
     std::vector<std::uint32_t> selected;
     for (int round = 0; round < kRounds; ++round) {
         low_variance_selection(weights, uniform(engine), selected);
-        for (const auto i : selected)
-            mean[i] += 1.0 / (3.0 * kRounds);
+        for (const auto i : selected) mean[i] += 1.0 / (3.0 * kRounds);
     }
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(mean[i], weights[i], 5.0 * std::sqrt(0.25 / kRounds));

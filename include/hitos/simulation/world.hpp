@@ -1,0 +1,112 @@
+// A world to simulate: walls, the tour through them, robot, laser and odometry [T 10.2].
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hitos/capture/geometry.hpp"
+#include "hitos/simulation/odometry_noise.hpp"
+
+namespace hitos {
+
+/// One straight piece of a wall, seen from both sides [m, world frame].
+struct WallSegment {
+    Point2 a;
+    Point2 b;
+    int wall = 0;            ///< number of its polyline, from 1, for messages
+    std::uint64_t line = 0;  ///< in the world file; 0: it comes from a drawing
+};
+
+struct WayPoint {
+    Point2 at;
+    std::uint64_t line = 0;  ///< in the world file
+};
+
+struct TourParams {
+    Pose start;                        ///< of the robot in the world
+    std::vector<WayPoint> way_points;  ///< of one lap
+    int laps = 1;                      ///< how often the list is driven, end to end
+    double rest_s = 5.0;               ///< at rest before it leaves
+    bool look_around = false;          ///< turns once round on the spot before it leaves
+    std::uint64_t line = 0;            ///< of the way points in the world file
+};
+
+/// The defaults are a Pioneer 3-DX (swing radius 0.26 m), driven gently.
+struct RobotParams {
+    double radius_m = 0.26;
+    double max_speed = 0.5;          ///< m/s
+    double acceleration = 0.4;       ///< m/s^2, speeding up and braking
+    double max_turn_rate = 0.5;      ///< rad/s
+    double turn_acceleration = 1.0;  ///< rad/s^2
+    double tolerance_m = 0.1;        ///< every way point is passed at least this near
+    double control_rate_hz = 10.0;   ///< the velocities are set anew this often and held between
+};
+
+/// The defaults are a SICK LMS-200 at one degree and 8 m.
+struct LaserParams {
+    int rays = 181;
+    double field_of_view_deg = 180.0;  ///< symmetric about the laser's heading
+    double max_range_m = 8.0;
+    double sigma_m = 0.01;  ///< standard deviation of a range
+    double rate_hz = 5.0;
+    double mount_x_m = 0.0;  ///< of the laser in the robot frame
+    double mount_y_m = 0.0;
+    double mount_heading_deg = 0.0;
+};
+
+struct OdometryParams {
+    double rate_hz = 10.0;  ///< part of the noise's definition: each reading is disturbed anew
+    double noise = 0.1;
+    OdometryNoiseKind noise_kind = OdometryNoiseKind::relative_sigma;
+};
+
+struct World {
+    std::string name;  ///< the file's name without folder and extension
+    std::string file;  ///< path, for messages
+    std::vector<WallSegment> walls;
+    TourParams tour;
+    RobotParams robot;
+    LaserParams laser;
+    OdometryParams odometry;
+    std::uint64_t seed = 1;  ///< of the laser's and the odometry's noise
+};
+
+/// Describes a key of the world file that holds one value; --set takes the same keys.
+struct WorldKey {
+    std::string_view key;  ///< "laser.sigma"
+    std::string_view unit;
+    std::string_view description;
+    double minimum = 0.0;
+    double maximum = 0.0;
+    bool integer = false;
+    std::vector<std::string_view> words = {};  ///< choices; the value is the place in this list
+    double (*get)(const World&) = nullptr;
+    void (*set)(World&, double) = nullptr;
+
+    /// What may stand there: "0 to 1 m", "one of relative-sigma, variance".
+    std::string allowed() const;
+    /// The value in words.
+    std::string text(const World& world) const;
+};
+
+/// All of them, in the order of docs/simulation.md.
+std::span<const WorldKey> world_keys();
+
+/// Reads a world file (TOML, docs/simulation.md) and the drawing that it names. Throws FileError
+/// where a file cannot be read and FormatError, with the line, for what it cannot be.
+World read_world(const std::filesystem::path& path);
+
+/// As read_world(), from text; `path` stands in messages and a drawing is looked for beside it.
+World parse_world(std::string_view text, const std::filesystem::path& path);
+
+/// Changes one value by "key=value". Throws ConfigError that says what is allowed.
+void set_world_value(World& world, std::string_view assignment);
+
+/// Throws ConfigError for a value out of its range; code can fill the struct without a file.
+void check(const World& world);
+
+}  // namespace hitos

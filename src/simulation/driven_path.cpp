@@ -1,0 +1,75 @@
+#include "hitos/simulation/driven_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hitos {
+namespace {
+
+double cross(const Point2& a, const Point2& b) {
+    return a.x * b.y - a.y * b.x;
+}
+Point2 minus(const Point2& a, const Point2& b) {
+    return {a.x - b.x, a.y - b.y};
+}
+
+}  // namespace
+
+void DrivenPath::append(const Twist& twist) {
+    twists_.push_back(twist);
+    poses_.push_back(compose(poses_.back(), displacement(twist, 1.0 / rate_hz_)));
+}
+
+double DrivenPath::length_m() const {
+    double length = 0.0;
+    for (const Twist& twist : twists_) length += std::abs(twist.v) / rate_hz_;
+    return length;
+}
+
+DrivenPath::Place DrivenPath::place_of(double time_s) const {
+    // A time that is a multiple of the period but for rounding is that multiple.
+    constexpr double kRounding = 1e-9;
+    const double periods = std::max(0.0, time_s * rate_hz_);
+    const double whole = std::floor(periods + kRounding);
+    if (whole >= static_cast<double>(twists_.size())) return {twists_.size(), 0.0};
+    return {static_cast<std::size_t>(whole), std::max(0.0, periods - whole) / rate_hz_};
+}
+
+Pose DrivenPath::pose_at(double time_s) const {
+    const Place place = place_of(time_s);
+    if (place.since_s == 0.0) return poses_[place.step];
+    return compose(poses_[place.step], displacement(twists_[place.step], place.since_s));
+}
+
+Twist DrivenPath::twist_between_times(double from_s, double to_s) const {
+    const Place from = place_of(from_s);
+    const Place to = place_of(to_s);
+    const bool one = from.step == to.step || (to.step == from.step + 1 && to.since_s == 0.0);
+    if (one && from.step < twists_.size()) return twists_[from.step];
+    return twist_between(between(pose_at(from_s), pose_at(to_s)), to_s - from_s);
+}
+
+double distance(const WallSegment& wall, const Point2& point) {
+    const Point2 along = minus(wall.b, wall.a);
+    const Point2 to = minus(point, wall.a);
+    const double length2 = along.x * along.x + along.y * along.y;
+    const double t = std::clamp((to.x * along.x + to.y * along.y) / length2, 0.0, 1.0);
+    return std::hypot(to.x - t * along.x, to.y - t * along.y);
+}
+
+double distance(const WallSegment& wall, const Point2& from, const Point2& to) {
+    if (from == to) return distance(wall, from);
+    const Point2 along = minus(wall.b, wall.a);
+    const Point2 way = minus(to, from);
+    const bool wall_is_cut =
+        (cross(way, minus(wall.a, from)) > 0.0) != (cross(way, minus(wall.b, from)) > 0.0);
+    const bool way_is_cut =
+        (cross(along, minus(from, wall.a)) > 0.0) != (cross(along, minus(to, wall.a)) > 0.0);
+    if (wall_is_cut && way_is_cut) return 0.0;
+    // Segments that do not cross are nearest at an end of one of them.
+    const WallSegment driven{from, to, 0, 0};
+    return std::min({distance(wall, from), distance(wall, to), distance(driven, wall.a),
+                     distance(driven, wall.b)});
+}
+
+}  // namespace hitos

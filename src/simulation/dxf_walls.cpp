@@ -1,0 +1,155 @@
+#include "dxf_walls.hpp"
+
+#include <dl_creationadapter.h>
+#include <dl_dxf.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "hitos/capture/error.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr int kClosed = 1;           // group code 70 of a polyline
+constexpr int kMesh = 16 | 64;       // polygon mesh, polyface mesh
+constexpr int kCurveFitted = 2 | 4;  // the vertices only steer a curve
+
+/// Metres per unit for the values of $INSUNITS that rooms are drawn in; nothing for others.
+std::optional<double> unit_of(int insunits) {
+    switch (insunits) {
+        case 1:
+            return 0.0254;
+        case 2:
+            return 0.3048;
+        case 4:
+            return 1e-3;
+        case 5:
+            return 1e-2;
+        case 6:
+            return 1.0;
+        case 14:
+            return 0.1;
+        default:
+            return std::nullopt;
+    }
+}
+
+/// Gathers what dxflib calls out, in drawing units.
+class Collector final : public DL_CreationAdapter {
+  public:
+    explicit Collector(std::string layer) : layer_(std::move(layer)) {}
+
+    std::vector<std::vector<Point2>> walls;
+    std::optional<double> unit_m;
+    std::string refused;  ///< the first entity that cannot be a wall and must not be passed over
+
+    /// Closes the polyline under way; dxflib ends the two kinds of it in different ways.
+    void finish() {
+        if (open_ && closed_ && polyline_.size() > 1 && polyline_.front() != polyline_.back()) {
+            polyline_.push_back(polyline_.front());
+        }
+        if (open_) walls.push_back(std::move(polyline_));
+        polyline_.clear();
+        open_ = false;
+    }
+
+    void addBlock(const DL_BlockData& /*data*/) override { in_block_ = true; }
+    void endBlock() override {
+        finish();
+        in_block_ = false;
+    }
+    void setVariableInt(const std::string& key, int value, int /*code*/) override {
+        if (key == "$INSUNITS") unit_m = unit_of(value);
+    }
+    void addLine(const DL_LineData& data) override {
+        finish();
+        if (wanted()) walls.push_back({{data.x1, data.y1}, {data.x2, data.y2}});
+    }
+    void addPolyline(const DL_PolylineData& data) override {
+        finish();
+        if (!wanted()) return;
+        if ((data.flags & kMesh) != 0) refuse("a mesh");
+        if ((data.flags & kCurveFitted) != 0) refuse("a polyline fitted to a curve");
+        open_ = true;
+        closed_ = (data.flags & kClosed) != 0;
+    }
+    void addVertex(const DL_VertexData& data) override {
+        if (!open_) return;
+        if (data.bulge != 0.0) refuse("a polyline with arcs (bulges)");
+        polyline_.push_back({data.x, data.y});
+    }
+    void addArc(const DL_ArcData& /*data*/) override { refuse_if_wanted("an ARC"); }
+    void addCircle(const DL_CircleData& /*data*/) override { refuse_if_wanted("a CIRCLE"); }
+    void addEllipse(const DL_EllipseData& /*data*/) override { refuse_if_wanted("an ELLIPSE"); }
+    void addSpline(const DL_SplineData& /*data*/) override { refuse_if_wanted("a SPLINE"); }
+    void addInsert(const DL_InsertData& /*data*/) override {
+        refuse_if_wanted("an inserted block (INSERT)");
+    }
+
+  private:
+    /// Entities inside a block's definition are drawn only where the block is inserted.
+    bool wanted() { return !in_block_ && (layer_.empty() || attributes.getLayer() == layer_); }
+    void refuse(const char* what) {
+        if (refused.empty()) refused = what;
+    }
+    void refuse_if_wanted(const char* what) {
+        finish();
+        if (wanted()) refuse(what);
+    }
+
+    std::string layer_;
+    std::vector<Point2> polyline_;
+    bool open_ = false;
+    bool closed_ = false;
+    bool in_block_ = false;
+};
+
+}  // namespace
+
+std::vector<std::vector<Point2>> read_dxf_walls(const std::filesystem::path& path,
+                                                const DxfOptions& options) {
+    std::error_code problem;
+    if (std::filesystem::is_directory(path, problem)) {
+        throw FileError(path.string(), "is a directory; expected a DXF drawing");
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw FileError(path.string(), "cannot be read; expected a DXF drawing");
+    Collector collector(options.layer);
+    DL_Dxf reader;
+    reader.in(file, &collector);
+    collector.finish();
+    const std::string place =
+        options.layer.empty() ? "the drawing" : fmt::format("layer \"{}\"", options.layer);
+    if (!collector.refused.empty()) {
+        throw FormatError(path.string(), 0,
+                          fmt::format("{} holds {}; walls are straight: expected LINE, LWPOLYLINE "
+                                      "and POLYLINE (explode blocks, draw arcs as polylines, or "
+                                      "name the walls' layer)",
+                                      place, collector.refused));
+    }
+    if (collector.walls.empty()) {
+        throw FormatError(path.string(), 0,
+                          fmt::format("{} holds no wall; expected LINE, LWPOLYLINE or POLYLINE "
+                                      "entities of an ASCII DXF drawing",
+                                      place));
+    }
+    const double unit_m = options.unit_m.value_or(collector.unit_m.value_or(1.0));
+    for (std::vector<Point2>& wall : collector.walls) {
+        if (wall.size() < 2) {
+            throw FormatError(
+                path.string(), 0,
+                fmt::format("{} holds a polyline of one point; a wall needs two", place));
+        }
+        for (Point2& point : wall) {
+            point = {point.x * unit_m, point.y * unit_m};
+            if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
+                throw FormatError(path.string(), 0, "holds a point that is not finite");
+            }
+        }
+    }
+    return std::move(collector.walls);
+}
+
+}  // namespace hitos

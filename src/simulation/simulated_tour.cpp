@@ -1,0 +1,85 @@
+#include "hitos/simulation/simulated_tour.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "hitos/features/random_stream.hpp"
+#include "hitos/simulation/odometry_noise.hpp"
+
+namespace hitos {
+namespace {
+
+/// Samples at 0, 1 / rate, 2 / rate, ... up to the end, which belongs to them.
+std::uint64_t samples(double duration_s, double rate_hz) {
+    constexpr double kRounding = 1e-9;
+    return static_cast<std::uint64_t>(std::floor(duration_s * rate_hz + kRounding)) + 1;
+}
+
+}  // namespace
+
+SimulatedTour::SimulatedTour(World world)
+    : world_(std::move(world)),
+      path_(drive(world_)),
+      laser_(world_.walls, fan_of(world_.laser)),
+      scans_(samples(path_.duration_s(), world_.laser.rate_hz)),
+      readings_(samples(path_.duration_s(), world_.odometry.rate_hz)) {}
+
+Pose SimulatedTour::true_pose(std::uint64_t k) const {
+    return between(world_.tour.start, path_.pose_at(scan_time(k)));
+}
+
+Scan SimulatedTour::scan(std::uint64_t k) const {
+    std::vector<RayHit> hits;
+    laser_.cast(path_.pose_at(scan_time(k)), hits);
+    const Fan& fan = laser_.fan();
+    const Pose& mount = fan.pose_robot_laser;
+    const double step =
+        fan.count > 1 ? (fan.max_angle_rad - fan.min_angle_rad) / (fan.count - 1) : 0.0;
+
+    Scan scan;
+    scan.time_s = scan_time(k);
+    scan.fan = fan;
+    RandomStream random(world_.seed, RandomPurpose::laser_noise, k, 0);
+    std::array<double, 2> normals{};
+    bool run_open = false;
+    for (std::uint32_t ray = 0; ray < fan.count; ++ray) {
+        // Every ray has its draw, whether it hits or not.
+        if (ray % 2 == 0) normals = random.normal_pair();
+        const double range = hits[ray].range_m + world_.laser.sigma_m * normals[ray % 2];
+        if (!(range > 0.0 && range < fan.max_range_m)) {
+            run_open = false;
+            continue;
+        }
+        if (!run_open) scan.run_starts.push_back(static_cast<std::uint32_t>(scan.points.size()));
+        run_open = true;
+        const double angle = mount.theta + fan.min_angle_rad + ray * step;
+        scan.points.push_back(
+            {mount.x + range * std::cos(angle), mount.y + range * std::sin(angle)});
+        scan.rays.push_back(ray);
+    }
+    return scan;
+}
+
+Odometria SimulatedTour::true_reading(std::uint64_t k) const {
+    Odometria reading;
+    reading.time_s = reading_time(k);
+    if (k > 0) reading.twist = path_.twist_between_times(reading_time(k - 1), reading.time_s);
+    return reading;
+}
+
+void write_tour(const SimulatedTour& tour, LogWriter& writer, const TourProgress& progress) {
+    const World& world = tour.world();
+    OdometryNoise noise(world.odometry.noise, world.odometry.noise_kind, world.seed);
+    std::uint64_t reading = 0;
+    for (std::uint64_t k = 0; k < tour.scans(); ++k) {
+        for (; reading < tour.readings() && tour.reading_time(reading) <= tour.scan_time(k);
+             ++reading)
+            writer.write(noise(tour.true_reading(reading)));
+        writer.write(tour.scan(k));
+        if (progress) progress(k + 1);
+    }
+    for (; reading < tour.readings(); ++reading) writer.write(noise(tour.true_reading(reading)));
+}
+
+}  // namespace hitos

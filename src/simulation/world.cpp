@@ -1,0 +1,235 @@
+// Reads world files. The one file of the layer that includes toml++, which is slow to compile.
+#include "hitos/simulation/world.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "dxf_walls.hpp"
+#include "hitos/capture/error.hpp"
+#include "world_values.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr double kRadiansPerDegree = kPi / 180.0;
+constexpr double kFarthest = 1e6;  // m; keeps every product of coordinates exact enough
+
+class Reading {
+  public:
+    explicit Reading(const std::filesystem::path& path) : path_(path) {
+        world_.name = path.stem().string();
+        world_.file = path.string();
+    }
+
+    World read(const toml::table& document) {
+        for (const auto& [key, node] : document) {
+            const toml::table* group = node.as_table();
+            if (group == nullptr) {
+                read_top(key, node);
+                continue;
+            }
+            const std::string_view name = key.str();
+            if (name != "tour" && name != "robot" && name != "laser" && name != "odometry") {
+                fail(key.source(), fmt::format("[{}]: no such group; expected [tour], [robot], "
+                                               "[laser] or [odometry]",
+                                               name));
+            }
+            for (const auto& [inner, value] : *group)
+                read_value(fmt::format("{}.{}", name, inner.str()), inner.source(), value);
+        }
+        if (!drawing_.empty()) add_drawing();
+        if (world_.walls.empty()) fail({}, "found no walls; expected the key walls or walls_dxf");
+        if (world_.tour.way_points.empty()) {
+            fail({}, "found no way points; expected way_points = [[x, y], ...] in [tour]");
+        }
+        return std::move(world_);
+    }
+
+  private:
+    [[noreturn]] void fail(const toml::source_region& where, const std::string& problem) const {
+        throw FormatError(path_.string(), where.begin.line, problem);
+    }
+
+    void read_top(const toml::key& key, const toml::node& node) {
+        const std::string_view name = key.str();
+        if (name == "walls") {
+            read_walls(key, node);
+        } else if (name == "walls_dxf") {
+            drawing_ = words(key, node);
+            drawing_at_ = key.source();
+        } else if (name == "dxf_layer") {
+            dxf_.layer = words(key, node);
+        } else if (name == "dxf_unit") {
+            dxf_.unit_m = number(node);
+            if (!dxf_.unit_m || !(*dxf_.unit_m > 0.0) || !std::isfinite(*dxf_.unit_m)) {
+                fail(key.source(), "dxf_unit: expected the metres per drawing unit, more than 0");
+            }
+        } else if (name == "seed") {
+            read_value("seed", key.source(), node);
+        } else {
+            fail(key.source(),
+                 fmt::format("{}: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, "
+                             "seed, [tour], [robot], [laser] or [odometry]",
+                             name));
+        }
+    }
+
+    void read_value(const std::string& key, const toml::source_region& where,
+                    const toml::node& node) {
+        if (key == "tour.start") {
+            read_start(node);
+            return;
+        }
+        if (key == "tour.way_points") {
+            read_way_points(where, node);
+            return;
+        }
+        try {
+            const WorldKey& known = world_values::find(key);
+            if (const auto* word = node.as_string(); word != nullptr && !known.words.empty()) {
+                world_values::set_word(world_, known, word->get());
+            } else if (const auto* flag = node.as_boolean(); flag != nullptr) {
+                world_values::set_word(world_, known, flag->get() ? "true" : "false");
+            } else if (const auto value = number(node); value && known.words.empty()) {
+                world_values::set_number(world_, known, *value);
+            } else {
+                fail(where, fmt::format("{}: expected {}", key, known.allowed()));
+            }
+        } catch (const ConfigError& error) {
+            fail(where, error.what());
+        }
+    }
+
+    void read_walls(const toml::key& key, const toml::node& node) {
+        const toml::array* walls = node.as_array();
+        if (walls == nullptr) fail(key.source(), "walls: expected a list of polylines");
+        for (const toml::node& wall : *walls) {
+            ++walls_;
+            const toml::array* points = wall.as_array();
+            if (points == nullptr || points->size() < 2) {
+                fail(wall.source(),
+                     fmt::format("wall {}: found {}, expected two points or more, [[x, y], [x, y]]",
+                                 walls_,
+                                 points == nullptr ? "no list of points"
+                                 : points->empty() ? "no point"
+                                                   : "one point"));
+            }
+            std::optional<Point2> before;
+            for (const toml::node& entry : *points) {
+                const Point2 at = point(entry, fmt::format("wall {}", walls_));
+                if (before) add_segment(*before, at, entry.source().begin.line);
+                before = at;
+            }
+        }
+    }
+
+    void add_segment(const Point2& a, const Point2& b, std::uint64_t line) {
+        if (a == b) {
+            throw FormatError(path_.string(), line,
+                              fmt::format("wall {}: found the point ({:g}, {:g}) twice in a row, "
+                                          "expected two different ones",
+                                          walls_, a.x, a.y));
+        }
+        world_.walls.push_back({a, b, walls_, line});
+    }
+
+    void add_drawing() {
+        const std::filesystem::path drawing = path_.parent_path() / drawing_;
+        if (!std::filesystem::exists(drawing)) {
+            fail(drawing_at_, fmt::format("walls_dxf: {}: no such file", drawing.string()));
+        }
+        for (const std::vector<Point2>& wall : read_dxf_walls(drawing, dxf_)) {
+            ++walls_;
+            for (std::size_t i = 1; i < wall.size(); ++i) {
+                // Drawings hold points twice where a line was snapped to itself.
+                if (wall[i - 1] != wall[i]) add_segment(wall[i - 1], wall[i], 0);
+            }
+        }
+    }
+
+    void read_start(const toml::node& node) {
+        const toml::array* values = node.as_array();
+        const bool three = values != nullptr && values->size() == 3;
+        const auto x = three ? number(*values->get(0)) : std::nullopt;
+        const auto y = three ? number(*values->get(1)) : std::nullopt;
+        const auto heading = three ? number(*values->get(2)) : std::nullopt;
+        if (!x || !y || !heading || !within(*x) || !within(*y) || !within(*heading)) {
+            fail(node.source(), "tour.start: expected [x, y, heading] in metres and degrees");
+        }
+        world_.tour.start = {*x, *y, wrap_angle(*heading * kRadiansPerDegree)};
+    }
+
+    void read_way_points(const toml::source_region& where, const toml::node& node) {
+        const toml::array* points = node.as_array();
+        if (points == nullptr || points->empty()) {
+            fail(where, "tour.way_points: found none, expected [[x, y], ...]");
+        }
+        world_.tour.line = where.begin.line;
+        for (const toml::node& entry : *points) {
+            const std::string name = fmt::format("way point {}", world_.tour.way_points.size() + 1);
+            world_.tour.way_points.push_back({point(entry, name), entry.source().begin.line});
+        }
+    }
+
+    Point2 point(const toml::node& node, const std::string& name) const {
+        const toml::array* pair = node.as_array();
+        const bool two = pair != nullptr && pair->size() == 2;
+        const auto x = two ? number(*pair->get(0)) : std::nullopt;
+        const auto y = two ? number(*pair->get(1)) : std::nullopt;
+        if (!x || !y || !within(*x) || !within(*y)) {
+            fail(node.source(), fmt::format("{}: expected a point [x, y] within {:g} m of the "
+                                            "origin",
+                                            name, kFarthest));
+        }
+        return {*x, *y};
+    }
+
+    static bool within(double value) { return std::abs(value) <= kFarthest; }
+
+    static std::optional<double> number(const toml::node& node) { return node.value<double>(); }
+
+    std::string words(const toml::key& key, const toml::node& node) const {
+        const auto* value = node.as_string();
+        if (value == nullptr) {
+            fail(key.source(), fmt::format("{}: expected a string in quotes", key.str()));
+        }
+        return value->get();
+    }
+
+    std::filesystem::path path_;
+    World world_;
+    int walls_ = 0;
+    std::string drawing_;
+    toml::source_region drawing_at_;
+    DxfOptions dxf_;
+};
+
+}  // namespace
+
+World parse_world(std::string_view text, const std::filesystem::path& path) {
+    try {
+        return Reading(path).read(toml::parse(text));
+    } catch (const toml::parse_error& error) {
+        throw FormatError(path.string(), error.source().begin.line,
+                          std::string(error.description()));
+    }
+}
+
+World read_world(const std::filesystem::path& path) {
+    std::error_code problem;
+    if (!std::filesystem::exists(path, problem)) throw FileError(path.string(), "no such file");
+    if (std::filesystem::is_directory(path, problem)) {
+        throw FileError(path.string(), "is a directory; expected a world file");
+    }
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (!file) throw FileError(path.string(), "cannot be read");
+    return parse_world(text, path);
+}
+
+}  // namespace hitos

@@ -1,0 +1,17 @@
+// Setting a world's values by key, for the two readers of them.
+#pragma once
+
+#include <string_view>
+
+#include "hitos/simulation/world.hpp"
+
+namespace hitos::world_values {
+
+/// The key's description. Throws ConfigError that names near keys where there is none.
+const WorldKey& find(std::string_view key);
+
+/// Sets the value; throws ConfigError that says what is allowed. The first for keys without words.
+void set_number(World& world, const WorldKey& key, double value);
+void set_word(World& world, const WorldKey& key, std::string_view word);
+
+}  // namespace hitos::world_values

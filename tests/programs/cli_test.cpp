@@ -1,0 +1,273 @@
+// The command line as a user meets it.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "hitos/services/map_file.hpp"
+#include "hitos/services/trajectory_file.hpp"
+#include "support.hpp"
+
+namespace hitos {
+namespace {
+
+using test::content;
+using test::Outcome;
+using test::run_command;
+using test::TempFolder;
+
+const std::string kCli = std::string(HITOS_BIN_DIR) + "/hitos-cli";
+const std::string kSource = HITOS_SOURCE_DIR;
+const std::string kLog = kSource + "/data/bigloop.log.gz";
+
+Outcome cli(const std::string& arguments) {
+    return run_command(kCli + " " + arguments);
+}
+
+std::string quick() {
+    return " --config " + kSource + "/config/simulated.cfg --set filter.particles=10 ";
+}
+
+/// An error is one line that names its cause; the program must not have crashed.
+void expect_error(const Outcome& outcome, const std::vector<std::string>& words) {
+    EXPECT_GT(outcome.status, 0) << outcome.output;
+    EXPECT_LT(outcome.status, 128) << "crashed: " << outcome.output;
+    for (const std::string& word : words) {
+        EXPECT_NE(outcome.output.find(word), std::string::npos)
+            << "expected \"" << word << "\" in:\n"
+            << outcome.output;
+    }
+}
+
+TEST(Cli, RunLeavesEverythingItPromises) {
+    const TempFolder folder;
+    const Outcome outcome = cli("run " + kLog + quick() + "--reference " + kSource +
+                                "/data/maps/bigloop.map --seed 4 --out " + folder.path().string());
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+    for (const char* name :
+         {"map.txt", "trajectory.tum", "odometry.tum", "grid_best_steps.png", "grid_best_steps.jpg",
+          "grid_best.png", "grid_best.jpg", "grid_odometry.png", "grid_odometry.jpg", "config.cfg",
+          "summary.json"}) {
+        EXPECT_GT(std::filesystem::file_size(folder / name), 0U) << name;
+    }
+    EXPECT_EQ(folder.files(), 11U);  // nothing else, nothing half-written
+    const auto summary = nlohmann::json::parse(content(folder / "summary.json"));
+    EXPECT_EQ(summary["scans"], 1050);
+    EXPECT_EQ(summary["seed"], 4);
+    EXPECT_EQ(summary["particles"], 10);
+    EXPECT_EQ(summary["log"]["duplicate_scans"], 291);
+    EXPECT_LT(summary["map_error"]["mean_m"].get<double>(), 0.3);
+    EXPECT_EQ(read_map(folder / "map.txt").size(),
+              summary["landmarks"]["lines"].get<std::size_t>() +
+                  summary["landmarks"]["corners"].get<std::size_t>());
+    EXPECT_EQ(read_trajectory(folder / "trajectory.tum").size(), 1050U);
+}
+
+TEST(Cli, TheSavedConfigurationRepeatsTheRunForAnyNumberOfThreads) {
+    const TempFolder folder;
+    const std::string first = (folder / "first").string();
+    ASSERT_EQ(cli("run " + kLog + quick() +
+                  "--set filter.particles=600 --seed 7 --threads 1 --out " + first)
+                  .status,
+              0);
+    for (const int threads : {2, 7}) {
+        const std::string again = (folder / std::to_string(threads)).string();
+        ASSERT_EQ(cli("run " + kLog + " --config " + first + "/config.cfg --threads " +
+                      std::to_string(threads) + " --out " + again)
+                      .status,
+                  0);
+        for (const char* name :
+             {"/map.txt", "/trajectory.tum", "/odometry.tum", "/grid_best.png"}) {
+            EXPECT_EQ(content(first + name), content(again + name)) << name << ", " << threads;
+        }
+    }
+}
+
+TEST(Cli, ConvertWritesEveryFormatAndTheMapsAgree) {
+    const TempFolder folder;
+    std::vector<std::size_t> landmarks;
+    for (const std::string format : {"normalized", "player", "radish", "carmen"}) {
+        const std::string log = (folder / (format + ".log.gz")).string();
+        const Outcome converted = cli("convert " + kLog + " --to " + format + " --out " + log);
+        ASSERT_EQ(converted.status, 0) << converted.output;
+        const std::string out = (folder / format).string();
+        const Outcome outcome = cli("run " + log + quick() + "--out " + out);
+        ASSERT_EQ(outcome.status, 0) << outcome.output;
+        const auto summary = nlohmann::json::parse(content(out + "/summary.json"));
+        EXPECT_EQ(summary["format"], format);
+        EXPECT_EQ(summary["scans"], 1050);
+        landmarks.push_back(read_map(out + "/map.txt").size());
+    }
+    EXPECT_EQ(landmarks, (std::vector<std::size_t>(4, 16U)));
+}
+
+TEST(Cli, NoiseOfConvertIsSeeded) {
+    const TempFolder folder;
+    const auto noisy = [&](const std::string& name, const std::string& options) {
+        EXPECT_EQ(cli("convert " + kLog + " --to normalized --odometry-noise 0.1 " + options +
+                      " --out " + (folder / name).string())
+                      .status,
+                  0);
+        return content(folder / name);
+    };
+    const std::string a = noisy("a", "--seed 1");
+    EXPECT_EQ(a, noisy("b", "--seed 1"));
+    EXPECT_NE(a, noisy("c", "--seed 2"));
+    EXPECT_NE(a, noisy("d", "--seed 1 --odometry-noise-kind variance"));
+}
+
+TEST(Cli, EvaluateMeasuresFinishedFiles) {
+    const TempFolder folder;
+    const std::string map = kSource + "/data/maps/bigloop.map";
+    const Outcome same = cli("evaluate --map " + map + " --reference " + map);
+    EXPECT_EQ(same.status, 0);
+    EXPECT_NE(same.output.find("map_error_m 0.000000"), std::string::npos) << same.output;
+    EXPECT_NE(same.output.find("landmarks 16"), std::string::npos) << same.output;
+    const auto path = folder.put("a.tum", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 2 0 0 0 0 0 1\n");
+    const auto turned = folder.put(
+        "b.tum",
+        "0 5 5 0 0 0 0.70710678118 0.70710678118\n1 5 6 0 0 0 0.70710678118 0.70710678118\n"
+        "2 5 7 0 0 0 0.70710678118 0.70710678118\n");
+    const Outcome aligned = cli("evaluate --trajectory " + path.string() +
+                                " --reference-trajectory " + turned.string());
+    EXPECT_EQ(aligned.status, 0);
+    EXPECT_NE(aligned.output.find("ate_rmse_m 0.000000"), std::string::npos) << aligned.output;
+    expect_error(cli("evaluate --map " + map), {"--reference"});
+    expect_error(cli("evaluate"), {"nothing to measure"});
+}
+
+TEST(Cli, HelpEverywhere) {
+    for (const std::string command : {"", "run", "convert", "evaluate"}) {
+        const Outcome outcome = cli(command + " --help");
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_NE(outcome.output.find("--help"), std::string::npos);
+    }
+    EXPECT_NE(cli("--version").output.find("."), std::string::npos);
+    expect_error(cli(""), {"subcommand"});
+}
+
+class BadInput : public testing::Test {
+  protected:
+    Outcome run_log(const std::string& bytes, const std::string& options = "") {
+        folder_.put("bad.log", bytes);
+        return cli("run " + (folder_ / "bad.log").string() + " " + options + " --out " + out_);
+    }
+    /// Nothing useful came out: no result file is there.
+    void expect_no_results() {
+        EXPECT_FALSE(std::filesystem::exists(out_ + "/map.txt"));
+        EXPECT_FALSE(std::filesystem::exists(out_ + "/summary.json"));
+        if (std::filesystem::exists(out_)) {
+            EXPECT_TRUE(std::filesystem::is_empty(out_));
+        }
+    }
+    TempFolder folder_;
+    std::string out_ = (folder_ / "out").string();
+};
+
+TEST_F(BadInput, MissingFile) {
+    expect_error(cli("run " + (folder_ / "none.log").string() + " --out " + out_), {"none.log"});
+    expect_no_results();
+}
+
+TEST_F(BadInput, Directory) {
+    expect_error(cli("run " + folder_.path().string() + " --out " + out_),
+                 {folder_.path().string(), "folder"});
+    expect_no_results();
+}
+
+TEST_F(BadInput, EmptyFile) {
+    expect_error(run_log(""), {"bad.log", "empty"});
+    expect_no_results();
+}
+
+TEST_F(BadInput, BinaryFile) {
+    std::string bytes;
+    for (int i = 0; i < 5000; ++i) bytes += static_cast<char>(i * 31 % 256);
+    expect_error(run_log(bytes), {"bad.log"});
+    expect_no_results();
+}
+
+TEST_F(BadInput, WrongExplicitFormat) {
+    expect_error(cli("run " + kLog + " --format radish --out " + out_), {"radish", "player"});
+    expect_error(cli("run " + kLog + " --format elephant --out " + out_), {"elephant", "carmen"});
+    expect_no_results();
+}
+
+TEST_F(BadInput, TruncatedGzipGivesWhatCanBeRead) {
+    const std::string whole = content(kLog);
+    const Outcome outcome = run_log(whole.substr(0, whole.size() / 2), quick());
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    const auto summary = nlohmann::json::parse(content(out_ + "/summary.json"));
+    EXPECT_GT(summary["scans"], 100);
+    EXPECT_LT(summary["scans"], 1050);
+    EXPECT_EQ(summary["log"]["skipped_lines"], 1);
+}
+
+std::string wall_scan(int k, const std::string& extra = "") {
+    std::string line =
+        "LASER " + std::to_string(k) + " " + std::to_string(30 + (extra.empty() ? 0 : 1)) + extra;
+    for (int i = 0; i < 30; ++i) line += " 2 " + std::to_string(0.1 * i - 1.5);
+    return line + "\n";
+}
+
+TEST_F(BadInput, DamagedLinesAreSkippedAndCounted) {
+    std::string log = "ODOM 0 0 0\n" + wall_scan(1) + "ODOM 2 0.1 0\n";
+    log += "LASER 3 -4 1 2\n";                   // negative count
+    log += "LASER 3 0\n";                        // no ray returned: an empty scan, no damage
+    log += "LASER 3 50 1 2 3 4\n";               // a count that lies
+    log += "LASER three 1 1 1\n";                // no number
+    log += "ODOM 3 abc 0\n";                     // no number
+    log += std::string(10'000'000, 'x') + "\n";  // a line of 10 MB
+    log += wall_scan(4, " nan inf");             // no point, but a scan
+    log += wall_scan(3);                         // backwards: still a scan
+    const Outcome outcome = run_log(log, quick());
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("damaged lines"), std::string::npos) << outcome.output;
+    const auto summary = nlohmann::json::parse(content(out_ + "/summary.json"));
+    EXPECT_EQ(summary["scans"], 4);
+    EXPECT_EQ(summary["log"]["skipped_lines"], 5);
+    EXPECT_EQ(summary["log"]["skipped_examples"][0]["line"], 4);
+    EXPECT_EQ(summary["landmarks"]["lines"], 1);
+}
+
+TEST_F(BadInput, ConfigurationMistakes) {
+    const std::string run = "run " + kLog + " --out " + out_ + " ";
+    expect_error(cli(run + "--set filter.partycles=5"), {"filter.partycles", "filter.particles"});
+    expect_error(cli(run + "--set filter.particles=-5"), {"filter.particles", "-5"});
+    expect_error(cli(run + "--set filter.particles"), {"key=value"});
+    expect_error(cli(run + "--set split_merge.dmax=nan"), {"split_merge.dmax"});
+    const auto config = folder_.put("c.cfg", "[filter]\nparticles = 10\nwheels = 4\n");
+    expect_error(cli(run + "--config " + config.string()), {"c.cfg:3", "wheels"});
+    expect_error(cli(run + "--config " + (folder_ / "no.cfg").string()), {"no.cfg"});
+    expect_no_results();
+}
+
+TEST_F(BadInput, ReferencesThatCannotBeRead) {
+    const std::string run = "run " + kLog + " --out " + out_ + " ";
+    expect_error(cli(run + "--reference " + (folder_ / "no.map").string()), {"no.map"});
+    const auto map = folder_.put("bad.map", "rho: 1 theta: 90\nrho: x\n");
+    expect_error(cli(run + "--reference " + map.string()), {"bad.map:2"});
+    const auto tum = folder_.put("bad.tum", "0 1 2\n");
+    expect_error(cli(run + "--reference-trajectory " + tum.string()), {"bad.tum:1"});
+    expect_no_results();
+}
+
+TEST_F(BadInput, UnwritableOutput) {
+    const auto file = folder_.put("file", "");
+    expect_error(cli("run " + kLog + " --out " + file.string() + "/out"), {"--out"});
+    expect_error(cli("convert " + kLog + " --to carmen --out " + file.string() + "/x.log"),
+                 {"x.log"});
+}
+
+TEST_F(BadInput, AFailedConversionLeavesTheTargetAsItWas) {
+    const auto target = folder_.put("kept.log", "precious");
+    folder_.put("odometry.log", "ODOM 0 0 0\nODOM 1 1 0\n");
+    const std::string log = (folder_ / "odometry.log").string();
+    expect_error(cli("convert " + log + " --to normalized --out " + target.string()),
+                 {"no readable scan"});
+    EXPECT_EQ(content(target), "precious");
+    EXPECT_EQ(folder_.files(), 2U);
+}
+
+}  // namespace
+}  // namespace hitos

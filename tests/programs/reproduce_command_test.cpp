@@ -1,0 +1,69 @@
+// hitos-cli reproduce as a user calls it.
+#include <algorithm>
+
+#include "program.hpp"
+
+namespace hitos::test {
+namespace {
+
+class ReproduceCommand : public ProgramTest {
+  protected:
+    Outcome reproduce(const std::string& arguments) const {
+        return shell(cli_ + " reproduce " + arguments);
+    }
+};
+
+TEST_F(ReproduceCommand, writes_table_document_and_plots_of_one_figure_and_goes_on) {
+    const std::string arguments = "--only 10.28 --runs 1 --threads 2 --out " + path("two");
+    const Outcome first = reproduce(arguments + " --report " + path("report.md"));
+    ASSERT_EQ(first.status, 0) << first.output;
+    EXPECT_NE(first.output.find("10 runs done, 0 found done, 0 failed"), std::string::npos)
+        << first.output;
+    const std::string csv = content(path("two/reproduction.csv"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 11);
+    EXPECT_NE(csv.find("10.27/10.28,recinto,mlon,0.5,0.17,0.0045,8,"), std::string::npos) << csv;
+    const std::string document = content(path("report.md"));
+    EXPECT_NE(document.find("](report/10.27-recinto-mlon.png)"), std::string::npos);
+    EXPECT_NE(document.find("## Summary"), std::string::npos);
+    EXPECT_TRUE(fs::exists(path("two/reproduction.md")));
+    for (const char* extension : {".dat", ".gp"})
+        EXPECT_TRUE(fs::exists(path("two/plots/10.27-recinto-mlon") + extension)) << extension;
+    const bool drawn = shell("command -v gnuplot").status == 0;
+    EXPECT_EQ(fs::exists(path("two/plots/10.27-recinto-mlon.png")), drawn);
+    EXPECT_EQ(fs::exists(path("report/10.27-recinto-mlon.png")), drawn);
+
+    ASSERT_EQ(reproduce("--only 10.28 --runs 1 --threads 1 --out " + path("one")).status, 0);
+    EXPECT_EQ(files("one"), files("two"));
+
+    const Outcome again = reproduce(arguments);
+    ASSERT_EQ(again.status, 0) << again.output;
+    EXPECT_NE(again.output.find("0 runs done, 10 found done"), std::string::npos) << again.output;
+    EXPECT_EQ(content(path("two/reproduction.csv")), csv);
+}
+
+TEST_F(ReproduceCommand, does_without_gnuplot) {
+    const Outcome outcome =
+        shell("PATH=/nowhere " + cli_ + " reproduce --only 10.87 --runs 1 --out " + path("out"));
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("no plots: gnuplot is not installed"), std::string::npos)
+        << outcome.output;
+    EXPECT_NE(content(path("out/reproduction.md")).find("There are no plots"), std::string::npos);
+    EXPECT_FALSE(fs::exists(path("out/plots/10.87-lineamedia-p.png")));
+}
+
+TEST_F(ReproduceCommand, refuses_what_it_cannot_do) {
+    const auto refused = [&](const std::string& arguments, const std::string& words) {
+        const Outcome outcome = reproduce(arguments + " --out " + path("out"));
+        EXPECT_NE(outcome.status, 0) << arguments;
+        EXPECT_NE(outcome.output.find(words), std::string::npos) << outcome.output;
+        EXPECT_FALSE(fs::exists(path("out"))) << "something was written";
+    };
+    refused("--only 10.99", "10.99");
+    refused("--runs 0", "expected 1 to");
+    refused("--runs many", "many");
+    refused("--threads -1", "--threads");
+    refused("surplus", "surplus");
+}
+
+}  // namespace
+}  // namespace hitos::test

@@ -1,0 +1,136 @@
+#include "dxf_walls.hpp"
+
+#include <dl_dxf.h>
+
+#include <memory>
+
+#include "hitos/capture/error.hpp"
+#include "worlds.hpp"
+
+namespace hitos {
+namespace {
+
+using test::message_of;
+using test::TempFolder;
+
+/// Writes a drawing with dxflib.
+class Drawing {
+  public:
+    explicit Drawing(const std::filesystem::path& path)
+        : writer_(dxf_.out(path.c_str(), DL_Codes::AC1015)) {
+        dxf_.writeHeader(*writer_);
+    }
+    void units(int insunits) { writer_->dxfString(9, "$INSUNITS"), writer_->dxfInt(70, insunits); }
+    void entities() {
+        writer_->sectionEnd();
+        writer_->sectionEntities();
+    }
+    void line(const Point2& a, const Point2& b, const char* layer = "0") {
+        dxf_.writeLine(*writer_, {a.x, a.y, 0, b.x, b.y, 0}, attributes(layer));
+    }
+    /// An LWPOLYLINE, as AC1015 has them.
+    void polyline(const std::vector<Point2>& points, bool closed, double bulge = 0.0) {
+        dxf_.writePolyline(*writer_, {static_cast<int>(points.size()), 0, 0, closed ? 1 : 0},
+                           attributes("0"));
+        for (const Point2& point : points) dxf_.writeVertex(*writer_, {point.x, point.y, 0, bulge});
+        dxf_.writePolylineEnd(*writer_);
+    }
+    void circle() { dxf_.writeCircle(*writer_, {1, 1, 0, 2}, attributes("0")); }
+    void point() { dxf_.writePoint(*writer_, {1, 1, 0}, attributes("0")); }
+    void end() {
+        writer_->sectionEnd();
+        writer_->dxfEOF();
+        writer_->close();
+    }
+
+  private:
+    static DL_Attributes attributes(const char* layer) { return {layer, 256, -1, "BYLAYER", 1.0}; }
+    DL_Dxf dxf_;
+    std::unique_ptr<DL_WriterA> writer_;
+};
+
+using Walls = std::vector<std::vector<Point2>>;
+
+TEST(DxfWalls, reads_back_what_was_drawn) {
+    const TempFolder folder;
+    Drawing drawing(folder / "room.dxf");
+    drawing.entities();
+    drawing.line({-1, -1.25}, {19.5, -1.25});
+    drawing.point();  // no wall, passed over
+    drawing.polyline({{0, 0}, {4, 0.125}, {4, 3}}, false);
+    drawing.polyline({{6, 1}, {8, 1}, {7, 2}}, true);
+    drawing.end();
+    EXPECT_EQ(read_dxf_walls(folder / "room.dxf"), (Walls{{{-1, -1.25}, {19.5, -1.25}},
+                                                          {{0, 0}, {4, 0.125}, {4, 3}},
+                                                          {{6, 1}, {8, 1}, {7, 2}, {6, 1}}}));
+}
+
+TEST(DxfWalls, reads_the_old_polyline_with_its_vertices) {
+    const TempFolder folder;
+    const auto path = folder.put(
+        "old.dxf",
+        "0\nSECTION\n2\nENTITIES\n"
+        "0\nPOLYLINE\n8\n0\n66\n1\n70\n1\n0\nVERTEX\n8\n0\n10\n1.5\n20\n2\n0\nVERTEX\n8\n0\n10\n"
+        "3\n20\n2\n0\nVERTEX\n8\n0\n10\n3\n20\n4\n0\nSEQEND\n8\n0\n"
+        "0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n");
+    EXPECT_EQ(read_dxf_walls(path),
+              (Walls{{{1.5, 2}, {3, 2}, {3, 4}, {1.5, 2}}, {{0, 0}, {1, 1}}}));
+}
+
+TEST(DxfWalls, takes_the_unit_from_the_drawing_unless_told) {
+    const TempFolder folder;
+    Drawing drawing(folder / "mm.dxf");
+    drawing.units(4);
+    drawing.entities();
+    drawing.line({0, 0}, {2500, 500});
+    drawing.end();
+    EXPECT_EQ(read_dxf_walls(folder / "mm.dxf"), (Walls{{{0, 0}, {2.5, 0.5}}}));
+    EXPECT_EQ(read_dxf_walls(folder / "mm.dxf", {{}, 0.01}), (Walls{{{0, 0}, {25, 5}}}));
+}
+
+TEST(DxfWalls, reads_one_layer_alone) {
+    const TempFolder folder;
+    Drawing drawing(folder / "layers.dxf");
+    drawing.entities();
+    drawing.line({0, 0}, {1, 0}, "furniture");
+    drawing.line({0, 2}, {1, 2}, "walls");
+    drawing.circle();
+    drawing.end();
+    EXPECT_EQ(read_dxf_walls(folder / "layers.dxf", {"walls", {}}), (Walls{{{0, 2}, {1, 2}}}));
+    EXPECT_NE(message_of<FormatError>([&] {
+                  read_dxf_walls(folder / "layers.dxf", {"roof", {}});
+              }).find("layer \"roof\" holds no wall"),
+              std::string::npos);
+}
+
+TEST(DxfWalls, refuses_what_is_not_straight) {
+    const TempFolder folder;
+    Drawing round(folder / "round.dxf");
+    round.entities();
+    round.line({0, 0}, {1, 0});
+    round.circle();
+    round.end();
+    EXPECT_NE(
+        message_of<FormatError>([&] { read_dxf_walls(folder / "round.dxf"); }).find("a CIRCLE"),
+        std::string::npos);
+    Drawing arcs(folder / "arcs.dxf");
+    arcs.entities();
+    arcs.polyline({{0, 0}, {1, 0}, {1, 1}}, false, 0.5);
+    arcs.end();
+    EXPECT_NE(message_of<FormatError>([&] { read_dxf_walls(folder / "arcs.dxf"); }).find("bulges"),
+              std::string::npos);
+}
+
+TEST(DxfWalls, refuses_what_is_no_drawing) {
+    const TempFolder folder;
+    EXPECT_NE(message_of<FileError>([&] { read_dxf_walls(folder / "none.dxf"); }).find("none.dxf"),
+              std::string::npos);
+    EXPECT_NE(message_of<FileError>([&] { read_dxf_walls(folder / ""); }).find("is a directory"),
+              std::string::npos);
+    const auto text = folder.put("text.dxf", "this is\nno drawing\nat all\n");
+    EXPECT_NE(message_of<FormatError>([&] { read_dxf_walls(text); }).find("no wall"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace hitos

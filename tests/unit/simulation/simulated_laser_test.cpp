@@ -1,0 +1,118 @@
+#include "hitos/simulation/simulated_laser.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "worlds.hpp"
+
+namespace hitos {
+namespace {
+
+/// Every ray against every wall, by the signs of the ends' distances from the ray and the wall's
+/// own line equation, in long double.
+double oracle(const std::vector<WallSegment>& walls, const Pose& laser, double angle, double most) {
+    const long double c = std::cos(static_cast<long double>(laser.theta) + angle);
+    const long double s = std::sin(static_cast<long double>(laser.theta) + angle);
+    auto best = std::numeric_limits<long double>::infinity();
+    for (const WallSegment& wall : walls) {
+        const long double side_a = c * (wall.a.y - laser.y) - s * (wall.a.x - laser.x);
+        const long double side_b = c * (wall.b.y - laser.y) - s * (wall.b.x - laser.x);
+        if ((side_a > 0) == (side_b > 0)) continue;
+        const long double t = side_a / (side_a - side_b);
+        const long double x = wall.a.x + t * (wall.b.x - wall.a.x) - laser.x;
+        const long double y = wall.a.y + t * (wall.b.y - wall.a.y) - laser.y;
+        const long double range = x * c + y * s;
+        if (range >= 0 && range < best) best = range;
+    }
+    return best <= most ? static_cast<double>(best) : std::numeric_limits<double>::infinity();
+}
+
+Fan fan(double from, double to, std::uint32_t count, double most = 8.0, Pose mount = {}) {
+    Fan result;
+    result.min_angle_rad = from;
+    result.max_angle_rad = to;
+    result.count = count;
+    result.max_range_m = most;
+    result.pose_robot_laser = mount;
+    return result;
+}
+
+TEST(SimulatedLaser, agrees_with_a_slow_oracle_in_random_worlds) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(-10.0, 10.0);
+    std::uniform_real_distribution<double> angle(-kPi, kPi);
+    const std::vector<Fan> fans = {fan(-kPi / 2, kPi / 2, 181), fan(-kPi, kPi, 361, 30.0),
+                                   fan(-kPi / 2, kPi / 2, 181, 8.0, {0.3, -0.1, 2.0}),
+                                   fan(-0.2, 0.3, 2, 30.0)};
+    int compared = 0;
+    int hits = 0;
+    int differ = 0;
+    for (int round = 0; round < 200; ++round) {
+        std::vector<WallSegment> walls;
+        walls.reserve(12);
+        for (int i = 0; i < 12; ++i) {
+            walls.push_back({{place(random), place(random)}, {place(random), place(random)}, i, 0});
+        }
+        const Pose robot{place(random), place(random), angle(random)};
+        for (const Fan& f : fans) {
+            std::vector<RayHit> found;
+            SimulatedLaser(walls, f).cast(robot, found);
+            ASSERT_EQ(found.size(), f.count);
+            const Pose laser = compose(robot, f.pose_robot_laser);
+            for (std::uint32_t i = 0; i < f.count; ++i) {
+                const double ray =
+                    f.min_angle_rad + i * (f.max_angle_rad - f.min_angle_rad) / (f.count - 1);
+                const double expected = oracle(walls, laser, ray, f.max_range_m);
+                ++compared;
+                if (std::isfinite(expected)) ++hits;
+                const bool same = std::isfinite(expected)
+                                      ? std::abs(found[i].range_m - expected) < 1e-9
+                                      : !std::isfinite(found[i].range_m);
+                differ += same ? 0 : 1;
+            }
+        }
+    }
+    EXPECT_EQ(differ, 0) << "of " << compared;
+    EXPECT_GT(hits, compared / 4);
+}
+
+TEST(SimulatedLaser, leaks_at_no_joint_of_two_walls) {
+    const World world = test::small_world();
+    // Rays aimed at the corners themselves, from many places.
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-1.5, 3.5);
+    for (int round = 0; round < 500; ++round) {
+        const Point2 at{place(random), place(random)};
+        for (const WallSegment& wall : world.walls) {
+            const double to = std::atan2(wall.a.y - at.y, wall.a.x - at.x);
+            std::vector<RayHit> hits;
+            SimulatedLaser(world.walls, fan(0.0, 1.0, 2, 30.0)).cast({at.x, at.y, to}, hits);
+            EXPECT_NEAR(hits[0].range_m, std::hypot(wall.a.x - at.x, wall.a.y - at.y), 1e-9);
+        }
+    }
+}
+
+TEST(SimulatedLaser, names_the_wall_and_keeps_to_the_greatest_range) {
+    const std::vector<WallSegment> walls = {{{5, -1}, {5, 1}, 1, 0}, {{3, 0.5}, {3, 2}, 2, 0}};
+    std::vector<RayHit> hits;
+    SimulatedLaser(walls, fan(-0.1, 0.3, 3, 5.0)).cast({}, hits);
+    EXPECT_EQ(hits[0].segment, -1);  // 5 / cos(0.1) is beyond 5 m
+    EXPECT_EQ(hits[1].segment, -1);
+    EXPECT_EQ(hits[2].segment, 1);
+    EXPECT_NEAR(hits[2].range_m, 3.0 / std::cos(0.3), 1e-12);
+    SimulatedLaser(walls, fan(0.0, 0.3, 2, 5.0)).cast({}, hits);
+    EXPECT_EQ(hits[0].segment, 0);
+    EXPECT_DOUBLE_EQ(hits[0].range_m, 5.0);
+}
+
+TEST(SimulatedLaser, sees_the_end_of_a_wall_it_looks_along) {
+    std::vector<RayHit> hits;
+    SimulatedLaser({{{4, 0}, {2, 0}, 1, 0}}, fan(0.0, 1.0, 2)).cast({}, hits);
+    EXPECT_DOUBLE_EQ(hits[0].range_m, 2.0);
+    EXPECT_EQ(hits[1].segment, -1);
+    SimulatedLaser({{{-4, 0}, {-2, 0}, 1, 0}}, fan(0.0, 1.0, 2)).cast({}, hits);
+    EXPECT_EQ(hits[0].segment, -1);
+}
+
+}  // namespace
+}  // namespace hitos

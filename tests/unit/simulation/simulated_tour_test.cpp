@@ -1,0 +1,177 @@
+#include "hitos/simulation/simulated_tour.hpp"
+
+#include <cmath>
+
+#include "hitos/capture/archivo.hpp"
+#include "hitos/capture/error.hpp"
+#include "hitos/capture/procesador.hpp"
+#include "worlds.hpp"
+
+namespace hitos {
+namespace {
+
+using test::content;
+using test::small_world;
+using test::TempFolder;
+
+std::filesystem::path write(const World& world, LogFormat format,
+                            const std::filesystem::path& path) {
+    const SimulatedTour tour(world);
+    const auto writer = make_log_writer(format, path);
+    write_tour(tour, *writer);
+    writer->finish();
+    return path;
+}
+
+TEST(SimulatedTour, takes_readings_and_scans_at_their_rates) {
+    const SimulatedTour tour(small_world());
+    const double end = tour.path().duration_s();
+    EXPECT_EQ(tour.scans(), static_cast<std::uint64_t>(std::floor(end * 5 + 1e-9)) + 1);
+    EXPECT_EQ(tour.readings(), static_cast<std::uint64_t>(std::floor(end * 10 + 1e-9)) + 1);
+    EXPECT_EQ(tour.true_pose(0), Pose{});
+    EXPECT_EQ(tour.scan(7).time_s, 1.4);
+    EXPECT_EQ(tour.true_reading(0).twist, Twist{});
+}
+
+TEST(SimulatedTour, starts_at_the_origin_of_its_frame_wherever_the_robot_starts) {
+    World world = small_world();
+    world.tour.start = {1.0, 1.0, 0.5};
+    const SimulatedTour tour(world);
+    EXPECT_EQ(tour.true_pose(0), Pose{});
+    const Pose last = compose(world.tour.start, tour.true_pose(tour.scans() - 1));
+    EXPECT_NEAR(std::hypot(last.x - 5.0, last.y), 0.0, world.robot.tolerance_m);
+}
+
+TEST(SimulatedTour, odometry_without_noise_is_the_true_motion_at_any_rate) {
+    for (const double rate : {10.0, 5.0, 3.0, 40.0}) {
+        World world = small_world();
+        world.odometry.rate_hz = rate;
+        const SimulatedTour tour(world);
+        Pose pose = world.tour.start;
+        for (std::uint64_t k = 1; k < tour.readings(); ++k) {
+            pose = compose(pose, displacement(tour.true_reading(k).twist, 1.0 / rate));
+            const Pose truth = tour.path().pose_at(tour.reading_time(k));
+            ASSERT_NEAR(pose.x, truth.x, 1e-9) << rate << " " << k;
+            ASSERT_NEAR(pose.y, truth.y, 1e-9);
+            ASSERT_NEAR(wrap_angle(pose.theta - truth.theta), 0.0, 1e-9);
+        }
+    }
+}
+
+TEST(SimulatedTour, ranges_have_the_noise_that_was_asked_for) {
+    World world = small_world();
+    world.tour.rest_s = 200.0;
+    world.tour.way_points.resize(1);
+    world.laser.sigma_m = 0.02;
+    const SimulatedTour tour(world);
+    const SimulatedLaser laser(world.walls, fan_of(world.laser));
+    std::vector<RayHit> hits;
+    double sum = 0.0;
+    double squares = 0.0;
+    double neighbours = 0.0;
+    int n = 0;
+    for (std::uint64_t k = 0; k < tour.scans() && n < 100'000; ++k) {
+        laser.cast(tour.path().pose_at(tour.scan_time(k)), hits);
+        const Scan scan = tour.scan(k);
+        double before = 0.0;
+        for (std::size_t i = 0; i < scan.points.size(); ++i) {
+            // Rays near the greatest range lose the readings beyond it.
+            const double truth = hits[scan.rays[i]].range_m;
+            if (truth > 7.8) continue;
+            const double error = std::hypot(scan.points[i].x, scan.points[i].y) - truth;
+            sum += error;
+            squares += error * error;
+            neighbours += error * before;
+            before = error;
+            ++n;
+        }
+    }
+    ASSERT_GE(n, 100'000);
+    const double sigma = world.laser.sigma_m;
+    EXPECT_NEAR(sum / n, 0.0, 5.0 * sigma / std::sqrt(n));
+    EXPECT_NEAR(std::sqrt(squares / n), sigma, 5.0 * sigma / std::sqrt(2.0 * n));
+    EXPECT_NEAR(neighbours / n / (sigma * sigma), 0.0, 5.0 / std::sqrt(n));
+}
+
+TEST(SimulatedTour, a_run_of_neighbours_ends_where_a_ray_returns_nothing) {
+    World world = small_world();
+    world.laser.max_range_m = 5.0;
+    world.laser.sigma_m = 0.0;
+    const Scan scan = SimulatedTour(world).scan(0);
+    // Facing +x from the origin: the walls above and below are near, the one ahead is 8 m away.
+    ASSERT_EQ(scan.run_starts.size(), 2U);
+    const std::uint32_t second = scan.run_starts[1];
+    EXPECT_GT(scan.rays[second], scan.rays[second - 1] + 1);
+    EXPECT_EQ(scan.rays.front(), 0U);
+    EXPECT_EQ(scan.rays.back(), 180U);
+}
+
+TEST(SimulatedTour, points_lie_on_the_walls_whatever_the_mounting) {
+    World world = small_world();
+    world.laser.sigma_m = 0.0;
+    world.laser.mount_x_m = 0.2;
+    world.laser.mount_y_m = -0.1;
+    world.laser.mount_heading_deg = 30.0;
+    const SimulatedTour tour(world);
+    for (std::uint64_t k = 0; k < tour.scans(); k += 9) {
+        const Pose pose = tour.path().pose_at(tour.scan_time(k));
+        const Scan scan = tour.scan(k);
+        EXPECT_EQ(scan.fan.pose_robot_laser.x, 0.2);
+        for (const Point2& point : scan.points) {
+            const Point2 at = transform(pose, point);
+            double gap = 1.0;
+            for (const WallSegment& wall : world.walls) gap = std::min(gap, distance(wall, at));
+            ASSERT_LT(gap, 1e-9);
+        }
+    }
+}
+
+TEST(SimulatedTour, the_same_seed_writes_the_same_bytes_in_every_format) {
+    const TempFolder folder;
+    for (const LogFormat format :
+         {LogFormat::player, LogFormat::radish, LogFormat::normalized, LogFormat::carmen}) {
+        World world = small_world();
+        const std::string first = content(write(world, format, folder / "a.log"));
+        EXPECT_EQ(first, content(write(world, format, folder / "b.log")));
+        world.seed = 2;
+        EXPECT_NE(first, content(write(world, format, folder / "c.log")));
+    }
+}
+
+TEST(SimulatedTour, every_format_reads_back_as_the_same_tour) {
+    const TempFolder folder;
+    World world = small_world();
+    world.laser.mount_x_m = 0.1;
+    const SimulatedTour tour(world);
+    for (const LogFormat format :
+         {LogFormat::player, LogFormat::radish, LogFormat::normalized, LogFormat::carmen}) {
+        SCOPED_TRACE(to_string(format));
+        Procesador reader(open_log(write(world, format, folder / "tour.log")));
+        EXPECT_EQ(reader.fuente().format(), format);
+        for (std::uint64_t k = 0; k < tour.scans(); ++k) {
+            const auto scan = reader.next_scan();
+            ASSERT_TRUE(scan) << k;
+            const Scan expected = tour.scan(k);
+            ASSERT_EQ(scan->points.size(), expected.points.size());
+            ASSERT_EQ(scan->run_starts, expected.run_starts);
+            for (std::size_t i = 0; i < scan->points.size(); ++i) {
+                ASSERT_NEAR(scan->points[i].x, expected.points[i].x, 1e-4);
+                ASSERT_NEAR(scan->points[i].y, expected.points[i].y, 1e-4);
+            }
+        }
+        EXPECT_FALSE(reader.next_scan());
+    }
+}
+
+TEST(SimulatedTour, an_unwritable_log_leaves_nothing_behind) {
+    const TempFolder folder;
+    EXPECT_THROW(write(small_world(), LogFormat::player, folder / "missing/tour.log"), FileError);
+    {
+        const auto writer = make_log_writer(LogFormat::normalized, folder / "tour.log");
+        write_tour(SimulatedTour(small_world()), *writer);
+    }
+    EXPECT_EQ(folder.files(), 0U);
+}
+
+}  // namespace
+}  // namespace hitos

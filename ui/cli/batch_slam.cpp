@@ -1,0 +1,124 @@
+// BatchSLAM: a study with the arguments of the thesis [T 9.2.7].
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "hitos/capture/error.hpp"
+#include "hitos/services/archivo_configuracion.hpp"
+#include "hitos/services/results.hpp"
+#include "study_console.hpp"
+
+namespace hitos::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BatchOptions {
+    std::string config;
+    std::string salida;
+    std::string referencia;
+    std::string parametro;
+    std::vector<std::string> valores;
+    std::vector<std::string> second;
+    StudyRunOptions runs;
+};
+
+/// A configuration may name its log from the current folder or from its own.
+void find_log(Configuracion& configuration, const fs::path& config) {
+    std::string& file = configuration.source.file;
+    if (file.empty()) {
+        throw ConfigError("source.file", "found no file name in " + config.string() +
+                                             "; expected the path of the log to study");
+    }
+    std::error_code ignored;
+    const fs::path beside = config.parent_path() / file;
+    if (!fs::exists(file, ignored) && fs::exists(beside, ignored)) file = beside.string();
+}
+
+StudyParameter parameter(const std::string& name, const std::vector<std::string>& values) {
+    StudyParameter parameter = find_thesis_parameter(name);
+    set_values(parameter, values);
+    return parameter;
+}
+
+int batch(const BatchOptions& options) {
+    Study study;
+    study.parameters.push_back(parameter(options.parametro, options.valores));
+    if (!options.second.empty()) {
+        study.parameters.push_back(
+            parameter(options.second.front(), {options.second.begin() + 1, options.second.end()}));
+    }
+    study.configuration = ArchivoConfiguracion::read(options.config);
+    find_log(study.configuration, options.config);
+    study.reference = read_map(options.referencia);
+    study.layout = study_beside(options.salida);
+    apply(options.runs, study);
+    return conduct(study, options.runs, {});
+}
+
+std::string parameter_list() {
+    std::string text = "Parameters, and what each run takes of the values:\n";
+    for (const ThesisParameter& thesis : thesis_parameters()) {
+        text += fmt::format("  {:<8} {}: {}\n", thesis.name, thesis.keys.size(), thesis.meaning);
+    }
+    return text +
+           "A value of a parameter that takes one may be a range from:to:step.\n\n"
+           "Salida out/dmax.csv gives the quality of every run in out/dmax.csv and, beside it,\n"
+           "out/dmax-maps/, out/dmax-summary.csv (.md, .tex), plots and times. A study that was\n"
+           "stopped goes on where it was when it is started again.";
+}
+
+int run_program(int argc, char** argv) {
+    CLI::App program{
+        "BatchSLAM: runs FastSLAM for several values of a parameter and measures the "
+        "maps"};
+    program.name("BatchSLAM");
+    program.set_version_flag("--version", version());
+    program.footer(parameter_list());
+    BatchOptions options;
+    program.add_option("Config", options.config, "Configuration file; its source.file is the log")
+        ->required();
+    program.add_option("Salida", options.salida, "Quality file to write (CSV)")->required();
+    program.add_option("Referencia", options.referencia, "Reference map")->required();
+    program.add_option("Parametro", options.parametro, "Parameter to vary, see below")->required();
+    program.add_option("Valores", options.valores, "Its values")->required()->expected(1, -1);
+    program
+        .add_option("--second", options.second,
+                    "A second parameter and its values, e.g. --second dmax 0.01 0.02: every pair "
+                    "is run")
+        ->expected(2, -1)
+        ->type_name("NAME VALUES");
+    program.add_option("--seed", options.runs.first_seed, "First seed of each value (default: 1)");
+    program
+        .add_option("--threads", options.runs.threads,
+                    "Runs at a time (default: as many as the machine has); results do not "
+                    "depend on it")
+        ->check(CLI::Range(0, 256));
+    add_study_options(program, options.runs);
+    try {
+        program.parse(argc, argv);
+        return batch(options);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "BatchSLAM: {}\n", error.what());
+        return 1;
+    }
+}
+
+}  // namespace
+}  // namespace hitos::cli
+
+int main(int argc, char** argv) {
+    try {
+        return hitos::cli::run_program(argc, argv);
+    } catch (...) {  // not even the error could be told
+        return 1;
+    }
+}

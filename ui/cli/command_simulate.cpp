@@ -1,0 +1,140 @@
+// hitos-cli simulate: a world in; a log, the truth and a picture out.
+
+#include <fmt/core.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "common/tour_picture.hpp"
+#include "common/world_files.hpp"
+#include "hitos/capture/error.hpp"
+#include "hitos/capture/log_writer.hpp"
+#include "hitos/services/map_file.hpp"
+#include "hitos/services/trajectory_file.hpp"
+#include "hitos/simulation/reference_map.hpp"
+#include "hitos/simulation/simulated_tour.hpp"
+#include "options.hpp"
+#include "progress_line.hpp"
+
+namespace hitos::cli {
+namespace {
+
+struct SimulateOptions {
+    std::string world;
+    std::string format = "normalized";
+    std::string out;
+    std::string truth;
+    std::string reference;
+    std::string picture;
+    std::vector<std::string> assignments;
+    // The short forms of --set for the values that change most; empty: as the world says.
+    std::string seed;
+    std::string laps;
+    std::string laser_sigma;
+    std::string noise;
+    std::string noise_kind;
+};
+
+World load_world(const SimulateOptions& options) {
+    World world = read_world(find_world(options.world));
+    for (const std::string& assignment : options.assignments) set_world_value(world, assignment);
+    const auto set = [&world](const char* key, const std::string& value) {
+        if (!value.empty()) set_world_value(world, fmt::format("{}={}", key, value));
+    };
+    set("seed", options.seed);
+    set("tour.laps", options.laps);
+    set("laser.sigma", options.laser_sigma);
+    set("odometry.noise", options.noise);
+    set("odometry.noise_kind", options.noise_kind);
+    return world;
+}
+
+Trajectory truth_of(const SimulatedTour& tour) {
+    Trajectory truth;
+    for (std::uint64_t k = 0; k < tour.scans(); ++k)
+        truth.push_back({tour.scan_time(k), tour.true_pose(k)});
+    return truth;
+}
+
+void simulate(const SimulateOptions& options) {
+    const LogFormat format = parse_format(options.format, "--format");
+    if (format == LogFormat::automatic) {
+        throw ConfigError("--format",
+                          "found \"auto\", expected player, radish, normalized or carmen");
+    }
+    if (options.out.empty() && options.truth.empty() && options.reference.empty() &&
+        options.picture.empty()) {
+        throw ConfigError("simulate",
+                          "found nothing to write; give --out, --truth, --reference or --picture");
+    }
+    const SimulatedTour tour(load_world(options));
+    // The log's place is tried first and the log put there last, so that an error in any other file
+    // leaves no log behind that looks like a whole result.
+    const auto writer = options.out.empty() ? nullptr : make_log_writer(format, options.out);
+    if (!options.picture.empty()) write_tour_picture(tour, options.picture);
+    if (!options.truth.empty()) write_trajectory(truth_of(tour), options.truth);
+    if (!options.reference.empty()) write_map(reference_map(tour.world()), options.reference);
+    if (writer) {
+        ProgressLine line("scans");
+        write_tour(tour, *writer, [&](std::uint64_t scans) {
+            line.show(scans, static_cast<double>(scans) / static_cast<double>(tour.scans()));
+        });
+        writer->finish();
+        line.finish(tour.scans());
+    }
+    fmt::print("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n", tour.world().name,
+               tour.path().length_m(), tour.path().duration_s(), tour.scans(), tour.readings());
+}
+
+std::string footer() {
+    std::string text = "Keys for --set, with the default of each (docs/simulation.md):\n";
+    const World defaults;
+    for (const WorldKey& key : world_keys()) {
+        text += fmt::format("  {} = {}  {}{}\n", key.key, key.text(defaults), key.description,
+                            key.unit.empty() ? "" : fmt::format(" [{}]", key.unit));
+    }
+    text += "Worlds that come with Hitos:";
+    for (const std::string& name : shipped_worlds()) text += " " + name;
+    return text;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& program) {
+    auto options = std::make_shared<SimulateOptions>();
+    CLI::App* command = program.add_subcommand(
+        "simulate", "Drive a tour through a world and write the log a robot would have written");
+    command
+        ->add_option("world", options->world,
+                     "World file (.toml), or the name of a world that comes with Hitos")
+        ->required();
+    command->add_option("--format", options->format,
+                        "player, radish, normalized or carmen (default: normalized)");
+    command->add_option("--out", options->out, "Log to write; .gz compresses it");
+    command->add_option("--seed", options->seed, "Seed of the noise (default: as the world says)");
+    command->add_option("--laps", options->laps, "How often the way points are driven");
+    command->add_option("--laser-sigma", options->laser_sigma,
+                        "Standard deviation of a range [m]; 0.003 reproduces the thesis");
+    command->add_option("--odometry-noise", options->noise,
+                        "Level of the noise on v and w; the thesis uses 0.1; 0: none");
+    command->add_option("--odometry-noise-kind", options->noise_kind,
+                        "relative-sigma: sigma = level |v|; variance: variance = level |v|");
+    command
+        ->add_option("--set", options->assignments,
+                     "Change one value of the world, e.g. --set laser.rate=10; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command->add_option("--truth", options->truth,
+                        "True trajectory to write (TUM), one pose for each scan");
+    command->add_option("--reference", options->reference,
+                        "Reference map to write, computed from the walls");
+    command->add_option("--picture", options->picture,
+                        "Picture to draw (.png or .jpg): walls, true path, odometry, way points");
+    command->footer(footer);
+    command->callback([options] { simulate(*options); });
+}
+
+}  // namespace hitos::cli

@@ -1,0 +1,124 @@
+// hitos-cli study: one log, values of parameters, several runs of each.
+
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "hitos/capture/error.hpp"
+#include "options.hpp"
+#include "study_console.hpp"
+
+namespace hitos::cli {
+namespace {
+
+struct CommandOptions {
+    ConfigurationOptions configuration;
+    StudyRunOptions runs;
+    std::string log;
+    std::string format;
+    std::string reference;
+    std::vector<std::string> vary;
+    std::string shard;
+    std::string out;
+};
+
+struct MergeOptions {
+    std::string out;
+    std::vector<std::string> shards;
+    bool csv = false;
+};
+
+void require(const std::string& value, const char* name, const char* what) {
+    if (value.empty()) throw ConfigError("study", fmt::format("{} is missing: {}", name, what));
+}
+
+StudyShard shard_of(const CommandOptions& options) {
+    if (!options.shard.empty()) return parse_shard(options.shard);
+    return scheduler_shard(process_environment()).value_or(StudyShard{});
+}
+
+int study(CommandOptions options) {
+    require(options.log, "LOG", "the log file to study");
+    require(options.reference, "--reference", "the map to measure against");
+    require(options.out, "--out", "the folder for the results");
+    options.runs.first_seed = options.configuration.seed.value_or(1);
+    options.runs.threads = options.configuration.threads.value_or(0);
+
+    Study study;
+    study.configuration = load(options.configuration);
+    study.configuration.source.file = options.log;
+    if (!options.format.empty()) {
+        study.configuration.source.format = parse_format(options.format, "--format");
+    }
+    study.reference = read_map(options.reference);
+    for (const std::string& assignment : options.vary)
+        study.parameters.push_back(parse_study_parameter(assignment));
+    study.layout = study_in_folder(options.out);
+    apply(options.runs, study);
+    return conduct(study, options.runs, shard_of(options));
+}
+
+int merge(const MergeOptions& options) {
+    const StudyLayout layout = study_in_folder(options.out);
+    std::vector<StudyLayout> shards;
+    for (const std::string& folder : options.shards) shards.push_back(study_in_folder(folder));
+    return report(merge_study(layout, shards), layout, options.csv);
+}
+
+/// The exit status of a command that has said all there is to say.
+void leave(int status) {
+    if (status != 0) throw CLI::RuntimeError(status);
+}
+
+void add_merge(CLI::App& study) {
+    auto options = std::make_shared<MergeOptions>();
+    CLI::App* command = study.add_subcommand(
+        "merge", "Put the shards of a study together: tables and plots as one process makes them");
+    command->add_option("out", options->out, "Folder of the whole study")->required();
+    command->add_option("shards", options->shards,
+                        "Folders of the shards, where each had its own (default: all of them "
+                        "wrote to OUT)");
+    command->add_flag("--csv", options->csv, "Print the summary as CSV instead of a table");
+    command->callback([options] { leave(merge(*options)); });
+}
+
+}  // namespace
+
+void add_study(CLI::App& program) {
+    auto options = std::make_shared<CommandOptions>();
+    CLI::App* command = program.add_subcommand(
+        "study", "Run values of parameters several times each and measure the maps");
+    command->footer(
+        "A study that was stopped goes on where it was when it is started again. In a Slurm or\n"
+        "Grid Engine job array every task does its shard. See docs/studies.md, docs/cluster.md.");
+    command->add_option("log", options->log, "Log file, plain or .gz");
+    command->add_option("--format", options->format,
+                        "auto, player, radish, normalized or carmen (default: auto)");
+    command->add_option("--reference", options->reference, "Reference map to measure against");
+    command
+        ->add_option("--vary", options->vary,
+                     "Values of a parameter, e.g. split_merge.dmax=0.01,0.02 or p=10:100:10 or "
+                     "sensor=0.04/0.00122,0.01/0.0006; given twice: every pair")
+        ->type_name("NAME=VALUES")
+        ->allow_extra_args(false);
+    add_study_options(*command, options->runs);
+    add_configuration_options(*command, options->configuration);
+    command->get_option("--seed")->description("First seed of each value (default: 1)");
+    command->get_option("--threads")
+        ->description(
+            "Runs at a time (default: as many as the machine has); results do not "
+            "depend on it");
+    command->add_option("--shard", options->shard,
+                        "Do part i of n only, e.g. 2/8 (default: what the job array says, else "
+                        "all); study merge puts the parts together");
+    command->add_option("--out", options->out, "Folder for the results, made if missing");
+    add_merge(*command);
+    command->callback([options, command] {
+        if (!command->got_subcommand("merge")) leave(study(*options));
+    });
+}
+
+}  // namespace hitos::cli

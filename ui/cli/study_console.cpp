@@ -1,0 +1,105 @@
+#include "study_console.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+#include "hitos/capture/error.hpp"
+#include "hitos/services/slam_run.hpp"
+#include "hitos/simulation/noisy_source.hpp"
+#include "options.hpp"
+#include "progress_line.hpp"
+
+namespace hitos::cli {
+namespace {
+
+constexpr int kSomeFailed = 2;
+
+/// Why a study without a single result has none.
+[[noreturn]] void all_failed(const StudyOutcome& outcome) {
+    for (const StudyRecord& record : outcome.records) {
+        if (!record.problem.empty()) {
+            throw Error(fmt::format("every run failed; the first: {}", record.problem));
+        }
+    }
+    throw Error("no run succeeded");
+}
+
+}  // namespace
+
+void add_study_options(CLI::App& command, StudyRunOptions& options) {
+    command.add_option("--runs", options.runs,
+                       "Runs of each value, with one seed after the other (default: 5)");
+    command.add_option("--odometry-noise", options.noise,
+                       "Level of the noise that every run gets on its odometry, drawn with the "
+                       "run's seed; the thesis uses 0.1 (default: 0, none)");
+    command.add_option(
+        "--odometry-noise-kind", options.noise_kind,
+        "relative-sigma: sigma = level |v| (default); variance: variance = level |v|");
+    command.add_flag("--csv", options.csv, "Print the summary as CSV instead of a table");
+}
+
+void apply(const StudyRunOptions& options, Study& study) {
+    study.seeds = options.runs;
+    study.first_seed = options.first_seed;
+    const OdometryNoiseKind kind = parse_noise_kind(options.noise_kind);
+    static_cast<void>(OdometryNoise(options.noise, kind, 0));  // throws for an impossible level
+    if (options.noise == 0.0) return;
+    study.setting = fmt::format("odometry noise {} {}", options.noise_kind, options.noise);
+    study.source = [level = options.noise, kind](const StudyJob& job) {
+        const SourceParams& source = job.configuration.source;
+        return make_noisy_source(open_source(source), level, kind, job.seed,
+                                 source.read.logged_velocities);
+    };
+}
+
+int conduct(const Study& study, const StudyRunOptions& options, const StudyShard& shard) {
+    StudyOptions how;
+    how.threads = options.threads;
+    how.shard = shard;
+    ProgressLine line("runs");
+    bool begun = false;
+    std::size_t finished = 0;
+    how.observer = [&](const StudyProgress& progress) {
+        if (!begun) {
+            line.say(fmt::format("{} runs to do, {} found done", progress.runs, progress.reused));
+            begun = true;
+        }
+        if (!progress.failure.empty()) line.say("run failed: " + progress.failure);
+        finished = progress.finished;
+        line.show(progress.finished, progress.fraction,
+                  fmt::format("run {} of {}: {}", progress.running_number, progress.runs,
+                              progress.running));
+    };
+    const StudyOutcome outcome = std::move(run_studies({&study, 1}, how).front());
+    if (begun) line.finish(finished);
+    if (outcome.computed + outcome.reused == outcome.failed && outcome.failed > 0) {
+        all_failed(outcome);
+    }
+    if (shard.whole()) return report(outcome, study.layout, options.csv);
+    fmt::print(
+        "shard {} of {}: {} runs done, {} found done, {} failed; put the shards together "
+        "with: hitos-cli study merge {}\n",
+        shard.index, shard.count, outcome.computed - outcome.failed, outcome.reused, outcome.failed,
+        study.layout.folder.string());
+    return outcome.failed == 0 ? 0 : kSomeFailed;
+}
+
+int report(const StudyOutcome& outcome, const StudyLayout& layout, bool csv) {
+    const std::vector<StudyCell> cells = summarize(outcome.plan, outcome.records);
+    fmt::print("{}",
+               csv ? summary_csv(outcome.plan, cells) : summary_markdown(outcome.plan, cells));
+    std::fflush(stdout);
+    if (!outcome.plot_problem.empty()) {
+        fmt::print(stderr, "no plots: {}; their scripts are {} and {}\n", outcome.plot_problem,
+                   layout.file("error.gp").string(), layout.file("landmarks.gp").string());
+    }
+    fmt::print(stderr, "quality of every run: {}; summary, maps and plots beside it\n",
+               layout.quality_file().string());
+    if (outcome.failed == 0) return 0;
+    fmt::print(stderr, "{} of {} runs failed; the quality file says why\n", outcome.failed,
+               outcome.records.size());
+    return kSomeFailed;
+}
+
+}  // namespace hitos::cli

@@ -1,0 +1,36 @@
+// What BatchSLAM and hitos-cli study have in common: options, progress and the closing words.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "hitos/services/study.hpp"
+
+namespace hitos::cli {
+
+/// How the runs of a study are done.
+struct StudyRunOptions {
+    int runs = 5;
+    std::uint64_t first_seed = 1;
+    int threads = 0;
+    double noise = 0.0;
+    std::string noise_kind = "relative-sigma";
+    bool csv = false;
+};
+
+/// --runs, --odometry-noise, --odometry-noise-kind and --csv.
+void add_study_options(CLI::App& command, StudyRunOptions& options);
+
+/// Puts runs, seeds and noise into the study.
+void apply(const StudyRunOptions& options, Study& study);
+
+/// Runs the study with progress and failures on stderr and the summary on stdout. Gives the exit
+/// status: 0, or 2 where a run failed. Throws where none succeeded.
+int conduct(const Study& study, const StudyRunOptions& options, const StudyShard& shard);
+
+/// The summary of a whole study on stdout, and what is wrong with it on stderr; gives the exit
+/// status.
+int report(const StudyOutcome& outcome, const StudyLayout& layout, bool csv);
+
+}  // namespace hitos::cli

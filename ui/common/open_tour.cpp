@@ -1,0 +1,21 @@
+#include "common/open_tour.hpp"
+
+#include "common/world_files.hpp"
+#include "hitos/capture/error.hpp"
+#include "hitos/services/slam_run.hpp"
+#include "hitos/simulation/fuente_simulada.hpp"
+
+namespace hitos {
+
+std::unique_ptr<Fuente> open_tour(const SourceParams& source) {
+    if (!is_world_file(source.file)) return open_source(source);
+    if (source.format != LogFormat::automatic && source.format != LogFormat::normalized) {
+        throw ConfigError("source.format", "found \"" + std::string(to_string(source.format)) +
+                                               "\" for the world " + source.file +
+                                               ", expected auto or normalized");
+    }
+    return std::make_unique<FuenteSimulada>(
+        std::make_shared<const SimulatedTour>(read_world(source.file)));
+}
+
+}  // namespace hitos

@@ -1,0 +1,23 @@
+// Which files are worlds, and where the data lie that come with Hitos.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hitos {
+
+/// Whether the name ends in .toml.
+bool is_world_file(const std::filesystem::path& path);
+
+/// The path itself where it exists or is more than a bare name; else the world of that name among
+/// those that come with Hitos. Throws FileError that lists their names where there is none.
+std::filesystem::path find_world(const std::string& name);
+
+/// The worlds that come with Hitos, by name.
+std::vector<std::string> shipped_worlds();
+
+/// data/results.csv, the figures of the thesis, likewise. Throws FileError.
+std::filesystem::path find_thesis_results();
+
+}  // namespace hitos
