@@ -134,8 +134,7 @@ void Grid::add(const Scan& scan, const Pose& pose_world_robot) {
     if (!fits) return;
 
     last_change_ = united({}, laser_u, laser_v);
-    for (const Ray& ray : rays_)
-        last_change_ = united(last_change_, ray.u, ray.v);
+    for (const Ray& ray : rays_) last_change_ = united(last_change_, ray.u, ray.v);
     // From here on coordinates are those of the storage.
     const double base_u = static_cast<double>(first_column_) - static_cast<double>(column_offset_);
     const double base_v = static_cast<double>(first_row_) - static_cast<double>(row_offset_);

@@ -6,9 +6,9 @@
 namespace hitos {
 namespace {
 
-constexpr double kGreatestAngle_rad = 0.15;
-constexpr double kGreatestDistance_m = 0.4;
-constexpr double kGreatestGap_m = 1.0;
+constexpr double kGreatestAngle = 0.15;    // rad
+constexpr double kGreatestDistance = 0.4;  // m
+constexpr double kGreatestGap = 1.0;       // m
 
 double along(const Recta& line, const Point2& point) {
     return point.y * std::cos(line.theta) - point.x * std::sin(line.theta);
@@ -27,7 +27,7 @@ double angle_between(const Recta& a, const Recta& b) {
 
 /// How far the ends of a stretch lie from a line; infinite where they are of different directions.
 double distance(const Recta& line, const Recta& direction, const Point2& a, const Point2& b) {
-    if (angle_between(line, direction) > kGreatestAngle_rad) return HUGE_VAL;
+    if (angle_between(line, direction) > kGreatestAngle) return HUGE_VAL;
     return std::max(std::abs(signed_distance(line, a)), std::abs(signed_distance(line, b)));
 }
 
@@ -47,9 +47,9 @@ void LineExtents::note(const SlamFilter& filter, const Observation& observation)
 
 void LineExtents::add(const Recta& line, const Point2& a, const Point2& b) {
     for (Stretch& stretch : stretches_) {
-        if (distance(stretch.line, line, a, b) > kGreatestDistance_m) continue;
+        if (distance(stretch.line, line, a, b) > kGreatestDistance) continue;
         const auto [from, to] = std::minmax({along(stretch.line, a), along(stretch.line, b)});
-        if (from > stretch.to + kGreatestGap_m || to < stretch.from - kGreatestGap_m) continue;
+        if (from > stretch.to + kGreatestGap || to < stretch.from - kGreatestGap) continue;
         stretch.from = std::min(stretch.from, from);
         stretch.to = std::max(stretch.to, to);
         return;
@@ -78,10 +78,10 @@ std::vector<LineExtent> LineExtents::of(const LandmarkMap& map) const {
     std::vector<LineExtent> extents;
     for (const Stretch& stretch : stretches_) {
         LineExtent extent{-1, at(stretch.line, stretch.from), at(stretch.line, stretch.to)};
-        double nearest = kGreatestDistance_m;
+        double nearest = kGreatestDistance;
         for (const Line& line : lines) {
             const double away = std::max(line.away(extent.a), line.away(extent.b));
-            if (away >= nearest || angle_between(line.recta, stretch.line) > kGreatestAngle_rad) {
+            if (away >= nearest || angle_between(line.recta, stretch.line) > kGreatestAngle) {
                 continue;
             }
             nearest = away;

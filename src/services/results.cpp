@@ -42,8 +42,7 @@ void write_grid(const Grid& grid, const Trajectory& path, const std::filesystem:
     PictureStyle style;
     style.scale = picture_scale(grid);
     style.scale_bar = true;
-    for (const StampedPose& stamped : path)
-        style.path.push_back({stamped.pose.x, stamped.pose.y});
+    for (const StampedPose& stamped : path) style.path.push_back({stamped.pose.x, stamped.pose.y});
     for (const char* extension : {".png", ".jpg"}) {
         write_picture(grid, style, std::filesystem::path(stem).concat(extension));
     }

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QPointer>
 #include <QStringList>
 #include <QTemporaryDir>
 #include <QTest>
@@ -121,7 +122,9 @@ void in_dialog(std::function<void(Dialog&)> act) {
         if (dialog == nullptr) return;
         timer->stop();
         timer->deleteLater();
+        const QPointer<Dialog> still_there(dialog);
         act(*dialog);
+        if (still_there && still_there->isVisible()) still_there->reject();  // a test has failed
     });
     timer->start();
 }

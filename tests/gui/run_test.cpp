@@ -126,8 +126,7 @@ void RunTest::the_plots_have_every_step() {
     Fixture f;
     f.trigger("action_plots");
     f.run_to_end();
-    for (int plot = 0; plot < 4; ++plot)
-        QTRY_COMPARE(f.window->plots().points(plot), 1050);
+    for (int plot = 0; plot < 4; ++plot) QTRY_COMPARE(f.window->plots().points(plot), 1050);
     f.trigger("action_restart");
     QCOMPARE(f.window->plots().points(0), 0);
 }

@@ -189,8 +189,7 @@ void ViewTest::the_grid_view_shows_the_grid_map() {
         if (tiles.tiles[i]) {
             QVERIFY(tiles.tiles[i]->grey == whole.tiles[i]->grey);
         } else {
-            for (const std::uint8_t grey : whole.tiles[i]->grey)
-                QCOMPARE(grey, std::uint8_t{205});
+            for (const std::uint8_t grey : whole.tiles[i]->grey) QCOMPARE(grey, std::uint8_t{205});
         }
     }
 }

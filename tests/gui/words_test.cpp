@@ -64,8 +64,7 @@ void WordsTest::every_parameter_has_spanish_words() {
     QTranslator spanish;
     QVERIFY(spanish.load(":/i18n/hitos_es.qm"));
     QStringList english;
-    for (const Parameter& parameter : parameters())
-        english << description_of(parameter);
+    for (const Parameter& parameter : parameters()) english << description_of(parameter);
     QApplication::installTranslator(&spanish);
     for (std::size_t i = 0; i < parameters().size(); ++i) {
         const Parameter& parameter = parameters()[i];

@@ -77,8 +77,7 @@ void draw_chip(QPainter& painter, const Scene& scene, const QPointF& at, const Q
     if (lines.isEmpty()) return;
     const QFontMetricsF metrics(painter.font());
     double width = 0.0;
-    for (const QString& line : lines)
-        width = std::max(width, metrics.horizontalAdvance(line));
+    for (const QString& line : lines) width = std::max(width, metrics.horizontalAdvance(line));
     QRectF box(at,
                QSizeF(width + 16.0, metrics.height() * static_cast<double>(lines.size()) + 10.0));
     box.moveLeft(

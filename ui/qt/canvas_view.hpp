@@ -51,7 +51,6 @@ class CanvasView : public QWidget {
     /// World coordinates at a point of the widget.
     QPointF world_at(const QPointF& pixel) const;
 
-  public slots:
     void fit();
     void zoom(double factor);
     void set_follow(bool on);

@@ -1,7 +1,9 @@
 #include "command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
+#include "common/world_files.hpp"
 #include "hitos/capture/error.hpp"
 #include "hitos/services/archivo_configuracion.hpp"
 #include "user_files.hpp"
@@ -11,6 +13,11 @@ namespace {
 
 constexpr const char* kReadyTour = "data/bigloop.log.gz";
 
+/// The file of that name, or the world of that name that comes with Hitos.
+std::string source_named(const std::string& name) {
+    return std::filesystem::exists(name) ? name : find_world(name).string();
+}
+
 }  // namespace
 
 std::optional<int> parse(int argc, char** argv, CommandLine& out) {
@@ -18,7 +25,10 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.name("hitos");
     program.set_version_flag("--version", hitos::version());
     program.footer("Without arguments it opens your init.cfg, or a ready tour. docs/user-guide.md");
-    program.add_option("file", out.open, "Log (plain or .gz) or configuration (.cfg)");
+    program.add_option(
+        "file", out.open,
+        "Log (plain or .gz), configuration (.cfg), or world (.toml, or the name of one "
+        "that comes with Hitos)");
     program.add_option("--config", out.config, "Configuration file");
     program.add_option("--set", out.assignments, "Change one parameter; may be repeated")
         ->type_name("KEY=VALUE")
@@ -70,14 +80,13 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
         if (!ready.isEmpty()) configuration = read_configuration(ready);
     }
     if (!named.isEmpty() && !named_configuration) {
-        configuration.source.file = line.open;
+        configuration.source.file = source_named(line.open);
         configuration.source.format = LogFormat::automatic;
     }
     if (configuration.source.file.empty()) {
         configuration.source.file = shipped_file(kReadyTour).toStdString();
     }
-    for (const std::string& assignment : line.assignments)
-        set_parameter(configuration, assignment);
+    for (const std::string& assignment : line.assignments) set_parameter(configuration, assignment);
     if (line.seed) {
         find_parameter("run.seed").set(configuration, std::to_string(*line.seed));
     }

@@ -13,7 +13,7 @@ namespace hitos::window {
 class UserFiles;
 
 struct CommandLine {
-    std::string open;  ///< log or configuration
+    std::string open;  ///< log, world or configuration
     std::string config;
     std::vector<std::string> assignments;
     std::optional<std::uint64_t> seed;

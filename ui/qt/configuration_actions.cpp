@@ -98,11 +98,9 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
 void ConfigurationActions::load() {
     QString start = files_.last_folder("config");
     for (;;) {
-        const QString path =
-            prompts_.open_file(window_, {tr("Load configuration"),
-                                         start,
-                                         tr("Configurations (*.cfg *.toml);;All files (*)"),
-                                         {}});
+        const QString path = prompts_.open_file(
+            window_,
+            {tr("Load configuration"), start, tr("Configurations (*.cfg);;All files (*)"), {}});
         if (path.isEmpty()) return;
         if (load_file(path, false)) return;
         start = path;

@@ -20,7 +20,6 @@ class ConfigurationActions final : public QObject {
     /// Opens what the user named or dropped. False where that was not possible; the user was told.
     bool open(const QString& path, bool confirmed = false);
 
-  public slots:
     void select_source(const QString& path = {});
     void configure();
     void configure_group(ParameterGroup group);

@@ -20,8 +20,8 @@ using Group = ParameterGroup;
 
 /// Two columns of groups, about as long as each other; the source has a dialog of its own.
 const std::array<std::vector<Group>, 2> kColumns{{
-    {Group::particle_filter, Group::motion, Group::resampling},
-    {Group::observation, Group::split_merge, Group::grid, Group::run},
+    {Group::particle_filter, Group::motion, Group::resampling, Group::run},
+    {Group::observation, Group::split_merge, Group::grid},
 }};
 
 /// Of the longest label, so that the editors of all groups stand below each other.
@@ -94,8 +94,7 @@ void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box
 }
 
 void ConfigurationDialog::fill(const Configuracion& configuration) {
-    for (ParameterField* field : fields_)
-        field->set_value(configuration);
+    for (ParameterField* field : fields_) field->set_value(configuration);
     mark_unused();
     show_verdict();
 }

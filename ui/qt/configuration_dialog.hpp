@@ -29,7 +29,6 @@ class ConfigurationDialog final : public QDialog {
     const Configuracion& configuration() const { return configuration_; }
     void show_group(ParameterGroup group);
 
-  public slots:
     void accept() override;
 
   private:

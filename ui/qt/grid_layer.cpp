@@ -26,8 +26,7 @@ void halve(const std::uint8_t* from, int side, std::uint8_t* to) {
 
 void GridLayer::clear() {
     shown_ = {};
-    for (QImage& image : images_)
-        image = {};
+    for (QImage& image : images_) image = {};
 }
 
 void GridLayer::set_tiles(const GridTiles& tiles) {
@@ -87,8 +86,7 @@ void GridLayer::paint(QPainter& painter, const Scene& scene) const {
     if (shown_.empty()) return;
     const double scale = painter.deviceTransform().m11() * scene.pixels_per_m * shown_.resolution_m;
     int level = 0;
-    while (level + 1 < kLevels && scale * (1 << level) < 0.5)
-        ++level;
+    while (level + 1 < kLevels && scale * (1 << level) < 0.5) ++level;
     const QImage& image = images_[static_cast<std::size_t>(level)];
     const double cell = shown_.resolution_m * (1 << level);
     const double left = static_cast<double>(shown_.first_column * kTileSide) * shown_.resolution_m;

@@ -85,8 +85,7 @@ void draw_glyph(QPainter& p, Glyph glyph, const QColor& colour) {
             p.drawPolygon(QPolygonF{{3, 19}, {6, 11}, {22, 11}, {19, 19}});
             break;
         case Glyph::settings:
-            for (const double y : {6.0, 12.0, 18.0})
-                p.drawLine(QPointF(3, y), QPointF(21, y));
+            for (const double y : {6.0, 12.0, 18.0}) p.drawLine(QPointF(3, y), QPointF(21, y));
             p.setBrush(colour);
             p.drawEllipse(QPointF(15, 6), 2.2, 2.2);
             p.drawEllipse(QPointF(8, 12), 2.2, 2.2);

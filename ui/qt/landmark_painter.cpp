@@ -64,8 +64,7 @@ struct Painter {
         if (style.uncertainty && 3.0 * sigma * scene.pixels_per_m > 2.0) {
             painter.setPen(Qt::NoPen);
             painter.setBrush(faded(colour, strong ? 52 : 34));
-            for (const double sigmas : {3.0, 2.0, 1.0})
-                band(recta, covariance, from, to, sigmas);
+            for (const double sigmas : {3.0, 2.0, 1.0}) band(recta, covariance, from, to, sigmas);
         }
         painter.setPen(thin_pen(colour, strong ? 2.6 : 1.5));
         painter.drawLine(line);

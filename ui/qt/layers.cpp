@@ -29,8 +29,7 @@ QString layer_name(const LayerInfo& info) {
 
 LayerSet default_layers() {
     LayerSet layers;
-    for (const LayerInfo& info : layer_table())
-        layers.set(info.layer, info.on);
+    for (const LayerInfo& info : layer_table()) layers.set(info.layer, info.on);
     return layers;
 }
 

@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "hitos/capture/log_summary.hpp"
+#include "source_inspection.hpp"
 
 namespace hitos::window {
 
@@ -28,8 +28,8 @@ void LogCounter::begin() {
     pool_.start([this, wanted, stop = stop_] {
         std::optional<quint64> scans;
         try {
-            const LogSummary summary = inspect_log(wanted.file, wanted.format, wanted.read,
-                                                   [&](double) { return !stop->load(); });
+            const LogSummary summary =
+                inspect_source(wanted, [&](double) { return !stop->load(); });
             if (summary.complete) scans = summary.report.scans;
         } catch (const std::exception&) {
             scans.reset();  // the run itself tells what is wrong with the log

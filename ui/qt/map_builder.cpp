@@ -3,6 +3,7 @@
 #include <exception>
 #include <utility>
 
+#include "common/open_tour.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "hitos/features/control.hpp"
 
@@ -63,21 +64,20 @@ void MapBuilder::publish(const Grid& grid, const Trajectory& path, double progre
 
 void MapBuilder::build(const Configuracion& configuration, Trajectory path) {
     start([this, configuration, path = std::move(path)](const std::stop_token& stop) {
-        GridBuilder builder(configuration, open_source(configuration.source), path);
+        GridBuilder builder(configuration, open_tour(configuration.source), path);
         const auto show = [&](bool last) {
             const auto done = static_cast<std::ptrdiff_t>(
                 builder.progress() * static_cast<double>(path.size()) + 0.5);
             publish(builder.grid(), {path.begin(), path.begin() + done}, builder.progress(), last);
         };
-        while (!stop.stop_requested() && builder.step())
-            show(false);
+        while (!stop.stop_requested() && builder.step()) show(false);
         show(true);
     });
 }
 
 void MapBuilder::build_from_odometry(const Configuracion& configuration) {
     start([this, configuration](const std::stop_token& stop) {
-        Procesador reader(open_source(configuration.source), configuration.source.read);
+        Procesador reader(open_tour(configuration.source), configuration.source.read);
         ControlTrack track([&reader] { return reader.next_odometry(); });
         Grid grid(configuration.grid);
         std::vector<Control> controls;

@@ -89,8 +89,7 @@ void Plots::restyle() {
 
 void Plots::clear() {
     taken_ = 0;
-    for (QCPGraph* graph : graphs_)
-        graph->data()->clear();
+    for (QCPGraph* graph : graphs_) graph->data()->clear();
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -107,8 +106,7 @@ void Plots::refresh(bool at_once) {
         graphs_[weight]->addData(step.time_s, step.best_log_weight);
         graphs_[step_time]->addData(step.time_s, step.step_seconds * 1e3);
     }
-    for (QCPGraph* graph : graphs_)
-        graph->rescaleAxes();
+    for (QCPGraph* graph : graphs_) graph->rescaleAxes();
     for (QCPAxisRect* rect : rects_)
         rect->axis(QCPAxis::atBottom)->setRange(0.0, std::max(1.0, fresh.back().time_s));
     for (const Plot plot : {neff, landmarks, step_time, map_error, path_error})

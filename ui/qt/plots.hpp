@@ -26,7 +26,6 @@ class Plots final : public QWidget {
     /// Points drawn so far of one of the plots, for tests.
     int points(int plot) const;
 
-  public slots:
     void restyle();
 
   signals:

@@ -53,7 +53,7 @@ template <class Write>
 QString save_until_done(Prompts& prompts, QWidget* parent, Prompts::FileQuestion question,
                         Write write) {
     for (;;) {
-        const QString path = prompts.save_file(parent, question);
+        QString path = prompts.save_file(parent, question);
         if (path.isEmpty()) return {};
         question.start = path;
         if (QFileInfo::exists(path) && !may_overwrite(prompts, parent, path)) continue;

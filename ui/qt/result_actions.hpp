@@ -22,7 +22,6 @@ class ResultActions final : public QObject {
     MapWindow* best_window() const { return best_; }
     MapWindow* odometry_window() const { return odometry_; }
 
-  public slots:
     void view_best();
     void view_odometry();
     void save_map();

@@ -31,7 +31,6 @@ class RunControls final : public QWidget {
     /// Makes the buttons and lets them do what they say with the session.
     void set_up(const RunActions& actions, Session& session);
 
-  public slots:
     /// Which actions are possible in this state.
     void show_progress(const Progress& progress, bool has_source);
     /// The number of scans of the whole log, where it is known.

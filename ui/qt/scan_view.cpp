@@ -81,8 +81,7 @@ void ScanView::prepare() {
     }
     const Pose from_robot = pose_view_robot();
     const Pose from_world = pose_view_world();
-    for (const Point2& point : snapshot_->scan.points)
-        points_.push_back(moved(from_robot, point));
+    for (const Point2& point : snapshot_->scan.points) points_.push_back(moved(from_robot, point));
     const Observation& seen = snapshot_->observation;
     for (const DetectedLine& line : seen.lines) {
         segments_.emplace_back(moved(from_robot, seen.support[line.first]),
@@ -164,8 +163,7 @@ void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
     }
     if (layers_.has(Layer::scan)) {
         QPolygonF pixels;
-        for (const QPointF& point : points_)
-            pixels.append(scene.to_screen.map(point));
+        for (const QPointF& point : points_) pixels.append(scene.to_screen.map(point));
         painter.setPen(QPen(scene.colours.scan, 2.6, Qt::SolidLine, Qt::RoundCap));
         painter.drawPoints(pixels);
     }
@@ -204,8 +202,7 @@ void ScanView::paint_particles(QPainter& painter, const Scene& scene) const {
 
 void ScanView::paint_detected(QPainter& painter, const Scene& scene) const {
     painter.setPen(thin_pen(scene.colours.observed, 2.6));
-    for (const QLineF& segment : segments_)
-        painter.drawLine(scene.to_screen.map(segment));
+    for (const QLineF& segment : segments_) painter.drawLine(scene.to_screen.map(segment));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(thin_pen(scene.colours.observed, 2.0));
     for (const QPointF& corner : corners_) {

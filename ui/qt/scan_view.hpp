@@ -22,7 +22,6 @@ class ScanView final : public CanvasView {
 
     bool robot_frame() const { return robot_frame_; }
 
-  public slots:
     void set_snapshot(const std::shared_ptr<const Snapshot>& snapshot);
     void set_layers(const LayerSet& layers);
     void set_robot_frame(bool on);

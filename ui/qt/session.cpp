@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/open_tour.hpp"
 #include "thread_clock.hpp"
 
 namespace hitos::window {
@@ -39,7 +40,7 @@ void Session::set_configuration(const Configuracion& configuration) {
     check(configuration);
     std::unique_ptr<Algoritmo> next;
     if (!configuration.source.file.empty()) {
-        next = std::make_unique<Algoritmo>(configuration, open_source(configuration.source));
+        next = std::make_unique<Algoritmo>(configuration, open_tour(configuration.source));
     }
     retire();
     configuration_ = configuration;

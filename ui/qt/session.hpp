@@ -39,7 +39,6 @@ class Session final : public QObject {
     const References& references() const { return references_; }
     void set_references(const References& references);
 
-  public slots:
     void run();
     void run_steps(quint64 steps);
     void pause();

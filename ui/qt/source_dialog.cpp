@@ -8,9 +8,9 @@
 #include <QStyle>
 #include <utility>
 
-#include "hitos/capture/archivo.hpp"
 #include "hitos/capture/error.hpp"
 #include "parameter_text.hpp"
+#include "source_inspection.hpp"
 #include "ui_source_dialog.h"
 
 namespace hitos::window {
@@ -57,11 +57,11 @@ void SourceDialog::set_path(const QString& path) {
 
 void SourceDialog::browse() {
     const QString path = ui_->path->text().trimmed();
-    const QString chosen =
-        prompts_.open_file(this, {tr("Open log"),
-                                  path.isEmpty() ? folder_ : path,
-                                  tr("Logs (*.log *.clf *.gfs *.txt *.gz);;All files (*)"),
-                                  {}});
+    const QString chosen = prompts_.open_file(
+        this, {tr("Open log"),
+               path.isEmpty() ? folder_ : path,
+               tr("Logs and worlds (*.log *.clf *.gfs *.txt *.gz *.toml);;All files (*)"),
+               {}});
     if (!chosen.isEmpty()) set_path(chosen);
 }
 
@@ -85,7 +85,7 @@ void SourceDialog::begin_check() {
         std::optional<LogSummary> summary;
         QString problem;
         try {
-            summary = inspect_log(wanted.file, wanted.format, wanted.read, [&](double part) {
+            summary = inspect_source(wanted, [&](double part) {
                 QMetaObject::invokeMethod(
                     this,
                     [this, stop, part] {
@@ -114,8 +114,7 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<LogSummary>& 
     }
     summary_ = summary;
     QStringList lines;
-    for (const std::string& line : summary->first_lines)
-        lines << QString::fromStdString(line);
+    for (const std::string& line : summary->first_lines) lines << QString::fromStdString(line);
     ui_->lines->setPlainText(lines.join('\n'));
     const bool scans = summary->report.scans > 0;
     show_verdict(

@@ -32,7 +32,6 @@ class SourceDialog final : public QDialog {
     /// What the chosen log holds.
     const std::optional<LogSummary>& summary() const { return summary_; }
 
-  public slots:
     void set_path(const QString& path);
 
   signals:

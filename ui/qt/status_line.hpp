@@ -20,7 +20,6 @@ class StatusLine final : public QObject {
     /// The number of scans of the whole log, where it is known.
     void set_total(std::optional<quint64> scans);
 
-  public slots:
     void show_place(QPointF world_m);
     void clear_place();
     /// A short message that goes away.

@@ -126,8 +126,7 @@ void SummaryBar::set_configuration(const Configuracion& configuration) {
         title->setMinimumWidth(20);
         set_role(title, "title");
         rows->addWidget(title, 0, 0, 1, 2);
-        for (const char* key : card.keys)
-            add_row(rows, find_parameter(key), configuration);
+        for (const char* key : card.keys) add_row(rows, find_parameter(key), configuration);
         rows->setRowStretch(rows->rowCount(), 1);
         row->addWidget(frame, 1);
     }

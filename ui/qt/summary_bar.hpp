@@ -16,7 +16,6 @@ class SummaryBar final : public QWidget {
   public:
     explicit SummaryBar(QWidget* parent = nullptr);
 
-  public slots:
     /// Shows the values; what differs from its default is marked.
     void set_configuration(const Configuracion& configuration);
 

@@ -73,8 +73,7 @@ Configuracion read_configuration(const QString& path) {
 }
 
 FileKind kind_of(const QString& path) {
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    return suffix == "cfg" || suffix == "toml" ? FileKind::configuration : FileKind::log;
+    return QFileInfo(path).suffix().toLower() == "cfg" ? FileKind::configuration : FileKind::source;
 }
 
 QString shipped_file(const QString& relative) {

@@ -45,7 +45,10 @@ class UserFiles final : public QObject {
 Configuracion read_configuration(const QString& path);
 
 /// What the user may name on the command line or drop on the window.
-enum class FileKind { configuration, log };
+enum class FileKind {
+    configuration,  ///< .cfg
+    source          ///< a log, or a world (.toml)
+};
 FileKind kind_of(const QString& path);
 
 /// A file that comes with Hitos ("data/bigloop.log.gz"): beside the executable, in the source tree

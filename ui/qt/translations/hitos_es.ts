@@ -627,10 +627,6 @@
         <translation>Configuración cargada: %1</translation>
     </message>
     <message>
-        <source>Configurations (*.cfg *.toml);;All files (*)</source>
-        <translation>Configuraciones (*.cfg *.toml);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Save configuration</source>
         <translation>Guardar configuración</translation>
     </message>
@@ -1217,10 +1213,6 @@
         <translation>Abrir registro</translation>
     </message>
     <message>
-        <source>Logs (*.log *.clf *.gfs *.txt *.gz);;All files (*)</source>
-        <translation>Registros (*.log *.clf *.gfs *.txt *.gz);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Choose a log: odometry and laser scans, as text or .gz.</source>
         <translation>Elija un registro: odometría y barridos láser, en texto o .gz.</translation>
     </message>
@@ -1243,6 +1235,10 @@
     <message>
         <source>Damaged lines that will be skipped: %1; the first is line %2: %3</source>
         <translation>Líneas dañadas que se saltarán: %1; la primera es la %2: %3</translation>
+    </message>
+    <message>
+        <source>Logs and worlds (*.log *.clf *.gfs *.txt *.gz *.toml);;All files (*)</source>
+        <translation>Registros y mundos (*.log *.clf *.gfs *.txt *.gz *.toml);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
