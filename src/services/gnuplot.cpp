@@ -85,7 +85,7 @@ std::string draw_pictures(const fs::path& folder, std::span<const PlotFile> file
         write_file(folder / file.name, file.text);
         write_file(workshop.path() / file.name, file.text);
     }
-    const std::string failure = refusal.empty() ? run_gnuplot(workshop.path(), script) : refusal;
+    std::string failure = refusal.empty() ? run_gnuplot(workshop.path(), script) : refusal;
     for (const std::string& picture : pictures) {
         if (failure.empty()) {
             write_file(folder / picture, read_all(workshop.path() / picture));

@@ -211,6 +211,7 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
         if (std::ranges::none_of(figures,
                                  [&](const auto& figure) { return names(word, figure); })) {
             std::vector<std::string> known;
+            known.reserve(figures.size());
             for (const ThesisFigure& figure : figures) known.push_back(figure.stem());
             throw ConfigError("--only", fmt::format("found '{}', expected a figure's number, a "
                                                     "world or a parameter of {}",
