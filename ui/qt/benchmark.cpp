@@ -16,6 +16,7 @@
 #include "main_window.hpp"
 #include "scan_view.hpp"
 #include "session.hpp"
+#include "thread_call.hpp"
 
 namespace hitos::window {
 namespace {
@@ -48,14 +49,12 @@ struct WindowFigures {
 /// A thread asks the window's event loop, as a key press would, and notes when it answers.
 class Probe {
   public:
-    explicit Probe(QObject& window)
-        : thread_([this, &window](const std::stop_token& stop) {
+    Probe()
+        : thread_([this](const std::stop_token& stop) {
               constexpr auto kPause = std::chrono::milliseconds(5);
               while (!stop.stop_requested()) {
                   const auto asked = Clock::now();
-                  QMetaObject::invokeMethod(
-                      &window, [this, asked] { answers_ms_.push_back(seconds_since(asked) * 1e3); },
-                      Qt::QueuedConnection);
+                  in_window_([this, asked] { answers_ms_.push_back(seconds_since(asked) * 1e3); });
                   std::this_thread::sleep_for(kPause);
               }
           }) {}
@@ -69,6 +68,7 @@ class Probe {
     }
 
   private:
+    ThreadCall in_window_;
     std::vector<double> answers_ms_;  // only touched by the window's thread until it is over
     std::jthread thread_;
 };
@@ -80,7 +80,7 @@ WindowFigures window_figures(MainWindow& window, Session& session) {
     int pictures = 0;
     const auto counting = QObject::connect(&window.grid_view(), &CanvasView::painted, &window,
                                            [&pictures] { ++pictures; });
-    Probe probe(window);
+    Probe probe;
     const auto begin = Clock::now();
     QEventLoop loop;
     const auto ending = QObject::connect(&session, &Session::progress_changed, &loop, [&] {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "session.hpp"
+#include "thread_call.hpp"
 
 namespace hitos::window {
 
@@ -28,6 +29,7 @@ class LogCounter final : public QObject {
     Session& session_;
     SourceParams source_;
     std::shared_ptr<std::atomic<bool>> stop_;
+    ThreadCall in_window_{this};
     QThreadPool pool_;
 };
 

@@ -69,12 +69,9 @@ void ReferenceMeter::consider() {
     clock_.restart();
     pool_.start([this, snapshot, references, generation = generation_] {
         auto figures = std::make_shared<const Measured>(measure(*snapshot, references));
-        QMetaObject::invokeMethod(
-            this,
-            [this, figures, steps = snapshot->steps, generation] {
-                take(figures, steps, generation);
-            },
-            Qt::QueuedConnection);
+        in_window_([this, figures, steps = snapshot->steps, generation] {
+            take(figures, steps, generation);
+        });
     });
 }
 

@@ -86,20 +86,15 @@ void SourceDialog::begin_check() {
         QString problem;
         try {
             summary = inspect_source(wanted, [&](double part) {
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, stop, part] {
-                        if (stop == stop_) ui_->reading->setValue(static_cast<int>(part * 1000.0));
-                    },
-                    Qt::QueuedConnection);
+                in_window_([this, stop, part] {
+                    if (stop == stop_) ui_->reading->setValue(static_cast<int>(part * 1000.0));
+                });
                 return !stop->load();
             });
         } catch (const std::exception& error) {
             problem = QString::fromUtf8(error.what());
         }
-        QMetaObject::invokeMethod(
-            this, [this, stop, summary, problem] { end_check(stop, summary, problem); },
-            Qt::QueuedConnection);
+        in_window_([this, stop, summary, problem] { end_check(stop, summary, problem); });
     });
 }
 

@@ -10,6 +10,7 @@
 #include "hitos/capture/log_summary.hpp"
 #include "hitos/services/configuracion.hpp"
 #include "prompts.hpp"
+#include "thread_call.hpp"
 
 namespace hitos::window {
 
@@ -58,6 +59,7 @@ class SourceDialog final : public QDialog {
     SourceParams source_;
     std::optional<LogSummary> summary_;
     Stop stop_;  ///< of the check under way
+    ThreadCall in_window_{this};
     QThreadPool pool_;
 };
 
