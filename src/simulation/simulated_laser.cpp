@@ -59,10 +59,12 @@ void SimulatedLaser::cast(const Pose& pose_world_robot, std::vector<RayHit>& out
             // One ray more on each side: the bearings are rounded, range_to() decides.
             const double low = std::max(0.0, std::ceil(first / step) - 1.0);
             const double high = std::min(fan_.count - 1.0, std::floor(last / step) + 1.0);
-            for (double k = low; k <= high; k += 1.0) {
-                const double angle = fan_.min_angle_rad + k * step;
+            if (high < low) return;
+            const auto end = static_cast<std::size_t>(high) + 1;
+            for (auto k = static_cast<std::size_t>(low); k < end; ++k) {
+                const double angle = fan_.min_angle_rad + static_cast<double>(k) * step;
                 const double range = range_to(a, b, std::cos(angle), std::sin(angle));
-                RayHit& hit = out[static_cast<std::size_t>(k)];
+                RayHit& hit = out[k];
                 if (range < hit.range_m && range <= fan_.max_range_m) {
                     hit = {range, static_cast<int>(i)};
                 }

@@ -47,7 +47,8 @@ void RunTest::one_step_is_one_scan() {
         QCOMPARE(f.steps(), step);
     }
     QVERIFY(f.action("action_best_map")->isEnabled());
-    QVERIFY(f.window->findChild<QLabel*>("status_scan")->text().contains('3'));
+    // The status line is renewed on a timer of its own.
+    QTRY_VERIFY(f.window->findChild<QLabel*>("status_scan")->text().contains('3'));
 }
 
 void RunTest::it_stops_and_goes_on() {
