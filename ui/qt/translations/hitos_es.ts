@@ -86,6 +86,10 @@
         <translation>Si los controles salen de las diferencias entre las poses registradas o son la v y la omega registradas.</translation>
     </message>
     <message>
+        <source>What builds the map: fastslam, particles with one small filter per landmark; ekf-slam, one extended Kalman filter over the pose and all landmarks.</source>
+        <translation>Qué construye el mapa: fastslam, partículas con un pequeño filtro por hito; ekf-slam, un solo filtro de Kalman extendido para la pose y todos los hitos.</translation>
+    </message>
+    <message>
         <source>Number of particles M; more of them follow more hypotheses, and time and memory grow in proportion.</source>
         <translation>Número de partículas M; con más se siguen más hipótesis, y el tiempo y la memoria crecen en proporción.</translation>
     </message>
@@ -100,6 +104,10 @@
     <message>
         <source>Probability of the chi-square gate of gnn; a higher value accepts observations that lie further from their landmark.</source>
         <translation>Probabilidad de la puerta de ji cuadrado del vecino más cercano; un valor mayor acepta observaciones más alejadas de su hito.</translation>
+    </message>
+    <message>
+        <source>ekf-slam, which always associates by gnn: probability of the chi-square gate outside which an observation is a new landmark, and between the two gates nothing; a higher value makes fewer new landmarks.</source>
+        <translation>ekf-slam, que siempre asocia por gnn: probabilidad de la puerta de ji cuadrado fuera de la cual una observación es un hito nuevo; entre las dos puertas no es nada; un valor mayor crea menos hitos nuevos.</translation>
     </message>
     <message>
         <source>What an observation that fits several landmarks, and is kept out of the map, does to the weight: keep-likelihood multiplies it with the best likelihood, neutral leaves it, new-landmark multiplies it with p0; off updates the best landmark instead.</source>
@@ -150,6 +158,18 @@
         <translation>Varianza sigma² de la theta observada de una recta o del ángulo de una esquina; con un valor mayor se confía menos en el láser y se aceptan diferencias mayores con un hito.</translation>
     </message>
     <message>
+        <source>How sure an observation is: fixed takes var_rho and var_theta for all; points computes the covariance of each line and corner from the points that support it.</source>
+        <translation>Cuán segura es una observación: fixed toma var_rho y var_theta para todas; points calcula la covarianza de cada recta y esquina a partir de los puntos que la sostienen.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured range, for the covariance points; a higher value trusts the laser less.</source>
+        <translation>Desviación típica de una distancia medida, para la covarianza points; un valor mayor confía menos en el láser.</translation>
+    </message>
+    <message>
+        <source>How lines are found: split-merge divides runs of points at the farthest one; ransac cuts the scan at edges and takes the lines that most points agree with, fitted by least squares. Both use min_length, min_points and collinear_* of split_merge.</source>
+        <translation>Cómo se hallan las rectas: split-merge divide las series de puntos por el más lejano; ransac corta el barrido en los bordes y toma las rectas con las que más puntos concuerdan, ajustadas por mínimos cuadrados. Ambos usan min_length, min_points y collinear_* de split_merge.</translation>
+    </message>
+    <message>
         <source>What is looked for in a scan: lines, corners where two lines meet, or both.</source>
         <translation>Qué se busca en un barrido: rectas, esquinas donde se cortan dos rectas, o ambas.</translation>
     </message>
@@ -192,6 +212,22 @@
     <message>
         <source>How much the gap allowed between neighbours grows with their range; a higher value lets far lines cross wider gaps.</source>
         <translation>Cuánto crece con la distancia el hueco permitido entre vecinos; un valor mayor deja que las rectas lejanas crucen huecos más anchos.</translation>
+    </message>
+    <message>
+        <source>Ranges of neighbours that differ by more than edge + edge_per_range * range end a run; a higher value makes longer runs.</source>
+        <translation>Las distancias de vecinos que difieren más que borde + borde_por_distancia × distancia cortan la serie; un valor mayor hace series más largas.</translation>
+    </message>
+    <message>
+        <source>How much the difference allowed between neighbours grows with their range; a higher value lets walls run on that are seen at a flat angle.</source>
+        <translation>Cuánto crece con la distancia la diferencia permitida entre vecinos; un valor mayor deja seguir las paredes vistas casi de perfil.</translation>
+    </message>
+    <message>
+        <source>Greatest distance of a point that agrees with a line; a higher value makes fewer and rougher lines.</source>
+        <translation>Mayor distancia de un punto que concuerda con una recta; un valor mayor da menos rectas y más toscas.</translation>
+    </message>
+    <message>
+        <source>Most hypotheses tried for one line; a higher value finds lines among more stray points and takes longer.</source>
+        <translation>Máximo de hipótesis probadas por recta; un valor mayor halla rectas entre más puntos espurios y tarda más.</translation>
     </message>
     <message>
         <source>When particles are drawn anew: after every step that observed something, or only where Neff has fallen below its threshold.</source>
@@ -265,6 +301,14 @@
         <translation>Velocidades registradas</translation>
     </message>
     <message>
+        <source>FastSLAM 1.0</source>
+        <translation>FastSLAM 1.0</translation>
+    </message>
+    <message>
+        <source>EKF-SLAM</source>
+        <translation>EKF-SLAM</translation>
+    </message>
+    <message>
         <source>Maximum likelihood</source>
         <translation>Máxima verosimilitud</translation>
     </message>
@@ -299,6 +343,22 @@
     <message>
         <source>Proportional</source>
         <translation>Proporcional</translation>
+    </message>
+    <message>
+        <source>Fixed variances</source>
+        <translation>Varianzas fijas</translation>
+    </message>
+    <message>
+        <source>From the points</source>
+        <translation>De los puntos</translation>
+    </message>
+    <message>
+        <source>Split and Merge</source>
+        <translation>Split and Merge</translation>
+    </message>
+    <message>
+        <source>RANSAC</source>
+        <translation>RANSAC</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -383,6 +443,10 @@
         <translation>Odometría</translation>
     </message>
     <message>
+        <source>Algorithm</source>
+        <translation>Algoritmo</translation>
+    </message>
+    <message>
         <source>Particles</source>
         <translation>Partículas</translation>
     </message>
@@ -397,6 +461,10 @@
     <message>
         <source>Gate probability</source>
         <translation>Probabilidad de la puerta</translation>
+    </message>
+    <message>
+        <source>New landmark gate</source>
+        <translation>Puerta de hito nuevo</translation>
     </message>
     <message>
         <source>Ambiguous</source>
@@ -447,6 +515,18 @@
         <translation>σ² θ</translation>
     </message>
     <message>
+        <source>Covariance</source>
+        <translation>Covarianza</translation>
+    </message>
+    <message>
+        <source>σ range</source>
+        <translation>σ distancia</translation>
+    </message>
+    <message>
+        <source>Lines by</source>
+        <translation>Rectas por</translation>
+    </message>
+    <message>
         <source>Features</source>
         <translation>Características</translation>
     </message>
@@ -489,6 +569,22 @@
     <message>
         <source>Gap per range</source>
         <translation>Hueco por distancia</translation>
+    </message>
+    <message>
+        <source>RANSAC edge</source>
+        <translation>Borde RANSAC</translation>
+    </message>
+    <message>
+        <source>Edge per range</source>
+        <translation>Borde por distancia</translation>
+    </message>
+    <message>
+        <source>RANSAC threshold</source>
+        <translation>Umbral RANSAC</translation>
+    </message>
+    <message>
+        <source>RANSAC iterations</source>
+        <translation>Iteraciones RANSAC</translation>
     </message>
     <message>
         <source>Resampling</source>
