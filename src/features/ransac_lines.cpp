@@ -53,13 +53,17 @@ void RansacLines::follow_edges(const Scan& scan, std::uint32_t begin, std::uint3
     while (begin < end) {
         std::uint32_t last = begin;
         for (std::uint32_t i = begin + 1; i < end && i - last <= kStrays + 1; ++i) {
-            const double allowed =
-                params_.edge_m + params_.edge_per_range * std::min(ranges_[i], ranges_[last]);
-            if (std::abs(ranges_[i] - ranges_[last]) <= allowed * (i - last)) last = i;
+            if (!edge_between(ranges_[i], ranges_[last])) last = i;
         }
+        run_ranges_ = std::span(ranges_).subspan(begin, last - begin + 1);
         search(std::span(scan.points).subspan(begin, last - begin + 1), random);
         begin = last + 1;
     }
+}
+
+bool RansacLines::edge_between(double range_a, double range_b) const {
+    return std::abs(range_a - range_b) >
+           params_.edge_m + params_.edge_per_range * std::min(range_a, range_b);
 }
 
 void RansacLines::search(std::span<const Point2> run, RandomStream& random) {
@@ -154,16 +158,20 @@ void RansacLines::keep_pieces(std::span<const Point2> run) {
     }
     for (const std::size_t line : order_) {
         std::size_t first = points_.size();
+        fitted_.clear();
         std::size_t last = 0;  // place in the run of the line's newest point
         for (std::size_t i = 0; i < run.size(); ++i) {
             if (nearest_[i] != line && shared_[i] != line) continue;
             // Where an infinite line crosses another wall far away, a point of that wall is on it
-            // by chance: what other points part from the line must be a line by itself.
-            if (points_.size() > first && i - last > kStrays + 1) {
+            // by chance: what other points or an edge part from the line must be one by itself.
+            if (points_.size() > first &&
+                (i - last > kStrays + 1 || edge_between(run_ranges_[i], run_ranges_[last]))) {
                 keep_piece(first);
                 first = points_.size();
+                fitted_.clear();
             }
             points_.push_back(run[i]);
+            if (shared_[i] == kNoLine) fitted_.push_back(run[i]);
             last = i;
         }
         keep_piece(first);
@@ -186,7 +194,9 @@ void RansacLines::share_corners(std::span<const Point2> run) {
 void RansacLines::keep_piece(std::size_t first) {
     const std::span<const Point2> points(points_.data() + first, points_.size() - first);
     if (points.size() >= static_cast<std::size_t>(lines_params_.min_points)) {
-        const Recta fitted = fit_least_squares(points);
+        // A point at a corner supports both walls but would tilt the one it is not on.
+        const Recta fitted =
+            fit_least_squares(fitted_.size() < 2 ? points : std::span<const Point2>(fitted_));
         if (long_enough(points, fitted)) {
             pieces_.push_back({points, fitted});
             return;

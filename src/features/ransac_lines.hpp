@@ -28,6 +28,7 @@ class RansacLines final : public MetodoExtraccionRectas {
 
     void follow_edges(const Scan& scan, std::uint32_t begin, std::uint32_t end,
                       RandomStream& random);
+    bool edge_between(double range_a, double range_b) const;
     void search(std::span<const Point2> run, RandomStream& random);
     /// The line through two points with the most points nearer than the threshold; false where
     /// no hypothesis reaches the fewest points of a line.
@@ -47,13 +48,15 @@ class RansacLines final : public MetodoExtraccionRectas {
     std::uint64_t seed_;
     std::uint64_t scans_ = 0;
     // Working memory, kept between scans.
-    std::vector<double> ranges_;
+    std::vector<double> ranges_;          // of all points, from the laser
+    std::span<const double> run_ranges_;  // of the run at hand
     Candidates candidates_;
     std::vector<Recta> found_;  // in the run at hand
     std::vector<Point2> consensus_;
     std::vector<std::size_t> nearest_;  // line of each point of the run
     std::vector<std::size_t> shared_;   // second line of each point at a corner
     std::vector<std::size_t> order_;
+    std::vector<Point2> fitted_;  // of the piece at hand, without shared ones
     std::vector<Point2> points_;  // of all pieces, piece by piece
     std::vector<LinePiece> pieces_;
 };

@@ -88,6 +88,17 @@ TEST(Ransac, AWallThatCrossesTheLineOfAnotherGivesItNoSupport) {
     }
 }
 
+TEST(Ransac, AFarWallBehindAnEdgeGivesNoSupport) {
+    // Past the end of the first wall its line meets the wall 3 m behind, a few rays later.
+    std::vector<Point2> points = wall({1.0, -2.0}, {1.0, 1.0}, 40);
+    const std::vector<Point2> behind = wall({1.2, 4.0}, {-3.0, 4.0}, 43);  // the third at x = 1
+    points.insert(points.end(), behind.begin(), behind.end());
+    const Observation seen = extract(ransac_params(), scan_of({points}));
+    ASSERT_EQ(seen.lines.size(), 2U);
+    EXPECT_EQ(seen.lines[0].count, 40U);
+    EXPECT_TRUE(seen.corners.empty());
+}
+
 TEST(Ransac, PointsWhereTwoWallsMeetGoToTheNearer) {
     // At an obtuse corner many points lie within the threshold of both.
     std::mt19937 engine(71);
