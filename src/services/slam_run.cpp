@@ -28,6 +28,7 @@ void SlamRun::assemble(std::unique_ptr<Fuente> fuente) {
         [reader = procesador.get()] { return reader->next_odometry(); });
     procesador_ = std::move(procesador);
     step_grid_.clear();
+    line_extents_.clear();
     scan_ = {};
     observation_.clear();
     odometry_pose_ = {};
@@ -59,6 +60,7 @@ bool SlamRun::step() {
     controls_->controls_until(scan_, step_controls_);
     extractor_->extract(scan_, observation_);
     filter_->step(step_controls_, observation_);
+    line_extents_.note(*filter_, observation_);
 
     for (const Control& control : step_controls_) {
         odometry_pose_ = compose(odometry_pose_, displacement(control.twist, control.duration_s));

@@ -11,6 +11,7 @@
 #include "hitos/features/extractor.hpp"
 #include "hitos/services/configuracion.hpp"
 #include "hitos/services/grid.hpp"
+#include "hitos/services/line_extents.hpp"
 #include "hitos/services/trajectory_file.hpp"
 #include "hitos/slam/slam_filter.hpp"
 
@@ -45,6 +46,8 @@ class SlamRun {
     const Observation& observation() const { return observation_; }  ///< its features
     const ReadReport& report() const { return procesador_->report(); }
     const Grid& step_grid() const { return step_grid_; }
+    /// Where lines were seen at every scan so far.
+    const LineExtents& line_extents() const { return line_extents_; }
 
     /// Scans so far.
     std::uint64_t steps() const { return odometry_.size(); }
@@ -65,6 +68,7 @@ class SlamRun {
     std::unique_ptr<Extractor> extractor_;
     std::unique_ptr<SlamFilter> filter_;
     Grid step_grid_;
+    LineExtents line_extents_;
     Scan scan_;
     Observation observation_;
     std::vector<Control> step_controls_;
