@@ -209,8 +209,7 @@ void Algoritmo::publish_snapshot() {
     snapshot->best_map = run_.filter().best_map();
     snapshot->hypotheses = run_.filter().hypotheses();
     snapshot->best_trajectory = run_.best_trajectory();
-    snapshot->line_extents =
-        run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
+    snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
     snapshot->odometry_trajectory = run_.odometry_trajectory();
     snapshot->step_grid = tiler_.tiles(run_.step_grid());
     snapshot->seconds = thread_seconds() - begin;
