@@ -105,17 +105,17 @@ std::string script_of(const PathsPicture& picture) {
 
 }  // namespace
 
-Trajectory in_frame_of_start(const Trajectory& reference, const Trajectory& run) {
+Trajectory in_frame_of_run(const Trajectory& reference, const Trajectory& run) {
     if (reference.empty() || run.empty()) return {};
     const double begin = run.front().time_s;
     const auto first = std::ranges::min_element(
         reference, {}, [&](const StampedPose& pose) { return std::abs(pose.time_s - begin); });
     if (!(std::abs(first->time_s - begin) <= kSlack)) return {};
-    const Pose pose_start_reference = inverse(first->pose);
+    const Pose pose_run_reference = compose(run.front().pose, inverse(first->pose));
     Trajectory moved;
     for (const StampedPose& stamped : reference) {
         if (stamped.time_s < first->time_s || stamped.time_s > run.back().time_s + kSlack) continue;
-        moved.push_back({stamped.time_s, compose(pose_start_reference, stamped.pose)});
+        moved.push_back({stamped.time_s, compose(pose_run_reference, stamped.pose)});
     }
     return moved;
 }

@@ -162,7 +162,7 @@ RunSummary write_results(const SlamRun& run, const References& references, doubl
     };
     if (references.trajectory) {
         drawn("paths.png", write_paths_picture(
-                               {in_frame_of_start(*references.trajectory, best),
+                               {in_frame_of_run(*references.trajectory, best),
                                 run.odometry_trajectory(), best, map, segments, references.walls},
                                folder));
     }

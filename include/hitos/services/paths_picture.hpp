@@ -24,11 +24,10 @@ struct PathsPicture {
     Walls walls;  ///< true ones, where they are known
 };
 
-/// The part of a reference trajectory that belongs to a run, in the frame in which the run began:
-/// the reference's pose at the stamp nearest to the run's first becomes (0, 0, 0). The map's frame
-/// is that pose too, while a reference may have any. Empty where no stamp is within 0.5 s of the
-/// run's first.
-Trajectory in_frame_of_start(const Trajectory& reference, const Trajectory& run);
+/// The part of a reference trajectory that belongs to a run, moved so that both begin alike: its pose
+/// at the stamp nearest to the run's first becomes the run's first pose. The frame of the map is fixed
+/// by that pose, while a reference may have any. Empty where no stamp is within 0.5 s of the first.
+Trajectory in_frame_of_run(const Trajectory& reference, const Trajectory& run);
 
 /// Draws paths.png by gnuplot, with its script (paths.gp): the true path blue, the odometry
 /// magenta, the estimate black, segments green, corners red, true walls grey; equal axes in metres.

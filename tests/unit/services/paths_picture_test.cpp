@@ -15,23 +15,28 @@ using test::content;
 using test::TempFolder;
 using ::testing::HasSubstr;
 
-TEST(InFrameOfStart, MovesTheReferenceToTheRunsFirstPose) {
+TEST(InFrameOfRun, MovesTheReferenceToTheRunsFirstPose) {
     // A reference that faces north at (5, 1) when the run begins, and drives 2 m on.
     const Trajectory reference = {{8.0, {5.0, -3.0, kPi / 2.0}},
                                   {10.01, {5.0, 1.0, kPi / 2.0}},
                                   {11.0, {5.0, 3.0, kPi}},
                                   {30.0, {0.0, 0.0, 0.0}}};
     const Trajectory run = {{10.0, {}}, {11.0, {}}};
-    const Trajectory moved = in_frame_of_start(reference, run);
+    const Trajectory moved = in_frame_of_run(reference, run);
     ASSERT_EQ(moved.size(), 2U) << "what lies before and after the run is left out";
     EXPECT_NEAR(moved[0].pose.x, 0.0, 1e-12);
     EXPECT_NEAR(moved[0].pose.theta, 0.0, 1e-12);
     EXPECT_NEAR(moved[1].pose.x, 2.0, 1e-12);
     EXPECT_NEAR(moved[1].pose.y, 0.0, 1e-12);
     EXPECT_NEAR(moved[1].pose.theta, kPi / 2.0, 1e-12);
-    EXPECT_TRUE(in_frame_of_start(reference, {{20.0, {}}}).empty());
-    EXPECT_TRUE(in_frame_of_start({}, run).empty());
-    EXPECT_TRUE(in_frame_of_start(reference, {}).empty());
+    // A run whose first scan comes after some driving.
+    const Trajectory later = in_frame_of_run(reference, {{10.0, {1.0, 0.5, kPi}}, {11.0, {}}});
+    EXPECT_NEAR(later[0].pose.x, 1.0, 1e-12);
+    EXPECT_NEAR(later[1].pose.x, -1.0, 1e-12);
+    EXPECT_NEAR(later[1].pose.y, 0.5, 1e-12);
+    EXPECT_TRUE(in_frame_of_run(reference, {{20.0, {}}}).empty());
+    EXPECT_TRUE(in_frame_of_run({}, run).empty());
+    EXPECT_TRUE(in_frame_of_run(reference, {}).empty());
 }
 
 Trajectory row(double y) {
