@@ -118,12 +118,14 @@ std::vector<LineExtent> LineExtents::of(const LandmarkMap& map, const Trajectory
         double least = kGreatestDistance;
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const double away = std::max(lines[i].away(a), lines[i].away(b));
-            if (away >= least || !lines[i].has_direction(along, length)) continue;
+            if (!(away < least) || !lines[i].has_direction(along, length)) continue;
             least = away;
             nearest = i;
         }
         if (nearest == lines.size()) continue;
         const auto [from, to] = std::minmax({lines[nearest].along(a), lines[nearest].along(b)});
+        // A log may hold numbers that make no pose; NaN has no place in an order.
+        if (!std::isfinite(from) || !std::isfinite(to)) continue;
         parts[nearest].push_back({from, to, stretch.points});
     }
     std::vector<LineExtent> extents;

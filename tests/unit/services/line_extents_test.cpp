@@ -198,6 +198,23 @@ TEST(LineExtents, OfShortPiecesGoByTheWholeLinesDirection) {
     EXPECT_EQ(found[0].landmark, 1);
 }
 
+TEST(LineExtents, PassOverPosesThatAreNoNumbers) {
+    Noted noted;
+    noted.scan({}, row({0.0, 2.0}, {3.0, 2.0}));
+    for (const double bad : {std::nan(""), HUGE_VAL, 1e308}) {
+        noted.scan({bad, 0.0, 0.0}, row({0.0, 2.0}, {3.0, 2.0}));
+        noted.scan({0.0, bad, 0.0}, row({0.0, 2.0}, {3.0, 2.0}));
+    }
+    noted.scan({0.0, 0.0, std::nan("")}, row({0.0, 2.0}, {3.0, 2.0}));
+    const std::vector<LineExtent> found =
+        noted.of(map_of({kNorth, {std::nan(""), 0.0}, {2.0, std::nan("")}}));
+    ASSERT_FALSE(found.empty());
+    for (const LineExtent& extent : found) {
+        EXPECT_EQ(extent.landmark, 0);
+        EXPECT_TRUE(std::isfinite(extent.a.x) && std::isfinite(extent.b.x));
+    }
+}
+
 TEST(LineExtents, LeaveOutWhatWasIgnored) {
     Noted noted;
     noted.scan({}, row({0.0, 2.0}, {3.0, 2.0}), Association::Outcome::ignored);
