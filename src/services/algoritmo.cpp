@@ -137,7 +137,6 @@ void Algoritmo::work(const std::stop_token& stop) {
 void Algoritmo::do_restart() {
     std::string error;
     tiler_.clear();
-    line_extents_.clear();
     try {
         run_.restart();
     } catch (const std::exception& failure) {
@@ -161,10 +160,7 @@ void Algoritmo::do_step() {
         error = failure.what();
     }
     const auto end = std::chrono::steady_clock::now();
-    if (more) {
-        tiler_.note_change(run_.step_grid().last_change());
-        line_extents_.note(run_.filter(), run_.observation());
-    }
+    if (more) tiler_.note_change(run_.step_grid().last_change());
 
     const std::scoped_lock lock(mutex_);
     if (restart_wanted_) return;  // this step's outcome no longer matters
@@ -211,9 +207,9 @@ void Algoritmo::publish_snapshot() {
     snapshot->associations.assign(associations.begin(), associations.end());
     snapshot->best_pose = run_.filter().best_pose();
     snapshot->best_map = run_.filter().best_map();
-    snapshot->line_extents = line_extents_.of(snapshot->best_map);
     snapshot->hypotheses = run_.filter().hypotheses();
     snapshot->best_trajectory = run_.best_trajectory();
+    snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
     snapshot->odometry_trajectory = run_.odometry_trajectory();
     snapshot->step_grid = tiler_.tiles(run_.step_grid());
     snapshot->seconds = thread_seconds() - begin;

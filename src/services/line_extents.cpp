@@ -8,86 +8,132 @@ namespace {
 
 constexpr double kGreatestAngle = 0.15;    // rad
 constexpr double kGreatestDistance = 0.4;  // m
-constexpr double kGreatestGap = 1.0;       // m
+constexpr std::uint64_t kFewestPoints = 10;
 
-double along(const Recta& line, const Point2& point) {
-    return point.y * std::cos(line.theta) - point.x * std::sin(line.theta);
+/// A line of the map, ready for many distances.
+struct Line {
+    int landmark = 0;
+    double rho = 0.0;
+    double c = 1.0;  // of theta
+    double s = 0.0;
+
+    double away(const Point2& point) const { return std::abs(c * point.x + s * point.y - rho); }
+    double along(const Point2& point) const { return c * point.y - s * point.x; }
+    Point2 at(double t) const { return {rho * c - t * s, rho * s + t * c}; }
+    bool has_direction(const Point2& direction, double length) const {
+        static const double kSine = std::sin(kGreatestAngle);
+        return std::abs(c * direction.x + s * direction.y) <= kSine * length;
+    }
+};
+
+/// A part of a line, from its foot [m].
+struct Interval {
+    double from = 0.0;
+    double to = 0.0;
+    std::uint64_t points = 0;
+};
+
+std::vector<Line> lines_of(const LandmarkMap& map) {
+    std::vector<Line> lines;
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        if (const auto* recta = std::get_if<Recta>(&map[i].value)) {
+            lines.push_back(
+                {static_cast<int>(i), recta->rho, std::cos(recta->theta), std::sin(recta->theta)});
+        }
+    }
+    return lines;
 }
 
-Point2 at(const Recta& line, double t) {
-    const double c = std::cos(line.theta);
-    const double s = std::sin(line.theta);
-    return {line.rho * c - t * s, line.rho * s + t * c};
-}
-
-double angle_between(const Recta& a, const Recta& b) {
-    const double turn = std::abs(wrap_angle(a.theta - b.theta));
-    return std::min(turn, kPi - turn);
-}
-
-/// How far the ends of a stretch lie from a line; infinite where they are of different directions.
-double distance(const Recta& line, const Recta& direction, const Point2& a, const Point2& b) {
-    if (angle_between(line, direction) > kGreatestAngle) return HUGE_VAL;
-    return std::max(std::abs(signed_distance(line, a)), std::abs(signed_distance(line, b)));
+/// Joins what overlaps or is less than the opening apart, then leaves out what has few points.
+std::vector<Interval> joined(std::vector<Interval> parts) {
+    std::ranges::sort(parts, {},
+                      [](const Interval& part) { return std::pair(part.from, part.to); });
+    std::vector<Interval> whole;
+    for (const Interval& part : parts) {
+        if (whole.empty() || part.from > whole.back().to + LineExtents::kOpening) {
+            whole.push_back(part);
+            continue;
+        }
+        whole.back().to = std::max(whole.back().to, part.to);
+        whole.back().points += part.points;
+    }
+    if (whole.empty()) return whole;
+    Interval hull{whole.front().from, whole.back().to, 0};
+    for (const Interval& part : whole) hull.points += part.points;
+    std::erase_if(whole, [](const Interval& part) { return part.points < kFewestPoints; });
+    if (whole.empty()) whole.push_back(hull);
+    return whole;
 }
 
 }  // namespace
 
 void LineExtents::note(const SlamFilter& filter, const Observation& observation) {
-    const Pose pose = filter.best_pose();
     for (const Association& association : filter.associations()) {
         if (association.kind != FeatureKind::recta) continue;
         if (association.outcome == Association::Outcome::ignored) continue;
         const DetectedLine& seen = observation.lines[association.observed];
         if (seen.count < 2) continue;
-        add(transform(pose, seen.recta), transform(pose, observation.support[seen.first]),
-            transform(pose, observation.support[seen.first + seen.count - 1]));
-    }
-}
-
-void LineExtents::add(const Recta& line, const Point2& a, const Point2& b) {
-    for (Stretch& stretch : stretches_) {
-        if (distance(stretch.line, line, a, b) > kGreatestDistance) continue;
-        const auto [from, to] = std::minmax({along(stretch.line, a), along(stretch.line, b)});
-        if (from > stretch.to + kGreatestGap || to < stretch.from - kGreatestGap) continue;
-        stretch.from = std::min(stretch.from, from);
-        stretch.to = std::max(stretch.to, to);
-        return;
-    }
-    const auto [from, to] = std::minmax({along(line, a), along(line, b)});
-    stretches_.push_back({line, from, to});
-}
-
-std::vector<LineExtent> LineExtents::of(const LandmarkMap& map) const {
-    struct Line {
-        int landmark;
-        Recta recta;
-        double c;  // of theta
-        double s;
-        double away(const Point2& point) const {
-            return std::abs(recta.rho - c * point.x - s * point.y);
+        const Point2* const points = &observation.support[seen.first];
+        const Point2& last = points[seen.count - 1];
+        const Point2 along{last.x - points[0].x, last.y - points[0].y};
+        std::uint32_t first = 0;
+        for (std::uint32_t i = 1; i <= seen.count; ++i) {
+            if (i < seen.count) {
+                const double dx = points[i].x - points[i - 1].x;
+                const double dy = points[i].y - points[i - 1].y;
+                if (dx * dx + dy * dy <= kOpening * kOpening) continue;
+            }
+            stretches_.push_back({points[first], points[i - 1], along, scans_, i - first});
+            first = i;
         }
-    };
-    std::vector<Line> lines;
-    for (std::size_t i = 0; i < map.size(); ++i) {
-        const auto* recta = std::get_if<Recta>(&map[i].value);
-        if (recta == nullptr) continue;
-        lines.push_back(
-            {static_cast<int>(i), *recta, std::cos(recta->theta), std::sin(recta->theta)});
+    }
+    ++scans_;
+}
+
+void LineExtents::clear() {
+    stretches_.clear();
+    scans_ = 0;
+}
+
+std::vector<LineExtent> LineExtents::of(const LandmarkMap& map, const Trajectory& path) const {
+    const std::vector<Line> lines = lines_of(map);
+    std::vector<std::vector<Interval>> parts(lines.size());
+    for (const Stretch& stretch : stretches_) {
+        if (stretch.scan >= path.size()) break;
+        const Pose& pose = path[stretch.scan].pose;
+        const double c = std::cos(pose.theta);
+        const double s = std::sin(pose.theta);
+        const auto turned = [&](const Point2& p) {
+            return Point2{c * p.x - s * p.y, s * p.x + c * p.y};
+        };
+        const auto moved = [&](const Point2& p) {
+            const Point2 q = turned(p);
+            return Point2{pose.x + q.x, pose.y + q.y};
+        };
+        const Point2 a = moved(stretch.a);
+        const Point2 b = moved(stretch.b);
+        const Point2 along = turned(stretch.along);
+        const double length = std::hypot(along.x, along.y);
+        std::size_t nearest = lines.size();
+        double least = kGreatestDistance;
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const double away = std::max(lines[i].away(a), lines[i].away(b));
+            if (!(away < least) || !lines[i].has_direction(along, length)) continue;
+            least = away;
+            nearest = i;
+        }
+        if (nearest == lines.size()) continue;
+        const auto [from, to] = std::minmax({lines[nearest].along(a), lines[nearest].along(b)});
+        // A log may hold numbers that make no pose; NaN has no place in an order.
+        if (!std::isfinite(from) || !std::isfinite(to)) continue;
+        parts[nearest].push_back({from, to, stretch.points});
     }
     std::vector<LineExtent> extents;
-    for (const Stretch& stretch : stretches_) {
-        LineExtent extent{-1, at(stretch.line, stretch.from), at(stretch.line, stretch.to)};
-        double nearest = kGreatestDistance;
-        for (const Line& line : lines) {
-            const double away = std::max(line.away(extent.a), line.away(extent.b));
-            if (away >= nearest || angle_between(line.recta, stretch.line) > kGreatestAngle) {
-                continue;
-            }
-            nearest = away;
-            extent.landmark = line.landmark;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (const Interval& part : joined(std::move(parts[i]))) {
+            extents.push_back(
+                {lines[i].landmark, lines[i].at(part.from), lines[i].at(part.to), part.points});
         }
-        if (extent.landmark >= 0) extents.push_back(extent);
     }
     return extents;
 }

@@ -7,7 +7,10 @@
 #include "hitos/capture/atomic_file.hpp"
 #include "hitos/capture/error.hpp"
 #include "hitos/services/archivo_configuracion.hpp"
+#include "hitos/services/dxf_file.hpp"
 #include "hitos/services/picture_file.hpp"
+#include "hitos/services/segment_file.hpp"
+#include "hitos/services/uncertainty.hpp"
 #include "version.hpp"
 
 namespace hitos {
@@ -30,6 +33,17 @@ ordered_json json_of(const TrajectoryError& error) {
             {"ate_maximum_m", error.maximum_m},
             {"heading_rmse_rad", error.heading_rmse_rad},
             {"poses", error.poses}};
+}
+
+ordered_json json_of(const MeasuredDistance& measured) {
+    ordered_json json{{"name", measured.distance.name}, {"true_m", measured.distance.true_m()}};
+    if (measured.slam_m) {
+        json["slam_m"] = *measured.slam_m;
+        json["error_percent"] = *measured.error_percent();
+    } else {
+        json["missing"] = measured.missing;
+    }
+    return json;
 }
 
 /// Small grids are enlarged so that a picture can be looked at without tools.
@@ -70,6 +84,7 @@ RunSummary summarize(const SlamRun& run, const References& references) {
         summary.map_error = map_error(map, *references.map);
         summary.aligned_map_error = aligned_map_error(map, *references.map);
     }
+    summary.distances = measure_distances(run.filter().best_map(), references.distances);
     if (references.trajectory) {
         summary.trajectory_error = trajectory_error(run.best_trajectory(), *references.trajectory);
         summary.odometry_error =
@@ -106,6 +121,8 @@ std::string to_json(const RunSummary& summary, double seconds) {
     }
     if (summary.trajectory_error) json["trajectory_error"] = json_of(*summary.trajectory_error);
     if (summary.odometry_error) json["odometry_error"] = json_of(*summary.odometry_error);
+    for (const MeasuredDistance& measured : summary.distances)
+        json["distances"].push_back(json_of(measured));
     // Text from a damaged log may be no UTF-8: replace what is not instead of failing.
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
@@ -126,13 +143,32 @@ RunSummary write_results(const SlamRun& run, const References& references, doubl
                          const std::filesystem::path& folder) {
     RunSummary summary = summarize(run, references);
     const Trajectory best = run.best_trajectory();
-    write_map(run.filter().best_map(), folder / "map.txt");
+    const LandmarkMap map = run.filter().best_map();
+    const std::vector<LineExtent> segments = run.line_extents().of(map, best);
+    write_map(map, folder / "map.txt");
+    write_segments(map, segments, folder / "segments.txt");
+    write_dxf(map, segments, best, folder / "map.dxf");
     write_trajectory(best, folder / "trajectory.tum");
     write_trajectory(run.odometry_trajectory(), folder / "odometry.tum");
     write_grid(run.step_grid(), best, folder / "grid_best_steps");
     write_grid(build_grid(run.configuration(), run.fuente(), best), best, folder / "grid_best");
     write_grid(build_grid(run.configuration(), run.fuente(), run.odometry_trajectory()),
                run.odometry_trajectory(), folder / "grid_odometry");
+    if (!summary.distances.empty()) {
+        write_file(folder / "distances.csv", distances_csv(summary.distances));
+    }
+    const auto drawn = [&](const char* picture, const std::string& failure) {
+        if (!failure.empty()) summary.not_drawn.push_back(std::string(picture) + ": " + failure);
+    };
+    if (references.trajectory) {
+        drawn("paths.png", write_paths_picture(
+                               {in_frame_of_run(*references.trajectory, best),
+                                run.odometry_trajectory(), best, map, segments, references.walls},
+                               folder));
+    }
+    if (run.options().uncertainty) {
+        drawn("uncertainty.png", write_uncertainty(run.uncertainty(), folder));
+    }
     ArchivoConfiguracion::write(run.configuration(), folder / "config.cfg");
     write_file(folder / "summary.json", to_json(summary, seconds));
     return summary;

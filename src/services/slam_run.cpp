@@ -28,6 +28,8 @@ void SlamRun::assemble(std::unique_ptr<Fuente> fuente) {
         [reader = procesador.get()] { return reader->next_odometry(); });
     procesador_ = std::move(procesador);
     step_grid_.clear();
+    line_extents_.clear();
+    uncertainty_.clear();
     scan_ = {};
     observation_.clear();
     odometry_pose_ = {};
@@ -59,6 +61,8 @@ bool SlamRun::step() {
     controls_->controls_until(scan_, step_controls_);
     extractor_->extract(scan_, observation_);
     filter_->step(step_controls_, observation_);
+    line_extents_.note(*filter_, observation_);
+    if (options_.uncertainty) uncertainty_.note(scan_.time_s, filter_->best_map());
 
     for (const Control& control : step_controls_) {
         odometry_pose_ = compose(odometry_pose_, displacement(control.twist, control.duration_s));

@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "hitos/capture/procesador.hpp"
 #include "hitos/services/archivo_configuracion.hpp"
 #include "hitos/services/grid.hpp"
+#include "hitos/services/line_extents.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 #include "hitos/slam/filters.hpp"
 
@@ -85,6 +87,39 @@ void extraction_and_filter(benchmark::State& state) {
         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
+/// What the segments of lines cost in every step (noting) and once at the end (laying them out).
+void segments(benchmark::State& state) {
+    const Tour& t = tour();
+    FastSlamParams params = t.configuration.filter;
+    params.particles = 100;
+    const auto extractor = make_extractor(t.configuration.extraction);
+    double noting = 0.0;
+    double laying_out = 0.0;
+    for (auto _ : state) {
+        const auto filter = make_fastslam(params, 1, 1);
+        LineExtents extents;
+        Observation seen;
+        for (std::size_t i = 0; i < t.scans.size(); ++i) {
+            extractor->extract(t.scans[i], seen);
+            filter->step(t.controls[i], seen);
+            const auto begin = std::chrono::steady_clock::now();
+            extents.note(*filter, seen);
+            noting +=
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        }
+        Trajectory path;
+        for (const Pose& pose : filter->best_history()) path.push_back({0.0, pose});
+        const LandmarkMap map = filter->best_map();
+        const auto begin = std::chrono::steady_clock::now();
+        benchmark::DoNotOptimize(extents.of(map, path));
+        laying_out +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+    const auto runs = static_cast<double>(state.iterations());
+    state.counters["noting_us/scan"] = noting * 1e6 / runs / static_cast<double>(t.scans.size());
+    state.counters["laying_out_ms"] = laying_out * 1e3 / runs;
+}
+
 /// Line and corner extraction alone.
 void extraction(benchmark::State& state) {
     const Tour& t = tour();
@@ -145,6 +180,7 @@ BENCHMARK(extraction_and_filter)
     ->Args({10000, 2, 200})
     ->Args({100, 1, 300})  // against the whole tour: nothing grows with the scans
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(segments)->Unit(benchmark::kMillisecond);
 BENCHMARK(extraction)->Unit(benchmark::kMillisecond);
 BENCHMARK(reading)->Unit(benchmark::kMillisecond);
 BENCHMARK(grid)->Unit(benchmark::kMillisecond);

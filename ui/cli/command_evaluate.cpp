@@ -2,12 +2,17 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
+#include "hitos/capture/atomic_file.hpp"
 #include "hitos/capture/error.hpp"
+#include "hitos/services/distances.hpp"
 #include "hitos/services/measures.hpp"
+#include "hitos/services/results.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -17,6 +22,8 @@ struct EvaluateOptions {
     std::string reference;
     std::string trajectory;
     std::string reference_trajectory;
+    std::string distances;
+    std::string out;
     double tolerance_s = 0.02;
 };
 
@@ -37,6 +44,16 @@ void evaluate_map(const EvaluateOptions& options) {
                error->reference_found);
 }
 
+void evaluate_distances(const EvaluateOptions& options) {
+    const std::vector<MeasuredDistance> measured =
+        measure_distances(read_map(options.map), read_distances(options.distances));
+    if (!options.out.empty()) {
+        prepare_output_folder(options.out);
+        write_file(std::filesystem::path(options.out) / "distances.csv", distances_csv(measured));
+    }
+    fmt::print("{}", distance_table(measured));
+}
+
 void evaluate_trajectory(const EvaluateOptions& options) {
     const auto error =
         trajectory_error(read_trajectory(options.trajectory),
@@ -53,18 +70,26 @@ void evaluate_trajectory(const EvaluateOptions& options) {
 }
 
 void evaluate(const EvaluateOptions& options) {
-    if (options.map.empty() != options.reference.empty()) {
-        throw ConfigError("evaluate", "--map and --reference go together");
+    const bool map = !options.map.empty();
+    const bool against_map = !options.reference.empty();
+    const bool against_distances = !options.distances.empty();
+    if (map != (against_map || against_distances)) {
+        throw ConfigError("evaluate", map ? "--map needs --reference or --distances"
+                                          : "--reference and --distances need --map");
+    }
+    if (!options.out.empty() && !against_distances) {
+        throw ConfigError("evaluate", "--out takes distances.csv and needs --distances");
     }
     if (options.trajectory.empty() != options.reference_trajectory.empty()) {
         throw ConfigError("evaluate", "--trajectory and --reference-trajectory go together");
     }
     if (options.map.empty() && options.trajectory.empty()) {
         throw ConfigError("evaluate",
-                          "found nothing to measure; give --map and --reference, or "
-                          "--trajectory and --reference-trajectory");
+                          "found nothing to measure; give --map and --reference or "
+                          "--distances, or --trajectory and --reference-trajectory");
     }
-    if (!options.map.empty()) evaluate_map(options);
+    if (against_map) evaluate_map(options);
+    if (against_distances) evaluate_distances(options);
     if (!options.trajectory.empty()) evaluate_trajectory(options);
 }
 
@@ -76,6 +101,10 @@ void add_evaluate(CLI::App& program) {
         "evaluate", "Measure a finished map or trajectory, one figure a line");
     command->add_option("--map", options->map, "Map to measure");
     command->add_option("--reference", options->reference, "Reference map");
+    command->add_option("--distances", options->distances,
+                        "Named distances between parallel walls (docs/formats.md) to measure in "
+                        "the map, printed as a table");
+    command->add_option("--out", options->out, "Folder for distances.csv, made if missing");
     command->add_option("--trajectory", options->trajectory, "Trajectory to measure (TUM)");
     command->add_option("--reference-trajectory", options->reference_trajectory,
                         "Reference trajectory (TUM)");

@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "common/open_tour.hpp"
+#include "common/tour_truth.hpp"
 #include "hitos/capture/error.hpp"
 #include "hitos/services/algoritmo.hpp"
 #include "hitos/services/archivo_configuracion.hpp"
@@ -26,6 +28,8 @@ struct RunOptions {
     std::string format;
     std::string reference;
     std::string reference_trajectory;
+    std::string distances;
+    bool uncertainty = false;
     std::string out;
 };
 
@@ -46,6 +50,8 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
         fmt::print("trajectory error (ATE) {:.3f} m, odometry alone {:.3f} m\n",
                    summary.trajectory_error->rmse_m, summary.odometry_error->rmse_m);
     }
+    if (!summary.distances.empty()) fmt::print("{}", distance_table(summary.distances));
+    for (const std::string& missing : summary.not_drawn) fmt::print("not drawn: {}\n", missing);
     fmt::print("results in {}\n", folder);
 }
 
@@ -60,9 +66,17 @@ void run(const RunOptions& options) {
     if (!options.reference_trajectory.empty()) {
         references.trajectory = read_trajectory(options.reference_trajectory);
     }
+    if (!options.distances.empty()) references.distances = read_distances(options.distances);
     prepare_output_folder(options.out);
 
-    Algoritmo algoritmo(configuration, open_tour(configuration.source));
+    std::unique_ptr<Fuente> fuente = open_tour(configuration.source);
+    if (const SimulatedTour* tour = simulated_tour(*fuente)) {
+        references.walls = true_walls(*tour);
+        if (!references.trajectory) references.trajectory = true_trajectory(*tour);
+    }
+    SlamRunOptions run_options;
+    run_options.uncertainty = options.uncertainty;
+    Algoritmo algoritmo(configuration, std::move(fuente), run_options);
     ProgressLine line("scans");
     algoritmo.run();
     Progress progress = algoritmo.progress();
@@ -101,7 +115,14 @@ void add_run(CLI::App& program) {
     command->add_option("--reference", options->reference,
                         "Reference map (docs/formats.md) to measure the map against");
     command->add_option("--reference-trajectory", options->reference_trajectory,
-                        "Reference trajectory in TUM format to measure the path against");
+                        "Reference trajectory in TUM format to measure the path against and to "
+                        "draw beside it (default for a world: the true one)");
+    command->add_option("--distances", options->distances,
+                        "Named distances between parallel walls (docs/formats.md) to measure in "
+                        "the map: printed, and in distances.csv");
+    command->add_flag("--uncertainty", options->uncertainty,
+                      "Record the standard deviations of every landmark scan by scan: "
+                      "uncertainty.csv and .png");
     command->add_option("--out", options->out, "Folder for the results, made if missing")
         ->required();
     command->callback([options] { run(*options); });

@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "common/tour_picture.hpp"
+#include "common/tour_truth.hpp"
 #include "common/world_files.hpp"
 #include "hitos/capture/error.hpp"
 #include "hitos/capture/log_writer.hpp"
@@ -52,13 +53,6 @@ World load_world(const SimulateOptions& options) {
     return world;
 }
 
-Trajectory truth_of(const SimulatedTour& tour) {
-    Trajectory truth;
-    for (std::uint64_t k = 0; k < tour.scans(); ++k)
-        truth.push_back({tour.scan_time(k), tour.true_pose(k)});
-    return truth;
-}
-
 void simulate(const SimulateOptions& options) {
     const LogFormat format = parse_format(options.format, "--format");
     if (format == LogFormat::automatic) {
@@ -75,7 +69,7 @@ void simulate(const SimulateOptions& options) {
     // leaves no log behind that looks like a whole result.
     const auto writer = options.out.empty() ? nullptr : make_log_writer(format, options.out);
     if (!options.picture.empty()) write_tour_picture(tour, options.picture);
-    if (!options.truth.empty()) write_trajectory(truth_of(tour), options.truth);
+    if (!options.truth.empty()) write_trajectory(true_trajectory(tour), options.truth);
     if (!options.reference.empty()) write_map(reference_map(tour.world()), options.reference);
     if (writer) {
         ProgressLine line("scans");

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "hitos/services/grid_tiles.hpp"
-#include "hitos/services/line_extents.hpp"
 #include "hitos/services/slam_run.hpp"
 
 namespace hitos {
@@ -27,7 +26,7 @@ struct Snapshot {
     std::vector<Association> associations;
     Pose best_pose;
     LandmarkMap best_map;
-    std::vector<LineExtent> line_extents;  ///< of the lines of best_map, where they were seen
+    std::vector<LineExtent> line_extents;  ///< segments of the lines of best_map
     std::vector<WeightedPose> hypotheses;
     Trajectory best_trajectory;
     Trajectory odometry_trajectory;
@@ -118,7 +117,6 @@ class Algoritmo {
 
     SlamRun run_;      // the worker's own, once it runs
     GridTiler tiler_;  // likewise
-    LineExtents line_extents_;
 
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;

@@ -4,8 +4,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "hitos/services/distances.hpp"
 #include "hitos/services/measures.hpp"
+#include "hitos/services/paths_picture.hpp"
 #include "hitos/services/slam_run.hpp"
 
 namespace hitos {
@@ -16,7 +19,9 @@ std::string version();
 /// What to compare a run with.
 struct References {
     std::optional<LandmarkMap> map;
-    std::optional<Trajectory> trajectory;
+    std::optional<Trajectory> trajectory;  ///< of the same clock, in any frame
+    std::vector<NamedDistance> distances;  ///< in the map's frame
+    Walls walls;                           ///< true walls for pictures, in the map's frame
 };
 
 /// The figures of a run, as summary.json states them.
@@ -34,6 +39,8 @@ struct RunSummary {
     std::optional<AlignedMapError> aligned_map_error;
     std::optional<TrajectoryError> trajectory_error;
     std::optional<TrajectoryError> odometry_error;
+    std::vector<MeasuredDistance> distances;
+    std::vector<std::string> not_drawn;  ///< pictures that are missing, each with the reason
 };
 
 RunSummary summarize(const SlamRun& run, const References& references);
@@ -45,8 +52,10 @@ std::string to_json(const RunSummary& summary, double seconds);
 /// long run does not end in vain. Throws FileError.
 void prepare_output_folder(const std::filesystem::path& folder);
 
-/// Writes map.txt, trajectory.tum, odometry.tum, grid_best_steps, grid_best and grid_odometry (each
-/// as .png and .jpg), config.cfg and summary.json, each atomically, and returns the summary.
+/// Writes map.txt, segments.txt, map.dxf, trajectory.tum, odometry.tum, grid_best_steps, grid_best
+/// and grid_odometry (each as .png and .jpg), config.cfg and summary.json; distances.csv where
+/// distances are given; paths.png and its script where a trajectory is given; uncertainty.csv, .png
+/// and their script where the run recorded it. Each appears whole. Returns the summary.
 RunSummary write_results(const SlamRun& run, const References& references, double seconds,
                          const std::filesystem::path& folder);
 

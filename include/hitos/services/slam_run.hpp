@@ -11,7 +11,9 @@
 #include "hitos/features/extractor.hpp"
 #include "hitos/services/configuracion.hpp"
 #include "hitos/services/grid.hpp"
+#include "hitos/services/line_extents.hpp"
 #include "hitos/services/trajectory_file.hpp"
+#include "hitos/services/uncertainty.hpp"
 #include "hitos/slam/slam_filter.hpp"
 
 namespace hitos {
@@ -19,6 +21,8 @@ namespace hitos {
 struct SlamRunOptions {
     /// Build the grid map step by step from whichever particle is best at each step.
     bool step_grid = true;
+    /// Record the standard deviations of the best hypothesis' landmarks after every scan.
+    bool uncertainty = false;
 };
 
 /// Owns the whole chain source → scans and controls → features → filter. Not thread-safe; Algoritmo
@@ -39,12 +43,17 @@ class SlamRun {
     void restart();
 
     const Configuracion& configuration() const { return configuration_; }
+    const SlamRunOptions& options() const { return options_; }
     const Fuente& fuente() const { return procesador_->fuente(); }
     const SlamFilter& filter() const { return *filter_; }
     const Scan& scan() const { return scan_; }                       ///< the last one
     const Observation& observation() const { return observation_; }  ///< its features
     const ReadReport& report() const { return procesador_->report(); }
     const Grid& step_grid() const { return step_grid_; }
+    /// Where lines were seen at every scan so far.
+    const LineExtents& line_extents() const { return line_extents_; }
+    /// Empty unless the options ask for it.
+    const UncertaintyRecord& uncertainty() const { return uncertainty_; }
 
     /// Scans so far.
     std::uint64_t steps() const { return odometry_.size(); }
@@ -65,6 +74,8 @@ class SlamRun {
     std::unique_ptr<Extractor> extractor_;
     std::unique_ptr<SlamFilter> filter_;
     Grid step_grid_;
+    LineExtents line_extents_;
+    UncertaintyRecord uncertainty_;
     Scan scan_;
     Observation observation_;
     std::vector<Control> step_controls_;

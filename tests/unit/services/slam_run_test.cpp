@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "hitos/capture/archivo.hpp"
@@ -70,6 +71,35 @@ TEST(SlamRun, RestartRepeatsTheRunBitByBit) {
     EXPECT_TRUE(run.step_grid().empty());
     for (int i = 0; i < 200; ++i) run.step();
     EXPECT_EQ(run.best_trajectory(), first);
+}
+
+TEST(SlamRun, NotesSegmentsAndWhereAskedUncertainty) {
+    const Configuracion configuration = ready_tour();
+    SlamRun run(configuration, open_source(configuration.source),
+                {.step_grid = false, .uncertainty = true});
+    for (int i = 0; i < 300; ++i) run.step();
+    const LandmarkMap map = run.filter().best_map();
+    const auto segments = run.line_extents().of(map, run.best_trajectory());
+    EXPECT_GE(segments.size(), static_cast<std::size_t>(run.filter().best_lines()));
+    const LandmarkSigma& last = run.uncertainty().entries().back();
+    EXPECT_EQ(last.scan, 299U);
+    EXPECT_EQ(last.time_s, run.scan().time_s);
+    EXPECT_DOUBLE_EQ(last.sigma_1, std::sqrt(map.back().covariance(0, 0)));
+    EXPECT_DOUBLE_EQ(last.sigma_2, std::sqrt(map.back().covariance(1, 1)));
+    run.restart();
+    EXPECT_TRUE(run.uncertainty().entries().empty());
+    EXPECT_TRUE(run.line_extents().of(map, run.best_trajectory()).empty());
+    // After it, scan 1 is the first noted again.
+    for (int i = 0; i < 300; ++i) run.step();
+    const auto again = run.line_extents().of(map, run.best_trajectory());
+    ASSERT_EQ(again.size(), segments.size());
+    for (std::size_t i = 0; i < again.size(); ++i) {
+        EXPECT_EQ(again[i].a, segments[i].a);
+        EXPECT_EQ(again[i].points, segments[i].points);
+    }
+    SlamRun silent(configuration, open_source(configuration.source), {.step_grid = false});
+    for (int i = 0; i < 50; ++i) silent.step();
+    EXPECT_TRUE(silent.uncertainty().entries().empty());
 }
 
 TEST(SlamRun, GridOfTheWholePathIsTheStepGridWhereTheBestNeverChanges) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "hitos/capture/error.hpp"
+#include "hitos/services/dxf_file.hpp"
 #include "worlds.hpp"
 
 namespace hitos {
@@ -101,6 +102,22 @@ TEST(DxfWalls, reads_one_layer_alone) {
                   read_dxf_walls(folder / "layers.dxf", {"roof", {}});
               }).find("layer \"roof\" holds no wall"),
               std::string::npos);
+}
+
+TEST(DxfWalls, reads_the_lines_of_a_drawn_map) {
+    const TempFolder folder;
+    const LandmarkMap map = {{Recta{2.0, kPi / 2.0}, 1e-4 * Eigen::Matrix2d::Identity()},
+                             {Esquina{1.0, 2.0}, 1e-4 * Eigen::Matrix2d::Identity()}};
+    const std::vector<LineExtent> segments = {{0, {1.0, 2.0}, {-1.5, 2.0}, 10},
+                                              {0, {-3.0, 2.0}, {-4.25, 2.0}, 10}};
+    write_dxf(map, segments, {{0.0, {0.0, 0.0, 0.0}}, {1.0, {1.0, 0.5, 0.0}}}, folder / "map.dxf");
+    EXPECT_EQ(read_dxf_walls(folder / "map.dxf", {"LINES", {}}),
+              (Walls{{{1.0, 2.0}, {-1.5, 2.0}}, {{-3.0, 2.0}, {-4.25, 2.0}}}));
+    EXPECT_EQ(read_dxf_walls(folder / "map.dxf", {"PATH", {}}), (Walls{{{0, 0}, {1, 0.5}}}));
+    // Without a layer the ellipse of the corner stands in the way, and is named.
+    EXPECT_NE(
+        message_of<FormatError>([&] { read_dxf_walls(folder / "map.dxf"); }).find("an ELLIPSE"),
+        std::string::npos);
 }
 
 TEST(DxfWalls, refuses_what_is_not_straight) {

@@ -10,6 +10,7 @@
 
 namespace hitos::test {
 
+/// The worlds of SPEC 9: long tours that close loops. The corridor of [P fig 3] is another kind.
 inline const std::vector<std::string>& shipped_names() {
     static const std::vector<std::string> names = {"recinto", "lineamedia", "bigloop", "bigloop2",
                                                    "complex", "iusiani",    "usc-sal"};

@@ -55,11 +55,11 @@ TEST(OpenTour, a_run_over_a_world_maps_it) {
 }
 
 TEST(WorldFiles, finds_the_worlds_that_come_with_hitos) {
-    for (const char* name :
-         {"recinto", "lineamedia", "bigloop", "bigloop2", "complex", "iusiani", "usc-sal"}) {
+    for (const char* name : {"recinto", "lineamedia", "bigloop", "bigloop2", "complex", "iusiani",
+                             "usc-sal", "corridor"}) {
         EXPECT_TRUE(std::filesystem::exists(find_world(name))) << name;
     }
-    EXPECT_EQ(shipped_worlds().size(), 7U);
+    EXPECT_EQ(shipped_worlds().size(), 8U);
     EXPECT_THROW(find_world("atlantis"), FileError);
     EXPECT_TRUE(is_world_file("a/b.TOML"));
     EXPECT_FALSE(is_world_file("a/b.log"));
