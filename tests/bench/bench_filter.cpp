@@ -90,7 +90,7 @@ void extraction_and_filter(benchmark::State& state) {
 /// What the segments of lines cost in every step (noting) and once at the end (laying them out).
 void segments(benchmark::State& state) {
     const Tour& t = tour();
-    FastSlamParams params = t.configuration.filter;
+    FilterParams params = t.configuration.filter;
     params.particles = 100;
     const auto extractor = make_extractor(t.configuration.extraction);
     double noting = 0.0;
