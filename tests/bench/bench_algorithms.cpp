@@ -32,8 +32,10 @@ Field make_field(int landmarks) {
     std::normal_distribution<double> noise(0.0, 0.01);
     const int side = static_cast<int>(std::ceil(std::sqrt(landmarks)));
     for (int i = 0; i < landmarks; ++i) {
+        const int column = i % side;
+        const int row = i / side;
         field.corners.push_back(
-            {kSpacing * (i % side) + shift(engine), kSpacing * (i / side) + shift(engine)});
+            {kSpacing * column + shift(engine), kSpacing * row + shift(engine)});
     }
     const double middle = 0.5 * kSpacing * side;
     const double radius = 0.5 * middle;

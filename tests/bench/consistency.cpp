@@ -141,8 +141,9 @@ void study(const Scenario& scenario, int runs, std::ofstream& steps) {
     }
     // Errors of neighbouring steps hang together: the tour's second half is told by itself.
     double late = 0.0;
-    for (std::size_t k = averages.size() / 2; k < averages.size(); ++k) late += averages[k];
-    late /= static_cast<double>(averages.size() - averages.size() / 2);
+    const std::size_t middle = averages.size() / 2;
+    for (std::size_t k = middle; k < averages.size(); ++k) late += averages[k];
+    late /= static_cast<double>(averages.size() - middle);
     fmt::print("{:<34} {:>5} {:>6.2f} {:>9.2f}   {:>4.0f} %    {:>4.0f} %  {:>8.3f} {:>9.1f}\n",
                scenario.name, sums.size(), mean / counted, late, 100.0 * inside / counted,
                100.0 * above / counted, std::sqrt(errors2 / n), static_cast<double>(landmarks) / n);

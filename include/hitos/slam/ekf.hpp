@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 #include "hitos/slam/sensor.hpp"
 
@@ -18,7 +19,7 @@ struct LandmarkEstimate {
 template <Sensor S>
 class EKF {
   public:
-    explicit EKF(const Matrix2& observation_covariance) : r_(observation_covariance) {}
+    explicit EKF(Matrix2 observation_covariance) : r_(std::move(observation_covariance)) {}
 
     /// Covariance of the innovation, Q = H P H' + R.
     Matrix2 innovation_covariance(const Matrix2& jacobian, const Matrix2& covariance) const {
