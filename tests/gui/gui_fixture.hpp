@@ -28,6 +28,7 @@ class ScriptedPrompts final : public Prompts {
   public:
     QStringList opens;
     QStringList saves;
+    QStringList folders;
     QList<bool> confirms;
     // What was asked.
     QStringList warnings;
@@ -42,6 +43,9 @@ class ScriptedPrompts final : public Prompts {
     QString save_file(QWidget*, const FileQuestion&) override {
         ++saves_asked;
         return saves.isEmpty() ? QString() : saves.takeFirst();
+    }
+    QString choose_folder(QWidget*, const QString&, const QString&) override {
+        return folders.isEmpty() ? QString() : folders.takeFirst();
     }
     bool confirm(QWidget*, const Question& question) override {
         confirmed_texts << question.text + '\n' + question.details;

@@ -80,6 +80,29 @@ class ViewTest : public QObject {
     void the_grid_view_shows_the_grid_map();
 };
 
+class StudyTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void a_study_needs_a_source();
+    void its_files_are_those_of_the_command_line();
+    void noise_seed_and_threads_are_those_of_the_command_line();
+    void every_parameter_can_be_chosen();
+    void bad_values_are_told_at_their_fields_data();
+    void bad_values_are_told_at_their_fields();
+    void all_mistakes_are_told_at_once();
+    void a_folder_that_cannot_be_written_is_told();
+    void a_log_that_has_gone_is_told();
+    void runs_that_fail_are_told_and_the_others_go_on();
+    void a_stopped_study_goes_on_where_it_was();
+    void another_studys_folder_is_asked_about();
+    void closing_while_it_runs_asks();
+    void the_main_window_ends_a_running_study();
+    void the_configuration_may_change_meanwhile();
+    void its_plot_is_saved();
+    void its_words_are_remembered();
+};
+
 class WordsTest : public QObject {
     Q_OBJECT
 

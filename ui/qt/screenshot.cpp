@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QPixmap>
+#include <QTemporaryDir>
 #include <QTimer>
 #include <functional>
 
@@ -16,6 +17,7 @@
 #include "result_actions.hpp"
 #include "scan_view.hpp"
 #include "source_dialog.hpp"
+#include "study_dialog.hpp"
 
 namespace hitos::window {
 namespace {
@@ -58,6 +60,18 @@ void show_map(MapWindow* map, const CommandLine& line) {
     write_picture_of(*map, line);
 }
 
+void show_study(MainWindow& window, const CommandLine& line) {
+    const QTemporaryDir scratch;
+    StudyDialog& study = window.open_study();
+    study.form().set_assignment(QString::fromStdString(line.vary));
+    study.form().set_runs(line.study_runs);
+    study.form().set_folder(scratch.filePath("study"));
+    if (!line.vary.empty()) study.start();
+    process_until([&study] { return !study.running(); });
+    settle(100);
+    write_picture_of(study, line);
+}
+
 }  // namespace
 
 void take_screenshot(MainWindow& window, Session& session, const CommandLine& line) {
@@ -89,6 +103,8 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
     } else if (line.show == "odometry") {
         window.result_actions().view_odometry();
         show_map(window.result_actions().odometry_window(), line);
+    } else if (line.show == "study") {
+        show_study(window, line);
     } else {
         write_picture_of(window, line);
     }

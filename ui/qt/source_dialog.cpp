@@ -5,12 +5,12 @@
 #include <QFontDatabase>
 #include <QMimeData>
 #include <QPushButton>
-#include <QStyle>
 #include <utility>
 
 #include "hitos/capture/error.hpp"
 #include "parameter_text.hpp"
 #include "source_inspection.hpp"
+#include "theme.hpp"
 #include "ui_source_dialog.h"
 
 namespace hitos::window {
@@ -146,9 +146,7 @@ QString SourceDialog::words_of(const LogSummary& summary) const {
 
 void SourceDialog::show_verdict(const QString& text, const char* role) {
     ui_->verdict->setText(text);
-    ui_->verdict->setProperty("role", role);
-    ui_->verdict->style()->unpolish(ui_->verdict);
-    ui_->verdict->style()->polish(ui_->verdict);
+    set_look(*ui_->verdict, "role", role);
 }
 
 void SourceDialog::dragEnterEvent(QDragEnterEvent* event) {
