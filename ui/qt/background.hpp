@@ -5,17 +5,18 @@
 
 namespace hitos::window {
 
-/// Lowers the priority of this thread, and of the threads that it starts from now on, a little
-/// below the window's: where all processors are busy, a key press is answered first. Work that has
-/// the machine to itself is as fast as before.
-void let_the_window_go_first();
+/// To be called first on a thread that computes beside the window; holds for the threads that it
+/// starts from then on as well. Lowers the priority a little below the window's: where all
+/// processors are busy, a key press is answered first; work that has the machine to itself is as
+/// fast as before. And clears what the window's thread has left in the vector registers.
+void begin_background_work();
 
-/// Calls `make` on a thread of that priority, so that what it makes works at it, and waits for it.
+/// Calls `make` on such a thread and waits for it: what it makes works beside the window.
 template <class Make>
 auto in_background(Make make) {
     return std::async(std::launch::async,
                       [&make] {
-                          let_the_window_go_first();
+                          begin_background_work();
                           return make();
                       })
         .get();

@@ -44,7 +44,7 @@ void StudyRunner::stop() {
 
 void StudyRunner::work(const Study& study, int threads, Number number,
                        const std::stop_token& stop) {
-    let_the_window_go_first();
+    begin_background_work();
     StudyOptions options;
     options.threads = threads;
     options.stop = stop;
