@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <utility>
 
+#include "background.hpp"
 #include "hitos/capture/error.hpp"
 #include "parameter_text.hpp"
 #include "source_inspection.hpp"
@@ -15,22 +16,21 @@
 
 namespace hitos::window {
 
-SourceDialog::SourceDialog(const SourceParams& source, Prompts& prompts, const QString& folder,
-                           QWidget* parent)
+SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder, QWidget* parent)
     : QDialog(parent),
       ui_(std::make_unique<Ui::SourceDialog>()),
       prompts_(prompts),
-      folder_(folder),
-      source_(source) {
+      folder_(std::move(folder)),
+      source_(std::move(source)) {
     ui_->setupUi(this);
     pool_.setMaxThreadCount(1);
     const Parameter& format = find_parameter("source.format");
     for (std::size_t i = 0; i < format.choices.size(); ++i)
         ui_->type->addItem(choice_of(format, i));
-    ui_->type->setCurrentIndex(static_cast<int>(source.format));
+    ui_->type->setCurrentIndex(static_cast<int>(source_.format));
     ui_->lines->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     ui_->reading->hide();
-    ui_->path->setText(QString::fromStdString(source.file));
+    ui_->path->setText(QString::fromStdString(source_.file));
     connect(ui_->path, &QLineEdit::textChanged, this, &SourceDialog::begin_check);
     connect(ui_->type, &QComboBox::currentIndexChanged, this, &SourceDialog::begin_check);
     connect(ui_->browse, &QPushButton::clicked, this, &SourceDialog::browse);
@@ -82,6 +82,7 @@ void SourceDialog::begin_check() {
     ui_->reading->show();
     stop_ = std::make_shared<std::atomic<bool>>(false);
     pool_.start([this, wanted, stop = stop_] {
+        begin_background_work();
         std::optional<LogSummary> summary;
         QString problem;
         try {

@@ -313,9 +313,8 @@ bool StudyForm::blame(const StudyProblem& problem) {
         set_error(*ui_.seed, *ui_.error_seed, problem.words);
     } else if (!problem.key.empty()) {
         set_error(*ui_.values, *ui_.error_values, problem.words);
-    } else {
-        return false;
     }
+    if (first_wrong_ == nullptr) return false;
     first_wrong_->setFocus();
     return true;
 }

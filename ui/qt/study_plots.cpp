@@ -21,7 +21,7 @@ constexpr std::size_t kLongWord = 9;
 constexpr double kRoom = 0.06;  // of the axis, at both ends
 
 QString with_spread(const Spread& spread, int decimals) {
-    const QString mean = QString::number(spread.mean, 'f', decimals);
+    QString mean = QString::number(spread.mean, 'f', decimals);
     if (!spread.variance) return mean;
     return mean + " ± " + QString::number(std::sqrt(*spread.variance), 'f', decimals);
 }
