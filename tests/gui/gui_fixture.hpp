@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QPointer>
+#include <QStatusBar>
 #include <QStringList>
 #include <QTemporaryDir>
 #include <QTest>
@@ -88,7 +89,11 @@ struct Fixture {
         if (found == nullptr) qFatal("no action %s", name);
         return found;
     }
-    void trigger(const char* name) const { action(name)->trigger(); }
+    /// As a user does: no sooner than it is possible.
+    void trigger(const char* name) const {
+        QTRY_VERIFY2(action(name)->isEnabled(), name);
+        action(name)->trigger();
+    }
     QString path(const QString& name) const { return folder.filePath(name); }
     QString write(const QString& name, const QByteArray& content) const {
         QFile file(path(name));
@@ -100,6 +105,8 @@ struct Fixture {
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
+    /// What the status bar says for a while.
+    QString notice() const { return window->statusBar()->currentMessage(); }
     Progress::State state() const { return session.progress().state; }
     quint64 steps() const { return session.progress().steps; }
     bool shows_everything() const {
