@@ -45,6 +45,7 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         ->type_name("NAME=VALUES");
     program.add_option("--study-runs", out.study_runs, "Runs of each value of the study")
         ->check(CLI::Range(1, 1000000));
+    program.add_option("--study-folder", out.study_folder, "Folder for the results of the study");
     program.add_option("--language", out.language, "en or es (default: the system's)")
         ->check(CLI::IsMember({"en", "es"}));
     program.add_option("--theme", out.theme, "light, dark or system")

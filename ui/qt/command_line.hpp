@@ -24,7 +24,8 @@ struct CommandLine {
     std::string theme;
     std::string size;
     bool run = false;
-    std::string vary;    ///< what to study, "dmax=0.01,0.02"; empty: no study
+    std::string vary;  ///< what to study, "dmax=0.01,0.02"; empty: no study
+    std::string study_folder;
     int study_runs = 5;  ///< of each value
     // Pictures for documents.
     std::string screenshot;

@@ -22,6 +22,9 @@ using namespace hitos::window;  // the program is nothing but the window
 void prepare_study(StudyDialog& study, const CommandLine& line) {
     study.form().set_assignment(QString::fromStdString(line.vary));
     study.form().set_runs(line.study_runs);
+    if (!line.study_folder.empty()) {
+        study.form().set_folder(QString::fromStdString(line.study_folder));
+    }
 }
 
 /// Pictures and measurements need no display, and leave the user's files alone.

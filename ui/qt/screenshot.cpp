@@ -5,12 +5,14 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QFileInfo>
 #include <QPixmap>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <functional>
 
 #include "configuration_dialog.hpp"
+#include "hitos/capture/error.hpp"
 #include "main_window.hpp"
 #include "map_window.hpp"
 #include "picture_dialog.hpp"
@@ -65,7 +67,12 @@ void show_study(MainWindow& window, const CommandLine& line) {
     StudyDialog& study = window.open_study();
     study.form().set_assignment(QString::fromStdString(line.vary));
     study.form().set_runs(line.study_runs);
-    study.form().set_folder(scratch.filePath("study"));
+    const QString folder = line.study_folder.empty() ? scratch.filePath("study")
+                                                     : QString::fromStdString(line.study_folder);
+    if (QFileInfo::exists(folder)) {  // there is nobody to ask
+        throw FileError(folder.toStdString(), "exists already; a picture takes a new folder");
+    }
+    study.form().set_folder(folder);
     if (!line.vary.empty()) study.start();
     process_until([&study] { return !study.running(); });
     settle(100);

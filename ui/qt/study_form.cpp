@@ -116,9 +116,8 @@ void StudyForm::restore() {
     ui_.noise_kind->setEnabled(ui_.noise->value() > 0.0);
     ui_.threads->setValue(settings.value("study/threads", 0).toInt());
     const QString loaded = session_.reference_map_file();
-    ui_.reference->setText(
-        QDir::toNativeSeparators(loaded.isEmpty() ? settings.value("study/reference").toString()
-                                                  : QFileInfo(loaded).absoluteFilePath()));
+    ui_.reference->setText(QDir::toNativeSeparators(
+        loaded.isEmpty() ? settings.value("study/reference").toString() : loaded));
     const QString documents =
         QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/hitos-study";
     set_folder(settings.value("study/folder", documents).toString());

@@ -17,7 +17,12 @@
 namespace hitos::window {
 namespace {
 
-constexpr std::size_t kLongWord = 9;
+// Pixels round and between the words of the axis.
+constexpr int kGap = 14;
+constexpr int kLeft = 40;
+constexpr int kTop = 4;
+constexpr int kRight = 10;
+constexpr int kBottom = 20;
 constexpr double kRoom = 0.06;  // of the axis, at both ends
 
 QString with_spread(const Spread& spread, int decimals) {
@@ -107,10 +112,18 @@ void StudyPlots::lay_out_axis(const StudyPlan::Axis& axis) {
     x_ = study_abscissa(axis);
     const auto [least, greatest] = std::minmax_element(x_.positions.begin(), x_.positions.end());
     const bool named = !x_.numbers || (x_.logarithmic && x_.positions.size() <= kMostNamed);
-    const bool slanted = named && std::any_of(x_.words.begin(), x_.words.end(),
-                                              [](const auto& w) { return w.size() > kLongWord; });
+    const QFontMetrics metrics(plot_font(font()));
+    int widest = 0;
+    for (const std::string& word : x_.words) {
+        widest = std::max(widest, metrics.horizontalAdvance(QString::fromStdString(word)));
+    }
+    // Words that would not stand beside each other lean; the last one needs room of its own.
+    const auto places = static_cast<int>(x_.words.size());
+    const bool slanted = named && places * (widest + kGap) > plot_->width() - kLeft;
+    const int right = !named ? kRight : std::max(kRight, slanted ? widest : widest / 2);
     for (const Measure* measure : {&error_, &landmarks_}) {
         QCPAxis* bottom = measure->rect->axis(QCPAxis::atBottom);
+        measure->rect->setMinimumMargins(QMargins(kLeft, kTop, right, kBottom));
         bottom->setScaleType(x_.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
         if (named) {
             auto ticker = QSharedPointer<QCPAxisTickerText>::create();
@@ -134,7 +147,7 @@ void StudyPlots::lay_out_axis(const StudyPlan::Axis& axis) {
         for (QCPAxis* each : measure->rect->axes()) each->setTickLabels(true);
     }
     landmarks_.rect->axis(QCPAxis::atBottom)
-        ->setLabel(QString::fromStdString(study_axis_label(axis)));
+        ->setLabel(QString::fromStdString(study_axis_label(axis)).replace("^2", "²"));
 }
 
 void StudyPlots::draw(const Measure& measure, std::optional<Spread> StudyCell::*spread) {
