@@ -3,12 +3,13 @@
 #include "parameter_strings.hpp"
 
 #include <QtGlobal>
+#include <array>
 
 namespace hitos::window {
 namespace {
 
 // QT_TRANSLATE_NOOP gives its text; lupdate reads it.
-constexpr const char* kDescriptions[] = {
+constexpr auto kDescriptions = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameter",
                       "Path of the log to read, plain or gzip; empty where none is chosen."),
     QT_TRANSLATE_NOOP("Parameter", "Format of the log; auto finds it from the first lines."),
@@ -188,7 +189,7 @@ constexpr const char* kDescriptions[] = {
         "Parameter",
         "Number of threads, which changes the time and never the result; 0 uses as many as "
         "the machine has."),
-};
+});
 
 }  // namespace
 

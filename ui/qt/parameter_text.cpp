@@ -172,6 +172,12 @@ QString value_of(const Parameter& parameter, const Configuracion& configuration)
     }
 }
 
+QString value_with_unit(const Parameter& parameter, const Configuracion& configuration) {
+    const QString unit = unit_of(parameter);
+    const QString value = value_of(parameter, configuration);
+    return unit.isEmpty() || value.isEmpty() ? value : value + ' ' + unit;
+}
+
 QString allowed_of(const Parameter& parameter) {
     const QString unit = unit_of(parameter);
     return QCoreApplication::translate("Parameter", "%1 to %2 %3")

@@ -83,10 +83,9 @@ class ElidedLabel final : public QLabel {
 void add_row(QGridLayout* rows, const Parameter& parameter, const Configuracion& configuration) {
     auto* name = new QLabel(label_of(parameter));
     set_role(name, "muted");
-    QString text = value_of(parameter, configuration);
+    QString text = value_with_unit(parameter, configuration);
     if (text.isEmpty()) text = SummaryBar::tr("none");
-    const QString unit = unit_of(parameter);
-    auto* value = new ElidedLabel(unit.isEmpty() ? text : text + ' ' + unit);
+    auto* value = new ElidedLabel(text);
     value->setObjectName("value_" + QString::fromStdString(std::string(parameter.key)));
     value->setTextFormat(Qt::PlainText);
     value->setMinimumWidth(20);

@@ -51,7 +51,7 @@
         <translation>Robot</translation>
     </message>
     <message>
-        <source>Best particle's path</source>
+        <source>Best particle&apos;s path</source>
         <translation>Camino de la mejor partícula</translation>
     </message>
     <message>
@@ -996,7 +996,7 @@
         <translation>Mapa de rejilla solo con odometría (O)</translation>
     </message>
     <message>
-        <source>Save best particle's map</source>
+        <source>Save best particle&apos;s map</source>
         <translation>Guardar mapa mejor partícula</translation>
     </message>
     <message>
@@ -1020,7 +1020,7 @@
         <translation>Teclado</translation>
     </message>
     <message>
-        <source>User's guide</source>
+        <source>User&apos;s guide</source>
         <translation>Guía del usuario</translation>
     </message>
     <message>
@@ -1028,7 +1028,7 @@
         <translation>Sistema del mundo</translation>
     </message>
     <message>
-        <source>Show the scan in the world's frame instead of the robot's</source>
+        <source>Show the scan in the world&apos;s frame instead of the robot&apos;s</source>
         <translation>Mostrar el barrido en el sistema del mundo en vez del robot</translation>
     </message>
     <message>
@@ -1092,7 +1092,7 @@
         <translation>mapa de la mejor partícula, de la odometría</translation>
     </message>
     <message>
-        <source>save the best particle's map</source>
+        <source>save the best particle&apos;s map</source>
         <translation>guardar el mapa de la mejor partícula</translation>
     </message>
     <message>
@@ -1126,6 +1126,18 @@
     <message>
         <source>docs/user-guide.md is not installed.</source>
         <translation>docs/user-guide.md no está instalado.</translation>
+    </message>
+    <message>
+        <source>Study of one parameter…</source>
+        <translation>Estudio de un parámetro…</translation>
+    </message>
+    <message>
+        <source>Run several values of a parameter and compare the maps</source>
+        <translation>Ejecutar varios valores de un parámetro y comparar los mapas</translation>
+    </message>
+    <message>
+        <source>study of one parameter</source>
+        <translation>estudio de un parámetro</translation>
     </message>
 </context>
 <context>
@@ -1235,7 +1247,7 @@
         <translation>Mapa de rejilla basado en odometría</translation>
     </message>
     <message>
-        <source>Save best particle's map</source>
+        <source>Save best particle&apos;s map</source>
         <translation>Guardar mapa mejor partícula</translation>
     </message>
     <message>
@@ -1390,6 +1402,295 @@
     <message>
         <source>Scan %1</source>
         <translation>Barrido %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::StudyDialog</name>
+    <message>
+        <source>Study of one parameter</source>
+        <translation>Estudio de un parámetro</translation>
+    </message>
+    <message>
+        <source>With the other parameters as they are set in the main window.</source>
+        <translation>Con los demás parámetros como están en la ventana principal.</translation>
+    </message>
+    <message>
+        <source>&amp;Parameter</source>
+        <translation>&amp;Parámetro</translation>
+    </message>
+    <message>
+        <source>What is varied: a parameter of the thesis, any other one by its key, or keys joined by +</source>
+        <translation>Lo que se varía: un parámetro de la tesis, cualquier otro por su clave, o claves unidas por +</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Valores</translation>
+    </message>
+    <message>
+        <source>0.01, 0.02 or 0.01:0.05:0.01</source>
+        <translation>0.01, 0.02 o 0.01:0.05:0.01</translation>
+    </message>
+    <message>
+        <source>Values with commas between them, and ranges from:to:step</source>
+        <translation>Valores separados por comas y rangos desde:hasta:paso</translation>
+    </message>
+    <message>
+        <source>&amp;Runs per value</source>
+        <translation>&amp;Ejecuciones/valor</translation>
+    </message>
+    <message>
+        <source>Each with a seed of its own, one after the other</source>
+        <translation>Cada una con su propia semilla, una tras otra</translation>
+    </message>
+    <message>
+        <source>First &amp;seed</source>
+        <translation>Primera &amp;semilla</translation>
+    </message>
+    <message>
+        <source>Odometry &amp;noise</source>
+        <translation>R&amp;uido odométrico</translation>
+    </message>
+    <message>
+        <source>Every run gets noise of its own on its odometry, drawn with its seed; the thesis uses 0.1</source>
+        <translation>Cada ejecución recibe su propio ruido en la odometría, sorteado con su semilla; la tesis usa 0.1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>How level and speed give the noise</source>
+        <translation>Cómo dan el ruido el nivel y la velocidad</translation>
+    </message>
+    <message>
+        <source>&amp;Threads</source>
+        <translation>&amp;Hilos</translation>
+    </message>
+    <message>
+        <source>Runs at a time; the results do not depend on it</source>
+        <translation>Ejecuciones a la vez; los resultados no dependen de ello</translation>
+    </message>
+    <message>
+        <source>Reference &amp;map</source>
+        <translation>&amp;Mapa de referencia</translation>
+    </message>
+    <message>
+        <source>The true landmarks, to measure every map against</source>
+        <translation>Los hitos verdaderos, con los que se mide cada mapa</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Examinar…</translation>
+    </message>
+    <message>
+        <source>Results &amp;folder</source>
+        <translation>&amp;Carpeta</translation>
+    </message>
+    <message>
+        <source>Tables, plots and the map of every run are written here; a study that was stopped goes on from it</source>
+        <translation>Aquí se escriben tablas, gráficas y el mapa de cada ejecución; un estudio detenido continúa a partir de ella</translation>
+    </message>
+    <message>
+        <source>Save plot…</source>
+        <translation>Guardar gráfica…</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Abrir carpeta</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Comenzar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Deteniendo…</translation>
+    </message>
+    <message>
+        <source>Every value is run several times and every map is measured against the reference, exactly as hitos-cli study does it.</source>
+        <translation>Cada valor se ejecuta varias veces y cada mapa se mide con la referencia, exactamente como lo hace hitos-cli study.</translation>
+    </message>
+    <message>
+        <source>The folder holds a study</source>
+        <translation>La carpeta contiene un estudio</translation>
+    </message>
+    <message>
+        <source>Write into %1?</source>
+        <translation>¿Escribir en %1?</translation>
+    </message>
+    <message>
+        <source>Runs that are the same are kept and not done again; tables and plots are written anew.</source>
+        <translation>Las ejecuciones iguales se conservan y no se repiten; tablas y gráficas se escriben de nuevo.</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Escribir</translation>
+    </message>
+    <message>
+        <source>Nothing starts until all fields are possible.</source>
+        <translation>Nada comienza hasta que todos los campos sean posibles.</translation>
+    </message>
+    <message>
+        <source>Reading the log…</source>
+        <translation>Leyendo el registro…</translation>
+    </message>
+    <message>
+        <source>Run %1 of %2: %3</source>
+        <translation>Ejecución %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>done before: %1</source>
+        <translation>hechas antes: %1</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>fallidas: %1</translation>
+    </message>
+    <message>
+        <source>Stopped; runs done: %1 of %2. Start goes on where it was.</source>
+        <translation>Detenido; ejecuciones hechas: %1 de %2. Comenzar continúa donde estaba.</translation>
+    </message>
+    <message>
+        <source>Runs done: %1 of %2, in %3 s. Results: %4</source>
+        <translation>Ejecuciones hechas: %1 de %2, en %3 s. Resultados: %4</translation>
+    </message>
+    <message>
+        <source>Runs failed: %1; the first: %2</source>
+        <translation>Ejecuciones fallidas: %1; la primera: %2</translation>
+    </message>
+    <message>
+        <source>No picture files of the plots: %1</source>
+        <translation>Sin imágenes de las gráficas: %1</translation>
+    </message>
+    <message>
+        <source>A study is under way</source>
+        <translation>Hay un estudio en marcha</translation>
+    </message>
+    <message>
+        <source>Stop the study?</source>
+        <translation>¿Detener el estudio?</translation>
+    </message>
+    <message>
+        <source>Runs that are done stay in its folder; started again, it goes on from there.</source>
+        <translation>Las ejecuciones hechas quedan en su carpeta; al comenzar de nuevo, continúa a partir de ellas.</translation>
+    </message>
+    <message>
+        <source>Stop the study</source>
+        <translation>Detener el estudio</translation>
+    </message>
+    <message>
+        <source>Save plot</source>
+        <translation>Guardar gráfica</translation>
+    </message>
+    <message>
+        <source>Plots (*.png *.jpg *.jpeg *.pdf)</source>
+        <translation>Gráficas (*.png *.jpg *.jpeg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Plot saved: %1</source>
+        <translation>Gráfica guardada: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::StudyForm</name>
+    <message>
+        <source>σ = level · speed</source>
+        <translation>σ = nivel · veloc.</translation>
+    </message>
+    <message>
+        <source>σ² = level · speed</source>
+        <translation>σ² = nivel · veloc.</translation>
+    </message>
+    <message>
+        <source>all (%1)</source>
+        <translation>todos (%1)</translation>
+    </message>
+    <message>
+        <source>%1 Allowed: %2. Now: %3.</source>
+        <translation>%1 Permitido: %2. Ahora: %3.</translation>
+    </message>
+    <message>
+        <source>Join the parts of a value by “/”.</source>
+        <translation>Una las partes de un valor con «/».</translation>
+    </message>
+    <message>
+        <source>A name from the list, or keys joined by “+”.</source>
+        <translation>Un nombre de la lista, o claves unidas por «+».</translation>
+    </message>
+    <message>
+        <source>Values with commas between them, or a range from:to:step.</source>
+        <translation>Valores separados por comas, o un rango desde:hasta:paso.</translation>
+    </message>
+    <message>
+        <source>Values: %1. Runs in all: %2.</source>
+        <translation>Valores: %1. Ejecuciones en total: %2.</translation>
+    </message>
+    <message>
+        <source>Reference map</source>
+        <translation>Mapa de referencia</translation>
+    </message>
+    <message>
+        <source>Maps (*.map *.txt);;All files (*)</source>
+        <translation>Mapas (*.map *.txt);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Results folder</source>
+        <translation>Carpeta de resultados</translation>
+    </message>
+    <message>
+        <source>Write at least one value.</source>
+        <translation>Escriba al menos un valor.</translation>
+    </message>
+    <message>
+        <source>Expected a whole number, 0 or more.</source>
+        <translation>Se espera un número entero, 0 o mayor.</translation>
+    </message>
+    <message>
+        <source>Choose the map to measure the error against.</source>
+        <translation>Elija el mapa con el que medir el error.</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the results.</source>
+        <translation>Elija una carpeta para los resultados.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::StudyPlots</name>
+    <message>
+        <source>Map error [m]: every run, mean and standard deviation</source>
+        <translation>Error del mapa [m]: cada ejecución, media y desviación típica</translation>
+    </message>
+    <message>
+        <source>Landmarks: every run, mean and standard deviation</source>
+        <translation>Hitos: cada ejecución, media y desviación típica</translation>
+    </message>
+    <message>
+        <source>Landmarks: every run, mean and standard deviation; dashed: %1 in the reference</source>
+        <translation>Hitos: cada ejecución, media y desviación típica; a trazos: %1 en la referencia</translation>
+    </message>
+    <message>
+        <source>Runs: %1</source>
+        <translation>Ejecuciones: %1</translation>
+    </message>
+    <message>
+        <source>Map error: %1 m</source>
+        <translation>Error del mapa: %1 m</translation>
+    </message>
+    <message>
+        <source>Landmarks: %1</source>
+        <translation>Hitos: %1</translation>
+    </message>
+    <message>
+        <source>Save as image…</source>
+        <translation>Guardar como imagen…</translation>
     </message>
 </context>
 <context>
