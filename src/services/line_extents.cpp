@@ -6,8 +6,8 @@
 namespace hitos {
 namespace {
 
-constexpr double kGreatestAngle = 0.15;    // rad
-constexpr double kGreatestDistance = 0.4;  // m
+constexpr double kGreatestSine = 0.1494381324735992;  // of 0.15 rad
+constexpr double kGreatestDistance = 0.4;             // m
 constexpr std::uint64_t kFewestPoints = 10;
 
 /// A line of the map, ready for many distances.
@@ -21,8 +21,7 @@ struct Line {
     double along(const Point2& point) const { return c * point.y - s * point.x; }
     Point2 at(double t) const { return {rho * c - t * s, rho * s + t * c}; }
     bool has_direction(const Point2& direction, double length) const {
-        static const double kSine = std::sin(kGreatestAngle);
-        return std::abs(c * direction.x + s * direction.y) <= kSine * length;
+        return std::abs(c * direction.x + s * direction.y) <= kGreatestSine * length;
     }
 };
 
