@@ -94,8 +94,8 @@ MeasuredDistance measure(const LandmarkMap& map, const NamedDistance& distance) 
         measured.missing = "one line is nearest to both points";
         return measured;
     }
-    const Recta& line_a = std::get<Recta>(map[static_cast<std::size_t>(measured.line_a)].value);
-    const Recta& line_b = std::get<Recta>(map[static_cast<std::size_t>(measured.line_b)].value);
+    const auto& line_a = std::get<Recta>(map[static_cast<std::size_t>(measured.line_a)].value);
+    const auto& line_b = std::get<Recta>(map[static_cast<std::size_t>(measured.line_b)].value);
     measured.slam_m = (away(line_b, projected(line_a, distance.a)) +
                        away(line_a, projected(line_b, distance.b))) /
                       2.0;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace hitos {
 namespace {
 
-constexpr double kGreatestAngle = 0.15;    // rad
-constexpr double kGreatestDistance = 0.4;  // m
+constexpr double kGreatestSine = 0.1494381324735992;  // of 0.15 rad
+constexpr double kGreatestDistance = 0.4;             // m
+constexpr double kSameEnd = 0.3;                      // m
 constexpr std::uint64_t kFewestPoints = 10;
 
 /// A line of the map, ready for many distances.
@@ -21,8 +24,7 @@ struct Line {
     double along(const Point2& point) const { return c * point.y - s * point.x; }
     Point2 at(double t) const { return {rho * c - t * s, rho * s + t * c}; }
     bool has_direction(const Point2& direction, double length) const {
-        static const double kSine = std::sin(kGreatestAngle);
-        return std::abs(c * direction.x + s * direction.y) <= kSine * length;
+        return std::abs(c * direction.x + s * direction.y) <= kGreatestSine * length;
     }
 };
 
@@ -44,24 +46,53 @@ std::vector<Line> lines_of(const LandmarkMap& map) {
     return lines;
 }
 
+/// Where parts end that see the same end. Poses scatter, so that the outermost of many ends lies
+/// beyond it by the greatest of their errors; others stop short of it, where something hides the
+/// rest. Two thirds of the way out both cancel best in the simulated worlds. `ends` grow outwards;
+/// not empty.
+double common_end(std::vector<double> ends) {
+    const double outermost = *std::ranges::max_element(ends);
+    std::erase_if(ends, [&](double end) { return end < outermost - kSameEnd; });
+    const auto middle = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() * 2 / 3);
+    std::ranges::nth_element(ends, middle);
+    return *middle;
+}
+
+/// The part that all of them make together, which are less than the opening apart.
+Interval together(std::span<const Interval> parts) {
+    std::vector<double> from;
+    std::vector<double> to;
+    Interval whole;
+    for (const Interval& part : parts) {
+        from.push_back(-part.from);
+        to.push_back(part.to);
+        whole.points += part.points;
+    }
+    whole.from = -common_end(std::move(from));
+    whole.to = common_end(std::move(to));
+    return whole;
+}
+
 /// Joins what overlaps or is less than the opening apart, then leaves out what has few points.
 std::vector<Interval> joined(std::vector<Interval> parts) {
+    std::vector<Interval> whole;
+    if (parts.empty()) return whole;
     std::ranges::sort(parts, {},
                       [](const Interval& part) { return std::pair(part.from, part.to); });
-    std::vector<Interval> whole;
-    for (const Interval& part : parts) {
-        if (whole.empty() || part.from > whole.back().to + LineExtents::kOpening) {
-            whole.push_back(part);
+    std::size_t first = 0;
+    double reach = parts.front().to;
+    for (std::size_t i = 1; i <= parts.size(); ++i) {
+        if (i < parts.size() && parts[i].from <= reach + LineExtents::kOpening) {
+            reach = std::max(reach, parts[i].to);
             continue;
         }
-        whole.back().to = std::max(whole.back().to, part.to);
-        whole.back().points += part.points;
+        whole.push_back(together({&parts[first], i - first}));
+        if (i == parts.size()) break;
+        first = i;
+        reach = parts[i].to;
     }
-    if (whole.empty()) return whole;
-    Interval hull{whole.front().from, whole.back().to, 0};
-    for (const Interval& part : whole) hull.points += part.points;
     std::erase_if(whole, [](const Interval& part) { return part.points < kFewestPoints; });
-    if (whole.empty()) whole.push_back(hull);
+    if (whole.empty()) whole.push_back(together(parts));
     return whole;
 }
 

@@ -156,6 +156,12 @@ RunSummary write_results(const SlamRun& run, const References& references, doubl
     write_grid(build_grid(run.configuration(), run.fuente(), best), best, folder / "grid_best");
     write_grid(build_grid(run.configuration(), run.fuente(), run.odometry_trajectory()),
                run.odometry_trajectory(), folder / "grid_odometry");
+    // What an earlier run left would not belong to this map.
+    for (const char* name : {"distances.csv", "paths.png", "paths.gp", "uncertainty.csv",
+                             "uncertainty.png", "uncertainty.dat", "uncertainty.gp"}) {
+        std::error_code ignored;
+        std::filesystem::remove(folder / name, ignored);
+    }
     if (!summary.distances.empty()) {
         write_file(folder / "distances.csv", distances_csv(summary.distances));
     }

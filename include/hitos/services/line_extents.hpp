@@ -34,9 +34,11 @@ class LineExtents {
     /// The segments of the lines of a map, by landmark and along each line. `path` holds the pose
     /// at every scan noted. A stretch of points belongs to the line nearest to it, within 0.4 m and
     /// 0.15 rad, or to none. The stretches of one line that overlap or are less than kOpening apart
-    /// are one segment, from the outermost point to the outermost. One of fewer than 10 points is
-    /// left out, unless its line has no other: then the line gets one segment from its first point
-    /// to its last. A line on which no point was noted gets none.
+    /// are one segment. It ends where its outermost stretches do: at the projection of an end point
+    /// with two thirds of the ends within 0.3 m of the outermost one inside it, since the path's
+    /// errors scatter them. A segment of fewer than 10 points is left out, unless its line has no
+    /// other: then the line gets one over all its points. A line on which no point was noted gets
+    /// none.
     std::vector<LineExtent> of(const LandmarkMap& map, const Trajectory& path) const;
 
     void clear();
