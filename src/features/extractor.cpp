@@ -1,12 +1,15 @@
 #include "hitos/features/extractor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "extractors.hpp"
 #include "hitos/capture/error.hpp"
+#include "hitos/features/line_fit.hpp"
+#include "ransac_lines.hpp"
 #include "split_and_merge.hpp"
 
 namespace hitos {
@@ -24,9 +27,9 @@ std::optional<Point2> intersection(const Recta& a, const Recta& b) {
 double distance_to_support(const Observation& observation, const DetectedLine& line,
                            const Point2& point) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
-        const double dx = observation.support[i].x - point.x;
-        const double dy = observation.support[i].y - point.y;
+    for (const Point2& p : observation.support_of(line)) {
+        const double dx = p.x - point.x;
+        const double dy = p.y - point.y;
         nearest = std::min(nearest, dx * dx + dy * dy);
     }
     return std::sqrt(nearest);
@@ -36,52 +39,83 @@ void require(bool allowed, const char* key, const char* expected) {
     if (!allowed) throw ConfigError(key, std::string("expected ") + expected);
 }
 
-std::unique_ptr<MetodoExtraccionRectas> make_method(const ExtractionParams& params) {
+std::unique_ptr<MetodoExtraccionRectas> make_method(const ExtractionParams& params,
+                                                    std::uint64_t seed) {
     const SplitMergeParams& p = params.split_merge;
     require(p.dmax_m > 0.0, "split_merge.dmax", "a distance above 0 m");
     require(p.min_length_m >= 0.0, "split_merge.min_length", "a length of 0 m or more");
     require(p.min_points >= 2, "split_merge.min_points", "2 points or more");
     require(p.gap_m >= 0.0 && p.gap_per_range >= 0.0, "split_merge.gap", "0 or more");
-    return std::make_unique<SplitAndMerge>(p);
+    if (params.method == LineMethod::split_merge) return std::make_unique<SplitAndMerge>(p);
+    const RansacParams& r = params.ransac;
+    require(r.threshold_m > 0.0, "ransac.threshold", "a distance above 0 m");
+    require(r.iterations >= 1, "ransac.iterations", "1 or more");
+    require(r.edge_m >= 0.0 && r.edge_per_range >= 0.0, "ransac.edge", "0 or more");
+    return std::make_unique<RansacLines>(p, r, seed);
 }
 
 }  // namespace
 
-void find_corners(const Observation& lines, double corner_distance_m, std::vector<Esquina>& out) {
-    for (std::size_t i = 0; i < lines.lines.size(); ++i) {
-        for (std::size_t j = i + 1; j < lines.lines.size(); ++j) {
-            const auto meeting = intersection(lines.lines[i].recta, lines.lines[j].recta);
-            if (!meeting) continue;
-            if (distance_to_support(lines, lines.lines[i], *meeting) <= corner_distance_m &&
-                distance_to_support(lines, lines.lines[j], *meeting) <= corner_distance_m) {
-                out.push_back({meeting->x, meeting->y});
+void find_corners(Observation& seen, double corner_distance_m) {
+    for (std::size_t i = 0; i < seen.lines.size(); ++i) {
+        for (std::size_t j = i + 1; j < seen.lines.size(); ++j) {
+            const DetectedLine& a = seen.lines[i];
+            const DetectedLine& b = seen.lines[j];
+            const auto meeting = intersection(a.recta, b.recta);
+            if (!meeting || distance_to_support(seen, a, *meeting) > corner_distance_m ||
+                distance_to_support(seen, b, *meeting) > corner_distance_m) {
+                continue;
             }
+            seen.corners.push_back({meeting->x, meeting->y});
+            if (seen.line_covariances.empty()) continue;
+            seen.corner_covariances.push_back(intersection_covariance(
+                a.recta, seen.line_covariances[i], b.recta, seen.line_covariances[j], *meeting));
         }
     }
 }
 
-void ExRectas::extract(const Scan& scan, Observation& out) {
-    out.clear();
-    out.time_s = scan.time_s;
-    method_->extract_lines(scan, out);
+LineFinder::LineFinder(const ExtractionParams& params, std::uint64_t seed)
+    : method_(make_method(params, seed)),
+      covariance_(params.covariance),
+      point_sigma_m_(params.point_sigma_m),
+      through_ends_(params.method == LineMethod::split_merge &&
+                    params.split_merge.fit == LineFit::endpoints) {
+    require(covariance_ == ObservationCovariance::fixed || point_sigma_m_ > 0.0,
+            "observation.point_sigma", "a standard deviation above 0 m");
 }
 
-void ExPuntos::extract(const Scan& scan, Observation& out) {
+void LineFinder::find(const Scan& scan, Observation& out) {
     out.clear();
     out.time_s = scan.time_s;
     method_->extract_lines(scan, out);
-    find_corners(out, corner_distance_m_, out.corners);
-    if (!keep_lines_) {
-        out.lines.clear();
-        out.support.clear();
+    if (covariance_ == ObservationCovariance::fixed) return;
+    const Point2 laser{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
+    for (const DetectedLine& line : out.lines) {
+        const std::span<const Point2> support = out.support_of(line);
+        const std::array ends{support.front(), support.back()};
+        const std::span<const Point2> fitted = through_ends_ ? std::span(ends) : support;
+        out.line_covariances.push_back(line_covariance(line.recta, fitted, point_sigma_m_, laser));
     }
 }
 
-std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params) {
+void ExRectas::extract(const Scan& scan, Observation& out) {
+    lines_.find(scan, out);
+}
+
+void ExPuntos::extract(const Scan& scan, Observation& out) {
+    lines_.find(scan, out);
+    find_corners(out, corner_distance_m_);
+    if (keep_lines_) return;
+    out.lines.clear();
+    out.line_covariances.clear();
+    out.support.clear();
+}
+
+std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params, std::uint64_t seed) {
     require(params.corner_distance_m >= 0.0, "features.corner_distance", "0 m or more");
-    auto method = make_method(params);
-    if (params.detect == Detection::lines) return std::make_unique<ExRectas>(std::move(method));
-    return std::make_unique<ExPuntos>(std::move(method), params.corner_distance_m,
+    LineFinder lines(params, seed);
+    if (params.detect == Detection::lines) return std::make_unique<ExRectas>(std::move(lines));
+    return std::make_unique<ExPuntos>(std::move(lines), params.corner_distance_m,
                                       params.detect == Detection::both);
 }
 

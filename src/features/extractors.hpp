@@ -2,39 +2,52 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "hitos/features/extractor.hpp"
 
 namespace hitos {
 
 /// Appends the corners of the detected lines: the intersections of two lines that lie within
-/// `corner_distance_m` of a supporting point of both [T table 4.2].
-void find_corners(const Observation& lines, double corner_distance_m, std::vector<Esquina>& out);
+/// `corner_distance_m` of a supporting point of both [T table 4.2]; with their covariances where
+/// the lines have theirs.
+void find_corners(Observation& seen, double corner_distance_m);
+
+/// Finds lines by the method that the parameters name and says, where they ask for it, how sure
+/// each of them is.
+class LineFinder {
+  public:
+    LineFinder(const ExtractionParams& params, std::uint64_t seed);
+    /// Replaces the content of `out`.
+    void find(const Scan& scan, Observation& out);
+
+  private:
+    std::unique_ptr<MetodoExtraccionRectas> method_;
+    ObservationCovariance covariance_;
+    double point_sigma_m_;
+    bool through_ends_;  ///< lines are fitted to their end points alone
+};
 
 /// Lines only.
 class ExRectas final : public Extractor {
   public:
-    explicit ExRectas(std::unique_ptr<MetodoExtraccionRectas> method)
-        : method_(std::move(method)) {}
+    explicit ExRectas(LineFinder lines) : lines_(std::move(lines)) {}
     void extract(const Scan& scan, Observation& out) override;
 
   private:
-    std::unique_ptr<MetodoExtraccionRectas> method_;
+    LineFinder lines_;
 };
 
 /// Corners, and the lines that make them where `keep_lines` is set.
 class ExPuntos final : public Extractor {
   public:
-    ExPuntos(std::unique_ptr<MetodoExtraccionRectas> method, double corner_distance_m,
-             bool keep_lines)
-        : method_(std::move(method)),
+    ExPuntos(LineFinder lines, double corner_distance_m, bool keep_lines)
+        : lines_(std::move(lines)),
           corner_distance_m_(corner_distance_m),
           keep_lines_(keep_lines) {}
     void extract(const Scan& scan, Observation& out) override;
 
   private:
-    std::unique_ptr<MetodoExtraccionRectas> method_;
+    LineFinder lines_;
     double corner_distance_m_;
     bool keep_lines_;
 };

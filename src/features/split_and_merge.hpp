@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hitos/features/extractor.hpp"
+#include "collinear_merge.hpp"
 
 namespace hitos {
 
@@ -15,23 +15,12 @@ class SplitAndMerge final : public MetodoExtraccionRectas {
     void extract_lines(const Scan& scan, Observation& out) override;
 
   private:
-    /// Points [first, last] of the scan lie on one line.
-    struct Piece {
-        std::uint32_t first;
-        std::uint32_t last;
-        Recta recta;
-        bool merged;  ///< taken up by an earlier piece
-    };
-
     bool gap_between(const Point2& a, const Point2& b) const;
     void split(const Scan& scan, std::uint32_t first, std::uint32_t last);
-    bool collinear(const Scan& scan, const Recta& recta, const Piece& last_piece,
-                   const Piece& candidate) const;
-    Recta fit(const Point2* points, std::size_t count) const;
 
     SplitMergeParams params_;
     // Working memory, kept between scans.
-    std::vector<Piece> pieces_;
+    std::vector<LinePiece> pieces_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pending_;
 };
 

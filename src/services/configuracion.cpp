@@ -209,6 +209,14 @@ void check(const Configuracion& configuration) {
                           "no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta "
                           "all 0 can never move; give at least one of them a value above 0");
     }
+    const AssociationParams& association = configuration.filter.association;
+    if (configuration.filter.algorithm == SlamAlgorithm::ekf_slam &&
+        association.new_probability < association.gate_probability) {
+        throw ConfigError("association.new_probability",
+                          fmt::format("{} is less than association.gate_probability {}; an "
+                                      "observation inside that gate cannot be new",
+                                      association.new_probability, association.gate_probability));
+    }
     const GridParams& grid = configuration.grid;
     if (grid.log_odds_hit == 0.0 && grid.log_odds_miss == 0.0) {
         throw ConfigError("grid.hit",

@@ -8,7 +8,7 @@ namespace {
 
 using Group = ParameterGroup;
 using Config = Configuracion;
-using Filter = FastSlamParams;
+using Filter = FilterParams;
 
 /// Follows pointers to members from the configuration down to one of its values.
 template <auto... Members>
@@ -99,6 +99,10 @@ void add_source(Table& table) {
 }
 
 void add_particle_filter(Table& table) {
+    table.push_back(choice<&Config::filter, &Filter::algorithm>(
+        "filter.algorithm", Group::particle_filter, {"fastslam", "ekf-slam"},
+        "What builds the map: fastslam, particles with one small filter per landmark; ekf-slam, "
+        "one extended Kalman filter over the pose and all landmarks."));
     table.push_back(integer<&Config::filter, &Filter::particles>(
         "filter.particles", Group::particle_filter, 1.0, 1e6,
         "Number of particles M; more of them follow more hypotheses, and time and memory grow in "
@@ -115,6 +119,12 @@ void add_particle_filter(Table& table) {
             "association.gate_probability", Group::particle_filter, "", 0.5, 0.999999,
             "Probability of the chi-square gate of gnn; a higher value accepts observations that "
             "lie further from their landmark."));
+    table.push_back(
+        real<&Config::filter, &Filter::association, &AssociationParams::new_probability>(
+            "association.new_probability", Group::particle_filter, "", 0.5, 0.999999999999,
+            "ekf-slam, which always associates by gnn: probability of the chi-square gate outside "
+            "which an observation is a new landmark, and between the two gates nothing; a higher "
+            "value makes fewer new landmarks."));
     table.push_back(choice<&Config::filter, &Filter::association, &AssociationParams::ambiguity>(
         "association.ambiguity", Group::particle_filter,
         {"keep-likelihood", "neutral", "new-landmark", "off"},
@@ -173,9 +183,22 @@ void add_observation(Table& table) {
         "observation.var_theta", Group::observation, "rad^2", 1e-12, 10.0,
         "Variance sigma^2 of the observed theta of a line or bearing of a corner; a higher value "
         "trusts the laser less and accepts greater differences from a landmark."));
+    table.push_back(choice<&Config::extraction, &ExtractionParams::covariance>(
+        "observation.covariance", Group::observation, {"fixed", "points"},
+        "How sure an observation is: fixed takes var_rho and var_theta for all; points computes "
+        "the covariance of each line and corner from the points that support it."));
+    table.push_back(real<&Config::extraction, &ExtractionParams::point_sigma_m>(
+        "observation.point_sigma", Group::observation, "m", 1e-6, 10.0,
+        "Standard deviation of a measured range, for the covariance points; a higher value trusts "
+        "the laser less."));
 }
 
 void add_features(Table& table) {
+    table.push_back(choice<&Config::extraction, &ExtractionParams::method>(
+        "features.method", Group::split_merge, {"split-merge", "ransac"},
+        "How lines are found: split-merge divides runs of points at the farthest one; ransac cuts "
+        "the scan at edges and takes the lines that most points agree with, fitted by least "
+        "squares. Both use min_length, min_points and collinear_* of split_merge."));
     table.push_back(choice<&Config::extraction, &ExtractionParams::detect>(
         "features.detect", Group::split_merge, {"lines", "corners", "both"},
         "What is looked for in a scan: lines, corners where two lines meet, or both."));
@@ -203,21 +226,21 @@ void add_split_merge(Table& table) {
         "split_merge.fit", Group::split_merge, {"endpoints", "least-squares"},
         "How an accepted line is fitted: through its first and last point, or by total least "
         "squares over all its points."));
-    table.push_back(
-        real<&Config::extraction, &Extraction::split_merge, &SplitMergeParams::collinear_rho_m>(
-            "split_merge.collinear_rho", Group::split_merge, "m", 0.0, 10.0,
-            "Lines whose rho differs by less than this are merged if their theta is near too; a "
-            "higher value merges more."));
-    table.push_back(
-        real<&Config::extraction, &Extraction::split_merge, &SplitMergeParams::collinear_theta_rad>(
-            "split_merge.collinear_theta", Group::split_merge, "rad", 0.0, kPi / 2.0,
-            "Lines whose theta differs by less than this are merged if their rho is near too; a "
-            "higher value merges more."));
-    table.push_back(
-        real<&Config::extraction, &Extraction::split_merge, &SplitMergeParams::collinear_gap_m>(
-            "split_merge.collinear_gap", Group::split_merge, "m", 0.0, 1000.0,
-            "Lines are merged only where they are less than this apart, so a higher value merges "
-            "more; 0 merges over any distance."));
+    table.push_back(real<&Config::extraction, &Extraction::split_merge,
+                         &SplitMergeParams::collinear, &CollinearParams::rho_m>(
+        "split_merge.collinear_rho", Group::split_merge, "m", 0.0, 10.0,
+        "Lines whose rho differs by less than this are merged if their theta is near too; a "
+        "higher value merges more."));
+    table.push_back(real<&Config::extraction, &Extraction::split_merge,
+                         &SplitMergeParams::collinear, &CollinearParams::theta_rad>(
+        "split_merge.collinear_theta", Group::split_merge, "rad", 0.0, kPi / 2.0,
+        "Lines whose theta differs by less than this are merged if their rho is near too; a "
+        "higher value merges more."));
+    table.push_back(real<&Config::extraction, &Extraction::split_merge,
+                         &SplitMergeParams::collinear, &CollinearParams::gap_m>(
+        "split_merge.collinear_gap", Group::split_merge, "m", 0.0, 1000.0,
+        "Lines are merged only where they are less than this apart, so a higher value merges "
+        "more; 0 merges over any distance."));
     table.push_back(real<&Config::extraction, &Extraction::split_merge, &SplitMergeParams::gap_m>(
         "split_merge.gap", Group::split_merge, "m", 0.0, 100.0,
         "Neighbouring points further apart than gap + gap_per_range * range never share a line, so "
@@ -227,6 +250,26 @@ void add_split_merge(Table& table) {
             "split_merge.gap_per_range", Group::split_merge, "m/m", 0.0, 1.0,
             "How much the gap allowed between neighbours grows with their range; a higher value "
             "lets far lines cross wider gaps."));
+}
+
+void add_ransac(Table& table) {
+    using Extraction = ExtractionParams;
+    table.push_back(real<&Config::extraction, &Extraction::ransac, &RansacParams::edge_m>(
+        "ransac.edge", Group::split_merge, "m", 0.0, 100.0,
+        "Ranges of neighbours that differ by more than edge + edge_per_range * range end a run; a "
+        "higher value makes longer runs."));
+    table.push_back(real<&Config::extraction, &Extraction::ransac, &RansacParams::edge_per_range>(
+        "ransac.edge_per_range", Group::split_merge, "m/m", 0.0, 10.0,
+        "How much the difference allowed between neighbours grows with their range; a higher value "
+        "lets walls run on that are seen at a flat angle."));
+    table.push_back(real<&Config::extraction, &Extraction::ransac, &RansacParams::threshold_m>(
+        "ransac.threshold", Group::split_merge, "m", 1e-6, 10.0,
+        "Greatest distance of a point that agrees with a line; a higher value makes fewer and "
+        "rougher lines."));
+    table.push_back(integer<&Config::extraction, &Extraction::ransac, &RansacParams::iterations>(
+        "ransac.iterations", Group::split_merge, 1.0, 1e6,
+        "Most hypotheses tried for one line; a higher value finds lines among more stray points "
+        "and takes longer."));
 }
 
 void add_resampling(Table& table) {
@@ -282,6 +325,7 @@ std::vector<Parameter> make_parameter_table() {
     add_observation(table);
     add_features(table);
     add_split_merge(table);
+    add_ransac(table);
     add_resampling(table);
     add_grid(table);
     add_run(table);

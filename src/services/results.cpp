@@ -74,6 +74,7 @@ RunSummary summarize(const SlamRun& run, const References& references) {
     summary.format = run.fuente().format();
     summary.scans = run.steps();
     summary.duration_s = run.duration_s();
+    summary.algorithm = find_parameter("filter.algorithm").text(run.configuration());
     summary.particles = run.configuration().filter.particles;
     summary.seed = run.configuration().run.seed;
     summary.lines = run.filter().best_lines();
@@ -103,6 +104,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
         {"source", summary.source},
         {"format", to_string(summary.format)},
         {"seed", summary.seed},
+        {"algorithm", summary.algorithm},
         {"particles", summary.particles},
         {"scans", summary.scans},
         {"duration_s", summary.duration_s},

@@ -21,9 +21,9 @@ SlamRun& SlamRun::operator=(SlamRun&&) noexcept = default;
 
 void SlamRun::assemble(std::unique_ptr<Fuente> fuente) {
     auto procesador = std::make_unique<Procesador>(std::move(fuente), configuration_.source.read);
-    extractor_ = make_extractor(configuration_.extraction);
+    extractor_ = make_extractor(configuration_.extraction, configuration_.run.seed);
     filter_ =
-        make_fastslam(configuration_.filter, configuration_.run.seed, configuration_.run.threads);
+        make_filter(configuration_.filter, configuration_.run.seed, configuration_.run.threads);
     controls_ = std::make_unique<ControlTrack>(
         [reader = procesador.get()] { return reader->next_odometry(); });
     procesador_ = std::move(procesador);

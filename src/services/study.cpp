@@ -8,6 +8,7 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "hitos/capture/atomic_file.hpp"
@@ -66,6 +67,8 @@ class Crew {
           outcomes_(outcomes),
           tasks_(std::move(tasks)),
           observer_(options.observer),
+          listener_(options.listener),
+          stop_(options.stop),
           parts_(tasks_.size(), 0.0) {
         progress_.runs = tasks_.size();
         for (const StudyOutcome& outcome : outcomes) progress_.reused += outcome.reused;
@@ -87,7 +90,7 @@ class Crew {
     void work_on() {
         try {
             for (std::size_t place = next_++; place < tasks_.size(); place = next_++) {
-                if (stopped_) return;
+                if (stopped_ || stop_.stop_requested()) return;
                 do_task(place);
             }
         } catch (...) {
@@ -105,7 +108,9 @@ class Crew {
         const auto start = std::chrono::steady_clock::now();
         StudyRecord record;
         try {
-            record = compute(place);
+            std::optional<StudyRecord> computed = compute(place);
+            if (!computed) return;
+            record = *std::move(computed);
         } catch (const Error& error) {
             record.problem = error.what();
         } catch (const std::exception& error) {
@@ -123,7 +128,8 @@ class Crew {
         tell(place, 1.0, &record);
     }
 
-    StudyRecord compute(std::size_t place) {
+    /// Nothing where the study was stopped before the run's end.
+    std::optional<StudyRecord> compute(std::size_t place) {
         const auto [s, number] = tasks_[place];
         const Study& study = studies_[s];
         const StudyPlan& plan = outcomes_[s].plan;
@@ -131,6 +137,7 @@ class Crew {
         SlamRun run(job.configuration, open(study, job), {.step_grid = false});
         constexpr std::uint64_t kTellEvery = 64;
         while (run.step()) {
+            if (stop_.stop_requested()) return std::nullopt;
             if (run.steps() % kTellEvery == 0) {
                 tell(place, run.fuente().progress().value_or(0.0), nullptr);
             }
@@ -169,6 +176,7 @@ class Crew {
                 ++outcomes_[s].failed;
                 progress_.failure = outcomes_[s].plan.label(run) + ": " + record->problem;
             }
+            if (listener_) listener_(outcomes_[s].plan, run, *record);
         }
         if (!observer_) return;
         progress_.running = outcomes_[s].plan.label(run);
@@ -183,6 +191,8 @@ class Crew {
     std::span<StudyOutcome> outcomes_;
     std::vector<Task> tasks_;
     StudyObserver observer_;
+    StudyListener listener_;
+    std::stop_token stop_;
     std::atomic<std::size_t> next_ = 0;
     std::atomic<bool> stopped_ = false;
 
@@ -239,12 +249,20 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
             if (record && record->ok) {
                 outcome.records[run] = *record;
                 ++outcome.reused;
+                if (options.listener) options.listener(outcome.plan, run, *record);
             } else {
                 tasks.push_back({s, run});
             }
         }
     }
+    const std::size_t to_do = tasks.size();
     Crew(studies, outcomes, std::move(tasks), options).work(options.threads);
+    std::size_t done = 0;
+    for (const StudyOutcome& outcome : outcomes) done += outcome.computed;
+    if (done < to_do) {
+        for (StudyOutcome& outcome : outcomes) outcome.stopped = true;
+        return outcomes;
+    }
     if (options.tables && options.shard.whole()) {
         for (std::size_t s = 0; s < studies.size(); ++s) {
             outcomes[s].plot_problem =

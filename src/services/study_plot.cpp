@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "hitos/services/gnuplot.hpp"
-#include "text_input.hpp"
+#include "hitos/services/study_abscissa.hpp"
 
 namespace hitos::study {
 namespace {
@@ -23,42 +23,13 @@ struct Measure {
 constexpr std::array kMeasures = {Measure{"error", "map error (m)", &StudyCell::error_m},
                                   Measure{"landmarks", "landmarks", &StudyCell::landmarks}};
 
-/// How the first parameter lies along x: by its number where each value is one, else place by
-/// place with the values as words.
-struct Abscissa {
-    bool numbers = true;
-    bool logarithmic = false;
-    std::vector<double> positions;
-    std::vector<std::string> words;
-};
-
-Abscissa abscissa_of(const StudyPlan::Axis& axis) {
-    Abscissa x;
-    for (const StudyValue& value : axis.values) {
-        x.words.push_back(fmt::format("{}", fmt::join(value, "/")));
-        const auto number = input::parse_number(x.words.back());
-        if (value.size() != 1 || !number || !std::isfinite(*number)) x.numbers = false;
-        x.positions.push_back(number.value_or(0.0));
-    }
-    if (!x.numbers) {
-        for (std::size_t i = 0; i < x.positions.size(); ++i)
-            x.positions[i] = static_cast<double>(i + 1);
-        return x;
-    }
-    // Values such as 5, 10, 20 … 500 are meant by their ratios.
-    constexpr double kWide = 20.0;
-    const auto [least, greatest] = std::minmax_element(x.positions.begin(), x.positions.end());
-    x.logarithmic = *least > 0.0 && *greatest >= kWide * *least;
-    return x;
-}
-
 std::size_t curves(const StudyPlan& plan) {
     return plan.axes.size() < 2 ? 1 : plan.axes[1].values.size();
 }
 
 /// gnuplot's blocks: one for each curve, with two empty lines between.
-std::string data_text(const StudyPlan& plan, std::span<const StudyCell> cells, const Abscissa& x,
-                      const Measure& measure) {
+std::string data_text(const StudyPlan& plan, std::span<const StudyCell> cells,
+                      const StudyAbscissa& x, const Measure& measure) {
     std::string text = "# x mean standard_deviation minimum maximum runs\n";
     std::vector<std::size_t> order(x.positions.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -84,16 +55,8 @@ std::string data_text(const StudyPlan& plan, std::span<const StudyCell> cells, c
     return text;
 }
 
-std::string axis_label(const StudyPlan::Axis& axis) {
-    std::string units;
-    for (const std::string& unit : axis.units) {
-        if (!unit.empty()) units += (units.empty() ? "" : ", ") + unit;
-    }
-    return units.empty() ? axis.name : fmt::format("{} ({})", axis.name, units);
-}
-
 /// Leaves room at both ends; gnuplot's own range goes to whole decades where x is logarithmic.
-std::string range(const Abscissa& x) {
+std::string range(const StudyAbscissa& x) {
     constexpr double kRoom = 0.04;
     const auto [least, greatest] = std::minmax_element(x.positions.begin(), x.positions.end());
     if (x.logarithmic) {
@@ -107,7 +70,7 @@ std::string range(const Abscissa& x) {
 }
 
 /// Words, and the values of a logarithmic axis, stand at their places.
-std::string tics(const Abscissa& x) {
+std::string tics(const StudyAbscissa& x) {
     std::vector<std::string> marks;
     for (std::size_t i = 0; i < x.positions.size(); ++i) {
         marks.push_back(fmt::format("{} {}", gnuplot_quoted(x.words[i]), x.positions[i]));
@@ -115,7 +78,7 @@ std::string tics(const Abscissa& x) {
     return fmt::format("set xtics ({})\n", fmt::join(marks, ", "));
 }
 
-std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const Abscissa& x,
+std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const StudyAbscissa& x,
                         const Measure& measure) {
     const std::string stem = layout.prefix + measure.name;
     std::string plot = "plot ";
@@ -137,7 +100,8 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
             plan.reference_lines + plan.reference_corners);
     }
     std::string text = fmt::format("# Draw again with: gnuplot {}.gp\n", stem);
-    text += fmt::format("set xlabel {} noenhanced\n", gnuplot_quoted(axis_label(plan.axes[0])));
+    text +=
+        fmt::format("set xlabel {} noenhanced\n", gnuplot_quoted(study_axis_label(plan.axes[0])));
     text += fmt::format("set ylabel '{}'\n", measure.label);
     text += "set grid\nset key outside top center horizontal noenhanced\nset yrange [0:*]\n";
     text += range(x);
@@ -156,7 +120,7 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
 std::string write_plots(const StudyLayout& layout, const StudyPlan& plan,
                         std::span<const StudyCell> cells) {
     if (plan.axes.empty()) return "";
-    const Abscissa x = abscissa_of(plan.axes[0]);
+    const StudyAbscissa x = study_abscissa(plan.axes[0]);
     std::string problem;
     for (const Measure& measure : kMeasures) {
         const std::string stem = layout.prefix + measure.name;

@@ -16,8 +16,7 @@ constexpr std::size_t kChunk = 64;
 // test. Loops without branches over columns: the compiler vectorises them.
 
 void mark_near(const LineColumns& lines, std::size_t begin, std::size_t end, const Pose& pose,
-               const PreparedObservation& observed, double slack, double r0, double r1,
-               unsigned char* near) {
+               const PreparedObservation& observed, unsigned char* near) {
     const double* rho = lines.column(LineColumns::rho);
     const double* cosine = lines.column(LineColumns::cosine);
     const double* sine = lines.column(LineColumns::sine);
@@ -26,7 +25,10 @@ void mark_near(const LineColumns& lines, std::size_t begin, std::size_t end, con
     const double* p11 = lines.column(LineColumns::p11);
     const double cw = observed.cos_world;
     const double sw = observed.sin_world;
-    const double z0 = observed.z(0);
+    const double z0 = observed.seen.measured.z(0);
+    const double r0 = observed.seen.measured.r(0, 0);
+    const double r1 = observed.seen.measured.r(1, 1);
+    const double slack = observed.seen.slack;
     for (std::size_t i = begin; i < end; ++i) {
         const double sin_turn = sine[i] * cw - cosine[i] * sw;
         const double cos_turn = cosine[i] * cw + sine[i] * sw;
@@ -43,8 +45,7 @@ void mark_near(const LineColumns& lines, std::size_t begin, std::size_t end, con
 }
 
 void mark_near(const CornerColumns& corners, std::size_t begin, std::size_t end, const Pose& pose,
-               const PreparedObservation& observed, double slack, double r0, double r1,
-               unsigned char* near) {
+               const PreparedObservation& observed, unsigned char* near) {
     const double* x = corners.column(CornerColumns::x);
     const double* y = corners.column(CornerColumns::y);
     const double* p00 = corners.column(CornerColumns::p00);
@@ -52,7 +53,10 @@ void mark_near(const CornerColumns& corners, std::size_t begin, std::size_t end,
     const double* p11 = corners.column(CornerColumns::p11);
     const double cw = observed.cos_world;
     const double sw = observed.sin_world;
-    const double z0 = observed.z(0);
+    const double z0 = observed.seen.measured.z(0);
+    const double r0 = observed.seen.measured.r(0, 0);
+    const double r1 = observed.seen.measured.r(1, 1);
+    const double slack = observed.seen.slack;
     constexpr double kNearest2 = SensorEsquina::kNearest * SensorEsquina::kNearest;
     for (std::size_t i = begin; i < end; ++i) {
         const double dx = x[i] - pose.x;
@@ -76,27 +80,25 @@ void mark_near(const CornerColumns& corners, std::size_t begin, std::size_t end,
 
 }  // namespace
 
-Associator::Associator(const AssociationParams& params, const ObservationParams& observation)
+Associator::Associator(const AssociationParams& params)
     : params_(params),
-      line_ekf_(observation.var_rho_m2, observation.var_theta_rad2),
-      corner_ekf_(observation.var_rho_m2, observation.var_theta_rad2),
-      var0_(observation.var_rho_m2),
-      var1_(observation.var_theta_rad2),
       log_p0_(std::log(params.p0)),
       log_ratio_(std::log(params.ambiguity_ratio)),
-      // Chi-square with 2 degrees of freedom: P(d^2 <= g) = 1 - exp(-g / 2).
-      gate_(-2.0 * std::log1p(-params.gate_probability)),
-      slack_(gate_) {
-    if (params.method == AssociationMethod::maximum_likelihood) {
-        // det Q >= det R, so ln likelihood <= -ln 2 pi - ln(det R) / 2 - d^2 / 2.
-        const double greatest = -std::log(2.0 * kPi) - 0.5 * std::log(var0_ * var1_);
-        slack_ = 2.0 * (greatest - log_p0_);
-    }
+      gate_(chi_square_gate(params.gate_probability)) {}
+
+SeenFeature Associator::seen(const Measurement& measured) const {
+    if (params_.method != AssociationMethod::maximum_likelihood) return {measured, gate_};
+    // det Q >= det R, so ln likelihood <= -ln 2 pi - ln(det R) / 2 - d^2 / 2.
+    const Matrix2& r = measured.r;
+    const double det = r(0, 0) * r(1, 1) - r(0, 1) * r(1, 0);
+    const double greatest = -std::log(2.0 * kPi) - 0.5 * std::log(det);
+    return {measured, 2.0 * (greatest - log_p0_)};
 }
 
-template <class Columns, class Filter>
-Decision Associator::decide_among(const Columns& landmarks, const Filter& ekf, const Pose& pose,
+template <class Filter, class Columns>
+Decision Associator::decide_among(const Columns& landmarks, const Pose& pose,
                                   const PreparedObservation& observed) const {
+    const Filter ekf(observed.seen.measured.r);
     const bool by_likelihood = params_.method == AssociationMethod::maximum_likelihood;
     std::uint32_t best = 0;
     double best_score = kNothing;  // what the method maximises
@@ -105,11 +107,11 @@ Decision Associator::decide_among(const Columns& landmarks, const Filter& ekf, c
     std::array<unsigned char, kChunk> near{};
     for (std::size_t begin = 0; begin < landmarks.size(); begin += kChunk) {
         const std::size_t end = std::min(begin + kChunk, landmarks.size());
-        mark_near(landmarks, begin, end, pose, observed, slack_, var0_, var1_, near.data());
+        mark_near(landmarks, begin, end, pose, observed, near.data());
         for (std::size_t i = begin; i < end; ++i) {
             if (near[i - begin] == 0) continue;
-            const auto [log_likelihood, mahalanobis2] =
-                ekf.likelihood(landmarks.innovation(i, observed.z, pose), landmarks.covariance(i));
+            const auto [log_likelihood, mahalanobis2] = ekf.likelihood(
+                landmarks.innovation(i, observed.seen.measured.z, pose), landmarks.covariance(i));
             if (by_likelihood ? log_likelihood <= log_p0_ : mahalanobis2 > gate_) continue;
             const double score = by_likelihood ? log_likelihood : -mahalanobis2;
             if (score > best_score) {
@@ -143,12 +145,12 @@ Decision Associator::resolve(std::uint32_t best, double best_log, double second_
 
 Decision Associator::decide(const LineColumns& lines, const Pose& pose,
                             const PreparedObservation& observed) const {
-    return decide_among(lines, line_ekf_, pose, observed);
+    return decide_among<EKF<SensorRecta>>(lines, pose, observed);
 }
 
 Decision Associator::decide(const CornerColumns& corners, const Pose& pose,
                             const PreparedObservation& observed) const {
-    return decide_among(corners, corner_ekf_, pose, observed);
+    return decide_among<EKF<SensorEsquina>>(corners, pose, observed);
 }
 
 }  // namespace hitos

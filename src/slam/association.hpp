@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "hitos/slam/ekf.hpp"
 #include "hitos/slam/params.hpp"
 #include "hitos/slam/slam_filter.hpp"
 #include "landmark_store.hpp"
+#include "measurement.hpp"
 
 namespace hitos {
 
@@ -17,10 +17,16 @@ struct Decision {
     double log_likelihood = 0.0;  ///< factor of the particle's weight, in logarithm
 };
 
-/// An observation prepared for a particle: the measurement and, for the quick rejection, its
-/// direction in the world.
+/// An observation, the same for all particles.
+struct SeenFeature {
+    Measurement measured;
+    double slack = 0.0;  ///< squared Mahalanobis distance from which no landmark can be it
+};
+
+/// An observation prepared for a particle: with its direction in the world, for the quick
+/// rejection.
 struct PreparedObservation {
-    Vector2 z;
+    const SeenFeature& seen;
     double cos_world = 1.0;  ///< of the line's normal, or of the corner's bearing, in the world
     double sin_world = 0.0;
 };
@@ -29,31 +35,25 @@ struct PreparedObservation {
 /// [T 5.3], with the rule for ambiguous observations of AssociationParams.
 class Associator {
   public:
-    explicit Associator(const AssociationParams& params, const ObservationParams& observation);
+    explicit Associator(const AssociationParams& params);
+
+    SeenFeature seen(const Measurement& measured) const;
 
     Decision decide(const LineColumns& lines, const Pose& pose,
                     const PreparedObservation& observed) const;
     Decision decide(const CornerColumns& corners, const Pose& pose,
                     const PreparedObservation& observed) const;
 
-    const EKF<SensorRecta>& line_ekf() const { return line_ekf_; }
-    const EKF<SensorEsquina>& corner_ekf() const { return corner_ekf_; }
-
   private:
-    template <class Columns, class Filter>
-    Decision decide_among(const Columns& landmarks, const Filter& ekf, const Pose& pose,
+    template <class Filter, class Columns>
+    Decision decide_among(const Columns& landmarks, const Pose& pose,
                           const PreparedObservation& observed) const;
     Decision resolve(std::uint32_t best, double best_log, double second_log) const;
 
     AssociationParams params_;
-    EKF<SensorRecta> line_ekf_;
-    EKF<SensorEsquina> corner_ekf_;
-    double var0_;
-    double var1_;
     double log_p0_;
     double log_ratio_;
-    double gate_;   ///< squared Mahalanobis distance of the chi-square gate
-    double slack_;  ///< squared Mahalanobis distance from which a landmark is out of the question
+    double gate_;  ///< squared Mahalanobis distance of the chi-square gate
 };
 
 }  // namespace hitos

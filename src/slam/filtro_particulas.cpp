@@ -7,9 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hitos/capture/error.hpp"
-#include "hitos/slam/filters.hpp"
-
 namespace hitos {
 namespace {
 
@@ -18,15 +15,17 @@ namespace {
 constexpr std::size_t kParallelWork = 30000;
 constexpr std::size_t kGrain = 32;
 
-PreparedObservation prepare(const Vector2& z, const Pose& pose) {
-    const double angle_world = z(1) + pose.theta;
-    return {z, std::cos(angle_world), std::sin(angle_world)};
+PreparedObservation prepare(const SeenFeature& seen, const Pose& pose) {
+    const double angle_world = seen.measured.z(1) + pose.theta;
+    return {seen, std::cos(angle_world), std::sin(angle_world)};
 }
 
-template <class Columns, class Filter>
-void apply(const Decision& decision, Columns& landmarks, const Filter& ekf, const Pose& pose,
-           const Vector2& z) {
+template <class Filter, class Columns>
+void apply(const Decision& decision, Columns& landmarks, const Pose& pose,
+           const Measurement& measured) {
     if (decision.outcome == Association::Outcome::ignored) return;
+    const Filter ekf(measured.r);
+    const Vector2& z = measured.z;
     if (decision.outcome == Association::Outcome::created) {
         const std::size_t index = landmarks.append();
         landmarks.set(index, ekf.first(pose, z));
@@ -41,11 +40,11 @@ void apply(const Decision& decision, Columns& landmarks, const Filter& ekf, cons
 
 }  // namespace
 
-FiltroParticulas::FiltroParticulas(const FastSlamParams& params, std::uint64_t seed, int threads)
+FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t seed, int threads)
     : params_(params),
       seed_(seed),
       robot_(params.motion),
-      associator_(params.association, params.observation),
+      associator_(params.association),
       resampler_(make_resampler(params.resampling)),
       arena_(threads > 0 ? threads : tbb::task_arena::automatic),
       particles_(static_cast<std::size_t>(params.particles)) {
@@ -72,15 +71,16 @@ void FiltroParticulas::step(std::span<const Control> controls, const Observation
         return;
     }
 
+    measurements_.take(observation, params_.observation);
     lines_seen_.clear();
     corners_seen_.clear();
-    for (const DetectedLine& line : observation.lines) {
-        lines_seen_.push_back(SensorRecta::measurement(line.recta));
+    for (const Measurement& line : measurements_.lines) {
+        lines_seen_.push_back(associator_.seen(line));
     }
-    for (const Esquina& corner : observation.corners) {
-        corners_seen_.push_back(SensorEsquina::measurement(corner));
+    for (const Measurement& corner : measurements_.corners) {
+        corners_seen_.push_back(associator_.seen(corner));
     }
-    const std::size_t seen = lines_seen_.size() + corners_seen_.size();
+    const std::size_t seen = measurements_.size();
     decisions_.resize(seen * particles_.size());
 
     detach_maps();
@@ -129,11 +129,12 @@ void FiltroParticulas::associate(const Particula& particle, std::span<Decision> 
     const auto& lines = maps_.lines(particle.map);
     const auto& corners = maps_.corners(particle.map);
     std::size_t next = 0;
-    for (const Vector2& z : lines_seen_) {
-        decisions[next++] = associator_.decide(lines, particle.pose, prepare(z, particle.pose));
+    for (const SeenFeature& line : lines_seen_) {
+        decisions[next++] = associator_.decide(lines, particle.pose, prepare(line, particle.pose));
     }
-    for (const Vector2& z : corners_seen_) {
-        decisions[next++] = associator_.decide(corners, particle.pose, prepare(z, particle.pose));
+    for (const SeenFeature& corner : corners_seen_) {
+        decisions[next++] =
+            associator_.decide(corners, particle.pose, prepare(corner, particle.pose));
     }
 }
 
@@ -141,19 +142,19 @@ void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions
     auto lines = maps_.lines(particle.map);
     auto corners = maps_.corners(particle.map);
     std::size_t next = 0;
-    for (const Vector2& z : lines_seen_) {
+    for (const SeenFeature& line : lines_seen_) {
         Decision& decision = decisions[next++];
         if (decision.outcome == Association::Outcome::created) {
             decision.landmark = static_cast<std::uint32_t>(lines.size());
         }
-        apply(decision, lines, associator_.line_ekf(), particle.pose, z);
+        apply<EKF<SensorRecta>>(decision, lines, particle.pose, line.measured);
     }
-    for (const Vector2& z : corners_seen_) {
+    for (const SeenFeature& corner : corners_seen_) {
         Decision& decision = decisions[next++];
         if (decision.outcome == Association::Outcome::created) {
             decision.landmark = static_cast<std::uint32_t>(corners.size());
         }
-        apply(decision, corners, associator_.corner_ekf(), particle.pose, z);
+        apply<EKF<SensorEsquina>>(decision, corners, particle.pose, corner.measured);
     }
 }
 
@@ -270,6 +271,19 @@ std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
     return poses;
 }
 
+Matrix3 FiltroParticulas::pose_covariance() const {
+    const Pose best = best_pose();
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    Matrix3 second = Matrix3::Zero();
+    for (const WeightedPose& hypothesis : hypotheses()) {
+        const Eigen::Vector3d away(hypothesis.pose.x - best.x, hypothesis.pose.y - best.y,
+                                   wrap_angle(hypothesis.pose.theta - best.theta));
+        mean += hypothesis.weight * away;
+        second += hypothesis.weight * (away * away.transpose());
+    }
+    return second - mean * mean.transpose();
+}
+
 template <class Body>
 void FiltroParticulas::for_each(std::size_t count, std::size_t work_each, const Body& body) {
     if (arena_.max_concurrency() == 1 || count * work_each < kParallelWork) {
@@ -282,19 +296,6 @@ void FiltroParticulas::for_each(std::size_t count, std::size_t work_each, const 
                               for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
                           });
     });
-}
-
-std::unique_ptr<SlamFilter> make_fastslam(const FastSlamParams& params, std::uint64_t seed,
-                                          int threads) {
-    if (params.particles < 1) {
-        throw ConfigError("filter.particles",
-                          "found " + std::to_string(params.particles) + ", expected 1 or more");
-    }
-    if (!(params.association.p0 > 0.0)) throw ConfigError("association.p0", "expected above 0");
-    if (!(params.observation.var_rho_m2 > 0.0 && params.observation.var_theta_rad2 > 0.0)) {
-        throw ConfigError("observation", "expected variances above 0");
-    }
-    return std::make_unique<FiltroParticulas>(params, seed, threads);
 }
 
 }  // namespace hitos

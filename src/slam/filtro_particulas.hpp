@@ -31,7 +31,7 @@ struct Particula {
 /// The particle filter with one small EKF per landmark and particle.
 class FiltroParticulas final : public SlamFilter {
   public:
-    FiltroParticulas(const FastSlamParams& params, std::uint64_t seed, int threads);
+    FiltroParticulas(const FilterParams& params, std::uint64_t seed, int threads);
 
     void step(std::span<const Control> controls, const Observation& observation) override;
 
@@ -44,6 +44,7 @@ class FiltroParticulas final : public SlamFilter {
     std::span<const Association> associations() const override { return associations_; }
     std::vector<WeightedPose> hypotheses() const override;
     FilterStatistics statistics() const override { return statistics_; }
+    Matrix3 pose_covariance() const override;
 
     /// For tests and benchmarks: blocks of memory held by maps and nodes held by histories.
     std::size_t map_blocks() const { return maps_.blocks(); }
@@ -64,7 +65,7 @@ class FiltroParticulas final : public SlamFilter {
     template <class Body>
     void for_each(std::size_t count, std::size_t work_each, const Body& body);
 
-    FastSlamParams params_;
+    FilterParams params_;
     std::uint64_t seed_;
     Robot robot_;
     Associator associator_;
@@ -81,8 +82,9 @@ class FiltroParticulas final : public SlamFilter {
     std::vector<Association> associations_;
 
     // Working memory of a step.
-    std::vector<Vector2> lines_seen_;
-    std::vector<Vector2> corners_seen_;
+    Measurements measurements_;
+    std::vector<SeenFeature> lines_seen_;
+    std::vector<SeenFeature> corners_seen_;
     std::vector<Decision> decisions_;  // observations of particle 0, of particle 1, …
     std::vector<double> log_weights_;
     std::vector<double> weights_;

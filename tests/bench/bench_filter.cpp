@@ -61,7 +61,7 @@ const Tour& tour() {
 /// From parsed scans to resampled particles. Arguments: particles, threads, scans (0: all).
 void extraction_and_filter(benchmark::State& state) {
     const Tour& t = tour();
-    FastSlamParams params = t.configuration.filter;
+    FilterParams params = t.configuration.filter;
     params.particles = static_cast<int>(state.range(0));
     const std::size_t scans =
         state.range(2) == 0 ? t.scans.size() : static_cast<std::size_t>(state.range(2));
@@ -90,7 +90,7 @@ void extraction_and_filter(benchmark::State& state) {
 /// What the segments of lines cost in every step (noting) and once at the end (laying them out).
 void segments(benchmark::State& state) {
     const Tour& t = tour();
-    FastSlamParams params = t.configuration.filter;
+    FilterParams params = t.configuration.filter;
     params.particles = 100;
     const auto extractor = make_extractor(t.configuration.extraction);
     double noting = 0.0;

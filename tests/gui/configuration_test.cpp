@@ -46,6 +46,32 @@ void ConfigurationTest::a_configuration_is_loaded() {
     QCOMPARE(f.window->findChild<QLabel*>("value_filter.particles")->text(), QString("7"));
 }
 
+void ConfigurationTest::a_configuration_is_loaded_while_running() {
+    Fixture f(true, 200);
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() > 2);
+    f.prompts.opens = {f.write("other.cfg", "[filter]\nparticles = 7\n")};
+    f.prompts.confirms = {true};
+    f.trigger("action_load");
+    QCOMPARE(f.session.configuration().filter.particles, 7);
+    QCOMPARE(f.state(), Progress::State::ready);
+    QCOMPARE(f.steps(), 0U);
+    f.run_steps(2);
+    QCOMPARE(f.session.snapshot()->hypotheses.size(), std::size_t{7});
+}
+
+void ConfigurationTest::a_configuration_whose_log_is_missing_is_told() {
+    Fixture f;
+    f.run_steps(3);
+    f.prompts.opens = {f.write("lost.cfg", "[source]\nfile = \"/nowhere/tour.log\"\n")};
+    f.prompts.confirms = {true};
+    f.trigger("action_load");
+    QCOMPARE(f.prompts.opens_asked, 2);  // told, then asked for again
+    QVERIFY2(f.prompts.warnings.front().contains("/nowhere/tour.log"),
+             qPrintable(f.prompts.warnings.front()));
+    QCOMPARE(f.steps(), 3U);
+}
+
 void ConfigurationTest::loading_can_be_declined_or_cancelled() {
     Fixture f;
     f.run_steps(3);
@@ -86,6 +112,7 @@ void ConfigurationTest::the_configuration_is_saved() {
     f.trigger("action_save");
     QCOMPARE(QString::fromUtf8(Fixture::read(f.path("mine.cfg"))),
              QString::fromStdString(ArchivoConfiguracion::to_text(f.session.configuration())));
+    QVERIFY2(f.notice().contains("mine.cfg"), qPrintable(f.notice()));
 }
 
 void ConfigurationTest::saving_asks_before_it_overwrites() {
@@ -189,6 +216,34 @@ void ConfigurationTest::the_form_can_be_cancelled_or_declined() {
     QCOMPARE(f.session.configuration().filter.particles, 10);
 }
 
+void ConfigurationTest::the_form_opens_while_the_run_goes_on() {
+    Fixture f(true, 200);
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() > 2);
+    f.prompts.confirms = {true};
+    in_dialog<ConfigurationDialog>([&f](ConfigurationDialog& dialog) {
+        const quint64 there = f.steps();
+        QTRY_VERIFY(f.steps() > there || f.state() == Progress::State::finished);
+        set_field(dialog, "filter.particles", "25");
+        press_ok(dialog);
+    });
+    f.trigger("action_manual");
+    QCOMPARE(f.session.configuration().filter.particles, 25);
+    QCOMPARE(f.state(), Progress::State::ready);
+}
+
+void ConfigurationTest::what_the_models_do_not_use_is_grey() {
+    Fixture f;
+    ConfigurationDialog dialog(f.session.configuration(), f.prompts, nullptr);
+    auto* rule = dialog.findChild<QComboBox*>("field_resampling.rule");
+    auto* threshold = dialog.findChild<QWidget*>("field_resampling.neff_threshold");
+    for (int i = 0; i < rule->count(); ++i) {
+        rule->setCurrentIndex(i);
+        emit rule->activated(i);
+        QCOMPARE(threshold->isEnabled(), static_cast<ResamplingRule>(i) == ResamplingRule::neff);
+    }
+}
+
 void ConfigurationTest::the_form_has_every_parameter() {
     Fixture f;
     ConfigurationDialog dialog(f.session.configuration(), f.prompts, nullptr);
@@ -216,6 +271,21 @@ void ConfigurationTest::the_default_is_not_written_without_consent() {
     Fixture f;
     f.trigger("action_set_default");
     QVERIFY(!f.files.has_init());
+}
+
+void ConfigurationTest::a_default_that_cannot_be_written_is_told() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("file");
+    QFile blocked(file);
+    QVERIFY(blocked.open(QIODevice::WriteOnly));
+    UserFiles files(file + "/user");
+    ScriptedPrompts prompts;
+    Session session;
+    ConfigurationActions actions(session, files, prompts, nullptr);
+    prompts.confirms = {true};
+    actions.set_default();
+    QCOMPARE(prompts.warnings.size(), 1);
+    QVERIFY2(prompts.warnings.front().contains("init.cfg"), qPrintable(prompts.warnings.front()));
 }
 
 void ConfigurationTest::references_are_loaded() {

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QPointer>
+#include <QStatusBar>
 #include <QStringList>
 #include <QTemporaryDir>
 #include <QTest>
@@ -28,6 +29,7 @@ class ScriptedPrompts final : public Prompts {
   public:
     QStringList opens;
     QStringList saves;
+    QStringList folders;
     QList<bool> confirms;
     // What was asked.
     QStringList warnings;
@@ -42,6 +44,9 @@ class ScriptedPrompts final : public Prompts {
     QString save_file(QWidget*, const FileQuestion&) override {
         ++saves_asked;
         return saves.isEmpty() ? QString() : saves.takeFirst();
+    }
+    QString choose_folder(QWidget*, const QString&, const QString&) override {
+        return folders.isEmpty() ? QString() : folders.takeFirst();
     }
     bool confirm(QWidget*, const Question& question) override {
         confirmed_texts << question.text + '\n' + question.details;
@@ -84,7 +89,11 @@ struct Fixture {
         if (found == nullptr) qFatal("no action %s", name);
         return found;
     }
-    void trigger(const char* name) const { action(name)->trigger(); }
+    /// As a user does: no sooner than it is possible.
+    void trigger(const char* name) const {
+        QTRY_VERIFY2(action(name)->isEnabled(), name);
+        action(name)->trigger();
+    }
     QString path(const QString& name) const { return folder.filePath(name); }
     QString write(const QString& name, const QByteArray& content) const {
         QFile file(path(name));
@@ -96,6 +105,8 @@ struct Fixture {
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
+    /// What the status bar says for a while.
+    QString notice() const { return window->statusBar()->currentMessage(); }
     Progress::State state() const { return session.progress().state; }
     quint64 steps() const { return session.progress().steps; }
     bool shows_everything() const {

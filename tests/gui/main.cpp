@@ -30,8 +30,9 @@ int main(int argc, char** argv) {
     if (name == "source") return run<SourceTest>(arguments);
     if (name == "configuration") return run<ConfigurationTest>(arguments);
     if (name == "run") return run<RunTest>(arguments);
+    if (name == "study") return run<StudyTest>(arguments);
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
-    qCritical("expected source, configuration, run, view or words");
+    qCritical("expected source, configuration, run, study, view or words");
     return 2;
 }

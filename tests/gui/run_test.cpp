@@ -89,6 +89,20 @@ void RunTest::after_the_end_it_restarts() {
     QCOMPARE(f.steps(), 2U);
 }
 
+void RunTest::it_restarts_while_running() {
+    Fixture f(true, 500);
+    f.trigger("action_run");
+    QTRY_VERIFY(f.action("action_restart")->isEnabled());
+    QCOMPARE(f.state(), State::running);
+    f.trigger("action_restart");
+    QVERIFY(!f.session.snapshot());
+    QTRY_COMPARE(f.state(), State::ready);
+    QCOMPARE(f.steps(), 0U);
+    QVERIFY(run_enabled(f));
+    f.run_steps(2);
+    QCOMPARE(f.steps(), 2U);
+}
+
 void RunTest::the_space_bar_runs_and_stops() {
     Fixture f(true, 200);
     QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
@@ -161,6 +175,40 @@ void RunTest::the_odometry_map_grows_and_can_be_stopped() {
     map->close();
 }
 
+void RunTest::the_odometry_map_can_be_closed_while_it_grows() {
+    Fixture f;
+    f.trigger("action_odometry");
+    QPointer<MapWindow> map = f.window->result_actions().odometry_window();
+    QVERIFY(map->builder().state().running);
+    map->close();
+    QTRY_VERIFY(!map);
+    QVERIFY(f.window->result_actions().odometry_window() == nullptr);
+}
+
+void RunTest::the_odometry_map_of_a_lost_log_says_so() {
+    Fixture f(false);
+    const QString path = f.write("small.txt", "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n");
+    QVERIFY(f.window->configuration_actions().open(path));
+    QFile::remove(path);
+    f.trigger("action_odometry");
+    MapWindow* map = f.window->result_actions().odometry_window();
+    auto* verdict = map->findChild<QLabel*>("verdict");
+    QTRY_VERIFY2(verdict->text().contains("small.txt"), qPrintable(verdict->text()));
+    QVERIFY(!map->findChild<QPushButton*>("picture")->isEnabled());
+}
+
+void RunTest::the_best_particles_map_while_running_is_that_moments() {
+    Fixture f(true, 200);
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() > 20 && f.session.snapshot() && f.session.snapshot()->steps > 0);
+    f.trigger("action_best_map");
+    MapWindow* map = f.window->result_actions().best_window();
+    f.trigger("action_stop");
+    QTRY_VERIFY_WITH_TIMEOUT(!map->builder().state().running, 20000);
+    QVERIFY(!map->builder().state().path.empty());
+    QVERIFY(map->builder().state().path.size() <= f.steps());
+}
+
 void RunTest::the_best_particles_map_is_shown() {
     Fixture f;
     f.run_steps(60);
@@ -179,7 +227,18 @@ void RunTest::the_map_is_saved_as_the_command_line_writes_it() {
     f.trigger("action_save_map");
     const QByteArray mine = Fixture::read(f.path("map.txt"));
     QVERIFY(!mine.isEmpty());
+    QVERIFY2(f.notice().contains("map.txt"), qPrintable(f.notice()));
     QCOMPARE(mine, Fixture::read(command_line_results(f) + "/map.txt"));
+}
+
+void RunTest::the_map_is_saved_while_running() {
+    Fixture f(true, 200);
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() > 20 && f.action("action_save_map")->isEnabled());
+    f.prompts.saves = {f.path("map.txt")};
+    f.trigger("action_save_map");
+    QVERIFY(f.prompts.warnings.isEmpty());
+    QVERIFY(!read_map(f.path("map.txt").toStdString()).empty());
 }
 
 void RunTest::all_results_are_those_of_the_command_line() {

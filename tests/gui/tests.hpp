@@ -25,6 +25,8 @@ class ConfigurationTest : public QObject {
 
   private slots:
     void a_configuration_is_loaded();
+    void a_configuration_is_loaded_while_running();
+    void a_configuration_whose_log_is_missing_is_told();
     void loading_can_be_declined_or_cancelled();
     void a_bad_file_is_told_and_asked_for_again();
     void a_relative_log_is_found_beside_its_file();
@@ -36,9 +38,12 @@ class ConfigurationTest : public QObject {
     void every_mistake_is_shown_at_its_field();
     void values_that_are_impossible_together_are_refused();
     void the_form_can_be_cancelled_or_declined();
+    void the_form_opens_while_the_run_goes_on();
+    void what_the_models_do_not_use_is_grey();
     void the_form_has_every_parameter();
     void the_default_is_written_and_read_at_start();
     void the_default_is_not_written_without_consent();
+    void a_default_that_cannot_be_written_is_told();
     void references_are_loaded();
 };
 
@@ -51,14 +56,19 @@ class RunTest : public QObject {
     void it_stops_and_goes_on();
     void at_the_end_the_run_buttons_are_inactive();
     void after_the_end_it_restarts();
+    void it_restarts_while_running();
     void the_space_bar_runs_and_stops();
     void closing_while_running_ends_it();
     void a_run_that_fails_is_told();
     void the_plots_have_every_step();
     void errors_against_the_reference_are_measured();
     void the_odometry_map_grows_and_can_be_stopped();
+    void the_odometry_map_can_be_closed_while_it_grows();
+    void the_odometry_map_of_a_lost_log_says_so();
+    void the_best_particles_map_while_running_is_that_moments();
     void the_best_particles_map_is_shown();
     void the_map_is_saved_as_the_command_line_writes_it();
+    void the_map_is_saved_while_running();
     void all_results_are_those_of_the_command_line();
     void saving_the_map_can_fail_and_be_cancelled();
 };
@@ -71,6 +81,9 @@ class ViewTest : public QObject {
     void pictures_ask_before_they_overwrite();
     void a_picture_of_another_kind_is_refused();
     void the_right_button_offers_the_picture();
+    void the_plots_are_saved();
+    void a_picture_can_be_given_up();
+    void the_scale_bar_covers_nothing_of_the_map();
     void a_window_of_its_own_is_saved_too();
     void the_wheel_zooms_at_the_cursor();
     void dragging_pans_and_fit_comes_back();
@@ -78,6 +91,29 @@ class ViewTest : public QObject {
     void a_click_highlights_in_both_views();
     void layers_are_remembered();
     void the_grid_view_shows_the_grid_map();
+};
+
+class StudyTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void a_study_needs_a_source();
+    void its_files_are_those_of_the_command_line();
+    void noise_seed_and_threads_are_those_of_the_command_line();
+    void every_parameter_can_be_chosen();
+    void bad_values_are_told_at_their_fields_data();
+    void bad_values_are_told_at_their_fields();
+    void all_mistakes_are_told_at_once();
+    void a_folder_that_cannot_be_written_is_told();
+    void a_log_that_has_gone_is_told();
+    void runs_that_fail_are_told_and_the_others_go_on();
+    void a_stopped_study_goes_on_where_it_was();
+    void another_studys_folder_is_asked_about();
+    void closing_while_it_runs_asks();
+    void the_main_window_ends_a_running_study();
+    void the_configuration_may_change_meanwhile();
+    void its_plot_is_saved();
+    void its_words_are_remembered();
 };
 
 class WordsTest : public QObject {

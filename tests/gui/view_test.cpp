@@ -11,6 +11,7 @@
 #include "gui_fixture.hpp"
 #include "hitos/services/picture_file.hpp"
 #include "picture_dialog.hpp"
+#include "plots.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {
@@ -89,6 +90,62 @@ void ViewTest::the_right_button_offers_the_picture() {
     menu->actions().front()->trigger();
     QVERIFY(QFile::exists(f.path("scan.jpg")));
     menu->close();
+    // The right button offers it wherever something is drawn.
+    f.trigger("action_odometry");
+    f.trigger("action_best_map");
+    f.trigger("action_plots");
+    for (QWidget* widget :
+         {static_cast<QWidget*>(&f.window->grid_view()),
+          static_cast<QWidget*>(&f.window->result_actions().odometry_window()->view()),
+          static_cast<QWidget*>(&f.window->result_actions().best_window()->view()),
+          static_cast<QWidget*>(&f.window->plots())}) {
+        QContextMenuEvent press(QContextMenuEvent::Mouse, widget->rect().center(),
+                                widget->mapToGlobal(widget->rect().center()));
+        QApplication::sendEvent(widget, &press);
+        auto* offered = widget->findChild<QMenu*>();
+        QVERIFY(offered != nullptr);
+        QVERIFY(offered->actions().front()->text().startsWith("Save as image"));
+        offered->close();
+    }
+}
+
+void ViewTest::the_plots_are_saved() {
+    Fixture f;
+    f.trigger("action_plots");
+    f.run_steps(20);
+    f.prompts.saves = {f.path("plots.bmp"), f.path("plots.png")};
+    emit f.window->plots().picture_wanted();
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY(!QImage(f.path("plots.png")).isNull());
+}
+
+void ViewTest::a_picture_can_be_given_up() {
+    Fixture f;
+    f.run_steps(5);
+    in_dialog<PictureDialog>([](PictureDialog& dialog) { dialog.reject(); });
+    emit f.window->scan_view().picture_wanted();
+    QCOMPARE(f.prompts.saves_asked, 0);
+    accept_picture(false);
+    emit f.window->scan_view().picture_wanted();  // and now in the file dialog
+    QCOMPARE(f.prompts.saves_asked, 1);
+    QVERIFY(f.prompts.warnings.isEmpty());
+}
+
+void ViewTest::the_scale_bar_covers_nothing_of_the_map() {
+    constexpr int kBar = 40;  // pixels
+    Fixture f;
+    f.run_steps(200);
+    const GridView& view = f.window->grid_view();
+    const GridTiles& tiles = view.tiles();
+    const auto rows = static_cast<int>(tiles.area.end_row - tiles.area.first_row);
+    // One pixel for each cell: what is higher than the map lies above and below it.
+    const int free = view.picture_size(true, 1.0).height() - rows;
+    QVERIFY2(free >= kBar, qPrintable(QString::number(free)));
+    const QTransform to_screen = view.camera().to_screen(view.size());
+    const double lowest =
+        to_screen.map(QPointF(0.0, static_cast<double>(tiles.area.first_row) * tiles.resolution_m))
+            .y();
+    QVERIFY2(lowest <= view.height() - kBar, qPrintable(QString::number(lowest)));
 }
 
 void ViewTest::a_window_of_its_own_is_saved_too() {

@@ -54,6 +54,7 @@ TEST(Cli, RunLeavesEverythingItPromises) {
     const auto summary = nlohmann::json::parse(content(folder / "summary.json"));
     EXPECT_EQ(summary["scans"], 1050);
     EXPECT_EQ(summary["seed"], 4);
+    EXPECT_EQ(summary["algorithm"], "fastslam");
     EXPECT_EQ(summary["particles"], 10);
     EXPECT_EQ(summary["log"]["duplicate_scans"], 291);
     EXPECT_LT(summary["map_error"]["mean_m"].get<double>(), 0.3);

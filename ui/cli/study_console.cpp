@@ -4,9 +4,8 @@
 
 #include <cstdio>
 
+#include "common/study_noise.hpp"
 #include "hitos/capture/error.hpp"
-#include "hitos/services/slam_run.hpp"
-#include "hitos/simulation/noisy_source.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
 
@@ -42,15 +41,7 @@ void add_study_options(CLI::App& command, StudyRunOptions& options) {
 void apply(const StudyRunOptions& options, Study& study) {
     study.seeds = options.runs;
     study.first_seed = options.first_seed;
-    const OdometryNoiseKind kind = parse_noise_kind(options.noise_kind);
-    static_cast<void>(OdometryNoise(options.noise, kind, 0));  // throws for an impossible level
-    if (options.noise == 0.0) return;
-    study.setting = fmt::format("odometry noise {} {}", options.noise_kind, options.noise);
-    study.source = [level = options.noise, kind](const StudyJob& job) {
-        const SourceParams& source = job.configuration.source;
-        return make_noisy_source(open_source(source), level, kind, job.seed,
-                                 source.read.logged_velocities);
-    };
+    set_study_source(study, options.noise, parse_noise_kind(options.noise_kind));
 }
 
 int conduct(const Study& study, const StudyRunOptions& options, const StudyShard& shard) {

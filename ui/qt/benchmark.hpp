@@ -8,9 +8,10 @@ namespace hitos::window {
 class MainWindow;
 class Session;
 
-/// Runs the session's log to its end, in turn without and with the window, and prints steps per
-/// second, pictures per second and how late input was answered. Returns the exit code: 0 where
-/// every answer came within 50 ms and the window took less than a fifth of the speed.
+/// Runs the session's log with and without the window, in turns, and prints steps per second,
+/// pictures per second and how late input was answered. Returns the exit code: 0 where every answer
+/// came within 50 ms, no view was drawn more than 60 times a second, and the window took less than
+/// a fifth of the speed. Throws hitos::Error where the log is too short.
 int run_benchmark(MainWindow& window, Session& session);
 
 }  // namespace hitos::window

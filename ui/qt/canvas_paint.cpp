@@ -25,7 +25,7 @@ QRectF view_bounds(const Scene& scene) {
 
 QPen thin_pen(const QColor& colour, double width, Qt::PenStyle style) {
     // Not cosmetic: on a fine screen and in a great picture lines grow with everything else.
-    return QPen(colour, width, style, Qt::RoundCap, Qt::RoundJoin);
+    return {colour, width, style, Qt::RoundCap, Qt::RoundJoin};
 }
 
 QColor faded(QColor colour, int alpha) {
@@ -64,10 +64,13 @@ void draw_metre_grid(QPainter& painter, const Scene& scene) {
     const QRectF bounds = view_bounds(scene);
     painter.setPen(thin_pen(scene.colours.grid_line));
     QVector<QLineF> lines;
-    for (double x = std::floor(bounds.left() / step) * step; x <= bounds.right(); x += step) {
+    const auto first_at = [step](double from) { return std::lround(std::floor(from / step)); };
+    for (long i = first_at(bounds.left()); step * static_cast<double>(i) <= bounds.right(); ++i) {
+        const double x = step * static_cast<double>(i);
         lines.append(scene.to_screen.map(QLineF(x, bounds.top(), x, bounds.bottom())));
     }
-    for (double y = std::floor(bounds.top() / step) * step; y <= bounds.bottom(); y += step) {
+    for (long i = first_at(bounds.top()); step * static_cast<double>(i) <= bounds.bottom(); ++i) {
+        const double y = step * static_cast<double>(i);
         lines.append(scene.to_screen.map(QLineF(bounds.left(), y, bounds.right(), y)));
     }
     painter.drawLines(lines);
@@ -156,7 +159,7 @@ QPolygonF ellipse(const QPointF& centre_m, const Eigen::Matrix2d& covariance, do
     constexpr int kCorners = 32;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance);
     const Eigen::Vector2d length = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt() * sigmas;
-    const Eigen::Matrix2d axes = solver.eigenvectors();
+    const Eigen::Matrix2d& axes = solver.eigenvectors();
     QPolygonF polygon;
     for (int i = 0; i <= kCorners; ++i) {
         const double angle = 2.0 * kPi * i / kCorners;

@@ -20,6 +20,7 @@ constexpr double kLeastZoom = 0.5;      // pixels per metre
 constexpr double kGreatestZoom = 5000;  // a millimetre is five pixels
 constexpr int kLongestSide = 16000;     // of saved pictures
 constexpr double kClickPixels = 4.0;
+constexpr double kScaleBand = 46.0;  // pixels at the bottom that belong to the scale bar
 
 }  // namespace
 
@@ -81,11 +82,22 @@ Camera CanvasView::fitted(const QSizeF& size) const {
     QTransform turn;
     turn.rotateRadians(camera.turn_rad);
     const QRectF turned = turn.mapRect(box);
+    const double height = std::max(size.height() - kScaleBand, size.height() / 2.0);
     camera.centre = box.center();
-    camera.pixels_per_m = std::clamp(
-        std::min(size.width() / turned.width(), size.height() / turned.height()) / kMargin,
-        kLeastZoom, kGreatestZoom);
+    camera.pixels_per_m =
+        std::clamp(std::min(size.width() / turned.width(), height / turned.height()) / kMargin,
+                   kLeastZoom, kGreatestZoom);
+    make_room_for_scale_bar(camera, size);
     return camera;
+}
+
+/// Lifts the content, which is in the middle, until the bar below covers none of it.
+void CanvasView::make_room_for_scale_bar(Camera& camera, const QSizeF& size) const {
+    const QTransform to_screen = camera.to_screen(size);
+    const double free = size.height() - to_screen.mapRect(content()).bottom();
+    const double lift = std::clamp(kScaleBand - free, 0.0, kScaleBand / 2.0);
+    const QTransform back = to_screen.inverted();
+    camera.centre += back.map(QPointF(0.0, lift)) - back.map(QPointF());
 }
 
 void CanvasView::apply_fit() {
@@ -105,7 +117,8 @@ QSize CanvasView::picture_size(bool whole, double scale) const {
     turn.rotateRadians(camera_.turn_rad);
     const QRectF box = turn.mapRect(content());
     if (!box.isValid()) return (QSizeF(size()) * scale).toSize();
-    return (box.size() * 1.06 * whole_pixels_per_m() * scale).toSize().expandedTo(QSize(64, 64));
+    const QSizeF map = box.size() * 1.06 * whole_pixels_per_m() + QSizeF(0.0, kScaleBand);
+    return (map * scale).toSize().expandedTo(QSize(64, 64));
 }
 
 QImage CanvasView::picture(bool whole, double scale) const {
@@ -130,6 +143,7 @@ QImage CanvasView::picture(bool whole, double scale) const {
     if (whole && content().isValid()) {
         camera.centre = content().center();
         camera.pixels_per_m = whole_pixels_per_m();
+        make_room_for_scale_bar(camera, logical);
     }
     paint_scene(painter, {camera.to_screen(logical), logical, camera.pixels_per_m, paper, true});
     return image;

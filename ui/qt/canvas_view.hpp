@@ -98,6 +98,7 @@ class CanvasView : public QWidget {
     void moved_by_user();
     void apply_fit();
     Camera fitted(const QSizeF& size) const;
+    void make_room_for_scale_bar(Camera& camera, const QSizeF& size) const;
 
     Camera camera_;
     bool fit_ = true;

@@ -39,6 +39,13 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.add_option("--reference-trajectory", out.reference_trajectory,
                        "Reference trajectory (TUM) to measure the path against");
     program.add_flag("--run", out.run, "Start running at once");
+    program
+        .add_option("--vary", out.vary,
+                    "Open the study of a parameter with these values, e.g. dmax=0.01,0.02")
+        ->type_name("NAME=VALUES");
+    program.add_option("--study-runs", out.study_runs, "Runs of each value of the study")
+        ->check(CLI::Range(1, 1000000));
+    program.add_option("--study-folder", out.study_folder, "Folder for the results of the study");
     program.add_option("--language", out.language, "en or es (default: the system's)")
         ->check(CLI::IsMember({"en", "es"}));
     program.add_option("--theme", out.theme, "light, dark or system")
@@ -50,11 +57,11 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.add_option("--scale", out.scale, "Pixels per point of the picture")
         ->check(CLI::Range(0.5, 4.0));
     program
-        .add_option(
-            "--show", out.show,
-            "What the picture shows: main, plots, source, configuration, best-map, odometry")
-        ->check(CLI::IsMember(
-            {"main", "plots", "source", "configuration", "best-map", "odometry", "world"}));
+        .add_option("--show", out.show,
+                    "What the picture shows: main, world, plots, source, configuration, best-map, "
+                    "odometry, study")
+        ->check(CLI::IsMember({"main", "world", "plots", "source", "configuration", "best-map",
+                               "odometry", "study"}));
     program.add_flag("--benchmark", out.benchmark,
                      "Run the log with and without the window; print speeds and response times");
     try {
@@ -97,15 +104,17 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     return configuration;
 }
 
+std::string starting_reference_map(const CommandLine& line, const Configuracion& configuration) {
+    if (!line.reference.empty()) return line.reference;
+    const std::string& log = configuration.source.file;
+    if (log.empty() || log != shipped_file(kReadyTour).toStdString()) return {};
+    return shipped_file("data/maps/bigloop.map").toStdString();
+}
+
 References starting_references(const CommandLine& line, const Configuracion& configuration) {
     References references;
-    if (!line.reference.empty()) {
-        references.map = read_map(line.reference);
-    } else if (!configuration.source.file.empty() &&
-               configuration.source.file == shipped_file(kReadyTour).toStdString()) {
-        const QString map = shipped_file("data/maps/bigloop.map");
-        if (!map.isEmpty()) references.map = read_map(map.toStdString());
-    }
+    const std::string map = starting_reference_map(line, configuration);
+    if (!map.empty()) references.map = read_map(map);
     if (!line.reference_trajectory.empty()) {
         references.trajectory = read_trajectory(line.reference_trajectory);
     }

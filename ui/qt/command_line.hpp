@@ -24,6 +24,9 @@ struct CommandLine {
     std::string theme;
     std::string size;
     bool run = false;
+    std::string vary;  ///< what to study, "dmax=0.01,0.02"; empty: no study
+    std::string study_folder;
+    int study_runs = 5;  ///< of each value
     // Pictures for documents.
     std::string screenshot;
     std::uint64_t steps = 0;
@@ -39,6 +42,9 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out);
 /// The configuration to start with: the named one, else the user's init.cfg, else the defaults;
 /// then the log, else the ready tour; then the single parameters. Throws hitos::Error.
 Configuracion starting_configuration(const CommandLine& line, const UserFiles& files);
+
+/// The reference map's file, or for the ready tour the one that belongs to it; else empty.
+std::string starting_reference_map(const CommandLine& line, const Configuracion& configuration);
 
 /// The references named, or for the ready tour the one that belongs to it. Throws hitos::Error.
 References starting_references(const CommandLine& line, const Configuracion& configuration);

@@ -166,7 +166,7 @@ void ConfigurationActions::load_reference_map() {
         try {
             References references = session_.references();
             references.map = read_map(path.toStdString());
-            session_.set_references(references);
+            session_.set_references(references, path);
             files_.note_folder("map", path);
             emit notice(tr("Reference map: %1 landmarks").arg(references.map->size()));
             return;
@@ -187,7 +187,7 @@ void ConfigurationActions::load_reference_trajectory() {
         try {
             References references = session_.references();
             references.trajectory = read_trajectory(path.toStdString());
-            session_.set_references(references);
+            session_.set_references(references, session_.reference_map_file());
             files_.note_folder("map", path);
             emit notice(tr("Reference trajectory: %1 poses").arg(references.trajectory->size()));
             return;

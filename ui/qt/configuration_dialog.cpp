@@ -11,6 +11,7 @@
 
 #include "hitos/capture/error.hpp"
 #include "parameter_text.hpp"
+#include "theme.hpp"
 #include "ui_configuration_dialog.h"
 
 namespace hitos::window {
@@ -19,7 +20,7 @@ namespace {
 using Group = ParameterGroup;
 
 /// Two columns of groups, about as long as each other; the source has a dialog of its own.
-const std::array<std::vector<Group>, 2> kColumns{{
+const std::array<std::vector<Group>, 2> column_groups{{
     {Group::particle_filter, Group::motion, Group::resampling, Group::run},
     {Group::observation, Group::split_merge, Group::grid},
 }};
@@ -47,7 +48,7 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, Pro
     auto* columns = new QHBoxLayout(ui_->groups);
     columns->setContentsMargins(0, 0, 6, 0);
     columns->setSpacing(12);
-    for (const auto& groups : kColumns) {
+    for (const auto& groups : column_groups) {
         auto* column = new QVBoxLayout;
         column->setSpacing(12);
         for (const Group group : groups) {
@@ -123,13 +124,11 @@ void ConfigurationDialog::mark_unused() {
 void ConfigurationDialog::show_verdict() {
     const auto wrong = std::count_if(fields_.begin(), fields_.end(),
                                      [](const auto* field) { return field->has_error(); });
-    ui_->verdict->setProperty("role", wrong > 0 ? "error" : "muted");
+    set_look(*ui_->verdict, "role", wrong > 0 ? "error" : "muted");
     ui_->verdict->setText(
         wrong > 0 ? tr("Values to correct: %1. Nothing changes until all are possible.").arg(wrong)
                   : tr("Values that differ from their default are marked. Nothing "
                        "changes until you confirm."));
-    ui_->verdict->style()->unpolish(ui_->verdict);
-    ui_->verdict->style()->polish(ui_->verdict);
 }
 
 bool ConfigurationDialog::read(Configuracion& out) {

@@ -10,10 +10,10 @@ namespace {
 constexpr int kUnknown = 205;
 
 /// Half the side: the mean, drawn towards the darkest so that thin walls stay.
-void halve(const std::uint8_t* from, int side, std::uint8_t* to) {
-    const int half = side / 2;
-    for (int y = 0; y < half; ++y) {
-        for (int x = 0; x < half; ++x) {
+void halve(const std::uint8_t* from, std::ptrdiff_t side, std::uint8_t* to) {
+    const std::ptrdiff_t half = side / 2;
+    for (std::ptrdiff_t y = 0; y < half; ++y) {
+        for (std::ptrdiff_t x = 0; x < half; ++x) {
             const std::uint8_t* cell = from + 2 * y * side + 2 * x;
             const int sum = cell[0] + cell[1] + cell[side] + cell[side + 1];
             const int least = std::min({cell[0], cell[1], cell[side], cell[side + 1]});
@@ -64,7 +64,7 @@ void GridLayer::copy_tile(std::size_t place, const GridTile* tile) {
         // Images have their first row at the top, tiles at the bottom.
         for (int y = 0; y < side; ++y) {
             const int line = image.height() - 1 - (row * side + y);
-            std::memcpy(image.scanLine(line) + column * side,
+            std::memcpy(image.scanLine(line) + static_cast<std::ptrdiff_t>(column) * side,
                         level_grey.data() + static_cast<std::ptrdiff_t>(y) * side,
                         static_cast<std::size_t>(side));
         }

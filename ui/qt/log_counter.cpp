@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include "background.hpp"
 #include "source_inspection.hpp"
 
 namespace hitos::window {
@@ -26,6 +27,7 @@ void LogCounter::begin() {
     if (wanted.file.empty()) return;
     stop_ = std::make_shared<std::atomic<bool>>(false);
     pool_.start([this, wanted, stop = stop_] {
+        begin_background_work();
         std::optional<quint64> scans;
         try {
             const LogSummary summary =

@@ -12,11 +12,20 @@
 #include "command_line.hpp"
 #include "main_window.hpp"
 #include "screenshot.hpp"
+#include "study_dialog.hpp"
 #include "view_settings.hpp"
 
 namespace {
 
 using namespace hitos::window;  // the program is nothing but the window
+
+void prepare_study(StudyDialog& study, const CommandLine& line) {
+    study.form().set_assignment(QString::fromStdString(line.vary));
+    study.form().set_runs(line.study_runs);
+    if (!line.study_folder.empty()) {
+        study.form().set_folder(QString::fromStdString(line.study_folder));
+    }
+}
 
 /// Pictures and measurements need no display, and leave the user's files alone.
 bool without_display(const CommandLine& line) {
@@ -49,7 +58,8 @@ int run(int argc, char** argv, const CommandLine& line) {
 
     const hitos::Configuracion configuration = starting_configuration(line, files);
     session.set_configuration(configuration);
-    session.set_references(starting_references(line, configuration));
+    session.set_references(starting_references(line, configuration),
+                           QString::fromStdString(starting_reference_map(line, configuration)));
     int code = 0;
     if (!line.screenshot.empty()) {
         take_screenshot(window, session, line);
@@ -57,6 +67,7 @@ int run(int argc, char** argv, const CommandLine& line) {
         code = run_benchmark(window, session);
     } else {
         window.show();
+        if (!line.vary.empty()) prepare_study(window.open_study(), line);
         if (line.run) session.run();
         code = QApplication::exec();
     }

@@ -16,6 +16,7 @@
 #include "reference_meter.hpp"
 #include "result_actions.hpp"
 #include "status_line.hpp"
+#include "study_dialog.hpp"
 #include "ui_main_window.h"
 #include "view_settings.hpp"
 
@@ -137,11 +138,13 @@ void MainWindow::connect_run() {
     connect(ui_->action_odometry, &QAction::triggered, results_, &ResultActions::view_odometry);
     connect(ui_->action_save_map, &QAction::triggered, results_, &ResultActions::save_map);
     connect(ui_->action_save_results, &QAction::triggered, results_, &ResultActions::save_results);
+    connect(ui_->action_study, &QAction::triggered, this, [this] { open_study(); });
     connect(ui_->action_save_picture, &QAction::triggered, this, &MainWindow::save_picture_in_use);
     connect(ui_->action_exit, &QAction::triggered, this, &QWidget::close);
     connect(results_, &ResultActions::notice, status_, &StatusLine::notice);
     const auto enable = [this] {
         ui_->action_save_results->setEnabled(session_.progress().steps > 0);
+        ui_->action_study->setEnabled(session_.has_source());
     };
     connect(&session_, &Session::progress_changed, this, enable);
     enable();
@@ -211,9 +214,18 @@ void MainWindow::save_plots_picture() {
     if (!path.isEmpty()) files_.note_folder("picture", path);
 }
 
+StudyDialog& MainWindow::open_study() {
+    if (study_ == nullptr) study_ = new StudyDialog(session_, files_, prompts_, this);
+    if (study_->isVisible()) study_->raise();
+    study_->show();
+    study_->activateWindow();
+    return *study_;
+}
+
 void MainWindow::restyle() {
     show_configuration();
     plots_->restyle();
+    if (study_ != nullptr) study_->restyle();
     update();
 }
 
@@ -241,6 +253,10 @@ void MainWindow::show_configuration() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (study_ != nullptr && !study_->may_end()) {
+        event->ignore();
+        return;
+    }
     session_.pause();
     save_state();
     event->accept();

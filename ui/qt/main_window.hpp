@@ -22,6 +22,7 @@ class ReferenceMeter;
 class ResultActions;
 class ScanView;
 class StatusLine;
+class StudyDialog;
 class ViewSettings;
 namespace Ui {
 class MainWindow;
@@ -40,6 +41,10 @@ class MainWindow final : public QMainWindow {
     GridView& grid_view() const;
     Plots& plots() const { return *plots_; }
     QDockWidget& plots_dock() const { return *dock_; }
+    /// Shows the study of one parameter.
+    StudyDialog& open_study();
+    /// Null until it was opened.
+    StudyDialog* study() const { return study_; }
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -77,6 +82,7 @@ class MainWindow final : public QMainWindow {
     StatusLine* status_ = nullptr;
     Plots* plots_ = nullptr;
     QDockWidget* dock_ = nullptr;
+    StudyDialog* study_ = nullptr;
 };
 
 }  // namespace hitos::window

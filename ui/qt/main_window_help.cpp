@@ -51,6 +51,7 @@ void MainWindow::show_keys() {
         {"Ctrl+O, Ctrl+M", tr("data source, parameters")},
         {"Ctrl+L, Ctrl+S", tr("load, save the configuration")},
         {"Ctrl+G", tr("plots")},
+        {"Ctrl+E", tr("study of one parameter")},
         {"Ctrl+T, Ctrl+F", tr("world frame, follow the robot")},
         {"Alt+1 … Alt+9", tr("layers")},
         {"+, −, F, WASD", tr("zoom, fit and move the view in use")}};

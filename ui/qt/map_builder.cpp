@@ -1,8 +1,10 @@
 #include "map_builder.hpp"
 
+#include <cmath>
 #include <exception>
 #include <utility>
 
+#include "background.hpp"
 #include "common/open_tour.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "hitos/features/control.hpp"
@@ -36,6 +38,7 @@ void MapBuilder::start(Work work) {
     shared_.running = true;
     state_ = shared_;
     worker_ = std::jthread([this, work = std::move(work)](const std::stop_token& stop) mutable {
+        begin_background_work();
         QString error;
         try {
             work(stop);
@@ -67,7 +70,7 @@ void MapBuilder::build(const Configuracion& configuration, Trajectory path) {
         GridBuilder builder(configuration, open_tour(configuration.source), path);
         const auto show = [&](bool last) {
             const auto done = static_cast<std::ptrdiff_t>(
-                builder.progress() * static_cast<double>(path.size()) + 0.5);
+                std::lround(builder.progress() * static_cast<double>(path.size())));
             publish(builder.grid(), {path.begin(), path.begin() + done}, builder.progress(), last);
         };
         while (!stop.stop_requested() && builder.step()) show(false);

@@ -45,7 +45,6 @@ class MapBuilder final : public QObject {
     void publish(const Grid& grid, const Trajectory& path, double progress, bool last);
     void poll();
 
-    std::jthread worker_;
     QTimer timer_;
     std::mutex mutex_;
     // Written by the worker, under the mutex.
@@ -55,6 +54,8 @@ class MapBuilder final : public QObject {
     bool wanted_ = true;
     // Read by the window.
     State state_;
+
+    std::jthread worker_;  // last: it uses everything above
 };
 
 }  // namespace hitos::window

@@ -4,18 +4,13 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QStyle>
 
 #include "hitos/capture/error.hpp"
 #include "parameter_text.hpp"
+#include "theme.hpp"
 
 namespace hitos::window {
 namespace {
-
-void repolish(QWidget* widget) {
-    widget->style()->unpolish(widget);
-    widget->style()->polish(widget);
-}
 
 QString tip_of(const Parameter& parameter) {
     static const Configuracion defaults;
@@ -104,8 +99,7 @@ bool ParameterField::apply(Configuracion& configuration) {
 void ParameterField::set_error(const QString& error) {
     error_->setText(error);
     error_->setVisible(!error.isEmpty());
-    editor()->setProperty("state", error.isEmpty() ? "good" : "wrong");
-    repolish(editor());
+    set_look(*editor(), "state", error.isEmpty() ? "good" : "wrong");
 }
 
 bool ParameterField::has_error() const {
@@ -125,8 +119,7 @@ void ParameterField::focus() {
 void ParameterField::mark_changed() {
     static const Configuracion defaults;
     const QString normal = QString::fromStdString(parameter_.text(defaults));
-    label_->setProperty("role", text() == normal ? "value" : "changed");
-    repolish(label_);
+    set_look(*label_, "role", text() == normal ? "value" : "changed");
 }
 
 }  // namespace hitos::window

@@ -3,12 +3,13 @@
 #include "parameter_strings.hpp"
 
 #include <QtGlobal>
+#include <array>
 
 namespace hitos::window {
 namespace {
 
 // QT_TRANSLATE_NOOP gives its text; lupdate reads it.
-constexpr const char* kDescriptions[] = {
+constexpr auto kDescriptions = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameter",
                       "Path of the log to read, plain or gzip; empty where none is chosen."),
     QT_TRANSLATE_NOOP("Parameter", "Format of the log; auto finds it from the first lines."),
@@ -20,6 +21,10 @@ constexpr const char* kDescriptions[] = {
         "Parameter",
         "Whether controls come from the differences of the logged poses or are the logged "
         "v and omega."),
+    QT_TRANSLATE_NOOP(
+        "Parameter",
+        "What builds the map: fastslam, particles with one small filter per landmark; ekf-slam, "
+        "one extended Kalman filter over the pose and all landmarks."),
     QT_TRANSLATE_NOOP(
         "Parameter",
         "Number of particles M; more of them follow more hypotheses, and time and memory "
@@ -35,6 +40,10 @@ constexpr const char* kDescriptions[] = {
         "Parameter",
         "Probability of the chi-square gate of gnn; a higher value accepts observations "
         "that lie further from their landmark."),
+    QT_TRANSLATE_NOOP("Parameter",
+                      "ekf-slam, which always associates by gnn: probability of the chi-square "
+                      "gate outside which an observation is a new landmark, and between the two "
+                      "gates nothing; a higher value makes fewer new landmarks."),
     QT_TRANSLATE_NOOP(
         "Parameter",
         "What an observation that fits several landmarks, and is kept out of the map, does "
@@ -85,6 +94,18 @@ constexpr const char* kDescriptions[] = {
         "Variance sigma^2 of the observed theta of a line or bearing of a corner; a higher "
         "value trusts the laser less and accepts greater differences from a landmark."),
     QT_TRANSLATE_NOOP(
+        "Parameter",
+        "How sure an observation is: fixed takes var_rho and var_theta for all; points computes "
+        "the covariance of each line and corner from the points that support it."),
+    QT_TRANSLATE_NOOP("Parameter",
+                      "Standard deviation of a measured range, for the covariance points; a higher "
+                      "value trusts the laser less."),
+    QT_TRANSLATE_NOOP(
+        "Parameter",
+        "How lines are found: split-merge divides runs of points at the farthest one; ransac cuts "
+        "the scan at edges and takes the lines that most points agree with, fitted by least "
+        "squares. Both use min_length, min_points and collinear_* of split_merge."),
+    QT_TRANSLATE_NOOP(
         "Parameter", "What is looked for in a scan: lines, corners where two lines meet, or both."),
     QT_TRANSLATE_NOOP(
         "Parameter",
@@ -123,6 +144,18 @@ constexpr const char* kDescriptions[] = {
         "Parameter",
         "How much the gap allowed between neighbours grows with their range; a higher "
         "value lets far lines cross wider gaps."),
+    QT_TRANSLATE_NOOP("Parameter",
+                      "Ranges of neighbours that differ by more than edge + edge_per_range * range "
+                      "end a run; a higher value makes longer runs."),
+    QT_TRANSLATE_NOOP("Parameter",
+                      "How much the difference allowed between neighbours grows with their range; "
+                      "a higher value lets walls run on that are seen at a flat angle."),
+    QT_TRANSLATE_NOOP("Parameter",
+                      "Greatest distance of a point that agrees with a line; a higher value makes "
+                      "fewer and rougher lines."),
+    QT_TRANSLATE_NOOP("Parameter",
+                      "Most hypotheses tried for one line; a higher value finds lines among more "
+                      "stray points and takes longer."),
     QT_TRANSLATE_NOOP(
         "Parameter",
         "When particles are drawn anew: after every step that observed something, or only "
@@ -156,7 +189,7 @@ constexpr const char* kDescriptions[] = {
         "Parameter",
         "Number of threads, which changes the time and never the result; 0 uses as many as "
         "the machine has."),
-};
+});
 
 }  // namespace
 

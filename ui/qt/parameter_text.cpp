@@ -17,10 +17,12 @@ const Words& labels() {
         {"source.format", QT_TRANSLATE_NOOP("ParameterLabel", "Format")},
         {"source.max_range", QT_TRANSLATE_NOOP("ParameterLabel", "Maximum range")},
         {"source.odometry", QT_TRANSLATE_NOOP("ParameterLabel", "Odometry from")},
+        {"filter.algorithm", QT_TRANSLATE_NOOP("ParameterLabel", "Algorithm")},
         {"filter.particles", QT_TRANSLATE_NOOP("ParameterLabel", "Particles")},
         {"association.method", QT_TRANSLATE_NOOP("ParameterLabel", "Association")},
         {"association.p0", QT_TRANSLATE_NOOP("ParameterLabel", "P0")},
         {"association.gate_probability", QT_TRANSLATE_NOOP("ParameterLabel", "Gate probability")},
+        {"association.new_probability", QT_TRANSLATE_NOOP("ParameterLabel", "New landmark gate")},
         {"association.ambiguity", QT_TRANSLATE_NOOP("ParameterLabel", "Ambiguous")},
         {"association.ambiguity_ratio", QT_TRANSLATE_NOOP("ParameterLabel", "Ambiguity ratio")},
         {"motion.model", QT_TRANSLATE_NOOP("ParameterLabel", "Model")},
@@ -33,6 +35,9 @@ const Words& labels() {
         {"motion.var_theta_per_m", QT_TRANSLATE_NOOP("ParameterLabel", "Var. θ per m")},
         {"observation.var_rho", QT_TRANSLATE_NOOP("ParameterLabel", "σ² ρ")},
         {"observation.var_theta", QT_TRANSLATE_NOOP("ParameterLabel", "σ² θ")},
+        {"observation.covariance", QT_TRANSLATE_NOOP("ParameterLabel", "Covariance")},
+        {"observation.point_sigma", QT_TRANSLATE_NOOP("ParameterLabel", "σ range")},
+        {"features.method", QT_TRANSLATE_NOOP("ParameterLabel", "Lines by")},
         {"features.detect", QT_TRANSLATE_NOOP("ParameterLabel", "Features")},
         {"features.corner_distance", QT_TRANSLATE_NOOP("ParameterLabel", "Corner distance (Es)")},
         {"split_merge.dmax", QT_TRANSLATE_NOOP("ParameterLabel", "D max")},
@@ -44,6 +49,10 @@ const Words& labels() {
         {"split_merge.collinear_gap", QT_TRANSLATE_NOOP("ParameterLabel", "Collinear gap")},
         {"split_merge.gap", QT_TRANSLATE_NOOP("ParameterLabel", "Gap")},
         {"split_merge.gap_per_range", QT_TRANSLATE_NOOP("ParameterLabel", "Gap per range")},
+        {"ransac.edge", QT_TRANSLATE_NOOP("ParameterLabel", "RANSAC edge")},
+        {"ransac.edge_per_range", QT_TRANSLATE_NOOP("ParameterLabel", "Edge per range")},
+        {"ransac.threshold", QT_TRANSLATE_NOOP("ParameterLabel", "RANSAC threshold")},
+        {"ransac.iterations", QT_TRANSLATE_NOOP("ParameterLabel", "RANSAC iterations")},
         {"resampling.rule", QT_TRANSLATE_NOOP("ParameterLabel", "Resampling")},
         {"resampling.neff_threshold", QT_TRANSLATE_NOOP("ParameterLabel", "Neff threshold")},
         {"grid.resolution", QT_TRANSLATE_NOOP("ParameterLabel", "Cell size")},
@@ -66,6 +75,8 @@ const Words& choices() {
         {"source.format=carmen", QT_TRANSLATE_NOOP("ParameterChoice", "CARMEN")},
         {"source.odometry=poses", QT_TRANSLATE_NOOP("ParameterChoice", "Logged poses")},
         {"source.odometry=velocities", QT_TRANSLATE_NOOP("ParameterChoice", "Logged velocities")},
+        {"filter.algorithm=fastslam", QT_TRANSLATE_NOOP("ParameterChoice", "FastSLAM 1.0")},
+        {"filter.algorithm=ekf-slam", QT_TRANSLATE_NOOP("ParameterChoice", "EKF-SLAM")},
         {"association.method=ml", QT_TRANSLATE_NOOP("ParameterChoice", "Maximum likelihood")},
         {"association.method=gnn", QT_TRANSLATE_NOOP("ParameterChoice", "Gated nearest neighbour")},
         {"association.ambiguity=keep-likelihood",
@@ -79,6 +90,10 @@ const Words& choices() {
         {"motion.model=no-odometry",
          QT_TRANSLATE_NOOP("ParameterChoice", "Differential without odometry")},
         {"motion.model=proportional", QT_TRANSLATE_NOOP("ParameterChoice", "Proportional")},
+        {"observation.covariance=fixed", QT_TRANSLATE_NOOP("ParameterChoice", "Fixed variances")},
+        {"observation.covariance=points", QT_TRANSLATE_NOOP("ParameterChoice", "From the points")},
+        {"features.method=split-merge", QT_TRANSLATE_NOOP("ParameterChoice", "Split and Merge")},
+        {"features.method=ransac", QT_TRANSLATE_NOOP("ParameterChoice", "RANSAC")},
         {"features.detect=lines", QT_TRANSLATE_NOOP("ParameterChoice", "Lines")},
         {"features.detect=corners", QT_TRANSLATE_NOOP("ParameterChoice", "Corners")},
         {"features.detect=both", QT_TRANSLATE_NOOP("ParameterChoice", "Both")},
@@ -155,6 +170,12 @@ QString value_of(const Parameter& parameter, const Configuracion& configuration)
         default:
             return QString::fromStdString(parameter.text(configuration));
     }
+}
+
+QString value_with_unit(const Parameter& parameter, const Configuracion& configuration) {
+    const QString unit = unit_of(parameter);
+    const QString value = value_of(parameter, configuration);
+    return unit.isEmpty() || value.isEmpty() ? value : value + ' ' + unit;
 }
 
 QString allowed_of(const Parameter& parameter) {

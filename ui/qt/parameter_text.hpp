@@ -18,6 +18,8 @@ QString choice_of(const Parameter& parameter, std::size_t place);
 QString title_of(ParameterGroup group);
 /// The value as the user reads it, without unit; file names without their folder.
 QString value_of(const Parameter& parameter, const Configuracion& configuration);
+/// "0.02 m"
+QString value_with_unit(const Parameter& parameter, const Configuracion& configuration);
 /// "0 to 10 m", translated.
 QString allowed_of(const Parameter& parameter);
 bool is_default(const Parameter& parameter, const Configuracion& configuration);

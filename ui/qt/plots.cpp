@@ -6,8 +6,7 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
-#include "canvas_paint.hpp"
-#include "theme.hpp"
+#include "plot_style.hpp"
 
 namespace hitos::window {
 namespace {
@@ -43,16 +42,10 @@ Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
 }
 
 void Plots::add_plot(std::size_t plot, const QString& title) {
-    const int row = 2 * (static_cast<int>(plot) / kColumns);
+    const int row = static_cast<int>(plot) / kColumns;
     const int column = static_cast<int>(plot) % kColumns;
-    auto* words = new QCPTextElement(plot_, title, font());
-    words->setTextFlags(Qt::AlignLeft);
-    words->setMargins(QMargins(8, 4, 4, 0));
-    plot_->plotLayout()->addElement(row, column, words);
-    auto* rect = new QCPAxisRect(plot_);
-    rect->setMinimumMargins(QMargins(40, 4, 10, 20));
-    plot_->plotLayout()->addElement(row + 1, column, rect);
-    plot_->plotLayout()->setRowStretchFactor(row, 0.01);
+    QCPAxisRect* rect = add_titled_plot(*plot_, row, column, title);
+    for (QCPAxis* axis : rect->axes()) axis->ticker()->setTickCount(4);
     rects_.push_back(rect);
     graphs_.push_back(plot_->addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft)));
 }
@@ -62,27 +55,14 @@ void Plots::restyle() {
     const std::array<QColor, kPlots> line{c.particle, c.landmark,  c.association,
                                           c.muted,    c.reference, c.path};
     plot_->setBackground(c.card);
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.85);
+    const QFont small = plot_font(font());
     for (std::size_t i = 0; i < kPlots; ++i) {
         graphs_[i]->setPen(QPen(line[i], 1.4));
         if (i == map_error || i == path_error) {  // measured now and then
             graphs_[i]->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 4.0));
         }
-        for (QCPAxis* axis : rects_[i]->axes()) {
-            axis->setBasePen(QPen(c.border));
-            axis->setTickPen(QPen(c.border));
-            axis->setSubTickPen(Qt::NoPen);
-            axis->setTickLabelColor(c.muted);
-            axis->setTickLabelFont(small);
-            axis->ticker()->setTickCount(4);
-            axis->grid()->setPen(QPen(c.grid_line));
-            axis->grid()->setZeroLinePen(QPen(c.border));
-        }
-        auto* title = qobject_cast<QCPTextElement*>(plot_->plotLayout()->element(
-            2 * (static_cast<int>(i) / kColumns), static_cast<int>(i) % kColumns));
-        title->setTextColor(c.text);
-        title->setFont(small);
+        const int place = static_cast<int>(i);
+        style_plot(*rects_[i], *title_of(*plot_, place / kColumns, place % kColumns), c, small);
     }
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }

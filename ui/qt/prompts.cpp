@@ -30,6 +30,10 @@ QString QtPrompts::save_file(QWidget* parent, const FileQuestion& question) {
     return path;
 }
 
+QString QtPrompts::choose_folder(QWidget* parent, const QString& title, const QString& start) {
+    return QFileDialog::getExistingDirectory(parent, title, start);
+}
+
 bool QtPrompts::confirm(QWidget* parent, const Question& question) {
     QMessageBox box(QMessageBox::Question, question.title, question.text, QMessageBox::Cancel,
                     parent);

@@ -29,6 +29,8 @@ class Prompts {
     virtual QString open_file(QWidget* parent, const FileQuestion& question) = 0;
     /// The file to write, whether it exists or not; empty where the user cancelled.
     virtual QString save_file(QWidget* parent, const FileQuestion& question) = 0;
+    /// A folder, which may be new; empty where the user cancelled.
+    virtual QString choose_folder(QWidget* parent, const QString& title, const QString& start) = 0;
     virtual bool confirm(QWidget* parent, const Question& question) = 0;
     virtual void warn(QWidget* parent, const QString& title, const QString& text) = 0;
 };
@@ -38,6 +40,7 @@ class QtPrompts final : public Prompts {
   public:
     QString open_file(QWidget* parent, const FileQuestion& question) override;
     QString save_file(QWidget* parent, const FileQuestion& question) override;
+    QString choose_folder(QWidget* parent, const QString& title, const QString& start) override;
     bool confirm(QWidget* parent, const Question& question) override;
     void warn(QWidget* parent, const QString& title, const QString& text) override;
 };

@@ -3,6 +3,8 @@
 #include <QTimer>
 #include <utility>
 
+#include "background.hpp"
+
 namespace hitos::window {
 namespace {
 
@@ -68,6 +70,7 @@ void ReferenceMeter::consider() {
     busy_ = true;
     clock_.restart();
     pool_.start([this, snapshot, references, generation = generation_] {
+        begin_background_work();
         auto figures = std::make_shared<const Measured>(measure(*snapshot, references));
         in_window_([this, figures, steps = snapshot->steps, generation] {
             take(figures, steps, generation);

@@ -26,14 +26,15 @@ MapWindow* ResultActions::open_window(QPointer<MapWindow>& place, const QString&
 }
 
 void ResultActions::view_best() {
+    if (session_.progress().steps == 0) return;
     const auto snapshot = session_.snapshot();
-    if (!snapshot || snapshot->steps == 0) return;
     // The newest state, which while the run goes on is a few steps after the one in the views.
     auto path =
         session_.algoritmo()->with_run([](const SlamRun& run) { return run.best_trajectory(); });
     MapWindow* map =
         open_window(best_, tr("Grid map of the best particle"), MapWindow::Show::result);
-    if (path.wait_for(std::chrono::milliseconds(40)) == std::future_status::ready) {
+    const bool shown = snapshot && snapshot->steps > 0;
+    if (!shown || path.wait_for(std::chrono::milliseconds(40)) == std::future_status::ready) {
         map->builder().build(session_.configuration(), path.get());
     } else {  // a slow step is under way; what is in the views will do
         map->builder().build(session_.configuration(), snapshot->best_trajectory);
@@ -48,8 +49,7 @@ void ResultActions::view_odometry() {
 }
 
 void ResultActions::save_map() {
-    const auto snapshot = session_.snapshot();
-    if (!snapshot || snapshot->steps == 0) return;
+    if (session_.progress().steps == 0) return;
     // The map of this moment, however long the user thinks about its name.
     const auto map = session_.algoritmo()
                          ->with_run([](const SlamRun& run) { return run.filter().best_map(); })

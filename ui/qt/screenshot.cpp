@@ -5,17 +5,21 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QFileInfo>
 #include <QPixmap>
+#include <QTemporaryDir>
 #include <QTimer>
 #include <functional>
 
 #include "configuration_dialog.hpp"
+#include "hitos/capture/error.hpp"
 #include "main_window.hpp"
 #include "map_window.hpp"
 #include "picture_dialog.hpp"
 #include "result_actions.hpp"
 #include "scan_view.hpp"
 #include "source_dialog.hpp"
+#include "study_dialog.hpp"
 
 namespace hitos::window {
 namespace {
@@ -58,6 +62,23 @@ void show_map(MapWindow* map, const CommandLine& line) {
     write_picture_of(*map, line);
 }
 
+void show_study(MainWindow& window, const CommandLine& line) {
+    const QTemporaryDir scratch;
+    StudyDialog& study = window.open_study();
+    study.form().set_assignment(QString::fromStdString(line.vary));
+    study.form().set_runs(line.study_runs);
+    const QString folder = line.study_folder.empty() ? scratch.filePath("study")
+                                                     : QString::fromStdString(line.study_folder);
+    if (QFileInfo::exists(folder)) {  // there is nobody to ask
+        throw FileError(folder.toStdString(), "exists already; a picture takes a new folder");
+    }
+    study.form().set_folder(folder);
+    if (!line.vary.empty()) study.start();
+    process_until([&study] { return !study.running(); });
+    settle(100);
+    write_picture_of(study, line);
+}
+
 }  // namespace
 
 void take_screenshot(MainWindow& window, Session& session, const CommandLine& line) {
@@ -89,6 +110,8 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
     } else if (line.show == "odometry") {
         window.result_actions().view_odometry();
         show_map(window.result_actions().odometry_window(), line);
+    } else if (line.show == "study") {
+        show_study(window, line);
     } else {
         write_picture_of(window, line);
     }

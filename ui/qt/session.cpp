@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "background.hpp"
 #include "common/open_tour.hpp"
 #include "thread_clock.hpp"
 
@@ -40,7 +41,9 @@ void Session::set_configuration(const Configuracion& configuration) {
     check(configuration);
     std::unique_ptr<Algoritmo> next;
     if (!configuration.source.file.empty()) {
-        next = std::make_unique<Algoritmo>(configuration, open_tour(configuration.source));
+        next = in_background([&] {
+            return std::make_unique<Algoritmo>(configuration, open_tour(configuration.source));
+        });
     }
     retire();
     configuration_ = configuration;
@@ -59,8 +62,9 @@ void Session::begin_anew() {
     emit progress_changed();
 }
 
-void Session::set_references(const References& references) {
+void Session::set_references(const References& references, const QString& map_file) {
     references_ = references;
+    reference_map_file_ = map_file;
     emit references_changed();
 }
 

@@ -37,7 +37,9 @@ class Session final : public QObject {
     Progress progress() const;
 
     const References& references() const { return references_; }
-    void set_references(const References& references);
+    /// `map_file` is where the map was read; empty where it is not known.
+    void set_references(const References& references, const QString& map_file = {});
+    const QString& reference_map_file() const { return reference_map_file_; }
 
     void run();
     void run_steps(quint64 steps);
@@ -64,6 +66,7 @@ class Session final : public QObject {
 
     Configuracion configuration_;
     References references_;
+    QString reference_map_file_;
     std::unique_ptr<Algoritmo> algoritmo_;
     std::shared_ptr<const Snapshot> snapshot_;
     QTimer timer_;

@@ -5,32 +5,32 @@
 #include <QFontDatabase>
 #include <QMimeData>
 #include <QPushButton>
-#include <QStyle>
 #include <utility>
 
+#include "background.hpp"
 #include "hitos/capture/error.hpp"
 #include "parameter_text.hpp"
 #include "source_inspection.hpp"
+#include "theme.hpp"
 #include "ui_source_dialog.h"
 
 namespace hitos::window {
 
-SourceDialog::SourceDialog(const SourceParams& source, Prompts& prompts, const QString& folder,
-                           QWidget* parent)
+SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder, QWidget* parent)
     : QDialog(parent),
       ui_(std::make_unique<Ui::SourceDialog>()),
       prompts_(prompts),
-      folder_(folder),
-      source_(source) {
+      folder_(std::move(folder)),
+      source_(std::move(source)) {
     ui_->setupUi(this);
     pool_.setMaxThreadCount(1);
     const Parameter& format = find_parameter("source.format");
     for (std::size_t i = 0; i < format.choices.size(); ++i)
         ui_->type->addItem(choice_of(format, i));
-    ui_->type->setCurrentIndex(static_cast<int>(source.format));
+    ui_->type->setCurrentIndex(static_cast<int>(source_.format));
     ui_->lines->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     ui_->reading->hide();
-    ui_->path->setText(QString::fromStdString(source.file));
+    ui_->path->setText(QString::fromStdString(source_.file));
     connect(ui_->path, &QLineEdit::textChanged, this, &SourceDialog::begin_check);
     connect(ui_->type, &QComboBox::currentIndexChanged, this, &SourceDialog::begin_check);
     connect(ui_->browse, &QPushButton::clicked, this, &SourceDialog::browse);
@@ -82,6 +82,7 @@ void SourceDialog::begin_check() {
     ui_->reading->show();
     stop_ = std::make_shared<std::atomic<bool>>(false);
     pool_.start([this, wanted, stop = stop_] {
+        begin_background_work();
         std::optional<LogSummary> summary;
         QString problem;
         try {
@@ -146,9 +147,7 @@ QString SourceDialog::words_of(const LogSummary& summary) const {
 
 void SourceDialog::show_verdict(const QString& text, const char* role) {
     ui_->verdict->setText(text);
-    ui_->verdict->setProperty("role", role);
-    ui_->verdict->style()->unpolish(ui_->verdict);
-    ui_->verdict->style()->polish(ui_->verdict);
+    set_look(*ui_->verdict, "role", role);
 }
 
 void SourceDialog::dragEnterEvent(QDragEnterEvent* event) {

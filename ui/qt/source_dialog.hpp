@@ -24,8 +24,7 @@ class SourceDialog final : public QDialog {
     Q_OBJECT
 
   public:
-    SourceDialog(const SourceParams& source, Prompts& prompts, const QString& folder,
-                 QWidget* parent);
+    SourceDialog(SourceParams source, Prompts& prompts, QString folder, QWidget* parent);
     ~SourceDialog() override;
 
     /// What the user chose.

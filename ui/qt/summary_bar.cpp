@@ -29,20 +29,36 @@ std::vector<Card> cards_of(const Configuracion& c) {
     } else {
         motion.insert(motion.end(), {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"});
     }
-    std::vector<const char*> filter{"filter.particles", "association.p0", "resampling.rule"};
-    if (c.filter.resampling.rule == ResamplingRule::neff) {
-        filter.push_back("resampling.neff_threshold");
+    std::vector<const char*> filter{"filter.algorithm"};
+    if (c.filter.algorithm == SlamAlgorithm::ekf_slam) {
+        filter.insert(filter.end(),
+                      {"association.gate_probability", "association.new_probability"});
+    } else {
+        filter.insert(filter.end(), {"filter.particles", "association.p0", "resampling.rule"});
+        if (c.filter.resampling.rule == ResamplingRule::neff) {
+            filter.push_back("resampling.neff_threshold");
+        }
     }
     filter.push_back("run.seed");
+    std::vector<const char*> observation{"observation.covariance"};
+    if (c.extraction.covariance == ObservationCovariance::points) {
+        observation.push_back("observation.point_sigma");
+    } else {
+        observation.insert(observation.end(), {"observation.var_rho", "observation.var_theta"});
+    }
+    observation.insert(observation.end(), {"association.method", "association.ambiguity"});
+    std::vector<const char*> lines{"features.detect", "features.method"};
+    if (c.extraction.method == LineMethod::ransac) {
+        lines.insert(lines.end(), {"ransac.threshold"});
+    } else {
+        lines.insert(lines.end(), {"split_merge.dmax", "split_merge.fit"});
+    }
+    lines.insert(lines.end(), {"split_merge.min_length", "split_merge.min_points"});
     return {{ParameterGroup::source, {"source.file", "source.format", "source.odometry"}},
             {ParameterGroup::motion, motion},
             {ParameterGroup::particle_filter, filter},
-            {ParameterGroup::observation,
-             {"observation.var_rho", "observation.var_theta", "association.method",
-              "association.ambiguity"}},
-            {ParameterGroup::split_merge,
-             {"features.detect", "split_merge.dmax", "split_merge.min_length",
-              "split_merge.min_points", "split_merge.fit"}}};
+            {ParameterGroup::observation, observation},
+            {ParameterGroup::split_merge, lines}};
 }
 
 void set_role(QWidget* widget, const char* role) {
@@ -67,10 +83,9 @@ class ElidedLabel final : public QLabel {
 void add_row(QGridLayout* rows, const Parameter& parameter, const Configuracion& configuration) {
     auto* name = new QLabel(label_of(parameter));
     set_role(name, "muted");
-    QString text = value_of(parameter, configuration);
+    QString text = value_with_unit(parameter, configuration);
     if (text.isEmpty()) text = SummaryBar::tr("none");
-    const QString unit = unit_of(parameter);
-    auto* value = new ElidedLabel(unit.isEmpty() ? text : text + ' ' + unit);
+    auto* value = new ElidedLabel(text);
     value->setObjectName("value_" + QString::fromStdString(std::string(parameter.key)));
     value->setTextFormat(Qt::PlainText);
     value->setMinimumWidth(20);

@@ -2,8 +2,10 @@
 
 #include <QApplication>
 #include <QPalette>
+#include <QStyle>
 #include <QStyleFactory>
 #include <QStyleHints>
+#include <QWidget>
 
 namespace hitos::window {
 namespace {
@@ -176,12 +178,18 @@ const Colours& light_colours() {
 }
 
 void apply_theme(QApplication& application, Theme theme) {
-    static const bool kSystemDark = system_is_dark(QApplication::palette());
-    const bool dark = theme == Theme::dark || (theme == Theme::system && kSystemDark);
+    static const bool system_dark = system_is_dark(QApplication::palette());
+    const bool dark = theme == Theme::dark || (theme == Theme::system && system_dark);
     current() = dark ? make_dark() : make_light();
     QApplication::setStyle(QStyleFactory::create("Fusion"));
     QApplication::setPalette(palette_of(current()));
     application.setStyleSheet(style_sheet(current()));
+}
+
+void set_look(QWidget& widget, const char* property, const char* value) {
+    widget.setProperty(property, value);
+    widget.style()->unpolish(&widget);
+    widget.style()->polish(&widget);
 }
 
 }  // namespace hitos::window

@@ -5,6 +5,7 @@
 #include <QString>
 
 class QApplication;
+class QWidget;
 
 namespace hitos::window {
 
@@ -33,5 +34,8 @@ const Colours& light_colours();
 /// Gives the application style, palette and style sheet. `system` follows the platform's palette as
 /// it was when the application started.
 void apply_theme(QApplication& application, Theme theme);
+
+/// Sets a property that the style sheet goes by ("role", "state") and lets it take effect.
+void set_look(QWidget& widget, const char* property, const char* value);
 
 }  // namespace hitos::window

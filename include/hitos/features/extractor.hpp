@@ -1,8 +1,10 @@
 // From a scan to observed features [T ch. 4, 9.2.3].
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "hitos/capture/scan.hpp"
@@ -25,12 +27,21 @@ struct Observation {
     std::vector<DetectedLine> lines;
     std::vector<Esquina> corners;
     std::vector<Point2> support;  ///< points of all lines, line by line
+    /// Of (rho, theta) [m, rad] of each line and of (x, y) [m] of each corner; both empty where
+    /// the observation model's fixed variances are asked for.
+    std::vector<Eigen::Matrix2d> line_covariances;
+    std::vector<Eigen::Matrix2d> corner_covariances;
 
     bool empty() const { return lines.empty() && corners.empty(); }
     void clear() {
         lines.clear();
         corners.clear();
         support.clear();
+        line_covariances.clear();
+        corner_covariances.clear();
+    }
+    std::span<const Point2> support_of(const DetectedLine& line) const {
+        return std::span(support).subspan(line.first, line.count);
     }
 };
 
@@ -40,17 +51,39 @@ enum class LineFit {
     least_squares  ///< total least squares over all points of an accepted line [P 2]
 };
 
-/// Split & Merge [T tables 4.3, 4.4]. SPEC names in brackets.
+/// Which pieces are one line [T table 4.4]. SPEC names in brackets.
+struct CollinearParams {
+    double rho_m = 0.1;       ///< merge below this difference of rho [col]
+    double theta_rad = 0.07;  ///< and this difference of theta [col]
+    double gap_m = 0.0;       ///< and only pieces less than this apart; 0: any distance
+};
+
+/// Split & Merge [T tables 4.3, 4.4]; length, points and merge hold for every method.
 struct SplitMergeParams {
-    double dmax_m = 0.02;               ///< greatest distance of a point from its line [dmax]
-    double min_length_m = 0.5;          ///< shortest line [mlon]
-    int min_points = 15;                ///< fewest points of a line [mpuntos]
-    LineFit fit = LineFit::endpoints;   ///< fit of the accepted lines
-    double collinear_rho_m = 0.1;       ///< merge below this difference of rho [col]
-    double collinear_theta_rad = 0.07;  ///< and this difference of theta [col]
-    double collinear_gap_m = 0.0;       ///< and only pieces less than this apart; 0: any distance
-    double gap_m = 0.0;                 ///< neighbours further apart than gap_m + gap_per_range *
-    double gap_per_range = 0.0;         ///< range end a run; both 0: they never do
+    double dmax_m = 0.02;              ///< greatest distance of a point from its line [dmax]
+    double min_length_m = 0.5;         ///< shortest line [mlon]
+    int min_points = 15;               ///< fewest points of a line [mpuntos]
+    LineFit fit = LineFit::endpoints;  ///< fit of the accepted lines
+    CollinearParams collinear;
+    double gap_m = 0.0;          ///< neighbours further apart than gap_m + gap_per_range *
+    double gap_per_range = 0.0;  ///< range end a run; both 0: they never do
+};
+
+/// RANSAC inside the runs that successive edge following cuts [P 2].
+struct RansacParams {
+    double edge_m = 0.3;          ///< ranges of neighbours that differ by more than edge_m +
+    double edge_per_range = 0.1;  ///< edge_per_range * range are an edge: a run ends
+    double threshold_m = 0.04;    ///< greatest distance of a consensus point from its line
+    int iterations = 200;         ///< most hypotheses tried for one line
+};
+
+/// Which method finds the lines.
+enum class LineMethod { split_merge, ransac };
+
+/// How sure an observation is.
+enum class ObservationCovariance {
+    fixed,  ///< the observation model's variances, the same for every feature [T]
+    points  ///< each feature's own, from the points that support it [P 2]
 };
 
 /// What is looked for in a scan [SPEC 4].
@@ -58,7 +91,11 @@ enum class Detection { lines, corners, both };
 
 struct ExtractionParams {
     Detection detect = Detection::both;
+    LineMethod method = LineMethod::split_merge;
     SplitMergeParams split_merge;
+    RansacParams ransac;
+    ObservationCovariance covariance = ObservationCovariance::fixed;
+    double point_sigma_m = 0.01;     ///< standard deviation of a range, for `points`
     double corner_distance_m = 0.1;  ///< greatest distance of a corner from both its lines [es]
 };
 
@@ -78,7 +115,8 @@ class Extractor {
     virtual void extract(const Scan& scan, Observation& out) = 0;
 };
 
-/// The extractor that the parameters ask for. Throws ConfigError for values out of range.
-std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params);
+/// The extractor that the parameters ask for; a method that draws at random draws from `seed` and
+/// the number of the scan. Throws ConfigError for values out of range.
+std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params, std::uint64_t seed = 1);
 
 }  // namespace hitos

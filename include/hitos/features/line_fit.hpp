@@ -1,6 +1,7 @@
-// Straight lines through many points.
+// Straight lines through many points, and how sure they are.
 #pragma once
 
+#include <Eigen/Core>
 #include <span>
 
 #include "hitos/features/caracteristica.hpp"
@@ -11,5 +12,17 @@ namespace hitos {
 /// normal is the eigenvector of the smaller eigenvalue of the points' scatter) [P 2]. Normal form;
 /// needs two points or more.
 Recta fit_least_squares(std::span<const Point2> points);
+
+/// The covariance of (rho, theta) [m, rad] of the total-least-squares line through points whose
+/// ranges, measured from `laser` in the same frame, have standard deviation `sigma_m`, to first
+/// order: derived in docs/algorithm.md. With two points it is that of the line through them. Where
+/// the points scatter more about the line than sigma explains, it grows in proportion.
+Eigen::Matrix2d line_covariance(const Recta& recta, std::span<const Point2> points, double sigma_m,
+                                const Point2& laser = {});
+
+/// The covariance of (x, y) [m] of the intersection of two independent lines that are not parallel.
+Eigen::Matrix2d intersection_covariance(const Recta& a, const Eigen::Matrix2d& covariance_a,
+                                        const Recta& b, const Eigen::Matrix2d& covariance_b,
+                                        const Point2& meeting);
 
 }  // namespace hitos

@@ -32,7 +32,7 @@ struct RunParams {
 struct Configuracion {
     SourceParams source;
     RunParams run;
-    FastSlamParams filter;
+    FilterParams filter;
     ExtractionParams extraction;
     GridParams grid;
 };

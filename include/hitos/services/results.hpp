@@ -30,7 +30,8 @@ struct RunSummary {
     LogFormat format = LogFormat::automatic;
     std::uint64_t scans = 0;
     double duration_s = 0.0;
-    int particles = 0;
+    std::string algorithm;  ///< as in the configuration: "fastslam", "ekf-slam"
+    int particles = 0;      ///< asked for; EKF-SLAM has none
     std::uint64_t seed = 0;
     int lines = 0;
     int corners = 0;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -58,12 +59,18 @@ struct StudyProgress {
 };
 using StudyObserver = std::function<void(const StudyProgress&)>;
 
+/// Told of every run that is done, those found done first; by one thread at a time.
+using StudyListener =
+    std::function<void(const StudyPlan&, std::size_t run, const StudyRecord& record)>;
+
 struct StudyOptions {
     int threads = 0;  ///< runs at a time; 0: as many as the machine has
     StudyShard shard;
     bool tables = true;  ///< write tables and plots of whole studies at the end
     /// Told of every start and end of a run and now and then between, by one thread at a time.
     StudyObserver observer;
+    StudyListener listener;
+    std::stop_token stop;  ///< ends the study within a step; what is done stays done
 };
 
 struct StudyOutcome {
@@ -74,6 +81,7 @@ struct StudyOutcome {
     std::size_t computed = 0;
     std::size_t reused = 0;
     std::size_t failed = 0;
+    bool stopped = false;      ///< before every run was done: there are no tables and plots
     std::string plot_problem;  ///< why there are no plots; empty where there are, and for shards
 };
 

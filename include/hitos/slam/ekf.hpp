@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 #include "hitos/slam/sensor.hpp"
 
@@ -14,11 +15,11 @@ struct LandmarkEstimate {
     Matrix2 covariance;
 };
 
-/// The filter for one kind of landmark with observation covariance R = diag(r0, r1).
+/// The filter for one kind of landmark with observation covariance R.
 template <Sensor S>
 class EKF {
   public:
-    EKF(double variance0, double variance1) { r_ << variance0, 0.0, 0.0, variance1; }
+    explicit EKF(Matrix2 observation_covariance) : r_(std::move(observation_covariance)) {}
 
     /// Covariance of the innovation, Q = H P H' + R.
     Matrix2 innovation_covariance(const Matrix2& jacobian, const Matrix2& covariance) const {
@@ -64,8 +65,6 @@ class EKF {
         estimate.covariance = reduced;
         S::normalize(estimate.mean, estimate.covariance);
     }
-
-    const Matrix2& observation_covariance() const { return r_; }
 
   private:
     Matrix2 r_;

@@ -48,8 +48,9 @@ enum class AmbiguityRule {
 
 struct AssociationParams {
     AssociationMethod method = AssociationMethod::maximum_likelihood;
-    double p0 = 0.005;               ///< likelihood of a new landmark
-    double gate_probability = 0.95;  ///< of the chi-square gate with 2 degrees of freedom
+    double p0 = 0.005;                ///< likelihood of a new landmark
+    double gate_probability = 0.95;   ///< of the chi-square gate with 2 degrees of freedom
+    double new_probability = 0.9999;  ///< EKF-SLAM: of the gate outside which a landmark is new
     AmbiguityRule ambiguity = AmbiguityRule::keep_likelihood;
     double ambiguity_ratio = 0.1;  ///< second best over best from which both are plausible
 };
@@ -61,7 +62,15 @@ struct ResamplingParams {
     double neff_threshold = 50.0;  ///< effective particles below which `neff` resamples
 };
 
-struct FastSlamParams {
+/// Which algorithm builds the map.
+enum class SlamAlgorithm {
+    fastslam,  ///< FastSLAM 1.0 [T ch. 3]
+    ekf_slam   ///< one Gaussian over pose and landmarks [P 4, 5]
+};
+
+/// Parameters of all algorithms; each one reads those that concern it.
+struct FilterParams {
+    SlamAlgorithm algorithm = SlamAlgorithm::fastslam;
     int particles = 100;
     MotionParams motion;
     ObservationParams observation;

@@ -1,6 +1,7 @@
 // Motion model of a differential robot [T 7.4.1].
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <span>
 
@@ -36,7 +37,17 @@ class Robot {
     /// The pose after the increment without noise.
     Pose mean(const Pose& pose_world_robot, const MotionIncrement& increment) const;
 
+    /// d(mean)/d(x, y, theta) [P eq 13].
+    Eigen::Matrix3d jacobian(const Pose& pose_world_robot, const MotionIncrement& increment) const;
+
+    /// Covariance of what sample() adds to mean(), of (x, y, theta) in world axes [m, m, rad]
+    /// [P eq 11, 14].
+    Eigen::Matrix3d noise_covariance(const Pose& pose_world_robot,
+                                     const MotionIncrement& increment) const;
+
   private:
+    bool moves(const MotionIncrement& increment) const;
+
     MotionParams params_;
 };
 

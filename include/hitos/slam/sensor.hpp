@@ -15,6 +15,7 @@ namespace hitos {
 using Vector2 = Eigen::Vector2d;
 using Matrix2 = Eigen::Matrix2d;
 using Matrix23 = Eigen::Matrix<double, 2, 3>;
+using Matrix3 = Eigen::Matrix3d;
 
 /// What an observation says against the prediction: z - h, with the angle wrapped, and
 /// dh/d(landmark).
@@ -194,5 +195,25 @@ concept Sensor = requires(const Pose& pose, const Vector2& z, const typename S::
     { S::normalize(writable, covariance) } -> std::same_as<double>;
 };
 static_assert(Sensor<SensorRecta> && Sensor<SensorEsquina>);
+
+/// z - h with both Jacobians of h, by the pose (x, y, theta) and by the landmark, on the side from
+/// which the landmark was seen.
+struct JointInnovation {
+    Vector2 nu;
+    Matrix23 by_pose;
+    Matrix2 by_landmark;
+};
+
+/// Where a line's prediction is flipped the first row of the pose's Jacobian turns its sign too.
+template <Sensor S>
+JointInnovation joint_innovation(const Vector2& z, const Pose& pose,
+                                 const typename S::Landmark& landmark) {
+    const Innovation seen = S::innovation(z, pose, landmark);
+    JointInnovation joint{seen.nu, S::pose_jacobian(pose, landmark), seen.jacobian};
+    if constexpr (S::kKind == FeatureKind::recta) {
+        if (seen.jacobian(0, 0) < 0.0) joint.by_pose.row(0) *= -1.0;
+    }
+    return joint;
+}
 
 }  // namespace hitos

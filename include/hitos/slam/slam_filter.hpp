@@ -54,6 +54,8 @@ class SlamFilter {
     /// All hypotheses, after resampling.
     virtual std::vector<WeightedPose> hypotheses() const = 0;
     virtual FilterStatistics statistics() const = 0;
+    /// Covariance of (x, y, theta) [m, m, rad]: the filter's own, or that of its hypotheses.
+    virtual Eigen::Matrix3d pose_covariance() const = 0;
 };
 
 }  // namespace hitos

@@ -5,53 +5,10 @@
 #include <random>
 
 #include "hitos/capture/error.hpp"
+#include "wall_scan.hpp"
 
 namespace hitos {
 namespace {
-
-/// A scan of straight walls, each given by its end points, sampled evenly; `noise_m` shifts every
-/// point along its ray.
-Scan scan_of(const std::vector<std::vector<Point2>>& runs, double noise_m = 0.0,
-             unsigned seed = 3) {
-    Scan scan;
-    std::mt19937 engine(seed);
-    std::normal_distribution<double> noise(0.0, 1.0);
-    for (const auto& run : runs) {
-        scan.run_starts.push_back(static_cast<std::uint32_t>(scan.points.size()));
-        for (const Point2& p : run) {
-            const double range = std::hypot(p.x, p.y);
-            const double factor = (range + noise_m * noise(engine)) / range;
-            scan.points.push_back({p.x * factor, p.y * factor});
-        }
-    }
-    return scan;
-}
-
-std::vector<Point2> wall(const Point2& from, const Point2& to, int points) {
-    std::vector<Point2> result;
-    for (int i = 0; i < points; ++i) {
-        const double t = static_cast<double>(i) / (points - 1);
-        result.push_back({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
-    }
-    return result;
-}
-
-std::vector<Point2> joined(std::vector<Point2> a, const std::vector<Point2>& b) {
-    a.insert(a.end(), b.begin() + 1, b.end());  // the corner is in both
-    return a;
-}
-
-Observation extract(const ExtractionParams& params, const Scan& scan) {
-    Observation out;
-    make_extractor(params)->extract(scan, out);
-    return out;
-}
-
-void expect_line(const DetectedLine& line, const Recta& truth, double rho_m, double theta_rad) {
-    const LineDifference apart = difference(line.recta, truth);
-    EXPECT_NEAR(apart.rho, 0.0, rho_m);
-    EXPECT_NEAR(apart.theta, 0.0, theta_rad);
-}
 
 TEST(SplitAndMerge, FindsTheTwoWallsOfACornerAndTheCorner) {
     const Scan scan =
@@ -73,7 +30,7 @@ TEST(SplitAndMerge, EverySupportingPointIsWithinDmaxOfItsLine) {
     ExtractionParams params;
     params.split_merge.min_length_m = 0.3;
     params.split_merge.min_points = 5;
-    params.split_merge.collinear_rho_m = 1e-9;  // without the merge the bound is exact
+    params.split_merge.collinear.rho_m = 1e-9;  // without the merge the bound is exact
     int found = 0;
     for (int i = 0; i < 200; ++i) {
         const Point2 a{value(engine), value(engine)};
@@ -111,7 +68,7 @@ TEST(SplitAndMerge, AnInvalidReadingBreaksARunAndTheMergeJoinsItAgain) {
     const Observation merged = extract(params, scan);
     ASSERT_EQ(merged.lines.size(), 1U);
     EXPECT_EQ(merged.lines[0].count, 40U);
-    params.split_merge.collinear_gap_m = 0.1;  // the pieces are 0.2 m apart
+    params.split_merge.collinear.gap_m = 0.1;  // the pieces are 0.2 m apart
     EXPECT_EQ(extract(params, scan).lines.size(), 2U);
 }
 
@@ -141,7 +98,7 @@ TEST(SplitAndMerge, GapsEndARunWhereAsked) {
     const Scan scan =
         scan_of({joined(wall({2.0, -2.0}, {2.0, -0.5}, 20), wall({2.0, 0.5}, {2.0, 2.0}, 20))});
     ExtractionParams params;
-    params.split_merge.collinear_gap_m = 0.3;
+    params.split_merge.collinear.gap_m = 0.3;
     ASSERT_EQ(extract(params, scan).lines.size(), 1U);  // without gap breaking one straight run
     params.split_merge.gap_m = 0.5;
     EXPECT_EQ(extract(params, scan).lines.size(), 2U);

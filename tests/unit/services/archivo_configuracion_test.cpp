@@ -92,8 +92,9 @@ TEST(ArchivoConfiguracion, TextReadsBackToTheLastBit) {
     std::mt19937_64 random(11);
     for (int i = 0; i < 200; ++i) {
         Configuracion c = random_configuration(random);
-        // Grids that check() refuses are met with probability 0, but for this one.
+        // What check() refuses together is met with probability 0, but for these.
         c.grid.max_range_m = 100.0;
+        c.filter.association.new_probability = 0.9999995;
         const std::string text = ArchivoConfiguracion::to_text(c);
         const Configuracion back = ArchivoConfiguracion::parse(text, "x");
         expect_equal(back, c);

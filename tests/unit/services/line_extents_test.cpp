@@ -26,6 +26,7 @@ class ToldFilter final : public SlamFilter {
     std::span<const Association> associations() const override { return told; }
     std::vector<WeightedPose> hypotheses() const override { return {}; }
     FilterStatistics statistics() const override { return {}; }
+    Eigen::Matrix3d pose_covariance() const override { return Eigen::Matrix3d::Zero(); }
 };
 
 /// One detected line with these points.

@@ -42,7 +42,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 40U);
+    EXPECT_EQ(keys.size(), 49U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -121,15 +121,20 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     Configuracion c;
     c.source = {"a.log", LogFormat::carmen, {12.5, true}};
     c.run = {42, 3};
+    c.filter.algorithm = SlamAlgorithm::ekf_slam;
     c.filter.particles = 77;
     c.filter.motion = {MotionModel::proportional, 0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17};
     c.filter.observation = {0.21, 0.22};
-    c.filter.association = {AssociationMethod::gated_nearest, 0.31, 0.91,
-                            AmbiguityRule::new_landmark, 0.33};
+    c.filter.association = {AssociationMethod::gated_nearest, 0.31, 0.91, 0.92,
+                            AmbiguityRule::new_landmark,      0.33};
     c.filter.resampling = {ResamplingRule::neff, 41.5};
     c.extraction.detect = Detection::corners;
-    c.extraction.split_merge = {0.51, 0.52, 53,  LineFit::least_squares, 0.54, 0.55,
-                                0.56, 0.57, 0.58};
+    c.extraction.split_merge = {0.51, 0.52, 53, LineFit::least_squares, {0.54, 0.55, 0.56},
+                                0.57, 0.58};
+    c.extraction.method = LineMethod::ransac;
+    c.extraction.ransac = {0.71, 0.72, 0.73, 74};
+    c.extraction.covariance = ObservationCovariance::points;
+    c.extraction.point_sigma_m = 0.75;
     c.extraction.corner_distance_m = 0.59;
     c.grid = {0.61, 0.62, -0.63, 6.4, 6.5};
     const std::map<std::string_view, std::string> expected = {
@@ -139,10 +144,12 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"source.odometry", "velocities"},
         {"run.seed", "42"},
         {"run.threads", "3"},
+        {"filter.algorithm", "ekf-slam"},
         {"filter.particles", "77"},
         {"association.method", "gnn"},
         {"association.p0", "0.31"},
         {"association.gate_probability", "0.91"},
+        {"association.new_probability", "0.92"},
         {"association.ambiguity", "new-landmark"},
         {"association.ambiguity_ratio", "0.33"},
         {"motion.model", "proportional"},
@@ -155,6 +162,9 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"motion.var_theta_per_m", "0.17"},
         {"observation.var_rho", "0.21"},
         {"observation.var_theta", "0.22"},
+        {"observation.covariance", "points"},
+        {"observation.point_sigma", "0.75"},
+        {"features.method", "ransac"},
         {"features.detect", "corners"},
         {"features.corner_distance", "0.59"},
         {"split_merge.dmax", "0.51"},
@@ -166,6 +176,10 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"split_merge.collinear_gap", "0.56"},
         {"split_merge.gap", "0.57"},
         {"split_merge.gap_per_range", "0.58"},
+        {"ransac.edge", "0.71"},
+        {"ransac.edge_per_range", "0.72"},
+        {"ransac.threshold", "0.73"},
+        {"ransac.iterations", "74"},
         {"resampling.rule", "neff"},
         {"resampling.neff_threshold", "41.5"},
         {"grid.resolution", "0.61"},

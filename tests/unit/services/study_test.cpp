@@ -126,6 +126,36 @@ TEST_F(StudyTest, ThreadsShardsAndStopsChangeNoByte) {
     EXPECT_EQ(run(study("common")).reused, 12U);
 }
 
+TEST_F(StudyTest, AStoppedStudyTellsWhatIsDoneAndGoesOnFromThere) {
+    run(study("one"));
+    std::stop_source stop;
+    StudyOptions options;
+    options.stop = stop.get_token();
+    std::size_t told = 0;
+    options.listener = [&](const StudyPlan& plan, std::size_t run, const StudyRecord& record) {
+        EXPECT_EQ(plan.runs(), 12U);
+        EXPECT_EQ(run, told);
+        EXPECT_TRUE(record.ok);
+        if (++told == 3) stop.request_stop();
+    };
+    const StudyOutcome half = run(study("out"), options);
+    EXPECT_TRUE(half.stopped);
+    EXPECT_EQ(half.computed, 3U);
+    EXPECT_EQ(told, 3U);
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "quality.csv"));
+
+    std::size_t reused = 0;
+    options.stop = {};
+    options.listener = [&](const StudyPlan&, std::size_t run, const StudyRecord&) {
+        if (run < 3) ++reused;
+    };
+    const StudyOutcome whole = run(study("out"), options);
+    EXPECT_FALSE(whole.stopped);
+    EXPECT_EQ(whole.reused, 3U);
+    EXPECT_EQ(reused, 3U);
+    EXPECT_EQ(files("out"), files("one"));
+}
+
 TEST_F(StudyTest, OnlyWhatIsMissingDamagedOrChangedIsDoneAnew) {
     run(study("out"));
     const auto expected = files("out");

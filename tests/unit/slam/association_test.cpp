@@ -13,10 +13,8 @@ using Outcome = Association::Outcome;
 /// [T table 5.1] and the rule of SPEC §5 for ambiguity, word by word over all landmarks: no
 /// rejection, plain likelihoods.
 template <class S, class Columns>
-Decision slow_decision(const Columns& landmarks, const AssociationParams& params,
-                       const ObservationParams& noise, const Pose& pose, const Vector2& z) {
-    Matrix2 r;
-    r << noise.var_rho_m2, 0.0, 0.0, noise.var_theta_rad2;
+Decision slow_decision(const Columns& landmarks, const AssociationParams& params, const Matrix2& r,
+                       const Pose& pose, const Vector2& z) {
     double best_score = -1.0;
     double best = 0.0;
     double second = 0.0;
@@ -67,9 +65,12 @@ void compare_with_oracle(int landmarks, bool crowded) {
                                        : AssociationMethod::maximum_likelihood;
         params.p0 = std::pow(10.0, -9.0 + 10.0 * unit(engine));
         params.ambiguity = static_cast<AmbiguityRule>(round % 4);
-        ObservationParams noise;
-        noise.var_rho_m2 = 0.001 + 0.08 * unit(engine);
-        noise.var_theta_rad2 = 1e-4 + 3e-3 * unit(engine);
+        const double var0 = 0.001 + 0.08 * unit(engine);
+        const double var1 = 1e-4 + 3e-3 * unit(engine);
+        const double both =
+            round % 2 == 0 ? 0.0 : (1.6 * unit(engine) - 0.8) * std::sqrt(var0 * var1);
+        Matrix2 r;
+        r << var0, both, both, var1;
         const Pose pose{value(engine), value(engine), angle(engine)};
 
         LandmarkTable<Columns> table;
@@ -95,16 +96,18 @@ void compare_with_oracle(int landmarks, bool crowded) {
         // Mostly an observation of one of them, with an error.
         Vector2 z{std::abs(value(engine)), angle(engine)};
         if (landmarks > 0 && round % 5 != 0) {
-            const auto seen = columns.get(static_cast<std::size_t>(round % landmarks)).mean;
-            z = S::predict(pose, seen);
+            const auto observed = columns.get(static_cast<std::size_t>(round % landmarks)).mean;
+            z = S::predict(pose, observed);
             if (z(0) < 0.0) z << -z(0), z(1) + kPi;
             z += Vector2{0.3 * (unit(engine) - 0.5), 0.1 * (unit(engine) - 0.5)};
             z << std::abs(z(0)), wrap_angle(z(1));
         }
-        const PreparedObservation prepared{z, std::cos(z(1) + pose.theta),
+        const Associator associator(params);
+        const SeenFeature seen = associator.seen({z, r});
+        const PreparedObservation prepared{seen, std::cos(z(1) + pose.theta),
                                            std::sin(z(1) + pose.theta)};
-        const Decision fast = Associator(params, noise).decide(columns, pose, prepared);
-        const Decision slow = slow_decision<S>(columns, params, noise, pose, z);
+        const Decision fast = associator.decide(columns, pose, prepared);
+        const Decision slow = slow_decision<S>(columns, params, r, pose, z);
         ++outcomes[static_cast<int>(slow.outcome)];
         ASSERT_EQ(fast.outcome, slow.outcome) << "round " << round;
         ASSERT_EQ(fast.landmark, slow.landmark) << "round " << round;
@@ -148,8 +151,9 @@ TEST(Association, AHighP0MakesEverythingNew) {
     table.reserve_more(1);
     LineColumns lines = table[0];
     lines.set(lines.append(), {{2.0, 0.0}, Matrix2::Zero()});
-    const PreparedObservation seen{{2.0, 0.0}, 1.0, 0.0};
-    EXPECT_EQ(Associator(params, {}).decide(lines, Pose{}, seen).outcome, Outcome::created);
+    const Associator associator(params);
+    const SeenFeature seen = associator.seen({{2.0, 0.0}, Matrix2::Identity()});
+    EXPECT_EQ(associator.decide(lines, Pose{}, {seen, 1.0, 0.0}).outcome, Outcome::created);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ std::vector<double> normalised_errors(std::uint64_t seed, const typename S::Land
                                       int steps) {
     const double sigma0 = 0.02;
     const double sigma1 = 0.01;
-    const EKF<S> ekf(sigma0 * sigma0, sigma1 * sigma1);
+    const EKF<S> ekf(Vector2(sigma0 * sigma0, sigma1 * sigma1).asDiagonal().toDenseMatrix());
     std::vector<double> errors;
     LandmarkEstimate<S> estimate{};
     for (int k = 0; k < steps; ++k) {
@@ -78,7 +78,7 @@ TEST(EKF, ErrorOfACornerIsChiSquare) {
 TEST(EKF, UpdateEqualsTheTextbookFormula) {
     std::mt19937 engine(29);
     std::uniform_real_distribution<double> value(-3.0, 3.0);
-    const EKF<SensorRecta> ekf(0.04, 0.00122);
+    const EKF<SensorRecta> ekf(Vector2(0.04, 0.00122).asDiagonal().toDenseMatrix());
     for (int i = 0; i < 500; ++i) {
         const Pose pose{value(engine), value(engine), value(engine)};
         LandmarkEstimate<SensorRecta> estimate{{std::abs(value(engine)) + 4.0, value(engine)}, {}};

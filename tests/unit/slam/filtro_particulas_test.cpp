@@ -7,54 +7,13 @@
 
 #include "hitos/capture/error.hpp"
 #include "hitos/slam/filters.hpp"
+#include "room_tour.hpp"
 
 namespace hitos {
 namespace {
 
-/// A square room driven round: exact observations of its walls and corners, noisy odometry.
-struct Tour {
-    std::vector<std::vector<Control>> controls;
-    std::vector<Observation> observations;
-    std::vector<Pose> truth;
-};
-
-Tour make_tour(int steps, double odometry_error) {
-    const std::vector<Recta> walls{{5.0, 0.0}, {5.0, kPi / 2}, {5.0, kPi}, {5.0, -kPi / 2}};
-    const std::vector<Esquina> corners{{5, 5}, {-5, 5}, {-5, -5}, {5, -5}};
-    std::mt19937 engine(53);
-    std::normal_distribution<double> normal(0.0, 1.0);
-    Tour tour;
-    Pose pose;
-    for (int k = 0; k < steps; ++k) {
-        const Control control{{0.4, 0.0, 0.15}, k == 0 ? 0.0 : 0.2};
-        pose = compose(pose, displacement(control.twist, control.duration_s));
-        Control logged = control;
-        logged.twist.v *= 1.0 + odometry_error * normal(engine);
-        logged.twist.w *= 1.0 + odometry_error * normal(engine);
-        tour.controls.push_back({logged});
-        tour.truth.push_back(pose);
-        Observation seen;
-        if (k % 7 != 3) {  // every seventh scan shows nothing
-            for (const Recta& wall : walls) {
-                Recta local = transform(inverse(pose), wall);
-                local.rho = std::abs(local.rho + 0.01 * normal(engine));
-                local.theta = wrap_angle(local.theta + 0.003 * normal(engine));
-                if (std::abs(local.theta) < 1.6) seen.lines.push_back({local, 0, 0});
-            }
-            for (const Esquina& corner : corners) {
-                Esquina local = transform(inverse(pose), corner);
-                local.x += 0.01 * normal(engine);
-                local.y += 0.01 * normal(engine);
-                if (local.x > 0.0) seen.corners.push_back(local);
-            }
-        }
-        tour.observations.push_back(seen);
-    }
-    return tour;
-}
-
-FastSlamParams room_params(int particles) {
-    FastSlamParams params;
+FilterParams room_params(int particles) {
+    FilterParams params;
     params.particles = particles;
     return params;
 }
@@ -63,13 +22,11 @@ FastSlamParams room_params(int particles) {
 /// not in logarithms, every landmark evaluated; only the random draws are the filter's.
 class SlowFastSlam {
   public:
-    SlowFastSlam(const FastSlamParams& params, std::uint64_t seed)
+    SlowFastSlam(const FilterParams& params, std::uint64_t seed)
         : params_(params),
           seed_(seed),
           robot_(params.motion),
-          particles_(static_cast<std::size_t>(params.particles)) {
-        r_ << params.observation.var_rho_m2, 0.0, 0.0, params.observation.var_theta_rad2;
-    }
+          particles_(static_cast<std::size_t>(params.particles)) {}
 
     void step(const std::vector<Control>& controls, const Observation& observation) {
         const MotionIncrement increment = sum_controls(controls);
@@ -103,13 +60,15 @@ class SlowFastSlam {
   private:
     template <class S>
     double observe_one(std::vector<LandmarkEstimate<S>>& map, std::size_t known, const Pose& pose,
-                       const Vector2& z, std::vector<std::pair<int, Vector2>>& todo) const {
+                       const Measurement& measured,
+                       std::vector<std::pair<int, Measurement>>& todo) const {
+        const auto& [z, r] = measured;
         double best = params_.association.p0;
         double second = 0.0;
         int at = -1;
         for (std::size_t n = 0; n < known; ++n) {
             const Innovation nu = S::innovation(z, pose, map[n].mean);
-            const Matrix2 q = nu.jacobian * map[n].covariance * nu.jacobian.transpose() + r_;
+            const Matrix2 q = nu.jacobian * map[n].covariance * nu.jacobian.transpose() + r;
             const double w = std::exp(-0.5 * nu.nu.dot(q.inverse() * nu.nu)) /
                              (2.0 * kPi * std::sqrt(q.determinant()));
             if (w > best) {
@@ -122,17 +81,18 @@ class SlowFastSlam {
         }
         const bool ambiguous = at >= 0 && second > params_.association.p0 &&
                                second > params_.association.ambiguity_ratio * best;
-        if (!ambiguous) todo.emplace_back(at, z);
+        if (!ambiguous) todo.emplace_back(at, measured);
         return best;
     }
 
     template <class S>
     void apply(std::vector<LandmarkEstimate<S>>& map, const Pose& pose,
-               const std::vector<std::pair<int, Vector2>>& todo) const {
-        for (const auto& [at, z] : todo) {
+               const std::vector<std::pair<int, Measurement>>& todo) const {
+        for (const auto& [at, measured] : todo) {
+            const auto& [z, r] = measured;
             if (at < 0) {
                 const Matrix2 g = S::inverse_jacobian(pose, z);
-                LandmarkEstimate<S> fresh{S::inverse(pose, z), g * r_ * g.transpose()};
+                LandmarkEstimate<S> fresh{S::inverse(pose, z), g * r * g.transpose()};
                 S::normalize(fresh.mean, fresh.covariance);
                 map.push_back(fresh);
                 continue;
@@ -140,7 +100,7 @@ class SlowFastSlam {
             auto& landmark = map[static_cast<std::size_t>(at)];
             const Innovation nu = S::innovation(z, pose, landmark.mean);
             const Matrix2 h = nu.jacobian;
-            const Matrix2 q = h * landmark.covariance * h.transpose() + r_;
+            const Matrix2 q = h * landmark.covariance * h.transpose() + r;
             const Matrix2 k = landmark.covariance * h.transpose() * q.inverse();
             landmark.mean = S::from_state(S::to_state(landmark.mean) + k * nu.nu);
             landmark.covariance = ((Matrix2::Identity() - k * h) * landmark.covariance).eval();
@@ -149,17 +109,17 @@ class SlowFastSlam {
     }
 
     void observe(Particle& particle, const Observation& observation) const {
-        std::vector<std::pair<int, Vector2>> lines;
-        std::vector<std::pair<int, Vector2>> corners;
-        for (const auto& line : observation.lines) {
-            particle.weight *=
-                observe_one<SensorRecta>(particle.lines, particle.lines.size(), particle.pose,
-                                         SensorRecta::measurement(line.recta), lines);
+        std::vector<std::pair<int, Measurement>> lines;
+        std::vector<std::pair<int, Measurement>> corners;
+        Measurements seen;
+        seen.take(observation, params_.observation);
+        for (const Measurement& line : seen.lines) {
+            particle.weight *= observe_one<SensorRecta>(particle.lines, particle.lines.size(),
+                                                        particle.pose, line, lines);
         }
-        for (const auto& corner : observation.corners) {
-            particle.weight *=
-                observe_one<SensorEsquina>(particle.corners, particle.corners.size(), particle.pose,
-                                           SensorEsquina::measurement(corner), corners);
+        for (const Measurement& corner : seen.corners) {
+            particle.weight *= observe_one<SensorEsquina>(particle.corners, particle.corners.size(),
+                                                          particle.pose, corner, corners);
         }
         apply<SensorRecta>(particle.lines, particle.pose, lines);
         apply<SensorEsquina>(particle.corners, particle.pose, corners);
@@ -185,17 +145,15 @@ class SlowFastSlam {
         particles_ = next;
     }
 
-    FastSlamParams params_;
+    FilterParams params_;
     std::uint64_t seed_;
     Robot robot_;
-    Matrix2 r_;
     std::uint64_t step_ = 0;
     std::vector<Particle> particles_;
     Particle best_;
 };
 
-void compare_with_slow(const FastSlamParams& params) {
-    const Tour tour = make_tour(120, 0.1);
+void compare_with_slow(const FilterParams& params, const Tour& tour = make_tour(120, 0.1)) {
     FiltroParticulas fast(params, 5, 1);
     SlowFastSlam slow(params, 5);
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
@@ -229,17 +187,42 @@ TEST(FiltroParticulas, EqualsTheSlowAlgorithm) {
 }
 
 TEST(FiltroParticulas, EqualsTheSlowAlgorithmWithNeff) {
-    FastSlamParams params = room_params(30);
+    FilterParams params = room_params(30);
     params.resampling.rule = ResamplingRule::neff;
     params.resampling.neff_threshold = 12.0;
     compare_with_slow(params);
 }
 
 TEST(FiltroParticulas, EqualsTheSlowAlgorithmWithProportionalNoise) {
-    FastSlamParams params = room_params(40);
+    FilterParams params = room_params(40);
     params.motion.model = MotionModel::proportional;
     params.observation = {0.001, 0.0001};
     compare_with_slow(params);
+}
+
+TEST(FiltroParticulas, EqualsTheSlowAlgorithmWithCovariancesOfItsOwnForEveryFeature) {
+    compare_with_slow(room_params(30), with_covariances(make_tour(120, 0.1)));
+}
+
+TEST(FiltroParticulas, PoseCovarianceIsThatOfTheHypotheses) {
+    const Tour tour = make_tour(40, 0.1);
+    FilterParams params = room_params(200);
+    params.resampling = {ResamplingRule::neff, 0.0};  // never: the weights stay unequal
+    FiltroParticulas filter(params, 1, 1);
+    for (std::size_t k = 0; k < tour.controls.size(); ++k) {
+        filter.step(tour.controls[k], tour.observations[k]);
+    }
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const WeightedPose& h : filter.hypotheses()) {
+        mean += h.weight * Eigen::Vector3d(h.pose.x, h.pose.y, h.pose.theta);
+    }
+    Matrix3 expected = Matrix3::Zero();
+    for (const WeightedPose& h : filter.hypotheses()) {
+        const Eigen::Vector3d away = Eigen::Vector3d(h.pose.x, h.pose.y, h.pose.theta) - mean;
+        expected += h.weight * away * away.transpose();
+    }
+    ASSERT_GT(expected(0, 0), 0.0);
+    EXPECT_LT((filter.pose_covariance() - expected).norm(), 1e-9);
 }
 
 TEST(FiltroParticulas, MapsTheRoom) {
@@ -263,7 +246,7 @@ TEST(FiltroParticulas, MapsTheRoom) {
 
 TEST(FiltroParticulas, SameBitsForAnyNumberOfThreads) {
     const Tour tour = make_tour(60, 0.1);
-    const FastSlamParams params = room_params(1500);  // enough work for parallel steps
+    const FilterParams params = room_params(1500);  // enough work for parallel steps
     std::vector<std::vector<Pose>> histories;
     std::vector<LandmarkMap> maps;
     for (const int threads : {1, 2, 7}) {
@@ -347,7 +330,7 @@ TEST(FiltroParticulas, AssociationsOfTheBestAreTold) {
 
 TEST(FiltroParticulas, RefusesImpossibleParameters) {
     EXPECT_THROW(make_fastslam(room_params(0), 1, 1), ConfigError);
-    FastSlamParams params = room_params(1);
+    FilterParams params = room_params(1);
     params.association.p0 = 0.0;
     EXPECT_THROW(make_fastslam(params, 1, 1), ConfigError);
 }

@@ -139,5 +139,64 @@ TEST(Robot, WithoutOdometryParticlesOnlySpread) {
     EXPECT_NEAR(m.var_x, 6.4e-5, 6.4e-5 * kVarianceTolerance);
 }
 
+TEST(Robot, JacobianIsTheSlopeOfTheMean) {
+    const Control control{{0.7, 0.1, -0.9}, 0.6};
+    const MotionIncrement increment = sum_controls(std::span(&control, 1));
+    for (const MotionModel model : {MotionModel::odometry, MotionModel::no_odometry}) {
+        MotionParams params;
+        params.model = model;
+        const Robot robot(params);
+        for (const double theta : {0.0, 2.0, -3.0}) {
+            const Pose pose{1.0, -2.0, theta};
+            const Eigen::Matrix3d f = robot.jacobian(pose, increment);
+            constexpr double kStep = 1e-6;
+            for (int k = 0; k < 3; ++k) {
+                const auto moved = [&](double step) {
+                    Pose other = pose;
+                    (k == 0 ? other.x : k == 1 ? other.y : other.theta) += step;
+                    return robot.mean(other, increment);
+                };
+                const Pose plus = moved(kStep);
+                const Pose minus = moved(-kStep);
+                EXPECT_NEAR(f(0, k), (plus.x - minus.x) / (2.0 * kStep), 1e-8);
+                EXPECT_NEAR(f(1, k), (plus.y - minus.y) / (2.0 * kStep), 1e-8);
+                EXPECT_NEAR(f(2, k), wrap_angle(plus.theta - minus.theta) / (2.0 * kStep), 1e-8);
+            }
+        }
+    }
+}
+
+TEST(Robot, NoiseCovarianceIsThatOfTheDraws) {
+    const Control control{{0.7, 0.0, -0.9}, 0.6};
+    const MotionIncrement increment = sum_controls(std::span(&control, 1));
+    const Pose pose{1.0, -2.0, 0.6};
+    for (const MotionModel model :
+         {MotionModel::odometry, MotionModel::no_odometry, MotionModel::proportional}) {
+        MotionParams params;
+        params.model = model;
+        params.sigma_y_m = 0.02;
+        const Robot robot(params);
+        const Pose mean = robot.mean(pose, increment);
+        Eigen::Matrix3d sampled = Eigen::Matrix3d::Zero();
+        constexpr int kDraws = 40000;
+        for (int i = 0; i < kDraws; ++i) {
+            RandomStream random(7, RandomPurpose::motion, static_cast<std::uint64_t>(i), 0);
+            const Pose drawn = robot.sample(pose, increment, random);
+            const Eigen::Vector3d away(drawn.x - mean.x, drawn.y - mean.y,
+                                       wrap_angle(drawn.theta - mean.theta));
+            sampled += away * away.transpose() / kDraws;
+        }
+        const Eigen::Matrix3d q = robot.noise_covariance(pose, increment);
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                const double scale = std::sqrt(sampled(i, i) * sampled(j, j));
+                EXPECT_NEAR(q(i, j) / scale, sampled(i, j) / scale, 0.04) << i << j;
+            }
+        }
+    }
+    const MotionIncrement rest;
+    EXPECT_EQ(Robot(MotionParams{}).noise_covariance(pose, rest), Eigen::Matrix3d::Zero());
+}
+
 }  // namespace
 }  // namespace hitos

@@ -133,6 +133,29 @@ TYPED_TEST(SensorLaws, InnovationIsSmallestAndItsJacobianFits) {
     }
 }
 
+TYPED_TEST(SensorLaws, JointInnovationsJacobiansFitItsSide) {
+    using S = TypeParam;
+    int flipped = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Pose pose = this->pose();
+        const auto landmark = this->landmark();
+        const Vector2 z = this->measurement();
+        const JointInnovation joint = joint_innovation<S>(z, pose, landmark);
+        flipped += joint.by_landmark(0, 0) < 0.0 ? 1 : 0;
+        for (int k = 0; k < 3; ++k) {
+            const auto moved = [&](double step) {
+                Pose other = pose;
+                (k == 0 ? other.x : k == 1 ? other.y : other.theta) += step;
+                return joint_innovation<S>(z, other, landmark).nu;
+            };
+            const Vector2 slope = (moved(-kStep) - moved(kStep)) / (2.0 * kStep);
+            if (slope.norm() > 1e3) continue;  // the side or the wrap changed between the two
+            EXPECT_LT((joint.by_pose.col(k) - slope).norm(), kTolerance * (1.0 + slope.norm()));
+        }
+    }
+    EXPECT_GT(flipped, 50);  // of lines half are, of corners those with dx < 0
+}
+
 TEST(SensorRecta, AWallSeenFromItsOtherSideIsTheSameLine) {
     const Recta wall{4.0, kPi / 2.0};  // y = 4
     const Pose below{1.0, 2.0, 0.3};

@@ -51,7 +51,7 @@
         <translation>Robot</translation>
     </message>
     <message>
-        <source>Best particle's path</source>
+        <source>Best particle&apos;s path</source>
         <translation>Camino de la mejor partícula</translation>
     </message>
     <message>
@@ -86,6 +86,10 @@
         <translation>Si los controles salen de las diferencias entre las poses registradas o son la v y la omega registradas.</translation>
     </message>
     <message>
+        <source>What builds the map: fastslam, particles with one small filter per landmark; ekf-slam, one extended Kalman filter over the pose and all landmarks.</source>
+        <translation>Qué construye el mapa: fastslam, partículas con un pequeño filtro por hito; ekf-slam, un solo filtro de Kalman extendido para la pose y todos los hitos.</translation>
+    </message>
+    <message>
         <source>Number of particles M; more of them follow more hypotheses, and time and memory grow in proportion.</source>
         <translation>Número de partículas M; con más se siguen más hipótesis, y el tiempo y la memoria crecen en proporción.</translation>
     </message>
@@ -100,6 +104,10 @@
     <message>
         <source>Probability of the chi-square gate of gnn; a higher value accepts observations that lie further from their landmark.</source>
         <translation>Probabilidad de la puerta de ji cuadrado del vecino más cercano; un valor mayor acepta observaciones más alejadas de su hito.</translation>
+    </message>
+    <message>
+        <source>ekf-slam, which always associates by gnn: probability of the chi-square gate outside which an observation is a new landmark, and between the two gates nothing; a higher value makes fewer new landmarks.</source>
+        <translation>ekf-slam, que siempre asocia por gnn: probabilidad de la puerta de ji cuadrado fuera de la cual una observación es un hito nuevo; entre las dos puertas no es nada; un valor mayor crea menos hitos nuevos.</translation>
     </message>
     <message>
         <source>What an observation that fits several landmarks, and is kept out of the map, does to the weight: keep-likelihood multiplies it with the best likelihood, neutral leaves it, new-landmark multiplies it with p0; off updates the best landmark instead.</source>
@@ -150,6 +158,18 @@
         <translation>Varianza sigma² de la theta observada de una recta o del ángulo de una esquina; con un valor mayor se confía menos en el láser y se aceptan diferencias mayores con un hito.</translation>
     </message>
     <message>
+        <source>How sure an observation is: fixed takes var_rho and var_theta for all; points computes the covariance of each line and corner from the points that support it.</source>
+        <translation>Cuán segura es una observación: fixed toma var_rho y var_theta para todas; points calcula la covarianza de cada recta y esquina a partir de los puntos que la sostienen.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured range, for the covariance points; a higher value trusts the laser less.</source>
+        <translation>Desviación típica de una distancia medida, para la covarianza points; un valor mayor confía menos en el láser.</translation>
+    </message>
+    <message>
+        <source>How lines are found: split-merge divides runs of points at the farthest one; ransac cuts the scan at edges and takes the lines that most points agree with, fitted by least squares. Both use min_length, min_points and collinear_* of split_merge.</source>
+        <translation>Cómo se hallan las rectas: split-merge divide las series de puntos por el más lejano; ransac corta el barrido en los bordes y toma las rectas con las que más puntos concuerdan, ajustadas por mínimos cuadrados. Ambos usan min_length, min_points y collinear_* de split_merge.</translation>
+    </message>
+    <message>
         <source>What is looked for in a scan: lines, corners where two lines meet, or both.</source>
         <translation>Qué se busca en un barrido: rectas, esquinas donde se cortan dos rectas, o ambas.</translation>
     </message>
@@ -192,6 +212,22 @@
     <message>
         <source>How much the gap allowed between neighbours grows with their range; a higher value lets far lines cross wider gaps.</source>
         <translation>Cuánto crece con la distancia el hueco permitido entre vecinos; un valor mayor deja que las rectas lejanas crucen huecos más anchos.</translation>
+    </message>
+    <message>
+        <source>Ranges of neighbours that differ by more than edge + edge_per_range * range end a run; a higher value makes longer runs.</source>
+        <translation>Las distancias de vecinos que difieren más que borde + borde_por_distancia × distancia cortan la serie; un valor mayor hace series más largas.</translation>
+    </message>
+    <message>
+        <source>How much the difference allowed between neighbours grows with their range; a higher value lets walls run on that are seen at a flat angle.</source>
+        <translation>Cuánto crece con la distancia la diferencia permitida entre vecinos; un valor mayor deja seguir las paredes vistas casi de perfil.</translation>
+    </message>
+    <message>
+        <source>Greatest distance of a point that agrees with a line; a higher value makes fewer and rougher lines.</source>
+        <translation>Mayor distancia de un punto que concuerda con una recta; un valor mayor da menos rectas y más toscas.</translation>
+    </message>
+    <message>
+        <source>Most hypotheses tried for one line; a higher value finds lines among more stray points and takes longer.</source>
+        <translation>Máximo de hipótesis probadas por recta; un valor mayor halla rectas entre más puntos espurios y tarda más.</translation>
     </message>
     <message>
         <source>When particles are drawn anew: after every step that observed something, or only where Neff has fallen below its threshold.</source>
@@ -265,6 +301,14 @@
         <translation>Velocidades registradas</translation>
     </message>
     <message>
+        <source>FastSLAM 1.0</source>
+        <translation>FastSLAM 1.0</translation>
+    </message>
+    <message>
+        <source>EKF-SLAM</source>
+        <translation>EKF-SLAM</translation>
+    </message>
+    <message>
         <source>Maximum likelihood</source>
         <translation>Máxima verosimilitud</translation>
     </message>
@@ -299,6 +343,22 @@
     <message>
         <source>Proportional</source>
         <translation>Proporcional</translation>
+    </message>
+    <message>
+        <source>Fixed variances</source>
+        <translation>Varianzas fijas</translation>
+    </message>
+    <message>
+        <source>From the points</source>
+        <translation>De los puntos</translation>
+    </message>
+    <message>
+        <source>Split and Merge</source>
+        <translation>Split and Merge</translation>
+    </message>
+    <message>
+        <source>RANSAC</source>
+        <translation>RANSAC</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -383,6 +443,10 @@
         <translation>Odometría</translation>
     </message>
     <message>
+        <source>Algorithm</source>
+        <translation>Algoritmo</translation>
+    </message>
+    <message>
         <source>Particles</source>
         <translation>Partículas</translation>
     </message>
@@ -397,6 +461,10 @@
     <message>
         <source>Gate probability</source>
         <translation>Probabilidad de la puerta</translation>
+    </message>
+    <message>
+        <source>New landmark gate</source>
+        <translation>Puerta de hito nuevo</translation>
     </message>
     <message>
         <source>Ambiguous</source>
@@ -447,6 +515,18 @@
         <translation>σ² θ</translation>
     </message>
     <message>
+        <source>Covariance</source>
+        <translation>Covarianza</translation>
+    </message>
+    <message>
+        <source>σ range</source>
+        <translation>σ distancia</translation>
+    </message>
+    <message>
+        <source>Lines by</source>
+        <translation>Rectas por</translation>
+    </message>
+    <message>
         <source>Features</source>
         <translation>Características</translation>
     </message>
@@ -489,6 +569,22 @@
     <message>
         <source>Gap per range</source>
         <translation>Hueco por distancia</translation>
+    </message>
+    <message>
+        <source>RANSAC edge</source>
+        <translation>Borde RANSAC</translation>
+    </message>
+    <message>
+        <source>Edge per range</source>
+        <translation>Borde por distancia</translation>
+    </message>
+    <message>
+        <source>RANSAC threshold</source>
+        <translation>Umbral RANSAC</translation>
+    </message>
+    <message>
+        <source>RANSAC iterations</source>
+        <translation>Iteraciones RANSAC</translation>
     </message>
     <message>
         <source>Resampling</source>
@@ -900,7 +996,7 @@
         <translation>Mapa de rejilla solo con odometría (O)</translation>
     </message>
     <message>
-        <source>Save best particle's map</source>
+        <source>Save best particle&apos;s map</source>
         <translation>Guardar mapa mejor partícula</translation>
     </message>
     <message>
@@ -924,7 +1020,7 @@
         <translation>Teclado</translation>
     </message>
     <message>
-        <source>User's guide</source>
+        <source>User&apos;s guide</source>
         <translation>Guía del usuario</translation>
     </message>
     <message>
@@ -932,7 +1028,7 @@
         <translation>Sistema del mundo</translation>
     </message>
     <message>
-        <source>Show the scan in the world's frame instead of the robot's</source>
+        <source>Show the scan in the world&apos;s frame instead of the robot&apos;s</source>
         <translation>Mostrar el barrido en el sistema del mundo en vez del robot</translation>
     </message>
     <message>
@@ -996,7 +1092,7 @@
         <translation>mapa de la mejor partícula, de la odometría</translation>
     </message>
     <message>
-        <source>save the best particle's map</source>
+        <source>save the best particle&apos;s map</source>
         <translation>guardar el mapa de la mejor partícula</translation>
     </message>
     <message>
@@ -1030,6 +1126,18 @@
     <message>
         <source>docs/user-guide.md is not installed.</source>
         <translation>docs/user-guide.md no está instalado.</translation>
+    </message>
+    <message>
+        <source>Study of one parameter…</source>
+        <translation>Estudio de un parámetro…</translation>
+    </message>
+    <message>
+        <source>Run several values of a parameter and compare the maps</source>
+        <translation>Ejecutar varios valores de un parámetro y comparar los mapas</translation>
+    </message>
+    <message>
+        <source>study of one parameter</source>
+        <translation>estudio de un parámetro</translation>
     </message>
 </context>
 <context>
@@ -1139,7 +1247,7 @@
         <translation>Mapa de rejilla basado en odometría</translation>
     </message>
     <message>
-        <source>Save best particle's map</source>
+        <source>Save best particle&apos;s map</source>
         <translation>Guardar mapa mejor partícula</translation>
     </message>
     <message>
@@ -1294,6 +1402,295 @@
     <message>
         <source>Scan %1</source>
         <translation>Barrido %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::StudyDialog</name>
+    <message>
+        <source>Study of one parameter</source>
+        <translation>Estudio de un parámetro</translation>
+    </message>
+    <message>
+        <source>With the other parameters as they are set in the main window.</source>
+        <translation>Con los demás parámetros como están en la ventana principal.</translation>
+    </message>
+    <message>
+        <source>&amp;Parameter</source>
+        <translation>&amp;Parámetro</translation>
+    </message>
+    <message>
+        <source>What is varied: a parameter of the thesis, any other one by its key, or keys joined by +</source>
+        <translation>Lo que se varía: un parámetro de la tesis, cualquier otro por su clave, o claves unidas por +</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Valores</translation>
+    </message>
+    <message>
+        <source>0.01, 0.02 or 0.01:0.05:0.01</source>
+        <translation>0.01, 0.02 o 0.01:0.05:0.01</translation>
+    </message>
+    <message>
+        <source>Values with commas between them, and ranges from:to:step</source>
+        <translation>Valores separados por comas y rangos desde:hasta:paso</translation>
+    </message>
+    <message>
+        <source>&amp;Runs per value</source>
+        <translation>&amp;Ejecuciones/valor</translation>
+    </message>
+    <message>
+        <source>Each with a seed of its own, one after the other</source>
+        <translation>Cada una con su propia semilla, una tras otra</translation>
+    </message>
+    <message>
+        <source>First &amp;seed</source>
+        <translation>Primera &amp;semilla</translation>
+    </message>
+    <message>
+        <source>Odometry &amp;noise</source>
+        <translation>R&amp;uido odométrico</translation>
+    </message>
+    <message>
+        <source>Every run gets noise of its own on its odometry, drawn with its seed; the thesis uses 0.1</source>
+        <translation>Cada ejecución recibe su propio ruido en la odometría, sorteado con su semilla; la tesis usa 0.1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>How level and speed give the noise</source>
+        <translation>Cómo dan el ruido el nivel y la velocidad</translation>
+    </message>
+    <message>
+        <source>&amp;Threads</source>
+        <translation>&amp;Hilos</translation>
+    </message>
+    <message>
+        <source>Runs at a time; the results do not depend on it</source>
+        <translation>Ejecuciones a la vez; los resultados no dependen de ello</translation>
+    </message>
+    <message>
+        <source>Reference &amp;map</source>
+        <translation>&amp;Mapa de referencia</translation>
+    </message>
+    <message>
+        <source>The true landmarks, to measure every map against</source>
+        <translation>Los hitos verdaderos, con los que se mide cada mapa</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Examinar…</translation>
+    </message>
+    <message>
+        <source>Results &amp;folder</source>
+        <translation>&amp;Carpeta</translation>
+    </message>
+    <message>
+        <source>Tables, plots and the map of every run are written here; a study that was stopped goes on from it</source>
+        <translation>Aquí se escriben tablas, gráficas y el mapa de cada ejecución; un estudio detenido continúa a partir de ella</translation>
+    </message>
+    <message>
+        <source>Save plot…</source>
+        <translation>Guardar gráfica…</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Abrir carpeta</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Comenzar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Deteniendo…</translation>
+    </message>
+    <message>
+        <source>Every value is run several times and every map is measured against the reference, exactly as hitos-cli study does it.</source>
+        <translation>Cada valor se ejecuta varias veces y cada mapa se mide con la referencia, exactamente como lo hace hitos-cli study.</translation>
+    </message>
+    <message>
+        <source>The folder holds a study</source>
+        <translation>La carpeta contiene un estudio</translation>
+    </message>
+    <message>
+        <source>Write into %1?</source>
+        <translation>¿Escribir en %1?</translation>
+    </message>
+    <message>
+        <source>Runs that are the same are kept and not done again; tables and plots are written anew.</source>
+        <translation>Las ejecuciones iguales se conservan y no se repiten; tablas y gráficas se escriben de nuevo.</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Escribir</translation>
+    </message>
+    <message>
+        <source>Nothing starts until all fields are possible.</source>
+        <translation>Nada comienza hasta que todos los campos sean posibles.</translation>
+    </message>
+    <message>
+        <source>Reading the log…</source>
+        <translation>Leyendo el registro…</translation>
+    </message>
+    <message>
+        <source>Run %1 of %2: %3</source>
+        <translation>Ejecución %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>done before: %1</source>
+        <translation>hechas antes: %1</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>fallidas: %1</translation>
+    </message>
+    <message>
+        <source>Stopped; runs done: %1 of %2. Start goes on where it was.</source>
+        <translation>Detenido; ejecuciones hechas: %1 de %2. Comenzar continúa donde estaba.</translation>
+    </message>
+    <message>
+        <source>Runs done: %1 of %2, in %3 s. Results: %4</source>
+        <translation>Ejecuciones hechas: %1 de %2, en %3 s. Resultados: %4</translation>
+    </message>
+    <message>
+        <source>Runs failed: %1; the first: %2</source>
+        <translation>Ejecuciones fallidas: %1; la primera: %2</translation>
+    </message>
+    <message>
+        <source>No picture files of the plots: %1</source>
+        <translation>Sin imágenes de las gráficas: %1</translation>
+    </message>
+    <message>
+        <source>A study is under way</source>
+        <translation>Hay un estudio en marcha</translation>
+    </message>
+    <message>
+        <source>Stop the study?</source>
+        <translation>¿Detener el estudio?</translation>
+    </message>
+    <message>
+        <source>Runs that are done stay in its folder; started again, it goes on from there.</source>
+        <translation>Las ejecuciones hechas quedan en su carpeta; al comenzar de nuevo, continúa a partir de ellas.</translation>
+    </message>
+    <message>
+        <source>Stop the study</source>
+        <translation>Detener el estudio</translation>
+    </message>
+    <message>
+        <source>Save plot</source>
+        <translation>Guardar gráfica</translation>
+    </message>
+    <message>
+        <source>Plots (*.png *.jpg *.jpeg *.pdf)</source>
+        <translation>Gráficas (*.png *.jpg *.jpeg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Plot saved: %1</source>
+        <translation>Gráfica guardada: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::StudyForm</name>
+    <message>
+        <source>σ = level · speed</source>
+        <translation>σ = nivel · veloc.</translation>
+    </message>
+    <message>
+        <source>σ² = level · speed</source>
+        <translation>σ² = nivel · veloc.</translation>
+    </message>
+    <message>
+        <source>all (%1)</source>
+        <translation>todos (%1)</translation>
+    </message>
+    <message>
+        <source>%1 Allowed: %2. Now: %3.</source>
+        <translation>%1 Permitido: %2. Ahora: %3.</translation>
+    </message>
+    <message>
+        <source>Join the parts of a value by “/”.</source>
+        <translation>Una las partes de un valor con «/».</translation>
+    </message>
+    <message>
+        <source>A name from the list, or keys joined by “+”.</source>
+        <translation>Un nombre de la lista, o claves unidas por «+».</translation>
+    </message>
+    <message>
+        <source>Values with commas between them, or a range from:to:step.</source>
+        <translation>Valores separados por comas, o un rango desde:hasta:paso.</translation>
+    </message>
+    <message>
+        <source>Values: %1. Runs in all: %2.</source>
+        <translation>Valores: %1. Ejecuciones en total: %2.</translation>
+    </message>
+    <message>
+        <source>Reference map</source>
+        <translation>Mapa de referencia</translation>
+    </message>
+    <message>
+        <source>Maps (*.map *.txt);;All files (*)</source>
+        <translation>Mapas (*.map *.txt);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Results folder</source>
+        <translation>Carpeta de resultados</translation>
+    </message>
+    <message>
+        <source>Write at least one value.</source>
+        <translation>Escriba al menos un valor.</translation>
+    </message>
+    <message>
+        <source>Expected a whole number, 0 or more.</source>
+        <translation>Se espera un número entero, 0 o mayor.</translation>
+    </message>
+    <message>
+        <source>Choose the map to measure the error against.</source>
+        <translation>Elija el mapa con el que medir el error.</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the results.</source>
+        <translation>Elija una carpeta para los resultados.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::StudyPlots</name>
+    <message>
+        <source>Map error [m]: every run, mean and standard deviation</source>
+        <translation>Error del mapa [m]: cada ejecución, media y desviación típica</translation>
+    </message>
+    <message>
+        <source>Landmarks: every run, mean and standard deviation</source>
+        <translation>Hitos: cada ejecución, media y desviación típica</translation>
+    </message>
+    <message>
+        <source>Landmarks: every run, mean and standard deviation; dashed: %1 in the reference</source>
+        <translation>Hitos: cada ejecución, media y desviación típica; a trazos: %1 en la referencia</translation>
+    </message>
+    <message>
+        <source>Runs: %1</source>
+        <translation>Ejecuciones: %1</translation>
+    </message>
+    <message>
+        <source>Map error: %1 m</source>
+        <translation>Error del mapa: %1 m</translation>
+    </message>
+    <message>
+        <source>Landmarks: %1</source>
+        <translation>Hitos: %1</translation>
+    </message>
+    <message>
+        <source>Save as image…</source>
+        <translation>Guardar como imagen…</translation>
     </message>
 </context>
 <context>

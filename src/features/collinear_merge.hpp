@@ -1,0 +1,26 @@
+// The merge of collinear pieces, the same for every method that finds lines [T table 4.4].
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hitos/features/extractor.hpp"
+
+namespace hitos {
+
+/// A stretch of wall: points on one line, in scan order, and the line fitted to them.
+struct LinePiece {
+    std::span<const Point2> points;
+    Recta recta;
+    bool merged = false;  ///< taken up by an earlier piece
+};
+
+/// The line through the points as `fit` says; two points or more.
+Recta fit_line(std::span<const Point2> points, LineFit fit);
+
+/// Appends the lines that the pieces make to `out`: each piece takes up the later ones that are
+/// collinear with it as it grows. The pieces' points lie outside `out`.
+void merge_collinear(std::span<LinePiece> pieces, const CollinearParams& params, LineFit fit,
+                     Observation& out);
+
+}  // namespace hitos

@@ -1,0 +1,96 @@
+#include "hitos/features/line_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hitos {
+
+Recta fit_least_squares(std::span<const Point2> points) {
+    const auto n = static_cast<double>(points.size());
+    double mean_x = 0.0;
+    double mean_y = 0.0;
+    for (const Point2& p : points) {
+        mean_x += p.x;
+        mean_y += p.y;
+    }
+    mean_x /= n;
+    mean_y /= n;
+    double sxx = 0.0;
+    double sxy = 0.0;
+    double syy = 0.0;
+    for (const Point2& p : points) {
+        const double dx = p.x - mean_x;
+        const double dy = p.y - mean_y;
+        sxx += dx * dx;
+        sxy += dx * dy;
+        syy += dy * dy;
+    }
+    // The scatter's principal axis lies at half of atan2(2 sxy, sxx - syy); the normal is
+    // perpendicular to it.
+    const double theta = 0.5 * std::atan2(2.0 * sxy, sxx - syy) + kPi / 2.0;
+    return normalized({mean_x * std::cos(theta) + mean_y * std::sin(theta), theta});
+}
+
+Eigen::Matrix2d line_covariance(const Recta& recta, std::span<const Point2> points, double sigma_m,
+                                const Point2& laser) {
+    // A range error moves a point along its ray: across the line by the cosine of the angle
+    // between ray and normal. Along the wall errors of the bearing, which the model leaves out,
+    // take over; a tenth of sigma keeps the covariance from vanishing there.
+    constexpr double kLeastCosine2 = 0.01;
+    const double c = std::cos(recta.theta);
+    const double s = std::sin(recta.theta);
+    const auto n = static_cast<double>(points.size());
+    const auto along = [&](const Point2& p) { return p.y * c - p.x * s; };
+    double mean = 0.0;
+    for (const Point2& p : points) mean += along(p);
+    mean /= n;
+    double spread = 0.0;    // sum of (t - mean)^2
+    double variance = 0.0;  // sums of the variances across the line, times 1, t - mean and its
+    double lever = 0.0;     // square
+    double lever2 = 0.0;
+    double residual2 = 0.0;
+    for (const Point2& p : points) {
+        const double t = along(p) - mean;
+        const Point2 ray{p.x - laser.x, p.y - laser.y};
+        const double depth = ray.x * c + ray.y * s;
+        const double range2 = ray.x * ray.x + ray.y * ray.y;
+        const double away = p.x * c + p.y * s - recta.rho;
+        const double across =
+            sigma_m * sigma_m *
+            (range2 > 0.0 ? std::max(depth * depth / range2, kLeastCosine2) : 1.0);
+        spread += t * t;
+        variance += across;
+        lever += across * t;
+        lever2 += across * t * t;
+        residual2 += away * away;
+    }
+    const double excess = n > 2.0 ? std::max(1.0, residual2 / variance * n / (n - 2.0)) : 1.0;
+    const double var_middle = variance / (n * n);
+    const double var_theta = lever2 / (spread * spread);
+    const double cov_middle = -lever / (n * spread);
+    Eigen::Matrix2d covariance;
+    covariance(0, 0) = var_middle + 2.0 * mean * cov_middle + mean * mean * var_theta;
+    covariance(0, 1) = covariance(1, 0) = cov_middle + mean * var_theta;
+    covariance(1, 1) = var_theta;
+    return covariance * excess;
+}
+
+Eigen::Matrix2d intersection_covariance(const Recta& a, const Eigen::Matrix2d& covariance_a,
+                                        const Recta& b, const Eigen::Matrix2d& covariance_b,
+                                        const Point2& meeting) {
+    // n . p = rho moves by n . dp = d rho - (u . p) d theta, with u the direction of the line.
+    const auto variance = [&](const Recta& line, const Eigen::Matrix2d& covariance) {
+        const double along = meeting.y * std::cos(line.theta) - meeting.x * std::sin(line.theta);
+        const Eigen::Vector2d g(1.0, -along);
+        return g.dot(covariance * g);
+    };
+    Eigen::Matrix2d normals;
+    normals << std::cos(a.theta), std::sin(a.theta), std::cos(b.theta), std::sin(b.theta);
+    const double det = normals(0, 0) * normals(1, 1) - normals(0, 1) * normals(1, 0);
+    Eigen::Matrix2d inverse;
+    inverse << normals(1, 1) / det, -normals(0, 1) / det, -normals(1, 0) / det, normals(0, 0) / det;
+    const Eigen::Vector2d variances(variance(a, covariance_a), variance(b, covariance_b));
+    return inverse * variances.asDiagonal() * inverse.transpose();
+}
+
+}  // namespace hitos

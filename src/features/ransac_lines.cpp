@@ -1,0 +1,225 @@
+#include "ransac_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hitos/features/line_fit.hpp"
+
+namespace hitos {
+namespace {
+
+/// Readings that may stray before a jump counts as an edge: spurious readings must not cut a wall.
+constexpr std::uint32_t kStrays = 5;
+/// Chance of having drawn two points of the best line when a search ends early.
+constexpr double kConfidence = 0.9999;
+constexpr int kRefits = 10;
+constexpr std::size_t kNoLine = std::numeric_limits<std::size_t>::max();
+
+std::size_t draw_below(std::size_t count, RandomStream& random) {
+    return std::min(static_cast<std::size_t>(random.uniform() * static_cast<double>(count)),
+                    count - 1);
+}
+
+/// Draws after which two points of a line that holds `part` of all were drawn with kConfidence.
+double draws_needed(double part) {
+    const double miss = 1.0 - part * part;
+    return miss <= 0.0 ? 1.0 : std::log(1.0 - kConfidence) / std::log(miss);
+}
+
+}  // namespace
+
+void RansacLines::extract_lines(const Scan& scan, Observation& out) {
+    RandomStream random(seed_, RandomPurpose::line_sampling, scans_++, 0);
+    const auto total = static_cast<std::uint32_t>(scan.points.size());
+    pieces_.clear();
+    points_.clear();
+    points_.reserve(2 * std::size_t{total});  // pieces point into it: it must not move
+    ranges_.clear();
+    const Pose& laser = scan.fan.pose_robot_laser;
+    for (const Point2& p : scan.points) {
+        ranges_.push_back(std::hypot(p.x - laser.x, p.y - laser.y));
+    }
+    for (std::size_t run = 0; run < scan.run_starts.size(); ++run) {
+        const std::uint32_t end =
+            run + 1 < scan.run_starts.size() ? scan.run_starts[run + 1] : total;
+        follow_edges(scan, scan.run_starts[run], end, random);
+    }
+    merge_collinear(pieces_, lines_params_.collinear, LineFit::least_squares, out);
+}
+
+void RansacLines::follow_edges(const Scan& scan, std::uint32_t begin, std::uint32_t end,
+                               RandomStream& random) {
+    while (begin < end) {
+        std::uint32_t last = begin;
+        for (std::uint32_t i = begin + 1; i < end && i - last <= kStrays + 1; ++i) {
+            if (!edge_between(ranges_[i], ranges_[last])) last = i;
+        }
+        run_ranges_ = std::span(ranges_).subspan(begin, last - begin + 1);
+        search(std::span(scan.points).subspan(begin, last - begin + 1), random);
+        begin = last + 1;
+    }
+}
+
+bool RansacLines::edge_between(double range_a, double range_b) const {
+    return std::abs(range_a - range_b) >
+           params_.edge_m + params_.edge_per_range * std::min(range_a, range_b);
+}
+
+void RansacLines::search(std::span<const Point2> run, RandomStream& random) {
+    const auto fewest = static_cast<std::size_t>(lines_params_.min_points);
+    candidates_.x.clear();
+    candidates_.y.clear();
+    for (const Point2& p : run) {
+        candidates_.x.push_back(p.x);
+        candidates_.y.push_back(p.y);
+    }
+    found_.clear();
+    while (candidates_.size() >= fewest) {
+        Recta line;
+        if (!hypothesize(random, line)) break;
+        if (refine(line) && long_enough(consensus_, line)) found_.push_back(line);
+        // Take the consensus away, whether it is a line or not: the search must come to an end.
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < candidates_.size(); ++i) {
+            if (near(line, {candidates_.x[i], candidates_.y[i]})) continue;
+            candidates_.x[kept] = candidates_.x[i];
+            candidates_.y[kept++] = candidates_.y[i];
+        }
+        if (kept == candidates_.size()) break;
+        candidates_.x.resize(kept);
+        candidates_.y.resize(kept);
+    }
+    if (!found_.empty()) keep_pieces(run);
+}
+
+bool RansacLines::hypothesize(RandomStream& random, Recta& best) const {
+    const std::size_t count = candidates_.size();
+    const double* x = candidates_.x.data();
+    const double* y = candidates_.y.data();
+    int most = 0;
+    double needed = params_.iterations;
+    for (int draw = 0; draw < params_.iterations && draw < needed; ++draw) {
+        const std::size_t a = draw_below(count, random);
+        std::size_t b = draw_below(count - 1, random);
+        if (b >= a) ++b;
+        const double length = std::hypot(x[b] - x[a], y[b] - y[a]);
+        if (length == 0.0) continue;
+        const double nx = (y[b] - y[a]) / length;
+        const double ny = (x[a] - x[b]) / length;
+        const double rho = nx * x[a] + ny * y[a];
+        int inside = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            inside += std::abs(nx * x[i] + ny * y[i] - rho) < params_.threshold_m ? 1 : 0;
+        }
+        if (inside <= most) continue;
+        most = inside;
+        best = normalized({rho, std::atan2(ny, nx)});
+        needed = draws_needed(static_cast<double>(inside) / static_cast<double>(count));
+    }
+    return most >= lines_params_.min_points;
+}
+
+bool RansacLines::refine(Recta& line) {
+    std::size_t before = 0;
+    for (int i = 0; i < kRefits; ++i) {
+        consensus_.clear();
+        for (std::size_t k = 0; k < candidates_.size(); ++k) {
+            const Point2 point{candidates_.x[k], candidates_.y[k]};
+            if (near(line, point)) consensus_.push_back(point);
+        }
+        if (consensus_.size() < static_cast<std::size_t>(lines_params_.min_points)) return false;
+        if (consensus_.size() == before) break;
+        before = consensus_.size();
+        line = fit_least_squares(consensus_);
+    }
+    return true;
+}
+
+void RansacLines::keep_pieces(std::span<const Point2> run) {
+    // The first line found has taken the ends of those that meet it; give them back.
+    nearest_.assign(run.size(), kNoLine);
+    for (std::size_t i = 0; i < run.size(); ++i) {
+        double least = params_.threshold_m;
+        for (std::size_t line = 0; line < found_.size(); ++line) {
+            const double away = std::abs(signed_distance(found_[line], run[i]));
+            if (away >= least) continue;
+            least = away;
+            nearest_[i] = line;
+        }
+    }
+    share_corners(run);
+    // In scan order of their first points, as every method gives them.
+    order_.clear();
+    for (const std::size_t line : nearest_) {
+        if (line != kNoLine && std::find(order_.begin(), order_.end(), line) == order_.end()) {
+            order_.push_back(line);
+        }
+    }
+    for (const std::size_t line : order_) {
+        std::size_t first = points_.size();
+        fitted_.clear();
+        std::size_t last = 0;  // place in the run of the line's newest point
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            if (nearest_[i] != line && shared_[i] != line) continue;
+            // Where an infinite line crosses another wall far away, a point of that wall is on it
+            // by chance: what other points or an edge part from the line must be one by itself.
+            if (points_.size() > first &&
+                (i - last > kStrays + 1 || edge_between(run_ranges_[i], run_ranges_[last]))) {
+                keep_piece(first);
+                first = points_.size();
+                fitted_.clear();
+            }
+            points_.push_back(run[i]);
+            if (shared_[i] == kNoLine) fitted_.push_back(run[i]);
+            last = i;
+        }
+        keep_piece(first);
+    }
+}
+
+void RansacLines::share_corners(std::span<const Point2> run) {
+    shared_.assign(run.size(), kNoLine);
+    for (std::size_t i = 0; i + 1 < run.size(); ++i) {
+        const std::size_t a = nearest_[i];
+        const std::size_t b = nearest_[i + 1];
+        if (a == b || a == kNoLine || b == kNoLine) continue;
+        const double to_b = std::abs(signed_distance(found_[b], run[i]));
+        const double to_a = std::abs(signed_distance(found_[a], run[i + 1]));
+        if (std::min(to_a, to_b) >= params_.threshold_m) continue;
+        (to_b <= to_a ? shared_[i] : shared_[i + 1]) = to_b <= to_a ? b : a;
+    }
+}
+
+void RansacLines::keep_piece(std::size_t first) {
+    const std::span<const Point2> points(points_.data() + first, points_.size() - first);
+    if (points.size() >= static_cast<std::size_t>(lines_params_.min_points)) {
+        // A point at a corner supports both walls but would tilt the one it is not on.
+        const Recta fitted =
+            fit_least_squares(fitted_.size() < 2 ? points : std::span<const Point2>(fitted_));
+        if (long_enough(points, fitted)) {
+            pieces_.push_back({points, fitted});
+            return;
+        }
+    }
+    points_.resize(first);
+}
+
+bool RansacLines::near(const Recta& line, const Point2& point) const {
+    return std::abs(signed_distance(line, point)) < params_.threshold_m;
+}
+
+bool RansacLines::long_enough(std::span<const Point2> points, const Recta& line) const {
+    const double c = std::cos(line.theta);
+    const double s = std::sin(line.theta);
+    double from = std::numeric_limits<double>::infinity();
+    double to = -from;
+    for (const Point2& p : points) {
+        const double along = p.y * c - p.x * s;
+        from = std::min(from, along);
+        to = std::max(to, along);
+    }
+    return to > from && to - from >= lines_params_.min_length_m;
+}
+
+}  // namespace hitos

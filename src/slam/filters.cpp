@@ -1,0 +1,52 @@
+#include "hitos/slam/filters.hpp"
+
+#include <string>
+
+#include "ekf_slam.hpp"
+#include "filtro_particulas.hpp"
+#include "hitos/capture/error.hpp"
+
+namespace hitos {
+namespace {
+
+void check_observation(const FilterParams& params) {
+    if (!(params.observation.var_rho_m2 > 0.0 && params.observation.var_theta_rad2 > 0.0)) {
+        throw ConfigError("observation", "expected variances above 0");
+    }
+}
+
+bool is_probability(double value) {
+    return value > 0.0 && value < 1.0;
+}
+
+}  // namespace
+
+std::unique_ptr<SlamFilter> make_fastslam(const FilterParams& params, std::uint64_t seed,
+                                          int threads) {
+    if (params.particles < 1) {
+        throw ConfigError("filter.particles",
+                          "found " + std::to_string(params.particles) + ", expected 1 or more");
+    }
+    if (!(params.association.p0 > 0.0)) throw ConfigError("association.p0", "expected above 0");
+    check_observation(params);
+    return std::make_unique<FiltroParticulas>(params, seed, threads);
+}
+
+std::unique_ptr<SlamFilter> make_ekf_slam(const FilterParams& params) {
+    check_observation(params);
+    const AssociationParams& a = params.association;
+    if (!is_probability(a.gate_probability) || !is_probability(a.new_probability) ||
+        a.new_probability < a.gate_probability) {
+        throw ConfigError("association.new_probability",
+                          "expected a probability from association.gate_probability up to below 1");
+    }
+    return std::make_unique<EkfSlam>(params);
+}
+
+std::unique_ptr<SlamFilter> make_filter(const FilterParams& params, std::uint64_t seed,
+                                        int threads) {
+    if (params.algorithm == SlamAlgorithm::ekf_slam) return make_ekf_slam(params);
+    return make_fastslam(params, seed, threads);
+}
+
+}  // namespace hitos

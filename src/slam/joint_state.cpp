@@ -1,0 +1,80 @@
+#include "joint_state.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace hitos {
+
+void JointState::move(const Pose& pose, const Matrix3& f, const Matrix3& q) {
+    mean_.head<3>() << pose.x, pose.y, pose.theta;
+    const Matrix3 moved = f * pose_covariance() * f.transpose() + q;
+    for (Eigen::Index j = 0; j < kPose; ++j) {
+        for (Eigen::Index i = j; i < kPose; ++i) covariance_(i, j) = moved(i, j);
+    }
+    auto cross = covariance_.block(kPose, 0, size_ - kPose, kPose);
+    cross = (cross * f.transpose()).eval();
+}
+
+template <int Columns>
+void JointState::read_columns(Eigen::Index first, Eigen::Ref<Eigen::MatrixXd> out) const {
+    out.topRows(first) = covariance_.block(first, 0, Columns, first).transpose();
+    out.middleRows(first, Columns) = covariance_block<Columns, Columns>(first, first);
+    const Eigen::Index below = first + Columns;
+    out.bottomRows(size_ - below) = covariance_.block(below, first, size_ - below, Columns);
+}
+
+void JointState::update(std::span<const Row> rows) {
+    if (rows.empty()) return;
+    const auto count = 2 * static_cast<Eigen::Index>(rows.size());
+    columns_.resize(size_, kPose + 2);
+    w_.resize(size_, count);
+    s_.resize(count, count);
+    Eigen::VectorXd nu(count);
+    read_columns<kPose>(0, columns_.leftCols<kPose>());
+    for (Eigen::Index k = 0; k < count; k += 2) {
+        const Row& row = rows[static_cast<std::size_t>(k / 2)];
+        read_columns<2>(row.at, columns_.rightCols<2>());
+        w_.middleCols<2>(k).noalias() = columns_.leftCols<kPose>() * row.by_pose.transpose() +
+                                        columns_.rightCols<2>() * row.by_landmark.transpose();
+        nu.segment<2>(k) = row.nu;
+    }
+    for (Eigen::Index k = 0; k < count; k += 2) {
+        const Row& row = rows[static_cast<std::size_t>(k / 2)];
+        s_.middleRows<2>(k) =
+            row.by_pose * w_.topRows<kPose>() + row.by_landmark * w_.middleRows<2>(row.at);
+        s_.block<2, 2>(k, k) += row.r;
+    }
+    const Eigen::LLT<Eigen::MatrixXd> factor(s_);
+    mean_.head(size_).noalias() += w_ * factor.solve(nu);
+    factor.matrixU().solveInPlace<Eigen::OnTheRight>(w_);
+    covariance_.topLeftCorner(size_, size_).selfadjointView<Eigen::Lower>().rankUpdate(w_, -1.0);
+}
+
+Eigen::Index JointState::append(const Vector2& mean, const Matrix23& by_pose, const Matrix2& own) {
+    const Eigen::Index at = size_;
+    grow(at + 2);
+    mean_.segment<2>(at) = mean;
+    covariance_.block<2, 3>(at, 0) = by_pose * pose_covariance();
+    covariance_.block(at, kPose, 2, at - kPose) =
+        by_pose * covariance_.block(kPose, 0, at - kPose, kPose).transpose();
+    covariance_.block<2, 2>(at, at) = by_pose * pose_covariance() * by_pose.transpose() + own;
+    size_ = at + 2;
+    return at;
+}
+
+void JointState::negate(Eigen::Index component) {
+    covariance_.row(component).head(component) *= -1.0;
+    covariance_.col(component).segment(component + 1, size_ - component - 1) *= -1.0;
+}
+
+void JointState::grow(Eigen::Index size) {
+    if (size <= covariance_.rows()) return;
+    const Eigen::Index capacity = std::max<Eigen::Index>(2 * covariance_.rows(), 32);
+    mean_.conservativeResize(capacity);
+    covariance_.conservativeResize(capacity, capacity);
+}
+
+Eigen::MatrixXd JointState::covariance() const {
+    return covariance_.topLeftCorner(size_, size_).selfadjointView<Eigen::Lower>();
+}
+
+}  // namespace hitos

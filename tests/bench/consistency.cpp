@@ -1,0 +1,197 @@
+// Is EKF-SLAM as sure as it may be? Monte Carlo runs with known noise; the normalised estimation
+// error squared (NEES) of the pose, e' P^-1 e with e = estimate - truth, has mean 3 where the
+// filter's covariance tells the truth. The mean over N runs then lies within the 95 % band of a
+// chi-square variable with 3 N degrees of freedom, divided by N (Bar-Shalom, Li and Kirubarajan,
+// Estimation with Applications to Tracking and Navigation, 2001, section 5.4).
+//
+// usage: build/release/bench/consistency [RUNS [STEPS.csv]]
+
+#include <fmt/core.h>
+
+#include <Eigen/Dense>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "hitos/features/extractor.hpp"
+#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/slam/filters.hpp"
+#include "hitos/slam/robot.hpp"
+
+namespace {
+
+using namespace hitos;
+
+/// The value that a chi-square variable of many degrees of freedom stays below with probability
+/// Phi(z) (Wilson and Hilferty, 1931); right to 0.1 % from 30 degrees on.
+double chi_square_quantile(double degrees, double z) {
+    const double a = 2.0 / (9.0 * degrees);
+    return degrees * std::pow(1.0 - a + z * std::sqrt(a), 3.0);
+}
+
+struct Scenario {
+    const char* name;
+    const char* world;
+    double noise;  ///< times the variances of the gentle motion noise
+    Detection detect;
+    ObservationCovariance covariance;
+};
+
+constexpr double kLaserSigma = 0.01;
+
+MotionParams motion_noise(double factor) {
+    MotionParams motion;
+    motion.model = MotionModel::proportional;
+    motion.var_along_m2_per_m = 0.0005 * factor;
+    motion.var_across_m2_per_m = 0.0001 * factor;
+    motion.var_theta_rad2_per_rad = 0.0005 * factor;
+    motion.var_theta_rad2_per_m = 0.0001 * factor;
+    return motion;
+}
+
+/// What one run says at every scan: the pose's NEES, or NaN before the first motion.
+struct Run {
+    std::vector<double> nees;
+    double last_error_m = 0.0;
+    int landmarks = 0;
+};
+
+Run run_once(const Scenario& scenario, const SimulatedTour& tour, std::uint64_t seed) {
+    FilterParams filter_params;
+    filter_params.algorithm = SlamAlgorithm::ekf_slam;
+    filter_params.motion = motion_noise(scenario.noise);
+    filter_params.association.gate_probability = 0.999;
+    filter_params.association.new_probability = 0.999999;
+    ExtractionParams extraction;
+    extraction.detect = scenario.detect;
+    extraction.method = LineMethod::ransac;
+    extraction.split_merge.min_length_m = 0.4;
+    extraction.split_merge.min_points = 9;
+    extraction.covariance = scenario.covariance;
+    extraction.point_sigma_m = kLaserSigma;
+    const auto extractor = make_extractor(extraction, seed);
+    const auto filter = make_filter(filter_params, seed, 1);
+    const Robot robot(filter_params.motion);
+
+    Run run;
+    Observation seen;
+    for (std::uint64_t k = 0; k < tour.scans(); ++k) {
+        std::vector<Control> controls;
+        if (k > 0) {
+            const double seconds = tour.scan_time(k) - tour.scan_time(k - 1);
+            const Pose driven = between(tour.true_pose(k - 1), tour.true_pose(k));
+            const Control exact{twist_between(driven, seconds), seconds};
+            RandomStream random(seed, RandomPurpose::odometry_noise, k, 0);
+            const Pose told = robot.sample({}, sum_controls(std::span(&exact, 1)), random);
+            controls.push_back({twist_between(told, seconds), seconds});
+        }
+        extractor->extract(tour.scan(k), seen);
+        filter->step(controls, seen);
+
+        const Pose truth = tour.true_pose(k);
+        const Pose estimate = filter->best_pose();
+        const Eigen::Vector3d error(estimate.x - truth.x, estimate.y - truth.y,
+                                    wrap_angle(estimate.theta - truth.theta));
+        const Eigen::Matrix3d covariance = filter->pose_covariance();
+        const bool moved = covariance(2, 2) > 0.0 && covariance.determinant() > 0.0;
+        run.nees.push_back(moved ? error.dot(covariance.ldlt().solve(error)) : std::nan(""));
+        run.last_error_m = std::hypot(error(0), error(1));
+    }
+    run.landmarks = filter->best_lines() + filter->best_corners();
+    return run;
+}
+
+void study(const Scenario& scenario, int runs, std::ofstream& steps) {
+    World world = read_world(std::filesystem::path(HITOS_SOURCE_DIR) / "data/worlds" /
+                             (std::string(scenario.world) + ".toml"));
+    world.laser.sigma_m = kLaserSigma;
+    std::vector<double> sums;
+    double errors2 = 0.0;
+    int landmarks = 0;
+    for (int r = 1; r <= runs; ++r) {
+        world.seed = static_cast<std::uint64_t>(r);
+        const Run run = run_once(scenario, SimulatedTour(world), world.seed);
+        sums.resize(run.nees.size());
+        for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += run.nees[k];
+        errors2 += run.last_error_m * run.last_error_m;
+        landmarks += run.landmarks;
+    }
+    const double n = runs;
+    constexpr double kZ = 1.959964;
+    const double low = chi_square_quantile(3.0 * n, -kZ) / n;
+    const double high = chi_square_quantile(3.0 * n, kZ) / n;
+    int counted = 0;
+    int inside = 0;
+    int above = 0;
+    double mean = 0.0;
+    std::vector<double> averages;
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        const double average = sums[k] / n;
+        if (std::isnan(average)) continue;
+        ++counted;
+        inside += average >= low && average <= high ? 1 : 0;
+        above += average > high ? 1 : 0;
+        mean += average;
+        averages.push_back(average);
+        if (steps) steps << fmt::format("{},{},{:.4f}\n", scenario.name, k, average);
+    }
+    // Errors of neighbouring steps hang together: the tour's second half is told by itself.
+    double late = 0.0;
+    const std::size_t middle = averages.size() / 2;
+    for (std::size_t k = middle; k < averages.size(); ++k) late += averages[k];
+    late /= static_cast<double>(averages.size() - middle);
+    fmt::print("{:<34} {:>5} {:>6.2f} {:>9.2f}   {:>4.0f} %    {:>4.0f} %  {:>8.3f} {:>9.1f}\n",
+               scenario.name, sums.size(), mean / counted, late, 100.0 * inside / counted,
+               100.0 * above / counted, std::sqrt(errors2 / n), static_cast<double>(landmarks) / n);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    int runs = 50;
+    if (argc > 1) {
+        const std::string text = argv[1];
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), runs);
+        if (error != std::errc() || end != text.data() + text.size() || runs < 2) {
+            fmt::print(stderr, "consistency: found '{}'; expected 2 runs or more\n", text);
+            return 2;
+        }
+    }
+    std::ofstream steps;
+    if (argc > 2) {
+        steps.open(argv[2]);
+        if (!steps) {
+            fmt::print(stderr, "consistency: cannot write {}\n", argv[2]);
+            return 1;
+        }
+        steps << "scenario,scan,nees\n";
+    }
+    const double n = runs;
+    fmt::print(
+        "EKF-SLAM, {} runs; pose NEES: 3 where the covariance tells the truth, 95 % band "
+        "of the mean {:.2f} to {:.2f}\n",
+        runs, chi_square_quantile(3.0 * n, -1.959964) / n,
+        chi_square_quantile(3.0 * n, 1.959964) / n);
+    fmt::print("{:<34} {:>5} {:>6} {:>9}  {:>7}   {:>6}  {:>8} {:>9}\n", "scenario", "scans",
+               "mean", "2nd half", "in band", "above", "rmse_m", "landmarks");
+    const auto lines = Detection::lines;
+    const auto points = ObservationCovariance::points;
+    for (const Scenario& scenario :
+         {Scenario{"recinto, gentle noise", "recinto", 1.0, lines, points},
+          Scenario{"bigloop, gentle noise", "bigloop", 1.0, lines, points},
+          Scenario{"complex, gentle noise", "complex", 1.0, lines, points},
+          Scenario{"bigloop, noise x 3", "bigloop", 3.0, lines, points},
+          Scenario{"bigloop, noise x 10", "bigloop", 10.0, lines, points},
+          Scenario{"bigloop, noise x 30", "bigloop", 30.0, lines, points},
+          Scenario{"bigloop, lines and their corners", "bigloop", 1.0, Detection::both, points},
+          Scenario{"bigloop, the thesis's variances", "bigloop", 1.0, lines,
+                   ObservationCovariance::fixed}}) {
+        study(scenario, runs, steps);
+    }
+    return 0;
+}

@@ -1,0 +1,328 @@
+// Use case 8.2.2.11 from the window: the study of one parameter.
+
+#include <QComboBox>
+#include <QDirIterator>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "gui_fixture.hpp"
+#include "hitos/services/study_values.hpp"
+#include "study_dialog.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr int kStudyMs = 120000;
+
+/// A window with its study open: two values of dmax, two runs of each.
+struct StudyFixture : Fixture {
+    StudyDialog& study;
+
+    explicit StudyFixture(int particles = 5) : Fixture(true, particles), study(open()) {
+        set("values", "0.02, 0.05");
+        study.form().set_runs(2);
+        set("reference", source_file("data/maps/bigloop.map"));
+        set("folder", path("study"));
+    }
+
+    StudyDialog& open() {
+        trigger("action_study");
+        if (window->study() == nullptr) qFatal("no study");
+        window->study()->form().set_assignment("dmax=");
+        return *window->study();
+    }
+    void set(const char* field, const QString& text) const {
+        study.findChild<QLineEdit*>(field)->setText(text);
+    }
+    void press(const char* button) const { study.findChild<QPushButton*>(button)->click(); }
+    bool enabled(const char* button) const {
+        return study.findChild<QPushButton*>(button)->isEnabled();
+    }
+    QString error_at(const QString& field) const {
+        auto* label = study.findChild<QLabel*>("error_" + field);
+        return label->isHidden() ? QString() : label->text();
+    }
+    QString verdict() const { return study.findChild<QLabel*>("verdict")->text(); }
+    void run_study() const {
+        press("start");
+        QTRY_VERIFY_WITH_TIMEOUT(!study.running(), kStudyMs);
+    }
+
+    /// Runs hitos-cli study with the same inputs; gives its folder.
+    QString command_line_study(const QStringList& extra = {}) {
+        prompts.saves = {path("same.cfg")};
+        trigger("action_save");
+        QProcess cli;
+        cli.start(QString(HITOS_BIN_DIR) + "/hitos-cli",
+                  QStringList{"study", QString::fromStdString(session.configuration().source.file),
+                              "--config", path("same.cfg"), "--reference",
+                              source_file("data/maps/bigloop.map"), "--vary", "dmax=0.02,0.05",
+                              "--runs", "2", "--out", path("cli")} +
+                      extra);
+        if (!cli.waitForFinished(kStudyMs) || cli.exitCode() != 0) qFatal("hitos-cli has failed");
+        return path("cli");
+    }
+};
+
+/// Every file but those that tell the time that the runs took.
+QStringList results_in(const QString& folder) {
+    QStringList names;
+    QDirIterator files(folder, QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        const QString name = QDir(folder).relativeFilePath(files.next());
+        if (name != "timing.csv" && !name.startsWith("runs/")) names << name;
+    }
+    names.sort();
+    return names;
+}
+
+void compare_folders(const QString& mine, const QString& other) {
+    const QStringList names = results_in(mine);
+    QCOMPARE(names, results_in(other));
+    QVERIFY2(names.contains("quality.csv") && names.contains("summary.csv") &&
+                 names.contains("error.dat") && names.filter("maps/").size() == 4,
+             qPrintable(names.join(' ')));
+    for (const QString& name : names) {
+        QVERIFY2(Fixture::read(mine + '/' + name) == Fixture::read(other + '/' + name),
+                 qPrintable(name));
+    }
+}
+
+}  // namespace
+
+void StudyTest::a_study_needs_a_source() {
+    Fixture f(false);
+    QVERIFY(!f.action("action_study")->isEnabled());
+}
+
+void StudyTest::its_files_are_those_of_the_command_line() {
+    StudyFixture f;
+    f.run_study();
+    QVERIFY2(f.verdict().contains("4 of 4"), qPrintable(f.verdict()));
+    QCOMPARE(f.study.plots().means(), 2);
+    compare_folders(f.path("study"), f.command_line_study());
+}
+
+void StudyTest::noise_seed_and_threads_are_those_of_the_command_line() {
+    StudyFixture f;
+    f.study.findChild<QDoubleSpinBox*>("noise")->setValue(0.1);
+    f.study.findChild<QSpinBox*>("threads")->setValue(1);
+    f.set("seed", "7");
+    f.run_study();
+    compare_folders(f.path("study"), f.command_line_study({"--odometry-noise", "0.1", "--seed", "7",
+                                                           "--threads", "2"}));
+}
+
+void StudyTest::every_parameter_can_be_chosen() {
+    StudyFixture f;
+    auto* names = f.study.findChild<QComboBox*>("parameter");
+    for (const ThesisParameter& thesis : thesis_parameters()) {
+        const QString name = QString::fromStdString(std::string(thesis.name));
+        QVERIFY2(names->findText(name + ' ', Qt::MatchStartsWith) >= 0, qPrintable(name));
+    }
+    // Any other key, and several together, can be written.
+    f.study.form().set_assignment("sensor=0.04/0.00122,0.01/0.0006");
+    QVERIFY(f.study.findChild<QLabel*>("values_hint")->text().contains('2'));
+    f.study.form().set_assignment("split_merge.dmax+split_merge.min_length=0.02/0.5");
+    QVERIFY(f.study.findChild<QLabel*>("parameter_hint")->text().contains("0.02"));
+    f.study.form().set_assignment("p=10:50:10");
+    QVERIFY(f.study.findChild<QLabel*>("values_hint")->text().contains("10"));
+}
+
+void StudyTest::bad_values_are_told_at_their_fields_data() {
+    QTest::addColumn<QString>("assignment");
+    QTest::addColumn<QString>("field");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("none") << "dmax="
+                          << "values"
+                          << "";
+    QTest::newRow("no number") << "dmax=wide"
+                               << "values"
+                               << "wide";
+    QTest::newRow("out of range") << "p=5,0"
+                                  << "values"
+                                  << "filter.particles";
+    QTest::newRow("no way there") << "dmax=0.01:0.05:-0.01"
+                                  << "values"
+                                  << "step";
+    QTest::newRow("a part is missing") << "sensor=0.04"
+                                       << "values"
+                                       << "components";
+    QTest::newRow("given twice") << "dmax=0.02,0.020"
+                                 << "values"
+                                 << "twice";
+    QTest::newRow("without effect") << "motion.var_along=0.1"
+                                    << "values"
+                                    << "no effect";
+    QTest::newRow("unknown") << "dmux=1"
+                             << "parameter"
+                             << "dmux";
+}
+
+void StudyTest::bad_values_are_told_at_their_fields() {
+    QFETCH(const QString, assignment);
+    QFETCH(const QString, field);
+    QFETCH(const QString, words);
+    StudyFixture f;
+    f.study.form().set_assignment(assignment);
+    f.run_study();
+    QVERIFY2(!f.error_at(field).isEmpty(), qPrintable(f.verdict()));
+    QVERIFY2(f.error_at(field).contains(words), qPrintable(f.error_at(field)));
+    QVERIFY(!QFile::exists(f.path("study")));
+    QVERIFY(f.enabled("start"));
+    // What is being mended is no longer told to be wrong.
+    f.study.form().set_assignment("dmax=0.03");
+    QVERIFY(f.error_at(field).isEmpty());
+}
+
+void StudyTest::all_mistakes_are_told_at_once() {
+    StudyFixture f;
+    f.set("seed", "first");
+    f.set("reference", "/nowhere/true.map");
+    f.set("folder", "");
+    f.press("start");
+    QVERIFY(!f.study.running());
+    QVERIFY(!f.error_at("seed").isEmpty());
+    QVERIFY2(f.error_at("reference").contains("/nowhere/true.map"),
+             qPrintable(f.error_at("reference")));
+    QVERIFY(!f.error_at("folder").isEmpty());
+    QVERIFY(f.error_at("values").isEmpty());
+    f.prompts.opens = {Fixture::source_file("data/maps/bigloop.map")};
+    f.press("reference_browse");
+    f.prompts.folders = {f.path("study")};
+    f.press("folder_browse");
+    f.set("seed", "1");
+    QVERIFY(f.error_at("reference").isEmpty() && f.error_at("folder").isEmpty());
+    f.run_study();
+    QVERIFY2(f.verdict().contains("4 of 4"), qPrintable(f.verdict()));
+}
+
+void StudyTest::a_folder_that_cannot_be_written_is_told() {
+    StudyFixture f;
+    f.write("file", "no folder");
+    f.set("folder", f.path("file/study"));
+    f.run_study();
+    QVERIFY2(f.error_at("folder").contains("file/study"), qPrintable(f.verdict()));
+    QVERIFY(f.enabled("start"));
+}
+
+void StudyTest::a_log_that_has_gone_is_told() {
+    StudyFixture f;
+    const QString path = f.write("small.txt", "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n");
+    QVERIFY(f.window->configuration_actions().open(path));
+    QFile::remove(path);
+    f.run_study();
+    QVERIFY2(f.verdict().contains("small.txt"), qPrintable(f.verdict()));
+}
+
+void StudyTest::runs_that_fail_are_told_and_the_others_go_on() {
+    StudyFixture f;
+    const QString good = QString::fromStdString(f.session.configuration().source.file);
+    const QString bad = f.write("letter.txt", "Dear reader,\nthis is no log.\n");
+    f.study.form().set_assignment("source.file=" + good + ',' + bad);
+    f.run_study();
+    QVERIFY2(f.verdict().contains("letter.txt"), qPrintable(f.verdict()));
+    QVERIFY2(f.verdict().contains("2 of 4"), qPrintable(f.verdict()));
+    QCOMPARE(f.study.plots().means(), 1);
+}
+
+void StudyTest::a_stopped_study_goes_on_where_it_was() {
+    StudyFixture f(40);
+    f.study.findChild<QSpinBox*>("threads")->setValue(1);
+    f.press("start");
+    QVERIFY(f.study.running());
+    QVERIFY(!f.enabled("start"));
+    QVERIFY(!f.study.findChild<QWidget*>("form")->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(f.study.plots().means() > 0, kStudyMs);  // while it runs
+    f.press("stop");
+    QTRY_VERIFY_WITH_TIMEOUT(!f.study.running(), kStudyMs);
+    QVERIFY2(f.verdict().contains("Stopped"), qPrintable(f.verdict()));
+    QVERIFY(!QFile::exists(f.path("study/quality.csv")));
+    f.run_study();
+    QVERIFY(f.prompts.confirmed_texts.isEmpty());  // it is this window's own folder
+    compare_folders(f.path("study"), f.command_line_study());
+}
+
+void StudyTest::another_studys_folder_is_asked_about() {
+    StudyFixture f;
+    QDir().mkpath(f.path("study"));
+    f.write("study/quality.csv", "precious");
+    f.prompts.confirms = {false};
+    f.press("start");
+    QVERIFY(!f.study.running());
+    QCOMPARE(Fixture::read(f.path("study/quality.csv")), QByteArray("precious"));
+    f.prompts.confirms = {true};
+    f.run_study();
+    QVERIFY(f.prompts.confirmed_texts.back().contains("study"));
+    QVERIFY(Fixture::read(f.path("study/quality.csv")) != QByteArray("precious"));
+}
+
+void StudyTest::closing_while_it_runs_asks() {
+    StudyFixture f(200);
+    f.press("start");
+    QVERIFY(f.study.running());
+    f.prompts.confirms = {false, false};
+    f.press("close");
+    QVERIFY(f.study.isVisible() && f.study.running());
+    QVERIFY(!f.window->close());
+    QVERIFY(f.window->isVisible() && f.study.running());
+    QTest::keyClick(&f.study, Qt::Key_Escape);  // declined: the list is at its end
+    QVERIFY(f.study.isVisible());
+    f.prompts.confirms = {true};
+    f.press("close");
+    QVERIFY(!f.study.isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!f.study.running(), kStudyMs);
+}
+
+void StudyTest::the_main_window_ends_a_running_study() {
+    StudyFixture f(200);
+    f.press("start");
+    f.prompts.confirms = {true};
+    QVERIFY(f.window->close());
+    f.window.reset();  // waits for no more than the steps under way
+    QVERIFY(!QFile::exists(f.path("study/quality.csv")));
+}
+
+void StudyTest::the_configuration_may_change_meanwhile() {
+    StudyFixture f;
+    f.press("start");
+    f.session.set_configuration(Fixture::tour(6));
+    QTRY_VERIFY_WITH_TIMEOUT(!f.study.running(), kStudyMs);
+    f.session.set_configuration(Fixture::tour(5));
+    compare_folders(f.path("study"), f.command_line_study());
+}
+
+void StudyTest::its_plot_is_saved() {
+    StudyFixture f;
+    QVERIFY(!f.enabled("save"));
+    f.run_study();
+    f.prompts.saves = {f.path("plot.png")};
+    f.press("save");
+    QVERIFY(!QImage(f.path("plot.png")).isNull());
+    f.prompts.saves = {f.path("plot.pdf")};
+    f.press("save");
+    QVERIFY(Fixture::read(f.path("plot.pdf")).startsWith("%PDF"));
+    // Overwriting declined, a kind that is none, a folder that is not there, given up.
+    f.prompts.saves = {f.path("plot.png"), f.path("plot.bmp"), f.path("no/folder/plot.pdf")};
+    f.prompts.confirms = {false};
+    f.prompts.saves_asked = 0;
+    f.press("save");
+    QCOMPARE(f.prompts.saves_asked, 4);
+    QCOMPARE(f.prompts.warnings.size(), 2);
+    QVERIFY(!QFile::exists(f.path("plot.bmp")));
+}
+
+void StudyTest::its_words_are_remembered() {
+    StudyFixture f;
+    f.run_study();
+    StudyDialog next(f.session, f.files, f.prompts, nullptr);
+    QCOMPARE(next.findChild<QLineEdit*>("values")->text(), QString("0.02, 0.05"));
+    QCOMPARE(next.findChild<QSpinBox*>("runs")->value(), 2);
+    QVERIFY(next.findChild<QComboBox*>("parameter")->currentText().startsWith("dmax "));
+}
+
+}  // namespace hitos::window

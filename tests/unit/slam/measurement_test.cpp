@@ -1,0 +1,56 @@
+#include "measurement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <random>
+
+namespace hitos {
+namespace {
+
+TEST(Measurements, TakeTheFixedVariancesWhereTheFeaturesHaveNone) {
+    Observation seen;
+    seen.lines.push_back({{2.0, 0.3}, 0, 0});
+    seen.corners.push_back({3.0, 4.0});
+    Measurements measurements;
+    measurements.take(seen, {0.04, 0.00122});
+    ASSERT_EQ(measurements.size(), 2U);
+    for (const Measurement& m : {measurements.lines[0], measurements.corners[0]}) {
+        EXPECT_EQ(m.r(0, 0), 0.04);
+        EXPECT_EQ(m.r(1, 1), 0.00122);
+        EXPECT_EQ(m.r(0, 1), 0.0);
+    }
+    EXPECT_EQ(measurements.lines[0].z, Vector2(2.0, 0.3));
+    EXPECT_NEAR(measurements.corners[0].z(0), 5.0, 1e-12);
+}
+
+TEST(Measurements, ACornersCovarianceIsThatOfRangeAndBearing) {
+    Matrix2 covariance;
+    covariance << 4e-4, 1e-4, 1e-4, 9e-4;
+    Observation seen;
+    seen.corners.push_back({3.0, -4.0});
+    seen.corner_covariances.push_back(covariance);
+    Measurements measurements;
+    measurements.take(seen, {});
+    // Against draws.
+    const Matrix2 root = covariance.llt().matrixL();
+    std::mt19937 engine(61);
+    std::normal_distribution<double> normal(0.0, 1.0);
+    Matrix2 sampled = Matrix2::Zero();
+    constexpr int kDraws = 40000;
+    for (int i = 0; i < kDraws; ++i) {
+        const Vector2 p = Vector2(3.0, -4.0) + root * Vector2(normal(engine), normal(engine));
+        const Vector2 away = SensorEsquina::measurement({p(0), p(1)}) - measurements.corners[0].z;
+        sampled += away * away.transpose() / kDraws;
+    }
+    // The standard error of a sampled variance is sqrt(2 / n), 0.7 %.
+    const double scale0 = std::sqrt(sampled(0, 0));
+    const double scale1 = std::sqrt(sampled(1, 1));
+    EXPECT_NEAR(measurements.corners[0].r(0, 0) / sampled(0, 0), 1.0, 0.04);
+    EXPECT_NEAR(measurements.corners[0].r(1, 1) / sampled(1, 1), 1.0, 0.04);
+    EXPECT_NEAR(measurements.corners[0].r(0, 1) / (scale0 * scale1),
+                sampled(0, 1) / (scale0 * scale1), 0.03);
+}
+
+}  // namespace
+}  // namespace hitos

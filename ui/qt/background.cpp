@@ -1,0 +1,34 @@
+#include "background.hpp"
+
+#include <sys/resource.h>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace hitos::window {
+namespace {
+
+#if defined(__x86_64__)
+/// A thread begins with the registers of the one that starts it, and Qt's painting leaves the upper
+/// halves of the vector registers in use. While they are, every SSE instruction waits for them: the
+/// filter would need twice its time for as long as the thread lives.
+[[gnu::target("avx")]] void clear_upper_halves() {
+    _mm256_zeroupper();
+}
+#endif
+
+}  // namespace
+
+void begin_background_work() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx")) clear_upper_halves();
+#endif
+    // On Linux a priority is the thread's own, whatever the name of the call says. Where it is
+    // refused, the work goes on as it is.
+    constexpr int kNiceness = 5;
+    constexpr id_t kThisThread = 0;
+    setpriority(PRIO_PROCESS, kThisThread, kNiceness);
+}
+
+}  // namespace hitos::window

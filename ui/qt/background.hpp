@@ -1,0 +1,25 @@
+// Work beside the window.
+#pragma once
+
+#include <future>
+
+namespace hitos::window {
+
+/// To be called first on a thread that computes beside the window; holds for the threads that it
+/// starts from then on as well. Lowers the priority a little below the window's: where all
+/// processors are busy, a key press is answered first; work that has the machine to itself is as
+/// fast as before. And clears what the window's thread has left in the vector registers.
+void begin_background_work();
+
+/// Calls `make` on such a thread and waits for it: what it makes works beside the window.
+template <class Make>
+auto in_background(Make make) {
+    return std::async(std::launch::async,
+                      [&make] {
+                          begin_background_work();
+                          return make();
+                      })
+        .get();
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,46 @@
+#include "plot_style.hpp"
+
+#include <qcustomplot.h>
+
+namespace hitos::window {
+
+QCPAxisRect* add_titled_plot(QCustomPlot& plot, int row, int column, const QString& title) {
+    auto* words = new QCPTextElement(&plot, title, plot.font());
+    words->setTextFlags(Qt::AlignLeft);
+    words->setMargins(QMargins(8, 4, 4, 0));
+    plot.plotLayout()->addElement(2 * row, column, words);
+    auto* rect = new QCPAxisRect(&plot);
+    rect->setMinimumMargins(QMargins(40, 4, 10, 20));
+    plot.plotLayout()->addElement(2 * row + 1, column, rect);
+    plot.plotLayout()->setRowStretchFactor(2 * row, 0.01);
+    return rect;
+}
+
+QCPTextElement* title_of(QCustomPlot& plot, int row, int column) {
+    return qobject_cast<QCPTextElement*>(plot.plotLayout()->element(2 * row, column));
+}
+
+QFont plot_font(const QFont& words) {
+    QFont font = words;
+    font.setPointSizeF(font.pointSizeF() * 0.85);
+    return font;
+}
+
+void style_plot(QCPAxisRect& rect, QCPTextElement& title, const Colours& colours,
+                const QFont& font) {
+    for (QCPAxis* axis : rect.axes()) {
+        axis->setBasePen(QPen(colours.border));
+        axis->setTickPen(QPen(colours.border));
+        axis->setSubTickPen(Qt::NoPen);
+        axis->setTickLabelColor(colours.muted);
+        axis->setTickLabelFont(font);
+        axis->setLabelColor(colours.muted);
+        axis->setLabelFont(font);
+        axis->grid()->setPen(QPen(colours.grid_line));
+        axis->grid()->setZeroLinePen(QPen(colours.border));
+    }
+    title.setTextColor(colours.text);
+    title.setFont(font);
+}
+
+}  // namespace hitos::window
