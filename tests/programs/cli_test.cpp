@@ -45,9 +45,9 @@ TEST(Cli, RunLeavesEverythingItPromises) {
                                 "/data/maps/bigloop.map --seed 4 --out " + folder.path().string());
     ASSERT_EQ(outcome.status, 0) << outcome.output;
     for (const char* name :
-         {"map.txt", "segments.txt", "map.dxf", "trajectory.tum", "odometry.tum", "grid_best_steps.png", "grid_best_steps.jpg",
-          "grid_best.png", "grid_best.jpg", "grid_odometry.png", "grid_odometry.jpg", "config.cfg",
-          "summary.json"}) {
+         {"map.txt", "segments.txt", "map.dxf", "trajectory.tum", "odometry.tum",
+          "grid_best_steps.png", "grid_best_steps.jpg", "grid_best.png", "grid_best.jpg",
+          "grid_odometry.png", "grid_odometry.jpg", "config.cfg", "summary.json"}) {
         EXPECT_GT(std::filesystem::file_size(folder / name), 0U) << name;
     }
     EXPECT_EQ(folder.files(), 13U);  // nothing else, nothing half-written

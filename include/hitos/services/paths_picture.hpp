@@ -24,9 +24,10 @@ struct PathsPicture {
     Walls walls;  ///< true ones, where they are known
 };
 
-/// The part of a reference trajectory that belongs to a run, moved so that both begin alike: its pose
-/// at the stamp nearest to the run's first becomes the run's first pose. The frame of the map is fixed
-/// by that pose, while a reference may have any. Empty where no stamp is within 0.5 s of the first.
+/// The part of a reference trajectory that belongs to a run, moved so that both begin alike: its
+/// pose at the stamp nearest to the run's first becomes the run's first pose. The frame of the map
+/// is fixed by that pose, while a reference may have any. Empty where no stamp is within 0.5 s of
+/// the first.
 Trajectory in_frame_of_run(const Trajectory& reference, const Trajectory& run);
 
 /// Draws paths.png by gnuplot, with its script (paths.gp): the true path blue, the odometry

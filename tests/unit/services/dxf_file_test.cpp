@@ -142,7 +142,7 @@ TEST(DxfFile, DrawsThreeSigmaAcrossLines) {
         EXPECT_EQ(band.layer, "COVARIANCE");
         EXPECT_TRUE(band.closed);
         const auto& landmark = example.map[static_cast<std::size_t>(example.segments[i].landmark)];
-        const Recta& line = std::get<Recta>(landmark.value);
+        const auto& line = std::get<Recta>(landmark.value);
         std::size_t above = 0;
         for (const Point2& point : band.points) {
             // Numerically: how far the line at this place moves with rho and theta.

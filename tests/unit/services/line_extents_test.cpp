@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hitos {
@@ -73,7 +74,7 @@ class Noted {
         path_.push_back({0.2 * static_cast<double>(path_.size()), pose});
     }
     std::vector<LineExtent> of(const LandmarkMap& map) const { return extents_.of(map, path_); }
-    std::vector<LineExtent> along(Trajectory path, const LandmarkMap& map) const {
+    std::vector<LineExtent> along(const Trajectory& path, const LandmarkMap& map) const {
         return extents_.of(map, path);
     }
 
@@ -109,7 +110,7 @@ TEST(LineExtents, LieOnTheLandmarkNotOnThePoints) {
     // The feet of the perpendiculars of the outermost points.
     const double dx = found[0].b.x - found[0].a.x;
     const double dy = found[0].b.y - found[0].a.y;
-    const Point2 ends[] = {{0.0, 2.1}, {3.0, 1.95}};
+    const std::array<Point2, 2> ends = {{{0.0, 2.1}, {3.0, 1.95}}};
     for (const Point2& end : ends) {
         const double nearest =
             std::min(std::abs((end.x - found[0].a.x) * dx + (end.y - found[0].a.y) * dy),
