@@ -20,6 +20,7 @@
 #include "scan_view.hpp"
 #include "session.hpp"
 #include "thread_call.hpp"
+#include "thread_clock.hpp"
 
 namespace hitos::window {
 namespace {
@@ -39,6 +40,7 @@ double seconds_since(Clock::time_point begin) {
 struct Slice {
     quint64 steps = 0;
     double seconds = 0.0;
+    double work_seconds = 0.0;  ///< of all threads, however long others kept them waiting
 };
 
 struct Figures {
@@ -77,10 +79,11 @@ class Probe {
 
 Slice bare_slice(Algoritmo& algoritmo) {
     const quint64 before = algoritmo.progress().steps;
+    const double work = process_seconds();
     const auto begin = Clock::now();
     algoritmo.run(kSliceSteps);
     algoritmo.wait();
-    return {algoritmo.progress().steps - before, seconds_since(begin)};
+    return {algoritmo.progress().steps - before, seconds_since(begin), process_seconds() - work};
 }
 
 /// The same steps while the window shows them. The last picture, which is drawn when they are over,
@@ -91,18 +94,21 @@ Slice shown_slice(Session& session, Figures& figures) {
     QEventLoop loop;
     ThreadCall in_window;
     double seconds = 0.0;
+    double work_seconds = 0.0;
     Probe probe;
+    const double work = process_seconds();
     const auto begin = Clock::now();
     session.run_steps(kSliceSteps);
     const std::jthread watch([&] {
         algoritmo.wait();
         seconds = seconds_since(begin);
+        work_seconds = process_seconds() - work;
         in_window([&loop] { loop.quit(); });
     });
     loop.exec();
     const std::vector<double> answers = probe.finish();
     figures.answers_ms.insert(figures.answers_ms.end(), answers.begin(), answers.end());
-    return {session.progress().steps - before, seconds};
+    return {session.progress().steps - before, seconds, work_seconds};
 }
 
 void settle(const Session& session) {
@@ -117,6 +123,7 @@ void settle(const Session& session) {
 void add(Slice& sum, const Slice& slice) {
     sum.steps += slice.steps;
     sum.seconds += slice.seconds;
+    sum.work_seconds += slice.work_seconds;
 }
 
 double speed(const Slice& slice) {
@@ -178,6 +185,8 @@ int run_benchmark(MainWindow& window, Session& session) {
     }
     const double cost = 1.0 - speed(figures.shown) / speed(figures.bare);
     const double usual = 1.0 - 1.0 / quantile(figures.slowdowns, 0.5);
+    const double bare_work = figures.bare.work_seconds / static_cast<double>(figures.bare.steps);
+    const double work = figures.shown.work_seconds / static_cast<double>(figures.shown.steps);
     const double pictures = figures.pictures / figures.shown.seconds;
     const double slowest_ms = quantile(figures.answers_ms, 1.0);
     fmt::print("{} steps each, in turns of {}: {:.1f} steps/s without the window, {:.1f} with it\n",
@@ -185,6 +194,9 @@ int run_benchmark(MainWindow& window, Session& session) {
     fmt::print(
         "the window costs {:.1f} % of the speed, {:.1f} % in the median turn (limit {:.0f} %)\n",
         100.0 * cost, 100.0 * usual, 100.0 * kGreatestCost);
+    fmt::print(
+        "processor time of a step: {:.2f} ms without the window, {:.2f} ms with it ({:+.1f} %)\n",
+        1e3 * bare_work, 1e3 * work, 100.0 * (work / bare_work - 1.0));
     fmt::print("{:.1f} pictures/s of each view (limit {:.0f})\n", pictures, kMostPictures);
     fmt::print(
         "input answered after {:.2f} ms (median), {:.2f} ms (99 %), {:.2f} ms (slowest of {}; "
