@@ -228,7 +228,34 @@ void RunTest::the_map_is_saved_as_the_command_line_writes_it() {
     const QByteArray mine = Fixture::read(f.path("map.txt"));
     QVERIFY(!mine.isEmpty());
     QVERIFY2(f.notice().contains("map.txt"), qPrintable(f.notice()));
-    QCOMPARE(mine, Fixture::read(command_line_results(f) + "/map.txt"));
+    const QString cli = command_line_results(f);
+    QCOMPARE(mine, Fixture::read(cli + "/map.txt"));
+    // The name's ending says what is saved: the segments of the lines, or a drawing.
+    f.prompts.saves = {f.path("map.seg")};
+    f.trigger("action_save_map");
+    QCOMPARE(Fixture::read(f.path("map.seg")), Fixture::read(cli + "/segments.txt"));
+    f.prompts.saves = {f.path("Map.DXF")};
+    f.trigger("action_save_map");
+    QCOMPARE(Fixture::read(f.path("Map.DXF")), Fixture::read(cli + "/map.dxf"));
+    QVERIFY(!Fixture::read(cli + "/map.dxf").isEmpty());
+}
+
+void RunTest::a_files_ending_follows_the_chosen_filter() {
+    const QString maps = "Maps (*.txt *.map)";
+    const QString drawings = "CAD drawings (*.dxf)";
+    const QString all = "All files (*)";
+    const QString filters = maps + ";;" + drawings + ";;" + all;
+    const auto ending = [&](const QString& path, const QString& chosen) {
+        return with_ending(path, filters, chosen, "txt");
+    };
+    QCOMPARE(ending("/a.b/map", maps), "/a.b/map.txt");
+    QCOMPARE(ending("/a.b/map", drawings), "/a.b/map.dxf");
+    QCOMPARE(ending("/a.b/map", all), "/a.b/map.txt");
+    QCOMPARE(ending("map.txt", drawings), "map.dxf");
+    QCOMPARE(ending("map.MAP", maps), "map.MAP");
+    QCOMPARE(ending("map.v2", drawings), "map.v2");  // the user's own wish
+    QCOMPARE(ending("map.dxf", all), "map.dxf");
+    QCOMPARE(with_ending("folder", "Folders (*)", "Folders (*)", {}), "folder");
 }
 
 void RunTest::the_map_is_saved_while_running() {
@@ -248,8 +275,9 @@ void RunTest::all_results_are_those_of_the_command_line() {
     f.trigger("action_save_results");
     QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join('\n')));
     const QString cli = command_line_results(f);
-    for (const char* name : {"map.txt", "trajectory.tum", "odometry.tum", "grid_best_steps.png",
-                             "grid_best.png", "grid_odometry.jpg", "config.cfg"}) {
+    for (const char* name :
+         {"map.txt", "trajectory.tum", "odometry.tum", "grid_best_steps.png", "grid_best.png",
+          "grid_odometry.jpg", "config.cfg", "segments.txt", "map.dxf"}) {
         const QByteArray mine = Fixture::read(f.path("results/") + name);
         QVERIFY2(!mine.isEmpty(), name);
         QVERIFY2(mine == Fixture::read(cli + '/' + name), name);

@@ -68,6 +68,7 @@ class RunTest : public QObject {
     void the_best_particles_map_while_running_is_that_moments();
     void the_best_particles_map_is_shown();
     void the_map_is_saved_as_the_command_line_writes_it();
+    void a_files_ending_follows_the_chosen_filter();
     void the_map_is_saved_while_running();
     void all_results_are_those_of_the_command_line();
     void saving_the_map_can_fail_and_be_cancelled();

@@ -4,6 +4,8 @@
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QStringList>
 
 namespace hitos::window {
 namespace {
@@ -12,7 +14,29 @@ QString translated(const char* text) {
     return QCoreApplication::translate("Prompts", text);
 }
 
+/// "txt", "map" of "Maps (*.txt *.map)".
+QStringList endings_of(const QString& filter) {
+    static const QRegularExpression pattern("\\*\\.(\\w+)");
+    QStringList endings;
+    for (auto match = pattern.globalMatch(filter); match.hasNext();) {
+        endings.push_back(match.next().captured(1));
+    }
+    return endings;
+}
+
 }  // namespace
+
+QString with_ending(const QString& path, const QString& filters, const QString& chosen,
+                    const QString& otherwise) {
+    const QFileInfo file(path);
+    const QString ending = file.suffix().toLower();
+    const QStringList wanted = endings_of(chosen);
+    const QString added = wanted.isEmpty() ? otherwise : wanted.front();
+    if (added.isEmpty() || wanted.contains(ending)) return path;
+    if (ending.isEmpty()) return path + '.' + added;
+    if (wanted.isEmpty() || !endings_of(filters).contains(ending)) return path;
+    return path.chopped(ending.size()) + added;
+}
 
 QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
     return QFileDialog::getOpenFileName(parent, question.title, question.start, question.filters);
@@ -21,13 +45,10 @@ QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
 QString QtPrompts::save_file(QWidget* parent, const FileQuestion& question) {
     QString filter;
     // Whether a file may be replaced is asked by the caller, the same way everywhere.
-    QString path =
+    const QString path =
         QFileDialog::getSaveFileName(parent, question.title, question.start, question.filters,
                                      &filter, QFileDialog::DontConfirmOverwrite);
-    if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty() && !question.suffix.isEmpty()) {
-        path += '.' + question.suffix;
-    }
-    return path;
+    return path.isEmpty() ? path : with_ending(path, question.filters, filter, question.suffix);
 }
 
 QString QtPrompts::choose_folder(QWidget* parent, const QString& title, const QString& start) {

@@ -15,7 +15,7 @@ class Prompts {
         QString title;
         QString start;    ///< folder or file to begin with
         QString filters;  ///< as QFileDialog takes them
-        QString suffix;   ///< added to a name without one
+        QString suffix;   ///< added to a name without one where the filter names none
     };
     struct Question {
         QString title;
@@ -44,6 +44,12 @@ class QtPrompts final : public Prompts {
     bool confirm(QWidget* parent, const Question& question) override;
     void warn(QWidget* parent, const QString& title, const QString& text) override;
 };
+
+/// The path with the ending that the chosen filter asks for ("Drawings (*.dxf)"): added where the
+/// name has none, and in the place of one that another of the filters asks for. Any other ending
+/// is the user's wish and stays; `otherwise` ends a name where the filter names no ending.
+QString with_ending(const QString& path, const QString& filters, const QString& chosen,
+                    const QString& otherwise);
 
 /// Whether the user lets an existing file be replaced.
 bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path);

@@ -3,11 +3,14 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QEventLoop>
+#include <QFileInfo>
 #include <QWidget>
 #include <chrono>
 
 #include "grid_view.hpp"
 #include "hitos/capture/error.hpp"
+#include "hitos/services/dxf_file.hpp"
+#include "hitos/services/segment_file.hpp"
 #include "picture_dialog.hpp"
 
 namespace hitos::window {
@@ -51,14 +54,34 @@ void ResultActions::view_odometry() {
 void ResultActions::save_map() {
     if (session_.progress().steps == 0) return;
     // The map of this moment, however long the user thinks about its name.
-    const auto map = session_.algoritmo()
-                         ->with_run([](const SlamRun& run) { return run.filter().best_map(); })
-                         .share();
-    const QString path =
-        save_until_done(prompts_, window_,
-                        {tr("Save best particle's map"), files_.last_folder("map") + "/map.txt",
-                         tr("Maps (*.txt *.map);;All files (*)"), "txt"},
-                        [&](const QString& target) { write_map(map.get(), target.toStdString()); });
+    struct Moment {
+        LandmarkMap map;
+        std::vector<LineExtent> segments;
+        Trajectory path;
+    };
+    const auto moment = session_.algoritmo()
+                            ->with_run([](const SlamRun& run) {
+                                Moment now{run.filter().best_map(), {}, run.best_trajectory()};
+                                now.segments = run.line_extents().of(now.map, now.path);
+                                return now;
+                            })
+                            .share();
+    const QString path = save_until_done(
+        prompts_, window_,
+        {tr("Save best particle's map"), files_.last_folder("map") + "/map.txt",
+         tr("Maps (*.txt *.map);;Segments (*.seg);;CAD drawings (*.dxf);;All files (*)"), "txt"},
+        [&](const QString& target) {
+            const auto& [map, segments, trajectory] = moment.get();
+            const std::string file = target.toStdString();
+            const QString ending = QFileInfo(target).suffix().toLower();
+            if (ending == "dxf") {
+                write_dxf(map, segments, trajectory, file);
+            } else if (ending == "seg") {
+                write_segments(map, segments, file);
+            } else {
+                write_map(map, file);
+            }
+        });
     if (path.isEmpty()) return;
     files_.note_folder("map", path);
     emit notice(tr("Map saved: %1").arg(QDir::toNativeSeparators(path)));

@@ -1251,8 +1251,8 @@
         <translation>Guardar mapa mejor partícula</translation>
     </message>
     <message>
-        <source>Maps (*.txt *.map);;All files (*)</source>
-        <translation>Mapas (*.txt *.map);;Todos los archivos (*)</translation>
+        <source>Maps (*.txt *.map);;Segments (*.seg);;CAD drawings (*.dxf);;All files (*)</source>
+        <translation>Mapas (*.txt *.map);;Segmentos (*.seg);;Dibujos CAD (*.dxf);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Map saved: %1</source>
