@@ -26,7 +26,7 @@ class LineExtents {
     /// Neighbouring points of one line that are further apart than this along it, over all scans
     /// together, leave an opening [m]: less than a door, more than what neighbouring rays leave on
     /// a wall that the robot passes.
-    static constexpr double kOpening = 0.5;
+    static constexpr double kOpening = 0.4;
 
     /// What one scan showed and the filter did not ignore; once for every scan, in order.
     void note(const SlamFilter& filter, const Observation& observation);
