@@ -30,15 +30,9 @@ NamedDistance distance_from(std::string_view line, const std::string& file, std:
                                       input::in_quotes(words[0])));
     }
     constexpr std::array<std::string_view, 4> kColumns = {"x1", "y1", "x2", "y2"};
-    std::array<double, 4> values{};
+    std::array<double, kColumns.size()> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::optional<double> value = input::parse_number(words[i + 1]);
-        if (!value || !std::isfinite(*value)) {
-            throw FormatError(file, number,
-                              fmt::format("{} is {}; expected a finite number [m]", kColumns[i],
-                                          input::in_quotes(words[i + 1])));
-        }
-        values[i] = *value;
+        values[i] = input::finite_number(words[i + 1], kColumns[i], {file, number});
     }
     NamedDistance distance{std::string(words[0]), {values[0], values[1]}, {values[2], values[3]}};
     if (!(distance.true_m() >= kLeastDistance)) {

@@ -14,31 +14,16 @@ namespace hitos {
 namespace {
 
 constexpr std::array<std::string_view, 5> kColumns = {"x1", "y1", "x2", "y2", "landmark"};
-constexpr std::string_view kExpected = "expected 5 numbers, x1 y1 x2 y2 landmark";
 
 LineExtent segment_from(std::string_view line, const std::string& name, std::uint64_t number) {
-    const std::vector<std::string_view> words = input::fields(line);
-    if (words.size() != kColumns.size()) {
-        throw FormatError(name, number,
-                          fmt::format("found {} fields; {}", words.size(), kExpected));
-    }
-    std::array<double, kColumns.size()> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::optional<double> value = input::parse_number(words[i]);
-        if (!value || !std::isfinite(*value)) {
-            throw FormatError(name, number,
-                              fmt::format("{} is {}; expected a finite number", kColumns[i],
-                                          input::in_quotes(words[i])));
-        }
-        values[i] = *value;
-    }
+    const std::array values = input::finite_numbers(line, kColumns, {name, number});
     constexpr double kGreatestLandmark = 1e9;
     const double landmark = values[4];
     if (landmark < 1.0 || landmark > kGreatestLandmark || landmark != std::floor(landmark)) {
         throw FormatError(name, number,
                           fmt::format("landmark is {}; expected the number of a line of the map, "
                                       "counted from 1",
-                                      input::in_quotes(words[4])));
+                                      input::in_quotes(input::fields(line)[4])));
     }
     return {static_cast<int>(landmark) - 1, {values[0], values[1]}, {values[2], values[3]}, 0};
 }

@@ -1,11 +1,13 @@
 #include "text_input.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <system_error>
 
@@ -115,6 +117,21 @@ std::string in_quotes(std::string_view text) {
     }
     out += length < text.size() ? "...\"" : "\"";
     return out;
+}
+
+double finite_number(std::string_view word, std::string_view column, const Place& place) {
+    const std::optional<double> value = parse_number(word);
+    if (value && std::isfinite(*value)) return *value;
+    throw FormatError(place.file, place.line,
+                      fmt::format("{} is {}; expected a finite number", column, in_quotes(word)));
+}
+
+void require_columns(std::size_t found, std::span<const std::string_view> columns,
+                     const Place& place) {
+    if (found == columns.size()) return;
+    throw FormatError(place.file, place.line,
+                      fmt::format("found {} fields; expected {} numbers, {}", found, columns.size(),
+                                  fmt::join(columns, " ")));
 }
 
 }  // namespace hitos::input

@@ -1,8 +1,11 @@
 // What the readers of small text files share.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,5 +32,30 @@ std::optional<double> parse_number(std::string_view text);
 
 /// What was found, for messages: in quotes, control characters escaped, long text cut.
 std::string in_quotes(std::string_view text);
+
+/// Where a line of a text file is, for messages.
+struct Place {
+    const std::string& file;
+    std::uint64_t line;
+};
+
+/// The finite number that the word is. Throws FormatError that names the column.
+double finite_number(std::string_view word, std::string_view column, const Place& place);
+
+/// Throws FormatError where a line has another number of fields than columns.
+void require_columns(std::size_t found, std::span<const std::string_view> columns,
+                     const Place& place);
+
+/// The finite numbers of a line that has exactly these columns. Throws FormatError.
+template <std::size_t N>
+std::array<double, N> finite_numbers(std::string_view line,
+                                     const std::array<std::string_view, N>& columns,
+                                     const Place& place) {
+    const std::vector<std::string_view> words = fields(line);
+    require_columns(words.size(), columns, place);
+    std::array<double, N> values{};
+    for (std::size_t i = 0; i < N; ++i) values[i] = finite_number(words[i], columns[i], place);
+    return values;
+}
 
 }  // namespace hitos::input

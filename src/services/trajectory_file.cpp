@@ -14,24 +14,9 @@ namespace hitos {
 namespace {
 
 constexpr std::array<std::string_view, 8> kColumns = {"t", "x", "y", "z", "qx", "qy", "qz", "qw"};
-constexpr std::string_view kExpected = "expected 8 numbers, t x y z qx qy qz qw";
 
 StampedPose pose_from(std::string_view line, const std::string& name, std::uint64_t number) {
-    const std::vector<std::string_view> words = input::fields(line);
-    if (words.size() != kColumns.size()) {
-        throw FormatError(name, number,
-                          fmt::format("found {} fields; {}", words.size(), kExpected));
-    }
-    std::array<double, kColumns.size()> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::optional<double> value = input::parse_number(words[i]);
-        if (!value || !std::isfinite(*value)) {
-            throw FormatError(name, number,
-                              fmt::format("{} is {}; expected a finite number", kColumns[i],
-                                          input::in_quotes(words[i])));
-        }
-        values[i] = *value;
-    }
+    const std::array values = input::finite_numbers(line, kColumns, {name, number});
     const auto [t, x, y, z, qx, qy, qz, qw] = values;
     // Rounding to two decimals moves the length by less than this.
     constexpr double kTolerance = 0.05;
@@ -67,7 +52,8 @@ Trajectory parse_trajectory(std::string_view text, const std::string& name) {
         trajectory.push_back(pose_from(content, name, number));
     }
     if (trajectory.empty()) {
-        throw FormatError(name, 0, fmt::format("no pose in the file; {} on each line", kExpected));
+        throw FormatError(
+            name, 0, "no pose in the file; expected 8 numbers, t x y z qx qy qz qw on each line");
     }
     return trajectory;
 }

@@ -95,25 +95,16 @@ void step(benchmark::State& state, SlamAlgorithm algorithm) {
     state.SetComplexityN(state.range(0));
 }
 
+void sizes(benchmark::internal::Benchmark* benchmark) {
+    benchmark->ArgName("landmarks")->Unit(benchmark::kMicrosecond);
+    for (const int landmarks : {20, 50, 100, 200, 500, 1000}) benchmark->Arg(landmarks);
+}
+
 BENCHMARK_CAPTURE(step, ekf_slam, SlamAlgorithm::ekf_slam)
-    ->ArgName("landmarks")
-    ->Args({20})
-    ->Args({50})
-    ->Args({100})
-    ->Args({200})
-    ->Args({500})
-    ->Args({1000})
-    ->Complexity(benchmark::oNSquared)
-    ->Unit(benchmark::kMicrosecond);
+    ->Apply(sizes)
+    ->Complexity(benchmark::oNSquared);
 BENCHMARK_CAPTURE(step, fastslam_100_particles, SlamAlgorithm::fastslam)
-    ->ArgName("landmarks")
-    ->Args({20})
-    ->Args({50})
-    ->Args({100})
-    ->Args({200})
-    ->Args({500})
-    ->Args({1000})
-    ->Complexity(benchmark::oN)
-    ->Unit(benchmark::kMicrosecond);
+    ->Apply(sizes)
+    ->Complexity(benchmark::oN);
 
 }  // namespace

@@ -242,6 +242,24 @@ void ConfigurationTest::what_the_models_do_not_use_is_grey() {
         emit rule->activated(i);
         QCOMPARE(threshold->isEnabled(), static_cast<ResamplingRule>(i) == ResamplingRule::neff);
     }
+    const auto enabled = [&](const char* key) {
+        return dialog.findChild<QWidget*>(QString("field_") + key)->isEnabled();
+    };
+    const auto choose = [&](const char* key, int place) {
+        auto* choice = dialog.findChild<QComboBox*>(QString("field_") + key);
+        choice->setCurrentIndex(place);
+        emit choice->activated(place);
+    };
+    QVERIFY(enabled("filter.particles") && !enabled("association.new_probability"));
+    choose("filter.algorithm", static_cast<int>(SlamAlgorithm::ekf_slam));
+    QVERIFY(!enabled("filter.particles") && enabled("association.new_probability"));
+    QVERIFY(!enabled("resampling.neff_threshold") && enabled("association.gate_probability"));
+    QVERIFY(enabled("split_merge.dmax") && !enabled("ransac.threshold"));
+    choose("features.method", static_cast<int>(LineMethod::ransac));
+    QVERIFY(!enabled("split_merge.dmax") && enabled("ransac.threshold"));
+    QVERIFY(enabled("observation.var_rho") && !enabled("observation.point_sigma"));
+    choose("observation.covariance", static_cast<int>(ObservationCovariance::points));
+    QVERIFY(!enabled("observation.var_rho") && enabled("observation.point_sigma"));
 }
 
 void ConfigurationTest::the_form_has_every_parameter() {

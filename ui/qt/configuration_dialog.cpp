@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 
 #include "hitos/capture/error.hpp"
 #include "parameter_text.hpp"
@@ -109,16 +110,29 @@ ParameterField* ConfigurationDialog::field(std::string_view key) const {
 
 /// Greys out what the chosen models do not read; the values stay.
 void ConfigurationDialog::mark_unused() {
-    const bool proportional = field("motion.model")->text() == "proportional";
-    for (const char* key : {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"})
-        field(key)->set_used(!proportional);
-    for (const char* key : {"motion.var_along", "motion.var_across", "motion.var_theta_per_rad",
-                            "motion.var_theta_per_m"}) {
-        field(key)->set_used(proportional);
-    }
-    field("association.gate_probability")->set_used(field("association.method")->text() == "gnn");
-    field("association.ambiguity_ratio")->set_used(field("association.ambiguity")->text() != "off");
-    field("resampling.neff_threshold")->set_used(field("resampling.rule")->text() == "neff");
+    const auto chosen = [this](const char* key, const char* word) {
+        return field(key)->text() == word;
+    };
+    const auto use = [this](bool used, std::initializer_list<const char*> keys) {
+        for (const char* key : keys) field(key)->set_used(used);
+    };
+    const bool proportional = chosen("motion.model", "proportional");
+    use(!proportional, {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"});
+    use(proportional, {"motion.var_along", "motion.var_across", "motion.var_theta_per_rad",
+                       "motion.var_theta_per_m"});
+    const bool ekf = chosen("filter.algorithm", "ekf-slam");
+    use(!ekf, {"filter.particles", "association.method", "association.p0", "resampling.rule"});
+    use(ekf, {"association.new_probability"});
+    use(ekf || chosen("association.method", "gnn"), {"association.gate_probability"});
+    use(!chosen("association.ambiguity", "off"), {"association.ambiguity_ratio"});
+    use(!ekf && chosen("resampling.rule", "neff"), {"resampling.neff_threshold"});
+    const bool points = chosen("observation.covariance", "points");
+    use(!points, {"observation.var_rho", "observation.var_theta"});
+    use(points, {"observation.point_sigma"});
+    const bool ransac = chosen("features.method", "ransac");
+    use(!ransac,
+        {"split_merge.dmax", "split_merge.fit", "split_merge.gap", "split_merge.gap_per_range"});
+    use(ransac, {"ransac.edge", "ransac.edge_per_range", "ransac.threshold", "ransac.iterations"});
 }
 
 void ConfigurationDialog::show_verdict() {

@@ -46,7 +46,8 @@ std::vector<Card> cards_of(const Configuracion& c) {
     } else {
         observation.insert(observation.end(), {"observation.var_rho", "observation.var_theta"});
     }
-    observation.insert(observation.end(), {"association.method", "association.ambiguity"});
+    if (c.filter.algorithm == SlamAlgorithm::fastslam) observation.push_back("association.method");
+    observation.push_back("association.ambiguity");
     std::vector<const char*> lines{"features.detect", "features.method"};
     if (c.extraction.method == LineMethod::ransac) {
         lines.insert(lines.end(), {"ransac.threshold"});

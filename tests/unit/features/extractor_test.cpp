@@ -49,9 +49,18 @@ TEST(SplitAndMerge, EverySupportingPointIsWithinDmaxOfItsLine) {
     EXPECT_GT(found, 200);
 }
 
-TEST(SplitAndMerge, ThresholdsRefuseShortAndSparseLines) {
+class EveryMethod : public testing::TestWithParam<LineMethod> {};
+
+INSTANTIATE_TEST_SUITE_P(All, EveryMethod,
+                         testing::Values(LineMethod::split_merge, LineMethod::ransac),
+                         [](const auto& test) {
+                             return test.param == LineMethod::ransac ? "ransac" : "split_merge";
+                         });
+
+TEST_P(EveryMethod, ThresholdsRefuseShortAndSparseLines) {
     const Scan scan = scan_of({wall({2.0, 0.0}, {2.0, 1.0}, 20)});
     ExtractionParams params;
+    params.method = GetParam();
     EXPECT_EQ(extract(params, scan).lines.size(), 1U);
     params.split_merge.min_points = 21;
     EXPECT_TRUE(extract(params, scan).lines.empty());
@@ -61,10 +70,11 @@ TEST(SplitAndMerge, ThresholdsRefuseShortAndSparseLines) {
     EXPECT_TRUE(extract(params, scan).lines.empty());
 }
 
-TEST(SplitAndMerge, AnInvalidReadingBreaksARunAndTheMergeJoinsItAgain) {
+TEST_P(EveryMethod, AnInvalidReadingBreaksARunAndTheMergeJoinsItAgain) {
     const Scan scan =
         scan_of({wall({2.0, -2.0}, {2.0, -0.1}, 20), wall({2.0, 0.1}, {2.0, 2.0}, 20)});
     ExtractionParams params;
+    params.method = GetParam();
     const Observation merged = extract(params, scan);
     ASSERT_EQ(merged.lines.size(), 1U);
     EXPECT_EQ(merged.lines[0].count, 40U);

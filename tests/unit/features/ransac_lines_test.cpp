@@ -114,29 +114,6 @@ TEST(Ransac, PointsWhereTwoWallsMeetGoToTheNearer) {
     EXPECT_LT(error, 0.004);  // a sixth of the threshold over the wall's length is 0.0035 rad
 }
 
-TEST(Ransac, ThresholdsRefuseShortAndSparseLines) {
-    const Scan scan = scan_of({wall({2.0, 0.0}, {2.0, 1.0}, 20)});
-    ExtractionParams params = ransac_params();
-    EXPECT_EQ(extract(params, scan).lines.size(), 1U);
-    params.split_merge.min_points = 21;
-    EXPECT_TRUE(extract(params, scan).lines.empty());
-    params.split_merge.min_points = 20;
-    EXPECT_EQ(extract(params, scan).lines.size(), 1U);
-    params.split_merge.min_length_m = 1.01;
-    EXPECT_TRUE(extract(params, scan).lines.empty());
-}
-
-TEST(Ransac, AnInvalidReadingBreaksARunAndTheMergeJoinsItAgain) {
-    const Scan scan =
-        scan_of({wall({2.0, -2.0}, {2.0, -0.1}, 20), wall({2.0, 0.1}, {2.0, 2.0}, 20)});
-    ExtractionParams params = ransac_params();
-    const Observation merged = extract(params, scan);
-    ASSERT_EQ(merged.lines.size(), 1U);
-    EXPECT_EQ(merged.lines[0].count, 40U);
-    params.split_merge.collinear.gap_m = 0.1;  // the pieces are 0.2 m apart
-    EXPECT_EQ(extract(params, scan).lines.size(), 2U);
-}
-
 TEST(Ransac, TheSameSeedAndScanNumberGiveTheSameLines) {
     std::mt19937 engine(73);
     std::uniform_real_distribution<double> value(1.0, 3.0);
