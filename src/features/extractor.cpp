@@ -78,6 +78,7 @@ LineFinder::LineFinder(const ExtractionParams& params, std::uint64_t seed)
     : method_(make_method(params, seed)),
       covariance_(params.covariance),
       point_sigma_m_(params.point_sigma_m),
+      common_sigma_m_(params.common_sigma_m),
       through_ends_(params.method == LineMethod::split_merge &&
                     params.split_merge.fit == LineFit::endpoints) {
     require(covariance_ == ObservationCovariance::fixed || point_sigma_m_ > 0.0,
@@ -89,12 +90,14 @@ void LineFinder::find(const Scan& scan, Observation& out) {
     out.time_s = scan.time_s;
     method_->extract_lines(scan, out);
     if (covariance_ == ObservationCovariance::fixed) return;
-    const Point2 laser{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
+    const PointErrors errors{point_sigma_m_,
+                             common_sigma_m_,
+                             {scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y}};
     for (const DetectedLine& line : out.lines) {
         const std::span<const Point2> support = out.support_of(line);
         const std::array ends{support.front(), support.back()};
         const std::span<const Point2> fitted = through_ends_ ? std::span(ends) : support;
-        out.line_covariances.push_back(line_covariance(line.recta, fitted, point_sigma_m_, laser));
+        out.line_covariances.push_back(line_covariance(line.recta, fitted, errors));
     }
 }
 

@@ -24,6 +24,7 @@ class LineFinder {
     std::unique_ptr<MetodoExtraccionRectas> method_;
     ObservationCovariance covariance_;
     double point_sigma_m_;
+    double common_sigma_m_;
     bool through_ends_;  ///< lines are fitted to their end points alone
 };
 

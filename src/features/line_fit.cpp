@@ -31,8 +31,8 @@ Recta fit_least_squares(std::span<const Point2> points) {
     return normalized({mean_x * std::cos(theta) + mean_y * std::sin(theta), theta});
 }
 
-Eigen::Matrix2d line_covariance(const Recta& recta, std::span<const Point2> points, double sigma_m,
-                                const Point2& laser) {
+Eigen::Matrix2d line_covariance(const Recta& recta, std::span<const Point2> points,
+                                const PointErrors& errors) {
     // A range error moves a point along its ray: across the line by the cosine of the angle
     // between ray and normal. Along the wall errors of the bearing, which the model leaves out,
     // take over; a tenth of sigma keeps the covariance from vanishing there.
@@ -51,12 +51,12 @@ Eigen::Matrix2d line_covariance(const Recta& recta, std::span<const Point2> poin
     double residual2 = 0.0;
     for (const Point2& p : points) {
         const double t = along(p) - mean;
-        const Point2 ray{p.x - laser.x, p.y - laser.y};
+        const Point2 ray{p.x - errors.laser.x, p.y - errors.laser.y};
         const double depth = ray.x * c + ray.y * s;
         const double range2 = ray.x * ray.x + ray.y * ray.y;
         const double away = p.x * c + p.y * s - recta.rho;
         const double across =
-            sigma_m * sigma_m *
+            errors.range_sigma_m * errors.range_sigma_m *
             (range2 > 0.0 ? std::max(depth * depth / range2, kLeastCosine2) : 1.0);
         spread += t * t;
         variance += across;
@@ -65,14 +65,16 @@ Eigen::Matrix2d line_covariance(const Recta& recta, std::span<const Point2> poin
         residual2 += away * away;
     }
     const double excess = n > 2.0 ? std::max(1.0, residual2 / variance * n / (n - 2.0)) : 1.0;
-    const double var_middle = variance / (n * n);
-    const double var_theta = lever2 / (spread * spread);
-    const double cov_middle = -lever / (n * spread);
+    // What all points share moves the line's middle and tilts it, each as one more error.
+    const double common = errors.common_sigma_m * errors.common_sigma_m;
+    const double var_middle = excess * variance / (n * n) + common;
+    const double var_theta = excess * lever2 / (spread * spread) + common * n / spread;
+    const double cov_middle = -excess * lever / (n * spread);
     Eigen::Matrix2d covariance;
     covariance(0, 0) = var_middle + 2.0 * mean * cov_middle + mean * mean * var_theta;
     covariance(0, 1) = covariance(1, 0) = cov_middle + mean * var_theta;
     covariance(1, 1) = var_theta;
-    return covariance * excess;
+    return covariance;
 }
 
 Eigen::Matrix2d intersection_covariance(const Recta& a, const Eigen::Matrix2d& covariance_a,

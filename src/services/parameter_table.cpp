@@ -191,6 +191,11 @@ void add_observation(Table& table) {
         "observation.point_sigma", Group::observation, "m", 1e-6, 10.0,
         "Standard deviation of a measured range, for the covariance points; a higher value trusts "
         "the laser less."));
+    table.push_back(real<&Config::extraction, &ExtractionParams::common_sigma_m>(
+        "observation.common_sigma", Group::observation, "m", 0.0, 10.0,
+        "Standard deviation of the error that all points of a line share, for the covariance "
+        "points: walls that are not straight, ranges in steps; a higher value trusts long walls "
+        "less."));
 }
 
 void add_features(Table& table) {

@@ -100,7 +100,7 @@ std::string script_text(const ReproducedFigure& figure, const std::string& stem)
         "with yerrorlines linewidth 1.5 pointtype 7 pointsize 0.8 linecolor '#2050a0' title "
         "'Hitos'";
     text += "set ylabel 'map error (m)'\n";
-    text += wide(figure) ? "set logscale y\nset yrange [*:*]\n" : "set yrange [0:*]\n";
+    text += wide(figure) ? "set logscale y\nset yrange [*:*] noextend\n" : "set yrange [0:*]\n";
     text += fmt::format("plot {} using 1:2:3 {}, \\\n     '' using 1:5:6 {}\n", data, thesis, ours);
     text += "unset logscale y\nset ylabel 'landmarks'\nset yrange [0:*]\n";
     text += fmt::format(

@@ -128,7 +128,7 @@ void ConfigurationDialog::mark_unused() {
     use(!ekf && chosen("resampling.rule", "neff"), {"resampling.neff_threshold"});
     const bool points = chosen("observation.covariance", "points");
     use(!points, {"observation.var_rho", "observation.var_theta"});
-    use(points, {"observation.point_sigma"});
+    use(points, {"observation.point_sigma", "observation.common_sigma"});
     const bool ransac = chosen("features.method", "ransac");
     use(!ransac,
         {"split_merge.dmax", "split_merge.fit", "split_merge.gap", "split_merge.gap_per_range"});

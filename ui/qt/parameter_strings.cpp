@@ -100,6 +100,10 @@ constexpr auto kDescriptions = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameter",
                       "Standard deviation of a measured range, for the covariance points; a higher "
                       "value trusts the laser less."),
+    QT_TRANSLATE_NOOP("Parameter",
+                      "Standard deviation of the error that all points of a line share, for the "
+                      "covariance points: walls that are not straight, ranges in steps; a higher "
+                      "value trusts long walls less."),
     QT_TRANSLATE_NOOP(
         "Parameter",
         "How lines are found: split-merge divides runs of points at the farthest one; ransac cuts "

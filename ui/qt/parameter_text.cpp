@@ -37,6 +37,7 @@ const Words& labels() {
         {"observation.var_theta", QT_TRANSLATE_NOOP("ParameterLabel", "σ² θ")},
         {"observation.covariance", QT_TRANSLATE_NOOP("ParameterLabel", "Covariance")},
         {"observation.point_sigma", QT_TRANSLATE_NOOP("ParameterLabel", "σ range")},
+        {"observation.common_sigma", QT_TRANSLATE_NOOP("ParameterLabel", "σ shared")},
         {"features.method", QT_TRANSLATE_NOOP("ParameterLabel", "Lines by")},
         {"features.detect", QT_TRANSLATE_NOOP("ParameterLabel", "Features")},
         {"features.corner_distance", QT_TRANSLATE_NOOP("ParameterLabel", "Corner distance (Es)")},

@@ -42,7 +42,8 @@ std::vector<Card> cards_of(const Configuracion& c) {
     filter.push_back("run.seed");
     std::vector<const char*> observation{"observation.covariance"};
     if (c.extraction.covariance == ObservationCovariance::points) {
-        observation.push_back("observation.point_sigma");
+        observation.insert(observation.end(),
+                           {"observation.point_sigma", "observation.common_sigma"});
     } else {
         observation.insert(observation.end(), {"observation.var_rho", "observation.var_theta"});
     }

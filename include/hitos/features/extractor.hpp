@@ -95,7 +95,8 @@ struct ExtractionParams {
     SplitMergeParams split_merge;
     RansacParams ransac;
     ObservationCovariance covariance = ObservationCovariance::fixed;
-    double point_sigma_m = 0.01;     ///< standard deviation of a range, for `points`
+    double point_sigma_m = 0.01;     ///< for `points`: standard deviation of a range
+    double common_sigma_m = 0.0;     ///< and of what all points of a line share
     double corner_distance_m = 0.1;  ///< greatest distance of a corner from both its lines [es]
 };
 

@@ -13,12 +13,20 @@ namespace hitos {
 /// needs two points or more.
 Recta fit_least_squares(std::span<const Point2> points);
 
-/// The covariance of (rho, theta) [m, rad] of the total-least-squares line through points whose
-/// ranges, measured from `laser` in the same frame, have standard deviation `sigma_m`, to first
-/// order: derived in docs/algorithm.md. With two points it is that of the line through them. Where
-/// the points scatter more about the line than sigma explains, it grows in proportion.
-Eigen::Matrix2d line_covariance(const Recta& recta, std::span<const Point2> points, double sigma_m,
-                                const Point2& laser = {});
+/// How far measured points are from where they should be.
+struct PointErrors {
+    double range_sigma_m = 0.01;  ///< of each range by itself
+    double common_sigma_m = 0.0;  ///< of errors of a line's middle and tilt that no number of
+                                  ///< points averages out
+    Point2 laser;                 ///< where the ranges are measured from, in the points' frame
+};
+
+/// The covariance of (rho, theta) [m, rad] of the total-least-squares line through the points, to
+/// first order: derived in docs/algorithm.md. With two points it is that of the line through them.
+/// Where the points scatter more about the line than range_sigma explains, its part grows in
+/// proportion.
+Eigen::Matrix2d line_covariance(const Recta& recta, std::span<const Point2> points,
+                                const PointErrors& errors);
 
 /// The covariance of (x, y) [m] of the intersection of two independent lines that are not parallel.
 Eigen::Matrix2d intersection_covariance(const Recta& a, const Eigen::Matrix2d& covariance_a,

@@ -47,7 +47,7 @@ TEST(LineCovariance, IsThatOfTheFitOverManyScans) {
         const Recta truth = line_through(c.from, c.to);
         const Matrix2d sampled = sampled_covariance(
             points, truth, 0.01, [](const auto& p) { return fit_least_squares(p); });
-        expect_near(line_covariance(truth, points, 0.01), sampled);
+        expect_near(line_covariance(truth, points, PointErrors{0.01, 0.0, {}}), sampled);
     }
 }
 
@@ -56,32 +56,50 @@ TEST(LineCovariance, WithTwoPointsIsThatOfTheLineThroughThem) {
     const Recta truth = line_through(ends[0], ends[1]);
     const Matrix2d sampled = sampled_covariance(
         ends, truth, 0.01, [](const auto& p) { return line_through(p.front(), p.back()); });
-    expect_near(line_covariance(truth, ends, 0.01), sampled);
+    expect_near(line_covariance(truth, ends, PointErrors{0.01, 0.0, {}}), sampled);
 }
 
 TEST(LineCovariance, GrowsWithTheScatterButNeverShrinks) {
     const std::vector<Point2> points = wall({2.0, -2.0}, {2.0, 2.0}, 50);
     const Recta truth{2.0, 0.0};
-    const Matrix2d exact = line_covariance(truth, points, 0.01);  // no scatter at all
+    const Matrix2d exact =
+        line_covariance(truth, points, PointErrors{0.01, 0.0, {}});  // no scatter at all
     const Scan rough = scan_of({points}, 0.05, 7);
-    const Matrix2d grown = line_covariance(fit_least_squares(rough.points), rough.points, 0.01);
+    const Matrix2d grown =
+        line_covariance(fit_least_squares(rough.points), rough.points, PointErrors{0.01, 0.0, {}});
     EXPECT_NEAR(std::sqrt(grown(1, 1) / exact(1, 1)), 5.0, 1.5);
     EXPECT_GT(exact(1, 1), 0.0);
 }
 
 TEST(LineCovariance, AWallAlongTheRaysStaysPositive) {
     const std::vector<Point2> points = wall({1.0, 0.0}, {4.0, 0.0}, 20);
-    const Matrix2d covariance = line_covariance({0.0, kPi / 2.0}, points, 0.01);
+    const Matrix2d covariance =
+        line_covariance({0.0, kPi / 2.0}, points, PointErrors{0.01, 0.0, {}});
     EXPECT_GT(covariance.determinant(), 0.0);
     EXPECT_GT(covariance(0, 0), 0.0);
 }
 
 TEST(LineCovariance, CountsRangesFromTheLaser) {
     const std::vector<Point2> points = wall({2.0, -2.0}, {2.0, 2.0}, 50);
-    const Matrix2d central = line_covariance({2.0, 0.0}, points, 0.01);
+    const Matrix2d central = line_covariance({2.0, 0.0}, points, PointErrors{0.01, 0.0, {}});
     // From far to the side the rays graze the wall: their errors are along it.
-    const Matrix2d aside = line_covariance({2.0, 0.0}, points, 0.01, {0.0, 8.0});
+    const Matrix2d aside = line_covariance({2.0, 0.0}, points, PointErrors{0.01, 0.0, {0.0, 8.0}});
     EXPECT_LT(aside(1, 1), 0.5 * central(1, 1));
+}
+
+TEST(LineCovariance, WhatAllPointsShareDoesNotAverageOut) {
+    // Of a wall 4 m long: its middle gets the common error, and its tilt that error over the root
+    // mean square distance of the points from the middle.
+    for (const int points : {10, 1000}) {
+        const std::vector<Point2> wall_points = wall({2.0, -2.0}, {2.0, 2.0}, points);
+        const Recta truth{2.0, 0.0};
+        const Matrix2d without = line_covariance(truth, wall_points, PointErrors{0.01, 0.0, {}});
+        const Matrix2d with = line_covariance(truth, wall_points, PointErrors{0.01, 0.02, {}});
+        double mean_square = 0.0;
+        for (const Point2& p : wall_points) mean_square += p.y * p.y / points;
+        EXPECT_NEAR(with(0, 0) - without(0, 0), 4e-4, 1e-9);
+        EXPECT_NEAR(with(1, 1) - without(1, 1), 4e-4 / mean_square, 1e-9);
+    }
 }
 
 TEST(IntersectionCovariance, IsThatOfTheMeetingOverManyDraws) {

@@ -42,7 +42,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 49U);
+    EXPECT_EQ(keys.size(), 50U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -135,6 +135,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.extraction.ransac = {0.71, 0.72, 0.73, 74};
     c.extraction.covariance = ObservationCovariance::points;
     c.extraction.point_sigma_m = 0.75;
+    c.extraction.common_sigma_m = 0.76;
     c.extraction.corner_distance_m = 0.59;
     c.grid = {0.61, 0.62, -0.63, 6.4, 6.5};
     const std::map<std::string_view, std::string> expected = {
@@ -164,6 +165,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"observation.var_theta", "0.22"},
         {"observation.covariance", "points"},
         {"observation.point_sigma", "0.75"},
+        {"observation.common_sigma", "0.76"},
         {"features.method", "ransac"},
         {"features.detect", "corners"},
         {"features.corner_distance", "0.59"},

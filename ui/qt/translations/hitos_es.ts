@@ -166,6 +166,10 @@
         <translation>Desviación típica de una distancia medida, para la covarianza points; un valor mayor confía menos en el láser.</translation>
     </message>
     <message>
+        <source>Standard deviation of the error that all points of a line share, for the covariance points: walls that are not straight, ranges in steps; a higher value trusts long walls less.</source>
+        <translation>Desviación típica del error que comparten todos los puntos de una recta, para la covarianza points: paredes que no son rectas, distancias a saltos; un valor mayor confía menos en las paredes largas.</translation>
+    </message>
+    <message>
         <source>How lines are found: split-merge divides runs of points at the farthest one; ransac cuts the scan at edges and takes the lines that most points agree with, fitted by least squares. Both use min_length, min_points and collinear_* of split_merge.</source>
         <translation>Cómo se hallan las rectas: split-merge divide las series de puntos por el más lejano; ransac corta el barrido en los bordes y toma las rectas con las que más puntos concuerdan, ajustadas por mínimos cuadrados. Ambos usan min_length, min_points y collinear_* de split_merge.</translation>
     </message>
@@ -521,6 +525,10 @@
     <message>
         <source>σ range</source>
         <translation>σ distancia</translation>
+    </message>
+    <message>
+        <source>σ shared</source>
+        <translation>σ común</translation>
     </message>
     <message>
         <source>Lines by</source>
