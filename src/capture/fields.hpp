@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -78,7 +79,9 @@ class Fields {
         const std::string_view field = word(name);
         const std::optional<double> value = parse_double(field);
         if (!value) fail(name, field, "a number");
-        return *value;
+        // No sensor measures so far; what is not finite is no point.
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        return std::abs(*value) > kGreatestValue ? std::copysign(kFar, *value) : *value;
     }
     std::int64_t integer(const char* name) {
         const std::string_view field = word(name);

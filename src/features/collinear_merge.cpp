@@ -1,5 +1,6 @@
 #include "collinear_merge.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hitos/features/line_fit.hpp"
@@ -24,6 +25,20 @@ Recta fit_line(std::span<const Point2> points, LineFit fit) {
                                      : fit_least_squares(points);
 }
 
+std::array<Point2, 2> ends_of(std::span<const Point2> points, const Recta& line) {
+    const double c = std::cos(line.theta);
+    const double s = std::sin(line.theta);
+    const auto along = [&](const Point2& p) { return p.y * c - p.x * s; };
+    const auto [least, greatest] =
+        std::minmax_element(points.begin(), points.end(),
+                            [&](const Point2& a, const Point2& b) { return along(a) < along(b); });
+    const double extent = along(*greatest) - along(*least);
+    if (std::abs(along(points.back()) - along(points.front())) >= 0.5 * extent) {
+        return {points.front(), points.back()};
+    }
+    return {*least, *greatest};
+}
+
 void merge_collinear(std::span<LinePiece> pieces, const CollinearParams& params, LineFit fit,
                      Observation& out) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -41,7 +56,13 @@ void merge_collinear(std::span<LinePiece> pieces, const CollinearParams& params,
             }
             pieces[j].merged = true;
             append(pieces[j]);
-            line.recta = fit_line({&out.support[line.first], line.count}, fit);
+            const std::span<const Point2> support(&out.support[line.first], line.count);
+            if (fit == LineFit::endpoints) {
+                const auto [a, b] = ends_of(support, line.recta);
+                line.recta = line_through(a, b);
+            } else {
+                line.recta = fit_least_squares(support);
+            }
             newest = j;
         }
         out.lines.push_back(line);

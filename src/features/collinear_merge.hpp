@@ -1,6 +1,7 @@
 // The merge of collinear pieces, the same for every method that finds lines [T table 4.4].
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,10 @@ struct LinePiece {
     Recta recta;
     bool merged = false;  ///< taken up by an earlier piece
 };
+
+/// Where a line's points begin and end: the first and the last of the scan, or, where the scan's
+/// seam lies on the wall and makes those two neighbours, the outermost along the line.
+std::array<Point2, 2> ends_of(std::span<const Point2> points, const Recta& line);
 
 /// The line through the points as `fit` says; two points or more.
 Recta fit_line(std::span<const Point2> points, LineFit fit);

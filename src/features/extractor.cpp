@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "collinear_merge.hpp"
 #include "extractors.hpp"
 #include "hitos/capture/error.hpp"
 #include "hitos/features/line_fit.hpp"
@@ -83,6 +84,7 @@ LineFinder::LineFinder(const ExtractionParams& params, std::uint64_t seed)
                     params.split_merge.fit == LineFit::endpoints) {
     require(covariance_ == ObservationCovariance::fixed || point_sigma_m_ > 0.0,
             "observation.point_sigma", "a standard deviation above 0 m");
+    require(common_sigma_m_ >= 0.0, "observation.common_sigma", "0 m or more");
 }
 
 void LineFinder::find(const Scan& scan, Observation& out) {
@@ -95,7 +97,7 @@ void LineFinder::find(const Scan& scan, Observation& out) {
                              {scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y}};
     for (const DetectedLine& line : out.lines) {
         const std::span<const Point2> support = out.support_of(line);
-        const std::array ends{support.front(), support.back()};
+        const std::array ends = ends_of(support, line.recta);
         const std::span<const Point2> fitted = through_ends_ ? std::span(ends) : support;
         out.line_covariances.push_back(line_covariance(line.recta, fitted, errors));
     }

@@ -78,7 +78,10 @@ void RansacLines::search(std::span<const Point2> run, RandomStream& random) {
     while (candidates_.size() >= fewest) {
         Recta line;
         if (!hypothesize(random, line)) break;
-        if (refine(line) && long_enough(consensus_, line)) found_.push_back(line);
+        const Recta hypothesis = line;
+        const bool refined = refine(line);
+        if (refined && long_enough(consensus_, line)) found_.push_back(line);
+        if (!refined) line = hypothesis;
         // Take the consensus away, whether it is a line or not: the search must come to an end.
         std::size_t kept = 0;
         for (std::size_t i = 0; i < candidates_.size(); ++i) {

@@ -33,7 +33,7 @@ class RansacLines final : public MetodoExtraccionRectas {
     /// The line through two points with the most points nearer than the threshold; false where
     /// no hypothesis reaches the fewest points of a line.
     bool hypothesize(RandomStream& random, Recta& best) const;
-    /// Fits the points near the line anew until they no longer change.
+    /// Fits the points near the line anew until their number no longer changes.
     bool refine(Recta& line);
     void keep_pieces(std::span<const Point2> run);
     /// The point at which one line passes to the next belongs to both, as in Split & Merge.

@@ -57,7 +57,7 @@ int nearest_line(const LandmarkMap& map, const Point2& point, const Recta& acros
         const auto* line = std::get_if<Recta>(&map[i].value);
         if (line == nullptr || !(difference(*line, across).theta <= kGreatestTurn)) continue;
         const double distance = away(*line, point);
-        if (distance > least) continue;
+        if (!(distance <= least)) continue;
         least = distance;
         nearest = static_cast<int>(i);
     }
@@ -78,7 +78,7 @@ MeasuredDistance measure(const LandmarkMap& map, const NamedDistance& distance) 
     measured.line_a = nearest_line(map, distance.a, across, greatest);
     measured.line_b = nearest_line(map, distance.b, across, greatest);
     if (measured.line_a < 0 || measured.line_b < 0) {
-        measured.missing = fmt::format("no line within {:g} m of {}", greatest,
+        measured.missing = fmt::format("no line across it within {:g} m of {}", greatest,
                                        measured.line_a >= 0   ? "its second point"
                                        : measured.line_b >= 0 ? "its first point"
                                                               : "either point");

@@ -94,9 +94,19 @@ struct Drawing {
     Box box;
 };
 
-void check_finite(const Point2& point, const std::string& what) {
-    if (std::isfinite(point.x) && std::isfinite(point.y)) return;
-    throw Error(fmt::format("{} is at ({}, {}) and cannot be drawn", what, point.x, point.y));
+/// Beyond it dxflib's buffers end, and no building.
+constexpr double kGreatestCoordinate = 1e9;  // m
+
+bool drawable(const Point2& point) {
+    return std::abs(point.x) <= kGreatestCoordinate && std::abs(point.y) <= kGreatestCoordinate;
+}
+
+void check_drawable(const Point2& point, const std::string& what) {
+    if (drawable(point)) return;
+    throw Error(
+        fmt::format("{} is at ({}, {}) and cannot be drawn; expected coordinates up to {:g} "
+                    "m: check the log's readings and the motion noise",
+                    what, point.x, point.y, kGreatestCoordinate));
 }
 
 bool known(const Eigen::Matrix2d& covariance) {
@@ -111,12 +121,13 @@ void add_corner(Drawing& drawing, const Esquina& corner, const Eigen::Matrix2d& 
     const double greatest = std::max(axes.eigenvalues()[1], 0.0);
     const double least = std::max(axes.eigenvalues()[0], 0.0);
     if (!(greatest > 0.0)) return;
+    const double wide = kSigmas * std::sqrt(std::max(covariance(0, 0), 0.0));
+    const double high = kSigmas * std::sqrt(std::max(covariance(1, 1), 0.0));
+    if (!drawable({std::abs(corner.x) + wide, std::abs(corner.y) + high})) return;
     const Eigen::Vector2d major = kSigmas * std::sqrt(greatest) * axes.eigenvectors().col(1);
     drawing.ellipses.push_back({{corner.x, corner.y},
                                 {major.x(), major.y()},
                                 std::max(std::sqrt(least / greatest), kLeastRatio)});
-    const double wide = kSigmas * std::sqrt(std::max(covariance(0, 0), 0.0));
-    const double high = kSigmas * std::sqrt(std::max(covariance(1, 1), 0.0));
     drawing.box.hold({corner.x - wide, corner.y - high});
     drawing.box.hold({corner.x + wide, corner.y + high});
 }
@@ -139,6 +150,7 @@ void add_band(Drawing& drawing, const LineExtent& segment, const Recta& line,
             band.push_back({on.x + across * c, on.y + across * s});
         }
     }
+    if (!std::ranges::all_of(band, drawable)) return;
     std::ranges::for_each(band, [&](const Point2& point) { drawing.box.hold(point); });
     drawing.bands.push_back(std::move(band));
 }
@@ -147,7 +159,7 @@ Drawing drawing_of(const LandmarkMap& map, std::span<const LineExtent> segments,
                    const Trajectory& path) {
     Drawing drawing;
     for (std::size_t i = 0; i < map.size(); ++i) {
-        check_finite(map[i].point(), fmt::format("landmark {}", i));
+        check_drawable(map[i].point(), fmt::format("landmark {}", i));
         if (const auto* corner = std::get_if<Esquina>(&map[i].value)) {
             add_corner(drawing, *corner, map[i].covariance);
         }
@@ -164,7 +176,7 @@ Drawing drawing_of(const LandmarkMap& map, std::span<const LineExtent> segments,
                             segment.landmark));
         }
         for (const Point2& end : {segment.a, segment.b}) {
-            check_finite(end, fmt::format("an end of segment {}", i));
+            check_drawable(end, fmt::format("an end of segment {}", i));
             drawing.box.hold(end);
         }
         drawing.lines.emplace_back(segment.a, segment.b);
@@ -172,7 +184,7 @@ Drawing drawing_of(const LandmarkMap& map, std::span<const LineExtent> segments,
     }
     for (const StampedPose& stamped : path) {
         const Point2 place{stamped.pose.x, stamped.pose.y};
-        check_finite(place, "the path");
+        check_drawable(place, "the path");
         if (drawing.path.empty() || drawing.path.back() != place) drawing.path.push_back(place);
     }
     if (drawing.path.size() < 2) drawing.path.clear();

@@ -23,8 +23,9 @@ struct Line {
     double away(const Point2& point) const { return std::abs(c * point.x + s * point.y - rho); }
     double along(const Point2& point) const { return c * point.y - s * point.x; }
     Point2 at(double t) const { return {rho * c - t * s, rho * s + t * c}; }
-    bool has_direction(const Point2& direction, double length) const {
-        return std::abs(c * direction.x + s * direction.y) <= kGreatestSine * length;
+    /// `direction` is of length 1.
+    bool has_direction(const Point2& direction) const {
+        return std::abs(c * direction.x + s * direction.y) <= kGreatestSine;
     }
 };
 
@@ -105,8 +106,9 @@ void LineExtents::note(const SlamFilter& filter, const Observation& observation)
         const DetectedLine& seen = observation.lines[association.observed];
         if (seen.count < 2) continue;
         const Point2* const points = &observation.support[seen.first];
-        const Point2& last = points[seen.count - 1];
-        const Point2 along{last.x - points[0].x, last.y - points[0].y};
+        // Not from the first to the last point: where the scan's seam lies on a wall they are
+        // neighbours.
+        const Point2 along{-std::sin(seen.recta.theta), std::cos(seen.recta.theta)};
         std::uint32_t first = 0;
         for (std::uint32_t i = 1; i <= seen.count; ++i) {
             if (i < seen.count) {
@@ -144,12 +146,11 @@ std::vector<LineExtent> LineExtents::of(const LandmarkMap& map, const Trajectory
         const Point2 a = moved(stretch.a);
         const Point2 b = moved(stretch.b);
         const Point2 along = turned(stretch.along);
-        const double length = std::hypot(along.x, along.y);
         std::size_t nearest = lines.size();
         double least = kGreatestDistance;
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const double away = std::max(lines[i].away(a), lines[i].away(b));
-            if (!(away < least) || !lines[i].has_direction(along, length)) continue;
+            if (!(away < least) || !lines[i].has_direction(along)) continue;
             least = away;
             nearest = i;
         }

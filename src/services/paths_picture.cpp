@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSlack = 0.5;  // s, between stamps that are the same moment
 
-/// The rectangle of everything but the odometry, which may run far off, and a part of that.
+/// The rectangle that holds everything drawn.
 struct Frame {
     Point2 low;
     Point2 high;

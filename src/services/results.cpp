@@ -75,7 +75,8 @@ RunSummary summarize(const SlamRun& run, const References& references) {
     summary.scans = run.steps();
     summary.duration_s = run.duration_s();
     summary.algorithm = find_parameter("filter.algorithm").text(run.configuration());
-    summary.particles = run.configuration().filter.particles;
+    const FilterParams& filter = run.configuration().filter;
+    summary.particles = filter.algorithm == SlamAlgorithm::fastslam ? filter.particles : 0;
     summary.seed = run.configuration().run.seed;
     summary.lines = run.filter().best_lines();
     summary.corners = run.filter().best_corners();
@@ -105,7 +106,6 @@ std::string to_json(const RunSummary& summary, double seconds) {
         {"format", to_string(summary.format)},
         {"seed", summary.seed},
         {"algorithm", summary.algorithm},
-        {"particles", summary.particles},
         {"scans", summary.scans},
         {"duration_s", summary.duration_s},
         {"run_seconds", seconds},
@@ -117,6 +117,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
           {"stamps_backwards", summary.report.stamps_backwards},
           {"skipped_lines", summary.report.skipped},
           {"skipped_examples", skipped}}}};
+    if (summary.particles > 0) json["particles"] = summary.particles;
     if (summary.map_error) json["map_error"] = json_of(*summary.map_error);
     if (summary.aligned_map_error) {
         json["map_error_aligned"] = json_of(summary.aligned_map_error->error);
@@ -149,7 +150,6 @@ RunSummary write_results(const SlamRun& run, const References& references, doubl
     const std::vector<LineExtent> segments = run.line_extents().of(map, best);
     write_map(map, folder / "map.txt");
     write_segments(map, segments, folder / "segments.txt");
-    write_dxf(map, segments, best, folder / "map.dxf");
     write_trajectory(best, folder / "trajectory.tum");
     write_trajectory(run.odometry_trajectory(), folder / "odometry.tum");
     write_grid(run.step_grid(), best, folder / "grid_best_steps");
@@ -177,6 +177,7 @@ RunSummary write_results(const SlamRun& run, const References& references, doubl
     if (run.options().uncertainty) {
         drawn("uncertainty.png", write_uncertainty(run.uncertainty(), folder));
     }
+    write_dxf(map, segments, best, folder / "map.dxf");
     ArchivoConfiguracion::write(run.configuration(), folder / "config.cfg");
     write_file(folder / "summary.json", to_json(summary, seconds));
     return summary;

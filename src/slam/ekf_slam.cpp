@@ -20,6 +20,8 @@ Closeness closeness(const Vector2& nu, const Matrix2& s) {
     const double d2 =
         (s(1, 1) * nu(0) * nu(0) - (s(0, 1) + s(1, 0)) * nu(0) * nu(1) + s(0, 0) * nu(1) * nu(1)) /
         det;
+    // Rounding can cost S its positivity where variances are next to nothing: no comparison then.
+    if (!(det > 0.0) || !(d2 >= 0.0)) return {};
     return {d2, -std::log(2.0 * kPi) - 0.5 * std::log(det) - 0.5 * d2};
 }
 
@@ -72,6 +74,7 @@ void EkfSlam::associate(std::span<const Measurement> measured, const std::vector
         Closeness second;
         JointState::Row row;
         std::size_t which = 0;
+        bool comparable = marks.empty();
         for (std::size_t i = 0; i < marks.size(); ++i) {
             const Eigen::Index at = marks[i].at;
             const auto landmark = S::from_state(state_.landmark(at));
@@ -84,6 +87,7 @@ void EkfSlam::associate(std::span<const Measurement> measured, const std::vector
                                   seen.by_landmark.transpose() +
                               measured[k].r;
             const Closeness close = closeness(seen.nu, s);
+            comparable = comparable || close.distance2 < kNever;
             if (close.distance2 < nearest.distance2) {
                 second = nearest;
                 nearest = close;
@@ -103,7 +107,7 @@ void EkfSlam::associate(std::span<const Measurement> measured, const std::vector
             association.landmark = static_cast<std::int32_t>(which);
             rows_.push_back(row);
             statistics_.best_log_weight += nearest.log_likelihood;
-        } else if (nearest.distance2 > new_gate_) {
+        } else if (comparable && nearest.distance2 > new_gate_) {
             association.outcome = Association::Outcome::created;
         }
         associations_.push_back(association);

@@ -11,7 +11,10 @@ namespace {
 
 void check_observation(const FilterParams& params) {
     if (!(params.observation.var_rho_m2 > 0.0 && params.observation.var_theta_rad2 > 0.0)) {
-        throw ConfigError("observation", "expected variances above 0");
+        throw ConfigError(
+            "observation",
+            "found var_rho " + std::to_string(params.observation.var_rho_m2) + " and var_theta " +
+                std::to_string(params.observation.var_theta_rad2) + ", expected variances above 0");
     }
 }
 
@@ -38,7 +41,10 @@ std::unique_ptr<SlamFilter> make_ekf_slam(const FilterParams& params) {
     if (!is_probability(a.gate_probability) || !is_probability(a.new_probability) ||
         a.new_probability < a.gate_probability) {
         throw ConfigError("association.new_probability",
-                          "expected a probability from association.gate_probability up to below 1");
+                          "found " + std::to_string(a.new_probability) +
+                              " with association.gate_probability " +
+                              std::to_string(a.gate_probability) +
+                              ", expected probabilities below 1, this one not the smaller");
     }
     return std::make_unique<EkfSlam>(params);
 }

@@ -44,6 +44,7 @@ void JointState::update(std::span<const Row> rows) {
         s_.block<2, 2>(k, k) += row.r;
     }
     const Eigen::LLT<Eigen::MatrixXd> factor(s_);
+    if (factor.info() != Eigen::Success) return;
     mean_.head(size_).noalias() += w_ * factor.solve(nu);
     factor.matrixU().solveInPlace<Eigen::OnTheRight>(w_);
     covariance_.topLeftCorner(size_, size_).selfadjointView<Eigen::Lower>().rankUpdate(w_, -1.0);

@@ -40,7 +40,7 @@ class JointState {
     };
     /// One update with all rows [P eq 24-28]: with W = P H', S = H W + R = L L' and U = W L'^-1,
     /// mean += W S^-1 nu, P -= U U', which is (I - K H) P but symmetric. Angles are left as they
-    /// come.
+    /// come. Where rounding has cost S its positivity nothing is learnt.
     void update(std::span<const Row> rows);
 
     /// Appends a landmark at `mean` with covariance G P_rr G' + `own` and its covariances with all

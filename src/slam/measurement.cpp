@@ -15,7 +15,8 @@ void Measurements::take(const Observation& observation, const ObservationParams&
     for (std::size_t i = 0; i < observation.corners.size(); ++i) {
         const Esquina& corner = observation.corners[i];
         Measurement measured{SensorEsquina::measurement(corner), fixed};
-        if (!observation.corner_covariances.empty()) {
+        // The bearing of a corner right at the robot means nothing.
+        if (!observation.corner_covariances.empty() && measured.z(0) >= SensorEsquina::kNearest) {
             const Matrix2 j = SensorEsquina::jacobian({}, corner);  // of (range, bearing) by (x, y)
             measured.r = j * observation.corner_covariances[i] * j.transpose();
         }

@@ -1,5 +1,5 @@
 // Cost of a step against the number of landmarks in the map, EKF-SLAM and FastSLAM on the same
-// observations: a robot on a circle in a field of corners sees the ten nearest ahead of it.
+// observations: a robot on a circle in a field of corners sees the ten nearest.
 
 #include <benchmark/benchmark.h>
 

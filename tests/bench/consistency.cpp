@@ -48,8 +48,9 @@ MotionParams motion_noise(double factor) {
     motion.model = MotionModel::proportional;
     motion.var_along_m2_per_m = 0.0005 * factor;
     motion.var_across_m2_per_m = 0.0001 * factor;
-    motion.var_theta_rad2_per_rad = 0.0005 * factor;
-    motion.var_theta_rad2_per_m = 0.0001 * factor;
+    // Not per radian: the filter would count the noise's own turns as the robot's.
+    motion.var_theta_rad2_per_rad = 0.0;
+    motion.var_theta_rad2_per_m = 0.0002 * factor;
     return motion;
 }
 
@@ -137,7 +138,7 @@ void study(const Scenario& scenario, int runs, std::ofstream& steps) {
         above += average > high ? 1 : 0;
         mean += average;
         averages.push_back(average);
-        if (steps) steps << fmt::format("{},{},{:.4f}\n", scenario.name, k, average);
+        if (steps) steps << fmt::format("\"{}\",{},{:.4f}\n", scenario.name, k, average);
     }
     // Errors of neighbouring steps hang together: the tour's second half is told by itself.
     double late = 0.0;

@@ -31,7 +31,7 @@ struct RunSummary {
     std::uint64_t scans = 0;
     double duration_s = 0.0;
     std::string algorithm;  ///< as in the configuration: "fastslam", "ekf-slam"
-    int particles = 0;      ///< asked for; EKF-SLAM has none
+    int particles = 0;      ///< of FastSLAM; 0: the algorithm has none
     std::uint64_t seed = 0;
     int lines = 0;
     int corners = 0;
