@@ -44,7 +44,8 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, Pro
     : QDialog(parent),
       ui_(std::make_unique<Ui::ConfigurationDialog>()),
       prompts_(prompts),
-      configuration_(configuration) {
+      original_(configuration),
+      result_(configuration) {
     ui_->setupUi(this);
     auto* columns = new QHBoxLayout(ui_->groups);
     columns->setContentsMargins(0, 0, 6, 0);
@@ -87,7 +88,7 @@ void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box
         auto* field = new ParameterField(parameter, rows, box);
         fields_.push_back(field);
         connect(field, &ParameterField::edited, this, [this, field] {
-            Configuracion scratch = configuration_;
+            Configuracion scratch = original_;
             field->apply(scratch);
             mark_unused();
             show_verdict();
@@ -168,9 +169,9 @@ QString ConfigurationDialog::changes(const Configuracion& next) const {
     constexpr int kMostLines = 12;
     QStringList lines;
     for (const Parameter& parameter : parameters()) {
-        if (parameter.text(configuration_) == parameter.text(next)) continue;
+        if (parameter.text(original_) == parameter.text(next)) continue;
         lines << QString("%1: %2 → %3")
-                     .arg(label_of(parameter), value_of(parameter, configuration_),
+                     .arg(label_of(parameter), value_of(parameter, original_),
                           value_of(parameter, next));
     }
     if (lines.size() > kMostLines) {
@@ -182,7 +183,7 @@ QString ConfigurationDialog::changes(const Configuracion& next) const {
 }
 
 void ConfigurationDialog::accept() {
-    Configuracion next = configuration_;
+    Configuracion next = original_;
     const bool good = read(next);
     show_verdict();
     if (!good) return;
@@ -196,7 +197,7 @@ void ConfigurationDialog::accept() {
                    tr("Apply these values and start from the beginning?"), what, tr("Apply")})) {
         return;
     }
-    configuration_ = next;
+    result_ = next;
     QDialog::accept();
 }
 

@@ -25,8 +25,9 @@ class ConfigurationDialog final : public QDialog {
     ConfigurationDialog(const Configuracion& configuration, Prompts& prompts, QWidget* parent);
     ~ConfigurationDialog() override;
 
-    /// As confirmed; what it was given until then.
-    const Configuracion& configuration() const { return configuration_; }
+    /// As confirmed; what it was given until then. Opened again, it still compares with what it was
+    /// given: what was confirmed may not have been possible.
+    const Configuracion& configuration() const { return result_; }
     void show_group(ParameterGroup group);
 
     void accept() override;
@@ -43,7 +44,8 @@ class ConfigurationDialog final : public QDialog {
 
     std::unique_ptr<Ui::ConfigurationDialog> ui_;
     Prompts& prompts_;
-    Configuracion configuration_;
+    const Configuracion original_;
+    Configuracion result_;
     std::vector<ParameterField*> fields_;
 };
 
