@@ -14,6 +14,7 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "configuration_actions.hpp"
 #include "grid_view.hpp"
@@ -55,6 +56,23 @@ class ScriptedPrompts final : public Prompts {
     void warn(QWidget*, const QString&, const QString& text) override { warnings << text; }
 };
 
+/// Those of in_dialog() that have not met their dialog yet.
+inline QList<QPointer<QTimer>>& awaited_dialogs() {
+    static QList<QPointer<QTimer>> awaited;
+    return awaited;
+}
+
+/// The test fails where a dialog that it awaits has not opened.
+inline void expect_no_awaited_dialog() {
+    int never_opened = 0;
+    for (const QPointer<QTimer>& timer : std::exchange(awaited_dialogs(), {})) {
+        if (!timer) continue;
+        ++never_opened;
+        delete timer.data();
+    }
+    QCOMPARE(never_opened, 0);
+}
+
 /// A window on the ready tour, with files of its own.
 struct Fixture {
     QTemporaryDir folder;
@@ -70,6 +88,7 @@ struct Fixture {
         if (with_source) session.set_configuration(tour(particles));
     }
     ~Fixture() {
+        expect_no_awaited_dialog();
         window.reset();
         QThreadPool::globalInstance()->waitForDone();
     }
@@ -123,7 +142,8 @@ struct Fixture {
     }
 };
 
-/// Does something with the modal dialog of that kind once it is there.
+/// Does something with the modal dialog of that kind once it is there; by the end of the fixture it
+/// has to have been.
 template <class Dialog>
 void in_dialog(std::function<void(Dialog&)> act) {
     auto* timer = new QTimer(qApp);
@@ -133,11 +153,13 @@ void in_dialog(std::function<void(Dialog&)> act) {
         if (dialog == nullptr) return;
         timer->stop();
         timer->deleteLater();
+        awaited_dialogs().removeAll(QPointer<QTimer>(timer));
         const QPointer<Dialog> still_there(dialog);
         act(*dialog);
         if (still_there && still_there->isVisible()) still_there->reject();  // a test has failed
     });
     timer->start();
+    awaited_dialogs() << timer;
 }
 
 }  // namespace hitos::window
