@@ -314,4 +314,76 @@ void ConfigurationTest::references_are_loaded() {
     QCOMPARE(f.session.references().map->size(), 16U);
 }
 
+void ConfigurationTest::references_go_with_their_log() {
+    Fixture f;
+    QVERIFY(!f.action("action_remove_references")->isEnabled());
+    const auto load = [&f] {
+        f.prompts.opens = {Fixture::source_file("data/maps/bigloop.map")};
+        f.trigger("action_reference_map");
+        QVERIFY(f.session.references().map && !f.session.reference_map_file().isEmpty());
+    };
+    load();
+    f.trigger("action_remove_references");
+    QVERIFY(!f.session.references().map && f.session.reference_map_file().isEmpty());
+    load();
+    f.session.set_configuration(Fixture::tour(7));  // of the same log
+    QVERIFY(f.session.references().map.has_value());
+    const QString path = f.write("small.txt", "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n");
+    QVERIFY(f.window->configuration_actions().open(path));
+    QVERIFY(!f.session.references().map && f.session.reference_map_file().isEmpty());
+}
+
+void ConfigurationTest::a_form_that_could_not_be_applied_keeps_its_values() {
+    Fixture f(false);
+    const QByteArray log = "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n";
+    QVERIFY(f.window->configuration_actions().open(f.write("small.txt", log)));
+    f.prompts.confirms = {true, true};
+    in_dialog<ConfigurationDialog>([&](ConfigurationDialog& dialog) {
+        QFile::remove(f.path("small.txt"));
+        set_field(dialog, "filter.particles", "25");
+        in_dialog<ConfigurationDialog>([&](ConfigurationDialog& again) {
+            QCOMPARE(f.prompts.warnings.size(), 1);
+            f.write("small.txt", log);
+            press_ok(again);
+        });
+        press_ok(dialog);
+    });
+    f.trigger("action_manual");
+    QCOMPARE(f.prompts.confirmed_texts.size(), 2);
+    QCOMPARE(f.session.configuration().filter.particles, 25);
+}
+
+void ConfigurationTest::a_bad_default_is_told_in_the_window() {
+    Fixture f(false);
+    f.write("user/init.cfg", "[filter]\nparticles = 0\n");
+    f.window->configuration_actions().start_or_warn({});
+    QTRY_COMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY(f.prompts.warnings.front().contains("filter.particles"));
+    QCOMPARE(f.session.configuration().filter.particles, Configuracion{}.filter.particles);
+}
+
+void ConfigurationTest::a_default_whose_log_is_lost_is_told_in_the_window() {
+    Fixture f(false);
+    f.write("user/init.cfg", "[source]\nfile = \"/nowhere/a.log\"\n[filter]\nparticles = 7\n");
+    f.window->configuration_actions().start_or_warn({});
+    QTRY_COMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY(f.prompts.warnings.front().contains("/nowhere/a.log"));
+    QVERIFY(!f.session.has_source());
+    QCOMPARE(f.session.configuration().filter.particles, 7);
+}
+
+void ConfigurationTest::a_bad_file_of_the_command_line_is_told_in_the_window() {
+    Fixture f(false);
+    f.write("user/init.cfg", "[filter]\nparticles = 7\n");
+    CommandLine line;
+    line.open = "/nowhere/b.log";
+    line.reference = "/nowhere/c.map";
+    f.window->configuration_actions().start_or_warn(line);
+    QTRY_COMPARE(f.prompts.warnings.size(), 2);
+    QVERIFY(f.prompts.warnings.front().contains("/nowhere/b.log"));
+    QVERIFY(f.prompts.warnings.back().contains("/nowhere/c.map"));
+    QVERIFY(!f.session.has_source());
+    QCOMPARE(f.session.configuration().filter.particles, 7);
+}
+
 }  // namespace hitos::window

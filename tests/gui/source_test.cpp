@@ -161,7 +161,23 @@ void SourceTest::files_can_be_dropped() {
     QVERIFY(enter.isAccepted());
     QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(f.window.get(), &drop);
-    QVERIFY(f.session.has_source());
+    QTRY_VERIFY(f.session.has_source());
+}
+
+void SourceTest::what_is_no_file_cannot_be_dropped() {
+    Fixture f;
+    f.run_steps(3);
+    QMimeData data;
+    data.setUrls({QUrl("https://example.org/tour.log")});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(f.window.get(), &enter);
+    QVERIFY(!enter.isAccepted());
+    QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(f.window.get(), &drop);
+    QTest::qWait(50);
+    QVERIFY(!f.window->configuration_actions().open({}));
+    QCOMPARE(f.steps(), 3U);
+    QVERIFY(f.session.has_source() && f.prompts.warnings.isEmpty());
 }
 
 }  // namespace hitos::window

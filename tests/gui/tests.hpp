@@ -18,6 +18,7 @@ class SourceTest : public QObject {
     void the_source_changes_while_running();
     void a_bad_log_leaves_the_run_as_it_was();
     void files_can_be_dropped();
+    void what_is_no_file_cannot_be_dropped();
 };
 
 class ConfigurationTest : public QObject {
@@ -45,6 +46,11 @@ class ConfigurationTest : public QObject {
     void the_default_is_not_written_without_consent();
     void a_default_that_cannot_be_written_is_told();
     void references_are_loaded();
+    void references_go_with_their_log();
+    void a_form_that_could_not_be_applied_keeps_its_values();
+    void a_bad_default_is_told_in_the_window();
+    void a_default_whose_log_is_lost_is_told_in_the_window();
+    void a_bad_file_of_the_command_line_is_told_in_the_window();
 };
 
 class RunTest : public QObject {

@@ -72,7 +72,7 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     return std::nullopt;
 }
 
-Configuracion starting_configuration(const CommandLine& line, const UserFiles& files) {
+Configuracion starting_configuration(const CommandLine& line, const UserFiles& files, Init init) {
     Configuracion configuration;
     const QString named = QString::fromStdString(line.open);
     const bool named_configuration = !named.isEmpty() && kind_of(named) == FileKind::configuration;
@@ -80,7 +80,7 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
         configuration = read_configuration(QString::fromStdString(line.config));
     } else if (named_configuration) {
         configuration = read_configuration(named);
-    } else if (files.has_init()) {
+    } else if (init == Init::read && files.has_init()) {
         configuration = read_configuration(files.init_path());
     } else if (named.isEmpty()) {
         const QString ready = shipped_file("config/simulated.cfg");

@@ -36,12 +36,16 @@ struct CommandLine {
     bool benchmark = false;
 };
 
+/// Whether the user's init.cfg counts.
+enum class Init { read, ignored };
+
 /// Reads the arguments. Where they ask for help or are wrong, it prints and gives the exit code.
 std::optional<int> parse(int argc, char** argv, CommandLine& out);
 
 /// The configuration to start with: the named one, else the user's init.cfg, else the defaults;
 /// then the log, else the ready tour; then the single parameters. Throws hitos::Error.
-Configuracion starting_configuration(const CommandLine& line, const UserFiles& files);
+Configuracion starting_configuration(const CommandLine& line, const UserFiles& files,
+                                     Init init = Init::read);
 
 /// The reference map's file, or for the ready tour the one that belongs to it; else empty.
 std::string starting_reference_map(const CommandLine& line, const Configuracion& configuration);

@@ -2,8 +2,12 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QTimer>
 #include <QWidget>
+#include <utility>
+#include <vector>
 
+#include "command_line.hpp"
 #include "configuration_dialog.hpp"
 #include "hitos/capture/error.hpp"
 #include "hitos/services/archivo_configuracion.hpp"
@@ -22,6 +26,54 @@ QString words_of(const std::exception& error) {
 ConfigurationActions::ConfigurationActions(Session& session, UserFiles& files, Prompts& prompts,
                                            QWidget* window)
     : QObject(window), session_(session), files_(files), prompts_(prompts), window_(window) {}
+
+void ConfigurationActions::start(const CommandLine& line) {
+    const Configuracion configuration = starting_configuration(line, files_);
+    const References references = starting_references(line, configuration);
+    session_.set_configuration(configuration);
+    session_.set_references(references,
+                            QString::fromStdString(starting_reference_map(line, configuration)));
+}
+
+void ConfigurationActions::start_or_warn(const CommandLine& line) {
+    std::vector<std::pair<QString, QString>> complaints;
+    const auto possible = [&complaints](const QString& otherwise, const auto& act) {
+        try {
+            act();
+            return true;
+        } catch (const std::exception& error) {
+            complaints.emplace_back(otherwise, words_of(error));
+            return false;
+        }
+    };
+    Configuracion configuration;
+    const auto read = [&](Init init) {
+        return [&, init] { configuration = starting_configuration(line, files_, init); };
+    };
+    const QString unusable = tr("The configuration cannot be used");
+    if (!possible(unusable, read(Init::read))) {
+        const std::size_t told = complaints.size();
+        if (!possible(unusable, read(Init::ignored))) {
+            possible(unusable, [&] { configuration = starting_configuration({}, files_); });
+            configuration.source.file.clear();
+            complaints.resize(told);
+        }
+    }
+    if (!possible(tr("The log cannot be used"),
+                  [&] { session_.set_configuration(configuration); })) {
+        configuration.source.file.clear();
+        possible(unusable, [&] { session_.set_configuration(configuration); });
+    }
+    possible(tr("The reference was not loaded"), [&] {
+        session_.set_references(
+            starting_references(line, configuration),
+            QString::fromStdString(starting_reference_map(line, configuration)));
+    });
+    if (complaints.empty()) return;
+    QTimer::singleShot(0, this, [this, complaints] {
+        for (const auto& [title, reason] : complaints) prompts_.warn(window_, title, reason);
+    });
+}
 
 bool ConfigurationActions::use(const Configuracion& configuration) {
     try {
@@ -68,6 +120,7 @@ bool ConfigurationActions::use_log(const QString& path) {
 }
 
 bool ConfigurationActions::open(const QString& path, bool confirmed) {
+    if (path.isEmpty()) return false;
     return kind_of(path) == FileKind::configuration ? load_file(path, confirmed) : use_log(path);
 }
 
@@ -195,6 +248,11 @@ void ConfigurationActions::load_reference_trajectory() {
             prompts_.warn(window_, tr("The reference was not loaded"), words_of(error));
         }
     }
+}
+
+void ConfigurationActions::remove_references() {
+    session_.set_references({});
+    emit notice(tr("References removed"));
 }
 
 }  // namespace hitos::window

@@ -11,13 +11,21 @@ class QWidget;
 
 namespace hitos::window {
 
+struct CommandLine;
+
 class ConfigurationActions final : public QObject {
     Q_OBJECT
 
   public:
     ConfigurationActions(Session& session, UserFiles& files, Prompts& prompts, QWidget* window);
 
+    /// Takes what the command line and the user's files ask for. Throws hitos::Error.
+    void start(const CommandLine& line);
+    /// The same for somebody who looks: what is not possible is left out, and told as soon as the
+    /// window answers.
+    void start_or_warn(const CommandLine& line);
     /// Opens what the user named or dropped. False where that was not possible; the user was told.
+    /// An empty path is nothing to open.
     bool open(const QString& path, bool confirmed = false);
 
     void select_source(const QString& path = {});
@@ -28,6 +36,7 @@ class ConfigurationActions final : public QObject {
     void set_default();
     void load_reference_map();
     void load_reference_trajectory();
+    void remove_references();
 
   signals:
     void notice(QString text);

@@ -10,6 +10,7 @@
 #include "application.hpp"
 #include "benchmark.hpp"
 #include "command_line.hpp"
+#include "configuration_actions.hpp"
 #include "main_window.hpp"
 #include "screenshot.hpp"
 #include "study_dialog.hpp"
@@ -51,15 +52,12 @@ int run(int argc, char** argv, const CommandLine& line) {
                                  ? ViewSettings::saved_theme(files)
                                  : theme_from(QString::fromStdString(line.theme)));
     Session session;
-    session.set_references({});
     QtPrompts prompts;
     MainWindow window(session, files, prompts);
     apply_size(window, line.size);
 
-    const hitos::Configuracion configuration = starting_configuration(line, files);
-    session.set_configuration(configuration);
-    session.set_references(starting_references(line, configuration),
-                           QString::fromStdString(starting_reference_map(line, configuration)));
+    ConfigurationActions& actions = window.configuration_actions();
+    without_display(line) ? actions.start(line) : actions.start_or_warn(line);
     int code = 0;
     if (!line.screenshot.empty()) {
         take_screenshot(window, session, line);

@@ -21,6 +21,17 @@
 #include "view_settings.hpp"
 
 namespace hitos::window {
+namespace {
+
+/// The first file of this computer among what is dragged; empty where there is none.
+QString file_of(const QMimeData& dragged) {
+    for (const QUrl& url : dragged.urls()) {
+        if (url.isLocalFile() && !url.toLocalFile().isEmpty()) return url.toLocalFile();
+    }
+    return {};
+}
+
+}  // namespace
 
 MainWindow::MainWindow(Session& session, UserFiles& files, Prompts& prompts)
     : ui_(std::make_unique<Ui::MainWindow>()), session_(session), files_(files), prompts_(prompts) {
@@ -113,6 +124,14 @@ void MainWindow::connect_configuration() {
             &ConfigurationActions::load_reference_map);
     connect(ui_->action_reference_trajectory, &QAction::triggered, configuration_,
             &ConfigurationActions::load_reference_trajectory);
+    connect(ui_->action_remove_references, &QAction::triggered, configuration_,
+            &ConfigurationActions::remove_references);
+    const auto enable_remove = [this] {
+        const References& references = session_.references();
+        ui_->action_remove_references->setEnabled(references.map || references.trajectory);
+    };
+    connect(&session_, &Session::references_changed, this, enable_remove);
+    enable_remove();
     connect(ui_->summary, &SummaryBar::group_clicked, configuration_,
             &ConfigurationActions::configure_group);
     connect(configuration_, &ConfigurationActions::notice, status_, &StatusLine::notice);
@@ -279,14 +298,15 @@ void MainWindow::restore_state() {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+    if (!file_of(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    const QList<QUrl> urls = event->mimeData()->urls();
-    if (urls.isEmpty()) return;
+    const QString path = file_of(*event->mimeData());
+    if (path.isEmpty()) return;
     event->acceptProposedAction();
-    configuration_->open(urls.front().toLocalFile());
+    // Not at once: where it came from waits for the end of the drop, and a question may follow.
+    QTimer::singleShot(0, configuration_, [this, path] { configuration_->open(path); });
 }
 
 }  // namespace hitos::window

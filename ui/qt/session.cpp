@@ -46,8 +46,10 @@ void Session::set_configuration(const Configuracion& configuration) {
         });
     }
     retire();
+    const bool another_log = configuration.source.file != configuration_.source.file;
     configuration_ = configuration;
     algoritmo_ = std::move(next);
+    if (another_log) set_references({});
     begin_anew();
     emit configuration_changed();
 }

@@ -26,7 +26,8 @@ class Session final : public QObject {
 
     const Configuracion& configuration() const { return configuration_; }
     /// Starts anew with this configuration. Throws hitos::Error and changes nothing where the
-    /// configuration or its source is not possible; without a source there is nothing to run.
+    /// configuration or its source is not possible; without a source there is nothing to run. The
+    /// references belong to the log: with another one they go.
     void set_configuration(const Configuracion& configuration);
 
     bool has_source() const { return algoritmo_ != nullptr; }

@@ -790,6 +790,10 @@
         <source>Reference trajectory: %1 poses</source>
         <translation>Trayectoria de referencia: %1 poses</translation>
     </message>
+    <message>
+        <source>References removed</source>
+        <translation>Referencias quitadas</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ConfigurationDialog</name>
@@ -934,6 +938,14 @@
     <message>
         <source>Compare the path with a known one (TUM format)</source>
         <translation>Comparar el camino con uno conocido (formato TUM)</translation>
+    </message>
+    <message>
+        <source>Remove references</source>
+        <translation>Quitar referencias</translation>
+    </message>
+    <message>
+        <source>Compare map and path with nothing</source>
+        <translation>No comparar mapa ni camino con nada</translation>
     </message>
     <message>
         <source>Exit</source>
