@@ -34,6 +34,7 @@ Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
     add_plot(path_error, tr("Trajectory error [m]"));
     clock_.start();
     connect(&session, &Session::restarted, this, &Plots::clear);
+    connect(&session, &Session::references_changed, this, &Plots::clear_errors);
     connect(&session, &Session::progress_changed, this,
             [this] { refresh(session_.progress().state != Progress::State::running); });
     connect(&meter, &ReferenceMeter::measured, this,
@@ -46,6 +47,7 @@ void Plots::add_plot(std::size_t plot, const QString& title) {
     const int column = static_cast<int>(plot) % kColumns;
     QCPAxisRect* rect = add_titled_plot(*plot_, row, column, title);
     for (QCPAxis* axis : rect->axes()) axis->ticker()->setTickCount(4);
+    if (plot + kColumns >= kPlots) rect->axis(QCPAxis::atBottom)->setLabel(tr("Time [s]"));
     rects_.push_back(rect);
     graphs_.push_back(plot_->addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft)));
 }
@@ -70,6 +72,12 @@ void Plots::restyle() {
 void Plots::clear() {
     taken_ = 0;
     for (QCPGraph* graph : graphs_) graph->data()->clear();
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+/// They were measured against another reference.
+void Plots::clear_errors() {
+    for (const Plot plot : {map_error, path_error}) graphs_[plot]->data()->clear();
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

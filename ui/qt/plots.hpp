@@ -41,6 +41,7 @@ class Plots final : public QWidget {
 
     void add_plot(std::size_t plot, const QString& title);
     void clear();
+    void clear_errors();
     void refresh(bool at_once);
     void note_errors(const Measured& figures);
 

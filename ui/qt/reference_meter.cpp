@@ -39,6 +39,7 @@ ReferenceMeter::ReferenceMeter(Session& session, QObject* parent)
     connect(&session, &Session::snapshot_changed, this, &ReferenceMeter::consider);
     connect(&session, &Session::references_changed, this, [this] {
         last_steps_ = 0;
+        ++generation_;
         consider();
     });
     connect(&session, &Session::restarted, this, [this] {

@@ -41,7 +41,7 @@ class ReferenceMeter final : public QObject {
     QElapsedTimer clock_;
     bool busy_ = false;
     quint64 last_steps_ = 0;
-    int generation_ = 0;  ///< of the run; what was measured of an earlier one is dropped
+    int generation_ = 0;  ///< of run and references; what was measured of earlier ones is dropped
 };
 
 }  // namespace hitos::window

@@ -1228,6 +1228,10 @@
 <context>
     <name>hitos::window::Plots</name>
     <message>
+        <source>Time [s]</source>
+        <translation>Tiempo [s]</translation>
+    </message>
+    <message>
         <source>Effective particles (Neff)</source>
         <translation>Partículas efectivas (Neff)</translation>
     </message>
