@@ -1,5 +1,7 @@
 #include "main_window.hpp"
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -144,10 +146,15 @@ void MainWindow::connect_run() {
         {ui_->action_run, ui_->action_stop, ui_->action_step, ui_->action_best_map,
          ui_->action_odometry, ui_->action_save_map, ui_->action_restart},
         session_);
-    // The space bar runs and stops; an action that is disabled would swallow it.
+    // The space bar runs and stops, unless a button has the focus; an action that is disabled would
+    // swallow it.
     ui_->action_run->setShortcut({});
     auto* space = new QShortcut(QKeySequence(Qt::Key_Space), this);
     connect(space, &QShortcut::activated, this, [this] {
+        if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget())) {
+            button->click();  // as everywhere
+            return;
+        }
         (ui_->action_stop->isEnabled() ? ui_->action_stop : ui_->action_run)->trigger();
     });
     connect(&session_, &Session::failed, this, [this](const QString& reason) {

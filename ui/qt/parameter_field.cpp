@@ -47,8 +47,8 @@ ParameterField::ParameterField(const Parameter& parameter, QGridLayout* rows, QW
     }
     editor()->setObjectName("field_" + key);
     label_->setBuddy(editor());
-    auto* unit = new QLabel(unit_of(parameter), parent);
-    unit->setProperty("role", "muted");
+    unit_ = new QLabel(unit_of(parameter), parent);
+    unit_->setProperty("role", "muted");
     error_ = new QLabel(parent);
     error_->setObjectName("error_" + key);
     error_->setProperty("role", "error");
@@ -58,7 +58,7 @@ ParameterField::ParameterField(const Parameter& parameter, QGridLayout* rows, QW
         widget->setToolTip(tip_of(parameter));
     rows->addWidget(label_, row, 0);
     rows->addWidget(editor(), row, 1);
-    rows->addWidget(unit, row, 2);
+    rows->addWidget(unit_, row, 2);
     rows->addWidget(error_, row + 1, 0, 1, 3);
 }
 
@@ -78,6 +78,7 @@ void ParameterField::set_value(const Configuracion& configuration) {
     } else {
         line_->setText(QString::fromStdString(parameter_.text(configuration)));
     }
+    good_ = text();
     set_error({});
     mark_changed();
 }
@@ -85,6 +86,7 @@ void ParameterField::set_value(const Configuracion& configuration) {
 bool ParameterField::apply(Configuracion& configuration) {
     try {
         parameter_.set(configuration, text().toStdString());
+        good_ = text();
         set_error({});
         return true;
     } catch (const Error&) {
@@ -107,8 +109,11 @@ bool ParameterField::has_error() const {
 }
 
 void ParameterField::set_used(bool used) {
-    editor()->setEnabled(used);
-    label_->setEnabled(used);
+    for (QWidget* widget : {static_cast<QWidget*>(label_), editor(), static_cast<QWidget*>(unit_)})
+        widget->setEnabled(used);
+    if (used || !has_error()) return;
+    if (line_ != nullptr) line_->setText(good_);  // nobody can mend it where it is grey
+    set_error({});
 }
 
 void ParameterField::focus() {

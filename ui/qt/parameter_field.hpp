@@ -28,6 +28,7 @@ class ParameterField final : public QObject {
     bool apply(Configuracion& configuration);
     void set_error(const QString& error);
     bool has_error() const;
+    /// What is not used is grey, and has its last possible value.
     void set_used(bool used);
     void focus();
 
@@ -42,7 +43,9 @@ class ParameterField final : public QObject {
     QLabel* label_ = nullptr;
     QComboBox* choice_ = nullptr;
     QLineEdit* line_ = nullptr;
+    QLabel* unit_ = nullptr;
     QLabel* error_ = nullptr;
+    QString good_;
 };
 
 }  // namespace hitos::window

@@ -5,6 +5,7 @@
 #include <QFrame>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <array>
@@ -61,6 +62,12 @@ std::vector<Card> cards_of(const Configuracion& c) {
             {ParameterGroup::particle_filter, filter},
             {ParameterGroup::observation, observation},
             {ParameterGroup::split_merge, lines}};
+}
+
+/// Of the keys that press a button.
+bool is_choice(const QEvent& event) {
+    const int key = static_cast<const QKeyEvent&>(event).key();
+    return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter;
 }
 
 void set_role(QWidget* widget, const char* role) {
@@ -133,6 +140,8 @@ void SummaryBar::set_configuration(const Configuracion& configuration) {
         frame->setProperty("group", static_cast<int>(card.group));
         frame->setCursor(Qt::PointingHandCursor);
         frame->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        frame->setFocusPolicy(Qt::StrongFocus);
+        frame->setAccessibleName(title_of(card.group));
         frame->installEventFilter(this);
         auto* rows = new QGridLayout(frame);
         rows->setContentsMargins(12, 8, 12, 8);
@@ -150,7 +159,12 @@ void SummaryBar::set_configuration(const Configuracion& configuration) {
 }
 
 bool SummaryBar::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::MouseButtonRelease) {
+    if (event->type() == QEvent::ShortcutOverride && is_choice(*event)) {
+        event->accept();  // or the space bar would run and stop
+        return true;
+    }
+    if (event->type() == QEvent::MouseButtonRelease ||
+        (event->type() == QEvent::KeyPress && is_choice(*event))) {
         emit group_clicked(static_cast<ParameterGroup>(watched->property("group").toInt()));
         return true;
     }

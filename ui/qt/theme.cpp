@@ -83,6 +83,13 @@ bool system_is_dark(const QPalette& palette) {
            palette.color(QPalette::Window).lightness();
 }
 
+/// Of what is disabled.
+QColor faint_of(const Colours& c) {
+    QColor faint = c.muted;
+    faint.setAlpha(130);
+    return faint;
+}
+
 QPalette palette_of(const Colours& c) {
     QPalette palette;
     palette.setColor(QPalette::Window, c.window);
@@ -99,11 +106,8 @@ QPalette palette_of(const Colours& c) {
     palette.setColor(QPalette::HighlightedText, c.on_accent);
     palette.setColor(QPalette::Link, c.accent);
     palette.setColor(QPalette::BrightText, c.danger);
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-        QColor faint = c.muted;
-        faint.setAlpha(130);
-        palette.setColor(QPalette::Disabled, role, faint);
-    }
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, faint_of(c));
     return palette;
 }
 
@@ -112,28 +116,35 @@ QString style_sheet(const Colours& c) {
 QMainWindow::separator { background: %window; width: 6px; height: 6px; }
 QToolTip { background: %card; color: %text; border: 1px solid %border; padding: 4px; }
 QFrame[role="card"] { background: %card; border: 1px solid %border; border-radius: 8px; }
+QFrame[role="card"]:focus { border-color: %accent; }
 QLabel[role="title"] { font-weight: 600; }
 QLabel[role="muted"] { color: %muted; }
 QLabel[role="error"] { color: %danger; }
 QLabel[role="good"] { color: %good; }
 QLabel[role="changed"] { color: %accent; font-weight: 600; }
+QLabel:disabled, QLabel[role="muted"]:disabled, QLabel[role="changed"]:disabled { color: %faint; }
 QToolButton[role="run"], QPushButton, QDialogButtonBox QPushButton {
   background: %card; border: 1px solid %border; border-radius: 6px; padding: 6px 10px; }
 QToolButton[role="run"]:hover, QPushButton:hover { border-color: %accent; }
 QToolButton[role="run"]:pressed, QPushButton:pressed { background: %border; }
-QToolButton[role="run"]:focus, QPushButton:focus { border: 1px solid %accent; }
+QToolButton[role="run"]:focus, QPushButton:focus {
+  border: 2px solid %accent; padding: 5px 9px; }
 QToolButton[role="run"]:disabled, QPushButton:disabled { color: %muted; background: %window; }
 QToolButton[primary="true"]:enabled, QPushButton:default:enabled {
   background: %accent; color: %onaccent; border-color: %accent; }
+QToolButton[primary="true"]:enabled:focus, QPushButton:default:enabled:focus {
+  border: 2px solid %text; padding: 5px 9px; }
 QToolButton[role="view"] { border: 1px solid transparent; border-radius: 5px; padding: 3px 6px; }
 QToolButton[role="view"]:hover { border-color: %border; background: %window; }
 QToolButton[role="view"]:checked { background: %window; border-color: %border; color: %accent; }
+QToolButton[role="view"]:focus { border-color: %accent; }
 QProgressBar { border: none; background: %border; border-radius: 3px; max-height: 6px; }
 QProgressBar::chunk { background: %accent; border-radius: 3px; }
 QSplitter::handle { background: transparent; }
 QStatusBar { background: %window; }
 QStatusBar::item { border: none; }
-QLineEdit[state="wrong"], QComboBox[state="wrong"] { border: 1px solid %danger; border-radius: 3px; }
+QLineEdit[state="wrong"]:enabled, QComboBox[state="wrong"]:enabled {
+  border: 1px solid %danger; border-radius: 3px; }
 QDockWidget::title { padding: 6px 8px; text-align: left; font-weight: 600; }
 )");
     sheet.replace("%window", c.window.name());
@@ -141,6 +152,12 @@ QDockWidget::title { padding: 6px 8px; text-align: left; font-weight: 600; }
     sheet.replace("%border", c.border.name());
     sheet.replace("%text", c.text.name());
     sheet.replace("%muted", c.muted.name());
+    const QColor faint = faint_of(c);
+    sheet.replace("%faint", QString("rgba(%1, %2, %3, %4)")
+                                .arg(faint.red())
+                                .arg(faint.green())
+                                .arg(faint.blue())
+                                .arg(faint.alpha()));
     sheet.replace("%accent", c.accent.name());
     sheet.replace("%onaccent", c.on_accent.name());
     sheet.replace("%danger", c.danger.name());
