@@ -3,7 +3,9 @@
 #include <QLabel>
 #include <QProcess>
 #include <QPushButton>
+#include <QToolButton>
 
+#include "configuration_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "plots.hpp"
 #include "tests.hpp"
@@ -117,6 +119,33 @@ void RunTest::the_space_bar_runs_and_stops() {
     QTRY_COMPARE(f.steps(), there + 1);
 }
 
+void RunTest::the_space_bar_presses_what_has_the_focus() {
+    Fixture f;
+    f.window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
+    auto* step = f.window->findChild<QToolButton*>("button_step");
+    QTRY_VERIFY(step->isEnabled());
+    step->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(step, Qt::Key_Space);
+    QTRY_VERIFY(f.state() == State::paused && f.shows_everything());
+    QCOMPARE(f.steps(), 1U);
+    for (const auto key : {Qt::Key_Space, Qt::Key_Return}) {
+        QWidget* card = nullptr;
+        for (auto* frame : f.window->findChildren<QFrame*>()) {
+            const auto group = frame->property("group");
+            if (group.isValid() && group.toInt() == static_cast<int>(ParameterGroup::motion)) {
+                card = frame;
+            }
+        }
+        QVERIFY(card != nullptr);
+        card->setFocus();
+        in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) { dialog.reject(); });
+        QTest::keyClick(card, key);
+        expect_no_awaited_dialog();
+    }
+    QCOMPARE(f.steps(), 1U);
+}
+
 void RunTest::closing_while_running_ends_it() {
     Fixture f(true, 300);
     f.trigger("action_run");
@@ -154,6 +183,20 @@ void RunTest::errors_against_the_reference_are_measured() {
     f.session.set_references(references);
     f.run_steps(100);
     QTRY_VERIFY(f.window->plots().points(4) > 0);
+}
+
+void RunTest::errors_against_another_reference_begin_anew() {
+    Fixture f;
+    References references;
+    references.map = read_map(Fixture::source_file("data/maps/bigloop.map").toStdString());
+    f.session.set_references(references);
+    f.run_steps(50);
+    QTRY_VERIFY(f.window->plots().points(4) > 0);
+    f.session.set_references(references);
+    QCOMPARE(f.window->plots().points(4), 0);
+    QTRY_COMPARE(f.window->plots().points(4), 1);  // the moment that is shown, measured again
+    f.session.set_references({});
+    QCOMPARE(f.window->plots().points(4), 0);
 }
 
 void RunTest::the_odometry_map_grows_and_can_be_stopped() {

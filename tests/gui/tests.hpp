@@ -47,6 +47,7 @@ class ConfigurationTest : public QObject {
     void a_default_that_cannot_be_written_is_told();
     void references_are_loaded();
     void references_go_with_their_log();
+    void a_mistake_that_becomes_unused_is_forgotten();
     void a_form_that_could_not_be_applied_keeps_its_values();
     void a_bad_default_is_told_in_the_window();
     void a_default_whose_log_is_lost_is_told_in_the_window();
@@ -64,10 +65,12 @@ class RunTest : public QObject {
     void after_the_end_it_restarts();
     void it_restarts_while_running();
     void the_space_bar_runs_and_stops();
+    void the_space_bar_presses_what_has_the_focus();
     void closing_while_running_ends_it();
     void a_run_that_fails_is_told();
     void the_plots_have_every_step();
     void errors_against_the_reference_are_measured();
+    void errors_against_another_reference_begin_anew();
     void the_odometry_map_grows_and_can_be_stopped();
     void the_odometry_map_can_be_closed_while_it_grows();
     void the_odometry_map_of_a_lost_log_says_so();
@@ -97,6 +100,10 @@ class ViewTest : public QObject {
     void the_view_follows_the_robot();
     void a_click_highlights_in_both_views();
     void layers_are_remembered();
+    void the_landmark_below_the_cursor_stays_named();
+    void what_is_not_shown_cannot_be_clicked();
+    void a_double_click_clicks_once();
+    void what_is_lost_is_not_replaced_by_return_alone();
     void the_grid_view_shows_the_grid_map();
 };
 

@@ -4,6 +4,8 @@
 #include <QImage>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QWheelEvent>
@@ -22,6 +24,14 @@ void accept_picture(bool whole) {
         dialog.findChild<QRadioButton*>(whole ? "whole" : "seen")->setChecked(true);
         dialog.accept();
     });
+}
+
+/// A pixel of the scan view on the first line of the map.
+QPoint pixel_of_line(const Fixture& f) {
+    const LineExtent& extent = f.session.snapshot()->line_extents.front();
+    const ScanView& view = f.window->scan_view();
+    const QPointF middle((extent.a.x + extent.b.x) / 2.0, (extent.a.y + extent.b.y) / 2.0);
+    return view.camera().to_screen(view.size()).map(middle).toPoint();
 }
 
 void wheel(QWidget& widget, const QPointF& at, int delta) {
@@ -208,10 +218,8 @@ void ViewTest::a_click_highlights_in_both_views() {
     f.run_steps(60);
     const auto snapshot = f.session.snapshot();
     QVERIFY(!snapshot->line_extents.empty());
-    const LineExtent& extent = snapshot->line_extents.front();
     ScanView& view = f.window->scan_view();
-    const QPointF middle((extent.a.x + extent.b.x) / 2.0, (extent.a.y + extent.b.y) / 2.0);
-    const QPoint pixel = view.camera().to_screen(view.size()).map(middle).toPoint();
+    const QPoint pixel = pixel_of_line(f);
     const QImage scan_before = view.grab().toImage();
     const QImage grid_before = f.window->grid_view().grab().toImage();
     QTest::mouseMove(&view, pixel);
@@ -231,6 +239,64 @@ void ViewTest::layers_are_remembered() {
     MainWindow next(f.session, f.files, f.prompts);
     QVERIFY(!next.findChild<QAction*>("layer_landmarks")->isChecked());
     QVERIFY(next.findChild<QAction*>("layer_scan")->isChecked());
+}
+
+void ViewTest::the_landmark_below_the_cursor_stays_named() {
+    Fixture f;
+    f.trigger("action_world_frame");
+    f.run_steps(60);
+    ScanView& view = f.window->scan_view();
+    const QImage bare = view.grab().toImage();
+    QTest::mouseMove(&view, pixel_of_line(f));
+    const QImage named = view.grab().toImage();
+    QVERIFY(named != bare);
+    view.set_snapshot(std::make_shared<const Snapshot>(*f.session.snapshot()));
+    QCOMPARE(view.grab().toImage(), named);
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&view, &leave);
+    view.set_snapshot(f.session.snapshot());
+    QCOMPARE(view.grab().toImage(), bare);
+}
+
+void ViewTest::what_is_not_shown_cannot_be_clicked() {
+    Fixture f;
+    f.trigger("action_world_frame");
+    f.run_steps(60);
+    QList<bool> found;
+    QObject::connect(
+        &f.window->scan_view(), &ScanView::landmark_clicked, f.window.get(),
+        [&found](const PickedLandmark& picked) { found << picked.landmark.has_value(); });
+    QTest::mouseClick(&f.window->scan_view(), Qt::LeftButton, {}, pixel_of_line(f));
+    f.trigger("layer_landmarks");
+    QTest::mouseClick(&f.window->scan_view(), Qt::LeftButton, {}, pixel_of_line(f));
+    QCOMPARE(found, (QList<bool>{true, false}));
+}
+
+void ViewTest::a_double_click_clicks_once() {
+    Fixture f;
+    f.run_steps(20);
+    GridView& view = f.window->grid_view();
+    int clicks = 0;
+    QObject::connect(&view, &GridView::landmark_clicked, f.window.get(), [&clicks] { ++clicks; });
+    wheel(view, {60.0, 60.0}, 240);
+    const QPoint pixel(60, 60);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, pixel);
+    for (const auto kind : {QEvent::MouseButtonDblClick, QEvent::MouseButtonRelease}) {
+        QMouseEvent event(kind, pixel, view.mapToGlobal(pixel), Qt::LeftButton, Qt::LeftButton, {});
+        QApplication::sendEvent(&view, &event);
+    }
+    QCOMPARE(clicks, 1);
+    QVERIFY(view.fits());
+}
+
+void ViewTest::what_is_lost_is_not_replaced_by_return_alone() {
+    QtPrompts prompts;
+    in_dialog<QMessageBox>([](QMessageBox& box) {
+        QCOMPARE(box.defaultButton(), box.button(QMessageBox::Cancel));
+        QTest::keyClick(&box, Qt::Key_Return);
+    });
+    QVERIFY(!may_overwrite(prompts, nullptr, "there.png"));
+    expect_no_awaited_dialog();
 }
 
 void ViewTest::the_grid_view_shows_the_grid_map() {

@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "canvas_paint.hpp"
 #include "hitos/capture/error.hpp"
@@ -108,7 +109,14 @@ void CanvasView::content_changed(std::optional<QPointF> robot) {
     robot_ = robot;
     if (follow_ && robot_) camera_.centre = *robot_;
     apply_fit();
+    hover_again();
     update();
+}
+
+void CanvasView::hover_again() {
+    if (!cursor_ || dragged_) return;
+    hover(camera_.to_screen(size()).inverted().map(*cursor_));
+    emit hovered_at(world_at(*cursor_));
 }
 
 QSize CanvasView::picture_size(bool whole, double scale) const {
@@ -179,6 +187,7 @@ void CanvasView::moved_by_user() {
         fit_ = false;
         emit fit_changed(false);
     }
+    hover_again();
     update();
 }
 
@@ -207,11 +216,13 @@ void CanvasView::wheelEvent(QWheelEvent* event) {
 void CanvasView::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     press_ = last_ = event->position();
+    pressed_ = true;
     dragged_ = false;
 }
 
 void CanvasView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF pixel = event->position();
+    cursor_ = pixel;
     if (event->buttons() & Qt::LeftButton) {
         if (!dragged_ && (pixel - press_).manhattanLength() > kClickPixels) {
             dragged_ = true;
@@ -228,15 +239,21 @@ void CanvasView::mouseMoveEvent(QMouseEvent* event) {
 void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     setCursor(Qt::CrossCursor);
-    if (!dragged_) click(camera_.to_screen(size()).inverted().map(event->position()));
+    // The second release of a double click belongs to no press.
+    if (std::exchange(pressed_, false) && !dragged_) {
+        click(camera_.to_screen(size()).inverted().map(event->position()));
+    }
     dragged_ = false;
 }
 
 void CanvasView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) fit();
+    if (event->button() != Qt::LeftButton) return;
+    press_ = last_ = event->position();
+    fit();
 }
 
 void CanvasView::leaveEvent(QEvent* event) {
+    cursor_.reset();
     hover(std::nullopt);
     emit left();
     QWidget::leaveEvent(event);

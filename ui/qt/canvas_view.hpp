@@ -78,6 +78,8 @@ class CanvasView : public QWidget {
 
     /// Content changed: fits, or follows `robot`, and asks for a new picture.
     void content_changed(std::optional<QPointF> robot);
+    /// What is drawn has moved or changed below a cursor that rests.
+    void hover_again();
     void set_turn(double turn_rad);
     double tolerance_m() const { return 8.0 / camera_.pixels_per_m; }
 
@@ -103,8 +105,10 @@ class CanvasView : public QWidget {
     Camera camera_;
     bool fit_ = true;
     bool follow_ = false;
+    bool pressed_ = false;
     bool dragged_ = false;
     QPointF press_;
+    std::optional<QPointF> cursor_;  ///< [pixels], nothing where it is elsewhere
     QPointF last_;
     std::optional<QPointF> robot_;
 };

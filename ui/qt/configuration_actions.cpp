@@ -194,10 +194,10 @@ void ConfigurationActions::configure_group(ParameterGroup group) {
 
 void ConfigurationActions::set_default() {
     const QString path = files_.init_path();
-    if (!prompts_.confirm(
-            window_,
-            {tr("Set as default"), tr("Start with this configuration from now on?"),
-             tr("%1 is overwritten.").arg(QDir::toNativeSeparators(path)), tr("Set as default")})) {
+    if (!prompts_.confirm(window_,
+                          {tr("Set as default"), tr("Start with this configuration from now on?"),
+                           tr("%1 is overwritten.").arg(QDir::toNativeSeparators(path)),
+                           tr("Set as default"), files_.has_init()})) {
         return;
     }
     try {

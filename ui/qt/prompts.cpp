@@ -60,7 +60,8 @@ bool QtPrompts::confirm(QWidget* parent, const Question& question) {
                     parent);
     box.setInformativeText(question.details);
     QPushButton* accept = box.addButton(question.accept, QMessageBox::AcceptRole);
-    box.setDefaultButton(accept);
+    box.setDefaultButton(
+        question.loses ? qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)) : accept);
     box.exec();
     return box.clickedButton() == accept;
 }
@@ -75,7 +76,7 @@ bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path) {
         {translated(QT_TRANSLATE_NOOP("Prompts", "The file exists")),
          translated(QT_TRANSLATE_NOOP("Prompts", "Replace %1?")).arg(QFileInfo(path).fileName()),
          translated(QT_TRANSLATE_NOOP("Prompts", "What it holds now will be lost.")),
-         translated(QT_TRANSLATE_NOOP("Prompts", "Replace"))});
+         translated(QT_TRANSLATE_NOOP("Prompts", "Replace")), true});
 }
 
 void tell_not_written(Prompts& prompts, QWidget* parent, const QString& reason) {

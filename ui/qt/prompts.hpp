@@ -20,8 +20,9 @@ class Prompts {
     struct Question {
         QString title;
         QString text;
-        QString details;  ///< shown below, smaller
-        QString accept;   ///< the button's words
+        QString details;     ///< shown below, smaller
+        QString accept;      ///< the button's words
+        bool loses = false;  ///< something cannot be had back: Return alone does not accept
     };
 
     virtual ~Prompts() = default;

@@ -51,6 +51,7 @@ void ScanView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
 
 void ScanView::set_layers(const LayerSet& layers) {
     layers_ = layers;
+    hover_again();
     update();
 }
 
@@ -256,7 +257,9 @@ void ScanView::hover(std::optional<QPointF> point) {
 
 void ScanView::click(const QPointF& point) {
     if (!snapshot_) return;
-    const int found = landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m());
+    const int found = layers_.has(Layer::landmarks)
+                          ? landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m())
+                          : -1;
     PickedLandmark picked;
     if (found >= 0) picked.landmark = snapshot_->best_map[static_cast<std::size_t>(found)];
     emit landmark_clicked(picked);
