@@ -41,6 +41,12 @@ TEST(ConversorNormalizado, MaxRangeOptionCutsPoints) {
     EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 1));
 }
 
+TEST(ConversorNormalizado, ReadingsThatNoSensorMakesAreNoPoints) {
+    const Log log = normalized("LASER 1 4 1 0 1e250 0 -1e13 2 2 0\n");
+    EXPECT_THAT(log.scans.at(0).points, ElementsAre(Point2{1, 0}, Point2{2, 0}));
+    EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 1));
+}
+
 TEST(ConversorNormalizado, DamagedLines) {
     const Log log = normalized(
         "LASER 1 1 1 1\n"

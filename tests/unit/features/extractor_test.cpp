@@ -157,6 +157,20 @@ TEST(Extractor, DetectsWhatIsAskedFor) {
     EXPECT_EQ(extract(params, scan).corners.size(), 1U);
 }
 
+TEST(Extractor, AWallOnWhichTheScansSeamLiesIsFittedToItsOuterEnds) {
+    // A laser all round: the wall behind is the scan's first piece and its last.
+    const Scan scan =
+        scan_of({wall({-2.0, 0.0}, {-2.0, -3.0}, 30), wall({0.0, -3.0}, {2.0, -3.0}, 30),
+                 wall({-2.0, 3.0}, {-2.001, 0.1}, 30)});
+    ExtractionParams params;
+    params.covariance = ObservationCovariance::points;
+    const Observation seen = extract(params, scan);
+    ASSERT_EQ(seen.lines.size(), 2U);
+    EXPECT_EQ(seen.lines[0].count, 60U);
+    expect_line(seen.lines[0], {2.0, kPi}, 1e-3, 1e-3);
+    EXPECT_LT(std::sqrt(seen.line_covariances[0](1, 1)), 0.01);
+}
+
 TEST(Extractor, EmptyAndTinyScansAreNoTrouble) {
     EXPECT_TRUE(extract({}, Scan{}).empty());
     EXPECT_TRUE(extract({}, scan_of({{{1.0, 1.0}}})).empty());

@@ -91,11 +91,13 @@ TEST(Distances, SaysWhereALineIsMissing) {
         return row.missing;
     };
     EXPECT_THAT(missing({}), HasSubstr("either point"));
-    EXPECT_THAT(missing({{0.0, kPi / 2.0}}), HasSubstr("no line across it within 0.5 m of its second point"));
+    EXPECT_THAT(missing({{0.0, kPi / 2.0}}),
+                HasSubstr("no line across it within 0.5 m of its second point"));
     EXPECT_THAT(missing({{1.0, kPi / 2.0}, {1.6, kPi / 2.0}}), HasSubstr("its first point"));
     EXPECT_THAT(missing({{0.5, kPi / 2.0}}), HasSubstr("one line is nearest to both"));
     const auto rows = measure_distances(map_of({{0.0, kPi / 2.0}}), std::vector{d});
-    EXPECT_THAT(distance_table(rows), HasSubstr("no line across it within 0.5 m of its second point"));
+    EXPECT_THAT(distance_table(rows),
+                HasSubstr("no line across it within 0.5 m of its second point"));
     EXPECT_EQ(distances_csv(rows),
               "name,true_m,slam_m,error_m,error_percent,line_a,line_b\nd,1.000000,,,,1,\n");
 }

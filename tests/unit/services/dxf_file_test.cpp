@@ -214,6 +214,24 @@ TEST(DxfFile, RefusesWhatCannotBeDrawnAndLeavesTheOldFile) {
                  FileError);
 }
 
+TEST(DxfFile, RefusesCoordinatesThatNoDrawingHolds) {
+    const auto text_of = [](const Example& example) {
+        return dxf_text(example.map, example.segments, example.path);
+    };
+    Example example;
+    example.segments[0].a.y = -1e250;
+    EXPECT_THAT(message_of<Error>([&] { text_of(example); }),
+                HasSubstr("an end of segment 0 is at"));
+    // A region that is out of bounds is left out, the landmark is not.
+    example = {};
+    example.map[0].covariance = covariance(1e300, 0.0, 1e300);
+    example.map[2].covariance = covariance(1e300, 0.0, 1e300);
+    const Found found(text_of(example));
+    EXPECT_TRUE(found.ellipses.empty());
+    EXPECT_EQ(found.lines.size(), Example().segments.size());
+    EXPECT_LT(found.points.at("$EXTMAX").x, 1e3);
+}
+
 TEST(DxfFile, IsTheSameForTheSameMap) {
     const Example example;
     EXPECT_EQ(dxf_text(example.map, example.segments, example.path),

@@ -214,6 +214,25 @@ TEST(LineExtents, OfShortPiecesGoByTheWholeLinesDirection) {
     EXPECT_EQ(found[0].landmark, 1);
 }
 
+TEST(LineExtents, KeepAWallOnWhichTheScansSeamLies) {
+    // A laser all round begins and ends its scan on the wall behind it: the first point of the line
+    // and its last are neighbours, and the way between them is across the wall.
+    std::vector<Point2> points = row({-2.0, 0.0}, {-2.0, -3.0});
+    const std::vector<Point2> before = row({-2.0, 3.0}, {-2.0, 0.05});
+    points.insert(points.end(), before.begin(), before.end());
+    points.back() = {-2.02, 0.0};
+    ToldFilter filter;
+    filter.told = {of_line(Association::Outcome::matched)};
+    Observation observation;
+    observation.lines = {{{2.0, kPi}, 0, static_cast<std::uint32_t>(points.size())}};
+    observation.support = std::move(points);
+    LineExtents extents;
+    extents.note(filter, observation);
+    const auto found = extents.of(map_of({{2.0, kPi}}), {{0.0, Pose{}}});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(std::abs(found[0].a.y - found[0].b.y), 6.0, 0.1);
+}
+
 TEST(LineExtents, PassOverPosesThatAreNoNumbers) {
     Noted noted;
     noted.scan({}, row({0.0, 2.0}, {3.0, 2.0}));

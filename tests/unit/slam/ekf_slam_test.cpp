@@ -356,6 +356,21 @@ TEST(EkfSlam, AnAmbiguousObservationChangesNoLandmark) {
     }
 }
 
+TEST(EkfSlam, VariancesNextToNothingBreakNothing) {
+    // Far below what doubles can tell apart beside the pose's variance.
+    FilterParams params = ekf_params();
+    params.observation = {1e-12, 1e-12};
+    params.motion = {MotionModel::odometry, 1.0, 1.0, 0.5};
+    const Tour tour = make_tour(400, 0.1);
+    EkfSlam filter(params);
+    for (std::size_t k = 0; k < tour.controls.size(); ++k) {
+        filter.step(tour.controls[k], tour.observations[k]);
+    }
+    EXPECT_TRUE(std::isfinite(filter.best_pose().x));
+    EXPECT_TRUE(filter.covariance().allFinite());
+    EXPECT_LT(filter.best_lines() + filter.best_corners(), 2500);  // what was seen: 1,800 or so
+}
+
 TEST(EkfSlam, AssociationsPointIntoTheMap) {
     EkfSlam filter(ekf_params());
     Observation seen;
