@@ -144,6 +144,10 @@ void RunTest::the_space_bar_presses_what_has_the_focus() {
         expect_no_awaited_dialog();
     }
     QCOMPARE(f.steps(), 1U);
+    f.session.set_configuration(Fixture::tour(7));  // the cards are made anew
+    QVERIFY(f.window->focusWidget() != nullptr);
+    QCOMPARE(f.window->focusWidget()->property("group").toInt(),
+             static_cast<int>(ParameterGroup::motion));
 }
 
 void RunTest::closing_while_running_ends_it() {

@@ -247,7 +247,9 @@ void ViewTest::the_landmark_below_the_cursor_stays_named() {
     f.run_steps(60);
     ScanView& view = f.window->scan_view();
     const QImage bare = view.grab().toImage();
-    QTest::mouseMove(&view, pixel_of_line(f));
+    const QPoint pixel = pixel_of_line(f);
+    QMouseEvent move(QEvent::MouseMove, pixel, view.mapToGlobal(pixel), Qt::NoButton, {}, {});
+    QApplication::sendEvent(&view, &move);
     const QImage named = view.grab().toImage();
     QVERIFY(named != bare);
     view.set_snapshot(std::make_shared<const Snapshot>(*f.session.snapshot()));

@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
+#include <QVariant>
 #include <array>
 #include <vector>
 
@@ -126,9 +127,11 @@ SummaryBar::SummaryBar(QWidget* parent) : QWidget(parent) {
 }
 
 void SummaryBar::set_configuration(const Configuracion& configuration) {
+    QVariant focused;  // the group whose card has the keyboard
     while (QLayoutItem* item = layout()->takeAt(0)) {
         // Not at once: a click on it may be what brought us here.
         QWidget* card = item->widget();
+        if (card->hasFocus() || window()->focusWidget() == card) focused = card->property("group");
         card->setParent(nullptr);
         card->deleteLater();
         delete item;
@@ -155,6 +158,9 @@ void SummaryBar::set_configuration(const Configuracion& configuration) {
         for (const char* key : card.keys) add_row(rows, find_parameter(key), configuration);
         rows->setRowStretch(rows->rowCount(), 1);
         row->addWidget(frame, 1);
+        if (focused != frame->property("group")) continue;
+        frame->show();  // what is hidden cannot take it
+        frame->setFocus();
     }
 }
 
