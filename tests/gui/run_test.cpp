@@ -119,6 +119,27 @@ void RunTest::the_space_bar_runs_and_stops() {
     QTRY_COMPARE(f.steps(), there + 1);
 }
 
+void RunTest::the_keyboard_stays_with_running_and_stopping() {
+    Fixture f(true, 400);
+    f.window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
+    auto* run = f.window->findChild<QToolButton*>("button_run");
+    auto* stop = f.window->findChild<QToolButton*>("button_stop");
+    auto* step = f.window->findChild<QToolButton*>("button_step");
+    QTRY_VERIFY(run->isEnabled());
+    for (auto* first : {run, step}) {
+        first->setFocus(Qt::TabFocusReason);
+        f.window->findChild<QAction*>("action_run")->trigger();
+        QTRY_VERIFY(stop->hasFocus());
+        const quint64 there = f.steps();
+        QTRY_VERIFY(f.steps() > there);
+        QTest::keyClick(stop, Qt::Key_Space);
+        QTRY_COMPARE(f.state(), State::paused);
+        QTRY_VERIFY(first->hasFocus());
+        QTRY_VERIFY(f.shows_everything() && run_enabled(f));
+    }
+}
+
 void RunTest::the_space_bar_presses_what_has_the_focus() {
     Fixture f;
     f.window->activateWindow();

@@ -65,6 +65,7 @@ class RunTest : public QObject {
     void after_the_end_it_restarts();
     void it_restarts_while_running();
     void the_space_bar_runs_and_stops();
+    void the_keyboard_stays_with_running_and_stopping();
     void the_space_bar_presses_what_has_the_focus();
     void closing_while_running_ends_it();
     void a_run_that_fails_is_told();

@@ -1,6 +1,7 @@
 #include "run_controls.hpp"
 
 #include <QAction>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QToolButton>
@@ -30,7 +31,7 @@ RunControls::RunControls(QWidget* parent) : QWidget(parent) {
     column->addLayout(row);
 }
 
-void RunControls::add_button(QAction* action, const char* name, bool primary) {
+QToolButton* RunControls::add_button(QAction* action, const char* name, bool primary) {
     auto* button = new QToolButton(this);
     button->setObjectName(name);
     button->setProperty("role", "run");
@@ -42,6 +43,7 @@ void RunControls::add_button(QAction* action, const char* name, bool primary) {
     button->setFocusPolicy(Qt::TabFocus);
     auto* row = qobject_cast<QHBoxLayout*>(layout()->itemAt(1)->layout());
     row->addWidget(button);
+    return button;
 }
 
 void RunControls::set_up(const RunActions& actions, Session& session) {
@@ -53,9 +55,9 @@ void RunControls::set_up(const RunActions& actions, Session& session) {
     actions.odometry->setIcon(icon(Glyph::odometry));
     actions.save_map->setIcon(icon(Glyph::save_map));
     actions.restart->setIcon(icon(Glyph::restart));
-    add_button(actions.run, "button_run", true);
-    add_button(actions.stop, "button_stop");
-    add_button(actions.step, "button_step");
+    run_ = add_button(actions.run, "button_run", true);
+    stop_ = add_button(actions.stop, "button_stop");
+    step_ = add_button(actions.step, "button_step");
     auto* row = qobject_cast<QHBoxLayout*>(layout()->itemAt(1)->layout());
     row->addStretch(1);
     add_button(actions.best_map, "button_best_map");
@@ -76,11 +78,27 @@ void RunControls::set_up(const RunActions& actions, Session& session) {
     refresh();
 }
 
+void RunControls::pass_focus(bool running, bool can_run) {
+    if (running == actions_.stop->isEnabled()) return;
+    QWidget* focused = QApplication::focusWidget();
+    if (running && (focused == run_ || focused == step_)) {
+        before_stop_ = focused;
+        actions_.stop->setEnabled(true);
+        stop_->setFocus();
+    } else if (!running && focused == stop_ && can_run) {
+        actions_.run->setEnabled(true);
+        actions_.step->setEnabled(true);
+        QWidget* back = before_stop_ == nullptr ? run_ : before_stop_;
+        back->setFocus();
+    }
+}
+
 void RunControls::show_progress(const Progress& progress, bool has_source) {
     using State = Progress::State;
     const bool over = progress.state == State::finished || progress.state == State::failed;
     const bool running = progress.state == State::running;
     const bool begun = progress.steps > 0;
+    pass_focus(running, has_source && !over);
     actions_.run->setEnabled(has_source && !over && !running);
     actions_.step->setEnabled(has_source && !over && !running);
     actions_.stop->setEnabled(running);

@@ -37,9 +37,16 @@ class RunControls final : public QWidget {
     void set_total(std::optional<quint64> scans) { total_ = scans; }
 
   private:
-    void add_button(QAction* action, const char* name, bool primary = false);
+    QToolButton* add_button(QAction* action, const char* name, bool primary = false);
+    /// A button that goes inactive would give the keyboard to whatever is next: from running or
+    /// stepping it goes to the stop button, and back.
+    void pass_focus(bool running, bool can_run);
 
     RunActions actions_;
+    QToolButton* run_ = nullptr;
+    QToolButton* stop_ = nullptr;
+    QToolButton* step_ = nullptr;
+    QWidget* before_stop_ = nullptr;  // what had the keyboard
     QProgressBar* progress_ = nullptr;
     std::optional<quint64> total_;
 };

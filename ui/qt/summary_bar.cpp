@@ -143,7 +143,7 @@ void SummaryBar::set_configuration(const Configuracion& configuration) {
         frame->setProperty("group", static_cast<int>(card.group));
         frame->setCursor(Qt::PointingHandCursor);
         frame->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-        frame->setFocusPolicy(Qt::StrongFocus);
+        frame->setFocusPolicy(Qt::TabFocus);  // after a click the space bar runs and stops
         frame->setAccessibleName(title_of(card.group));
         frame->installEventFilter(this);
         auto* rows = new QGridLayout(frame);
