@@ -98,7 +98,7 @@ TEST_F(MapFiles, EvaluateMeasuresDistancesInAFinishedMap) {
                                " --distances " + distances_);
     EXPECT_EQ(both.status, 0);
     EXPECT_THAT(both.output, HasSubstr("map_error_m 0.000000"));
-    EXPECT_THAT(both.output, HasSubstr("no line within"));
+    EXPECT_THAT(both.output, HasSubstr("no line across it within"));
 }
 
 TEST_F(MapFiles, MistakesAreNamedBeforeTheRun) {
