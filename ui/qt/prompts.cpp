@@ -16,7 +16,7 @@ QString translated(const char* text) {
 
 /// "txt", "map" of "Maps (*.txt *.map)".
 QStringList endings_of(const QString& filter) {
-    static const QRegularExpression pattern("\\*\\.(\\w+)");
+    static const QRegularExpression pattern(R"(\*\.(\w+))");
     QStringList endings;
     for (auto match = pattern.globalMatch(filter); match.hasNext();) {
         endings.push_back(match.next().captured(1));
