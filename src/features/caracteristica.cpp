@@ -31,7 +31,7 @@ Point2 foot(const Recta& recta) {
 }
 
 double signed_distance(const Recta& recta, const Point2& point) {
-    return point.x * std::cos(recta.theta) + point.y * std::sin(recta.theta) - recta.rho;
+    return PreparedRecta(recta).signed_distance(point);
 }
 
 Recta transform(const Pose& pose_a_b, const Recta& recta_b) {

@@ -20,15 +20,14 @@ bool collinear(const Recta& recta, const LinePiece& last_piece, const LinePiece&
 
 }  // namespace
 
-Recta fit_line(std::span<const Point2> points, LineFit fit) {
-    return fit == LineFit::endpoints ? line_through(points.front(), points.back())
-                                     : fit_least_squares(points);
+Recta fit_line(std::span<const Point2> points, const std::array<Point2, 2>& ends, LineFit fit) {
+    return fit == LineFit::endpoints ? line_through(ends[0], ends[1]) : fit_least_squares(points);
 }
 
 std::array<Point2, 2> ends_of(std::span<const Point2> points, const Recta& line) {
-    const double c = std::cos(line.theta);
-    const double s = std::sin(line.theta);
-    const auto along = [&](const Point2& p) { return p.y * c - p.x * s; };
+    const auto along = [prepared = PreparedRecta(line)](const Point2& p) {
+        return prepared.along(p);
+    };
     const auto [least, greatest] =
         std::minmax_element(points.begin(), points.end(),
                             [&](const Point2& a, const Point2& b) { return along(a) < along(b); });
@@ -57,12 +56,7 @@ void merge_collinear(std::span<LinePiece> pieces, const CollinearParams& params,
             pieces[j].merged = true;
             append(pieces[j]);
             const std::span<const Point2> support(&out.support[line.first], line.count);
-            if (fit == LineFit::endpoints) {
-                const auto [a, b] = ends_of(support, line.recta);
-                line.recta = line_through(a, b);
-            } else {
-                line.recta = fit_least_squares(support);
-            }
+            line.recta = fit_line(support, ends_of(support, line.recta), fit);
             newest = j;
         }
         out.lines.push_back(line);

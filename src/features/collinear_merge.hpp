@@ -20,8 +20,8 @@ struct LinePiece {
 /// seam lies on the wall and makes those two neighbours, the outermost along the line.
 std::array<Point2, 2> ends_of(std::span<const Point2> points, const Recta& line);
 
-/// The line through the points as `fit` says; two points or more.
-Recta fit_line(std::span<const Point2> points, LineFit fit);
+/// The line through the points, or through their ends, as `fit` says.
+Recta fit_line(std::span<const Point2> points, const std::array<Point2, 2>& ends, LineFit fit);
 
 /// Appends the lines that the pieces make to `out`: each piece takes up the later ones that are
 /// collinear with it as it grows. The pieces' points lie outside `out`.

@@ -1,7 +1,6 @@
 #include "hitos/features/extractor.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -97,9 +96,9 @@ void LineFinder::find(const Scan& scan, Observation& out) {
                              {scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y}};
     for (const DetectedLine& line : out.lines) {
         const std::span<const Point2> support = out.support_of(line);
-        const std::array ends = ends_of(support, line.recta);
-        const std::span<const Point2> fitted = through_ends_ ? std::span(ends) : support;
-        out.line_covariances.push_back(line_covariance(line.recta, fitted, errors));
+        out.line_covariances.push_back(
+            through_ends_ ? line_covariance(line.recta, ends_of(support, line.recta), errors)
+                          : line_covariance(line.recta, support, errors));
     }
 }
 

@@ -37,12 +37,10 @@ Eigen::Matrix2d line_covariance(const Recta& recta, std::span<const Point2> poin
     // between ray and normal. Along the wall errors of the bearing, which the model leaves out,
     // take over; a tenth of sigma keeps the covariance from vanishing there.
     constexpr double kLeastCosine2 = 0.01;
-    const double c = std::cos(recta.theta);
-    const double s = std::sin(recta.theta);
+    const PreparedRecta line(recta);
     const auto n = static_cast<double>(points.size());
-    const auto along = [&](const Point2& p) { return p.y * c - p.x * s; };
     double mean = 0.0;
-    for (const Point2& p : points) mean += along(p);
+    for (const Point2& p : points) mean += line.along(p);
     mean /= n;
     double spread = 0.0;    // sum of (t - mean)^2
     double variance = 0.0;  // sums of the variances across the line, times 1, t - mean and its
@@ -50,11 +48,11 @@ Eigen::Matrix2d line_covariance(const Recta& recta, std::span<const Point2> poin
     double lever2 = 0.0;
     double residual2 = 0.0;
     for (const Point2& p : points) {
-        const double t = along(p) - mean;
+        const double t = line.along(p) - mean;
         const Point2 ray{p.x - errors.laser.x, p.y - errors.laser.y};
-        const double depth = ray.x * c + ray.y * s;
+        const double depth = ray.x * line.c + ray.y * line.s;
         const double range2 = ray.x * ray.x + ray.y * ray.y;
-        const double away = p.x * c + p.y * s - recta.rho;
+        const double away = line.signed_distance(p);
         const double across =
             errors.range_sigma_m * errors.range_sigma_m *
             (range2 > 0.0 ? std::max(depth * depth / range2, kLeastCosine2) : 1.0);
@@ -82,8 +80,7 @@ Eigen::Matrix2d intersection_covariance(const Recta& a, const Eigen::Matrix2d& c
                                         const Point2& meeting) {
     // n . p = rho moves by n . dp = d rho - (u . p) d theta, with u the direction of the line.
     const auto variance = [&](const Recta& line, const Eigen::Matrix2d& covariance) {
-        const double along = meeting.y * std::cos(line.theta) - meeting.x * std::sin(line.theta);
-        const Eigen::Vector2d g(1.0, -along);
+        const Eigen::Vector2d g(1.0, -PreparedRecta(line).along(meeting));
         return g.dot(covariance * g);
     };
     Eigen::Matrix2d normals;

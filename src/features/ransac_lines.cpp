@@ -31,19 +31,16 @@ double draws_needed(double part) {
 
 void RansacLines::extract_lines(const Scan& scan, Observation& out) {
     RandomStream random(seed_, RandomPurpose::line_sampling, scans_++, 0);
-    const auto total = static_cast<std::uint32_t>(scan.points.size());
     pieces_.clear();
     points_.clear();
-    points_.reserve(2 * std::size_t{total});  // pieces point into it: it must not move
+    points_.reserve(2 * scan.points.size());  // pieces point into it: it must not move
     ranges_.clear();
     const Pose& laser = scan.fan.pose_robot_laser;
     for (const Point2& p : scan.points) {
         ranges_.push_back(std::hypot(p.x - laser.x, p.y - laser.y));
     }
     for (std::size_t run = 0; run < scan.run_starts.size(); ++run) {
-        const std::uint32_t end =
-            run + 1 < scan.run_starts.size() ? scan.run_starts[run + 1] : total;
-        follow_edges(scan, scan.run_starts[run], end, random);
+        follow_edges(scan, scan.run_starts[run], scan.run_end(run), random);
     }
     merge_collinear(pieces_, lines_params_.collinear, LineFit::least_squares, out);
 }
@@ -84,8 +81,9 @@ void RansacLines::search(std::span<const Point2> run, RandomStream& random) {
         if (!refined) line = hypothesis;
         // Take the consensus away, whether it is a line or not: the search must come to an end.
         std::size_t kept = 0;
+        const PreparedRecta taken(line);
         for (std::size_t i = 0; i < candidates_.size(); ++i) {
-            if (near(line, {candidates_.x[i], candidates_.y[i]})) continue;
+            if (near(taken, {candidates_.x[i], candidates_.y[i]})) continue;
             candidates_.x[kept] = candidates_.x[i];
             candidates_.y[kept++] = candidates_.y[i];
         }
@@ -127,9 +125,10 @@ bool RansacLines::refine(Recta& line) {
     std::size_t before = 0;
     for (int i = 0; i < kRefits; ++i) {
         consensus_.clear();
+        const PreparedRecta prepared(line);
         for (std::size_t k = 0; k < candidates_.size(); ++k) {
             const Point2 point{candidates_.x[k], candidates_.y[k]};
-            if (near(line, point)) consensus_.push_back(point);
+            if (near(prepared, point)) consensus_.push_back(point);
         }
         if (consensus_.size() < static_cast<std::size_t>(lines_params_.min_points)) return false;
         if (consensus_.size() == before) break;
@@ -141,11 +140,12 @@ bool RansacLines::refine(Recta& line) {
 
 void RansacLines::keep_pieces(std::span<const Point2> run) {
     // The first line found has taken the ends of those that meet it; give them back.
+    prepared_.assign(found_.begin(), found_.end());
     nearest_.assign(run.size(), kNoLine);
     for (std::size_t i = 0; i < run.size(); ++i) {
         double least = params_.threshold_m;
-        for (std::size_t line = 0; line < found_.size(); ++line) {
-            const double away = std::abs(signed_distance(found_[line], run[i]));
+        for (std::size_t line = 0; line < prepared_.size(); ++line) {
+            const double away = std::abs(prepared_[line].signed_distance(run[i]));
             if (away >= least) continue;
             least = away;
             nearest_[i] = line;
@@ -187,8 +187,8 @@ void RansacLines::share_corners(std::span<const Point2> run) {
         const std::size_t a = nearest_[i];
         const std::size_t b = nearest_[i + 1];
         if (a == b || a == kNoLine || b == kNoLine) continue;
-        const double to_b = std::abs(signed_distance(found_[b], run[i]));
-        const double to_a = std::abs(signed_distance(found_[a], run[i + 1]));
+        const double to_b = std::abs(prepared_[b].signed_distance(run[i]));
+        const double to_a = std::abs(prepared_[a].signed_distance(run[i + 1]));
         if (std::min(to_a, to_b) >= params_.threshold_m) continue;
         (to_b <= to_a ? shared_[i] : shared_[i + 1]) = to_b <= to_a ? b : a;
     }
@@ -208,17 +208,16 @@ void RansacLines::keep_piece(std::size_t first) {
     points_.resize(first);
 }
 
-bool RansacLines::near(const Recta& line, const Point2& point) const {
-    return std::abs(signed_distance(line, point)) < params_.threshold_m;
+bool RansacLines::near(const PreparedRecta& line, const Point2& point) const {
+    return std::abs(line.signed_distance(point)) < params_.threshold_m;
 }
 
 bool RansacLines::long_enough(std::span<const Point2> points, const Recta& line) const {
-    const double c = std::cos(line.theta);
-    const double s = std::sin(line.theta);
+    const PreparedRecta prepared(line);
     double from = std::numeric_limits<double>::infinity();
     double to = -from;
     for (const Point2& p : points) {
-        const double along = p.y * c - p.x * s;
+        const double along = prepared.along(p);
         from = std::min(from, along);
         to = std::max(to, along);
     }

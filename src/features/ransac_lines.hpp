@@ -40,7 +40,7 @@ class RansacLines final : public MetodoExtraccionRectas {
     void share_corners(std::span<const Point2> run);
     /// points_ from `first` on, where they are enough for a line; else they are dropped.
     void keep_piece(std::size_t first);
-    bool near(const Recta& line, const Point2& point) const;
+    bool near(const PreparedRecta& line, const Point2& point) const;
     bool long_enough(std::span<const Point2> points, const Recta& line) const;
 
     SplitMergeParams lines_params_;
@@ -51,7 +51,8 @@ class RansacLines final : public MetodoExtraccionRectas {
     std::vector<double> ranges_;          // of all points, from the laser
     std::span<const double> run_ranges_;  // of the run at hand
     Candidates candidates_;
-    std::vector<Recta> found_;  // in the run at hand
+    std::vector<Recta> found_;             // in the run at hand
+    std::vector<PreparedRecta> prepared_;  // the same
     std::vector<Point2> consensus_;
     std::vector<std::size_t> nearest_;  // line of each point of the run
     std::vector<std::size_t> shared_;   // second line of each point at a corner

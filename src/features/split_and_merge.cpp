@@ -46,7 +46,7 @@ void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t l
         }
         if (farthest < params_.dmax_m) {
             const std::span points(&scan.points[begin], end - begin + 1);
-            pieces_.push_back({points, fit_line(points, params_.fit)});
+            pieces_.push_back({points, fit_line(points, {a, b}, params_.fit)});
         } else {
             // Both halves keep the point of the split: a corner belongs to both its walls.
             pending_.emplace_back(at, end);
@@ -57,10 +57,8 @@ void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t l
 
 void SplitAndMerge::extract_lines(const Scan& scan, Observation& out) {
     pieces_.clear();
-    const auto total = static_cast<std::uint32_t>(scan.points.size());
     for (std::size_t run = 0; run < scan.run_starts.size(); ++run) {
-        const std::uint32_t run_end =
-            run + 1 < scan.run_starts.size() ? scan.run_starts[run + 1] : total;
+        const std::uint32_t run_end = scan.run_end(run);
         std::uint32_t begin = scan.run_starts[run];
         for (std::uint32_t i = begin + 1; i <= run_end; ++i) {
             if (i == run_end || gap_between(scan.points[i - 1], scan.points[i])) {

@@ -61,23 +61,6 @@ class MemoryFile {
     int descriptor_;
 };
 
-/// The rectangle that holds everything drawn.
-class Box {
-  public:
-    void hold(const Point2& p) {
-        low_ = empty_ ? p : Point2{std::min(low_.x, p.x), std::min(low_.y, p.y)};
-        high_ = empty_ ? p : Point2{std::max(high_.x, p.x), std::max(high_.y, p.y)};
-        empty_ = false;
-    }
-    Point2 low() const { return low_; }
-    Point2 high() const { return high_; }
-
-  private:
-    Point2 low_;
-    Point2 high_;
-    bool empty_ = true;
-};
-
 struct Ellipse {
     Point2 centre;
     Point2 major;  // half axis
@@ -91,7 +74,7 @@ struct Drawing {
     std::vector<Point2> path;
     std::vector<Ellipse> ellipses;
     std::vector<std::vector<Point2>> bands;
-    Box box;
+    Bounds box;
 };
 
 /// Beyond it dxflib's buffers end, and no building.
@@ -135,19 +118,18 @@ void add_corner(Drawing& drawing, const Esquina& corner, const Eigen::Matrix2d& 
 void add_band(Drawing& drawing, const LineExtent& segment, const Recta& line,
               const Eigen::Matrix2d& covariance) {
     if (!known(covariance)) return;
-    const double c = std::cos(line.theta);
-    const double s = std::sin(line.theta);
+    const PreparedRecta prepared(line);
     std::vector<Point2> band;
     for (const double side : {1.0, -1.0}) {
         for (int i = 0; i <= kBandSteps; ++i) {
             const double part = static_cast<double>(side > 0.0 ? i : kBandSteps - i) / kBandSteps;
             const Point2 on{segment.a.x + part * (segment.b.x - segment.a.x),
                             segment.a.y + part * (segment.b.y - segment.a.y)};
-            const double t = c * on.y - s * on.x;
+            const double t = prepared.along(on);
             const double variance =
                 covariance(0, 0) - 2.0 * t * covariance(0, 1) + t * t * covariance(1, 1);
             const double across = side * kSigmas * std::sqrt(std::max(variance, 0.0));
-            band.push_back({on.x + across * c, on.y + across * s});
+            band.push_back({on.x + across * prepared.c, on.y + across * prepared.s});
         }
     }
     if (!std::ranges::all_of(band, drawable)) return;
@@ -235,17 +217,17 @@ class Writer {
         integer("$PDMODE", kCross);  // how points look
         out_->dxfString(9, "$PDSIZE");
         out_->dxfReal(40, kCrossSize);
-        point("$EXTMIN", drawing_.box.low(), false);
-        point("$EXTMAX", drawing_.box.high(), false);
-        point("$LIMMIN", drawing_.box.low(), true);
-        point("$LIMMAX", drawing_.box.high(), true);
+        point("$EXTMIN", drawing_.box.low, false);
+        point("$EXTMAX", drawing_.box.high, false);
+        point("$LIMMIN", drawing_.box.low, true);
+        point("$LIMMAX", drawing_.box.high, true);
         out_->sectionEnd();
     }
 
     /// The view that a program opens with: dxflib's own looks at a sheet of paper in millimetres.
     void write_view() {
-        const Point2 low = drawing_.box.low();
-        const Point2 high = drawing_.box.high();
+        const Point2 low = drawing_.box.low;
+        const Point2 high = drawing_.box.high;
         constexpr double kAspect = 1.6;  // of the window that it is meant for
         const double height = std::max({high.y - low.y, (high.x - low.x) / kAspect, 1.0});
         out_->table("VPORT", 1, 0x8);

@@ -14,15 +14,11 @@ constexpr double kSameEnd = 0.3;                      // m
 constexpr std::uint64_t kFewestPoints = 10;
 
 /// A line of the map, ready for many distances.
-struct Line {
+struct Line : PreparedRecta {
     int landmark = 0;
-    double rho = 0.0;
-    double c = 1.0;  // of theta
-    double s = 0.0;
 
-    double away(const Point2& point) const { return std::abs(c * point.x + s * point.y - rho); }
-    double along(const Point2& point) const { return c * point.y - s * point.x; }
-    Point2 at(double t) const { return {rho * c - t * s, rho * s + t * c}; }
+    Line(int its_landmark, const Recta& recta) : PreparedRecta(recta), landmark(its_landmark) {}
+    double away(const Point2& point) const { return std::abs(signed_distance(point)); }
     /// `direction` is of length 1.
     bool has_direction(const Point2& direction) const {
         return std::abs(c * direction.x + s * direction.y) <= kGreatestSine;
@@ -40,8 +36,7 @@ std::vector<Line> lines_of(const LandmarkMap& map) {
     std::vector<Line> lines;
     for (std::size_t i = 0; i < map.size(); ++i) {
         if (const auto* recta = std::get_if<Recta>(&map[i].value)) {
-            lines.push_back(
-                {static_cast<int>(i), recta->rho, std::cos(recta->theta), std::sin(recta->theta)});
+            lines.emplace_back(static_cast<int>(i), *recta);
         }
     }
     return lines;

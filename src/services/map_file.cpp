@@ -12,6 +12,7 @@
 #include "hitos/capture/atomic_file.hpp"
 #include "hitos/capture/error.hpp"
 #include "text_input.hpp"
+#include "text_output.hpp"
 
 namespace hitos {
 namespace {
@@ -108,10 +109,6 @@ double degrees_that_read_back(double theta_rad) {
         if (radians(degrees) == theta_rad) return degrees;
     }
     return nearest;
-}
-
-double without_sign_of_zero(double value) {
-    return value == 0.0 ? 0.0 : value;
 }
 
 std::string feature_text(const ICaracteristica& landmark) {

@@ -12,21 +12,9 @@ namespace {
 
 constexpr double kSlack = 0.5;  // s, between stamps that are the same moment
 
-/// The rectangle that holds everything drawn.
-struct Frame {
-    Point2 low;
-    Point2 high;
-    bool empty = true;
-
-    void hold(const Point2& p) {
-        low = empty ? p : Point2{std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = empty ? p : Point2{std::max(high.x, p.x), std::max(high.y, p.y)};
-        empty = false;
-    }
-    void hold(const Trajectory& path) {
-        for (const StampedPose& stamped : path) hold({stamped.pose.x, stamped.pose.y});
-    }
-};
+void hold(Bounds& bounds, const Trajectory& path) {
+    for (const StampedPose& stamped : path) bounds.hold({stamped.pose.x, stamped.pose.y});
+}
 
 /// A named block of data in a script: places in a row.
 std::string path_block(const char* name, const Trajectory& path) {
@@ -42,10 +30,10 @@ void add_pair(std::string& text, const Point2& a, const Point2& b) {
 }
 
 std::string script_of(const PathsPicture& picture) {
-    Frame frame;
-    frame.hold(picture.truth);
-    frame.hold(picture.estimate);
-    frame.hold(picture.odometry);
+    Bounds frame;
+    hold(frame, picture.truth);
+    hold(frame, picture.estimate);
+    hold(frame, picture.odometry);
     std::string walls = "$walls << EOD\n";
     for (const auto& [a, b] : picture.walls) {
         add_pair(walls, a, b);
@@ -64,7 +52,7 @@ std::string script_of(const PathsPicture& picture) {
         const auto* corner = std::get_if<Esquina>(&landmark.value);
         if (corner == nullptr) continue;
         corners += fmt::format("{:.4f} {:.4f}\n", corner->x, corner->y);
-        frame.hold(Point2{corner->x, corner->y});
+        frame.hold({corner->x, corner->y});
         any_corner = true;
     }
     const double margin =

@@ -81,12 +81,12 @@ RunSummary summarize(const SlamRun& run, const References& references) {
     summary.lines = run.filter().best_lines();
     summary.corners = run.filter().best_corners();
     summary.report = run.report();
+    const LandmarkMap map = run.filter().best_map();
     if (references.map) {
-        const LandmarkMap map = run.filter().best_map();
         summary.map_error = map_error(map, *references.map);
         summary.aligned_map_error = aligned_map_error(map, *references.map);
     }
-    summary.distances = measure_distances(run.filter().best_map(), references.distances);
+    summary.distances = measure_distances(map, references.distances);
     if (references.trajectory) {
         summary.trajectory_error = trajectory_error(run.best_trajectory(), *references.trajectory);
         summary.odometry_error =

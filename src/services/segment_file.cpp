@@ -9,6 +9,7 @@
 #include "hitos/capture/atomic_file.hpp"
 #include "hitos/capture/error.hpp"
 #include "text_input.hpp"
+#include "text_output.hpp"
 
 namespace hitos {
 namespace {
@@ -26,11 +27,6 @@ LineExtent segment_from(std::string_view line, const std::string& name, std::uin
                                       input::in_quotes(input::fields(line)[4])));
     }
     return {static_cast<int>(landmark) - 1, {values[0], values[1]}, {values[2], values[3]}, 0};
-}
-
-/// Zero without its sign.
-double plain(double value) {
-    return value == 0.0 ? 0.0 : value;
 }
 
 }  // namespace
@@ -73,8 +69,9 @@ std::string segments_to_text(const LandmarkMap& map, std::span<const LineExtent>
                             "be written",
                             i, a.x, a.y, b.x, b.y));
         }
-        text += fmt::format("{} {} {} {} {}\n", plain(a.x), plain(a.y), plain(b.x), plain(b.y),
-                            numbers[index]);
+        text +=
+            fmt::format("{} {} {} {} {}\n", without_sign_of_zero(a.x), without_sign_of_zero(a.y),
+                        without_sign_of_zero(b.x), without_sign_of_zero(b.y), numbers[index]);
     }
     return text;
 }

@@ -9,6 +9,7 @@
 #include "hitos/capture/atomic_file.hpp"
 #include "hitos/capture/error.hpp"
 #include "text_input.hpp"
+#include "text_output.hpp"
 
 namespace hitos {
 namespace {
@@ -70,9 +71,9 @@ std::string trajectory_to_text(const Trajectory& trajectory) {
                             i, t, pose.x, pose.y, pose.theta));
         }
         const double half = wrap_angle(pose.theta) / 2.0;
-        text += fmt::format("{} {} {} 0 0 0 {} {}\n", t == 0.0 ? 0.0 : t, nine_decimals(pose.x),
-                            nine_decimals(pose.y), nine_decimals(std::sin(half)),
-                            nine_decimals(std::cos(half)));
+        text += fmt::format("{} {} {} 0 0 0 {} {}\n", without_sign_of_zero(t),
+                            nine_decimals(pose.x), nine_decimals(pose.y),
+                            nine_decimals(std::sin(half)), nine_decimals(std::cos(half)));
     }
     return text;
 }

@@ -15,7 +15,8 @@ namespace {
 using W = World;
 
 std::vector<WorldKey> make_keys() {
-    const std::vector<std::string_view> kinds = {"relative-sigma", "variance"};
+    const std::vector<std::string_view> kinds(kOdometryNoiseWords.begin(),
+                                              kOdometryNoiseWords.end());
     const std::vector<std::string_view> yes_no = {"false", "true"};
     return {
         {"seed",

@@ -4,25 +4,21 @@
 #include <cmath>
 #include <limits>
 
+#include "hitos/slam/ekf.hpp"
+
 namespace hitos {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Squared Mahalanobis distance and ln N(nu; 0, S) for two components [P eq 2].
-struct Closeness {
-    double distance2 = kNever;
-    double log_likelihood = -kNever;
-};
+/// Of a landmark that no observation is compared with.
+constexpr Likelihood kNothing{-kNever, kNever};
 
-Closeness closeness(const Vector2& nu, const Matrix2& s) {
+/// Rounding can cost S its positivity where variances are next to nothing: no comparison then.
+Likelihood compared(const Vector2& nu, const Matrix2& s) {
+    const Likelihood likelihood = likelihood_of(nu, s);
     const double det = s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0);
-    const double d2 =
-        (s(1, 1) * nu(0) * nu(0) - (s(0, 1) + s(1, 0)) * nu(0) * nu(1) + s(0, 0) * nu(1) * nu(1)) /
-        det;
-    // Rounding can cost S its positivity where variances are next to nothing: no comparison then.
-    if (!(det > 0.0) || !(d2 >= 0.0)) return {};
-    return {d2, -std::log(2.0 * kPi) - 0.5 * std::log(det) - 0.5 * d2};
+    return det > 0.0 && likelihood.mahalanobis_squared >= 0.0 ? likelihood : kNothing;
 }
 
 }  // namespace
@@ -70,8 +66,8 @@ void EkfSlam::associate(std::span<const Measurement> measured, const std::vector
     const bool may_be_ambiguous = params_.association.ambiguity != AmbiguityRule::off;
     const double log_ratio = std::log(params_.association.ambiguity_ratio);
     for (std::size_t k = 0; k < measured.size(); ++k) {
-        Closeness nearest;
-        Closeness second;
+        Likelihood nearest = kNothing;
+        Likelihood second = kNothing;
         JointState::Row row;
         std::size_t which = 0;
         bool comparable = marks.empty();
@@ -86,28 +82,28 @@ void EkfSlam::associate(std::span<const Measurement> measured, const std::vector
                                seen.by_landmark * state_.landmark_covariance(at)) *
                                   seen.by_landmark.transpose() +
                               measured[k].r;
-            const Closeness close = closeness(seen.nu, s);
-            comparable = comparable || close.distance2 < kNever;
-            if (close.distance2 < nearest.distance2) {
+            const Likelihood close = compared(seen.nu, s);
+            comparable = comparable || close.mahalanobis_squared < kNever;
+            if (close.mahalanobis_squared < nearest.mahalanobis_squared) {
                 second = nearest;
                 nearest = close;
                 which = i;
                 row = {at, seen.nu, seen.by_pose, seen.by_landmark, measured[k].r};
-            } else if (close.distance2 < second.distance2) {
+            } else if (close.mahalanobis_squared < second.mahalanobis_squared) {
                 second = close;
             }
         }
         Association association;
         association.kind = S::kKind;
         association.observed = static_cast<std::uint32_t>(k);
-        const bool ambiguous = may_be_ambiguous && second.distance2 <= gate_ &&
+        const bool ambiguous = may_be_ambiguous && second.mahalanobis_squared <= gate_ &&
                                second.log_likelihood > nearest.log_likelihood + log_ratio;
-        if (nearest.distance2 <= gate_ && !ambiguous) {
+        if (nearest.mahalanobis_squared <= gate_ && !ambiguous) {
             association.outcome = Association::Outcome::matched;
             association.landmark = static_cast<std::int32_t>(which);
             rows_.push_back(row);
             statistics_.best_log_weight += nearest.log_likelihood;
-        } else if (comparable && nearest.distance2 > new_gate_) {
+        } else if (comparable && nearest.mahalanobis_squared > new_gate_) {
             association.outcome = Association::Outcome::created;
         }
         associations_.push_back(association);

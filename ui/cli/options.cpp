@@ -1,5 +1,7 @@
 #include "options.hpp"
 
+#include <algorithm>
+
 #include "hitos/capture/error.hpp"
 #include "hitos/services/archivo_configuracion.hpp"
 
@@ -41,8 +43,10 @@ LogFormat parse_format(const std::string& word, const std::string& option) {
 }
 
 OdometryNoiseKind parse_noise_kind(const std::string& word) {
-    if (word == "relative-sigma") return OdometryNoiseKind::relative_sigma;
-    if (word == "variance") return OdometryNoiseKind::variance;
+    const auto found = std::ranges::find(kOdometryNoiseWords, word);
+    if (found != kOdometryNoiseWords.end()) {
+        return static_cast<OdometryNoiseKind>(found - kOdometryNoiseWords.begin());
+    }
     throw ConfigError("--odometry-noise-kind",
                       "found \"" + word + "\", expected relative-sigma or variance");
 }

@@ -7,17 +7,14 @@
 
 namespace hitos {
 
-std::string to_word(OdometryNoiseKind kind) {
-    return kind == OdometryNoiseKind::variance ? "variance" : "relative-sigma";
-}
-
 void set_study_source(Study& study, double level, OdometryNoiseKind kind) {
     static_cast<void>(OdometryNoise(level, kind, 0));  // throws for an impossible level
     if (level == 0.0) {
         study.source = [](const StudyJob& job) { return open_tour(job.configuration.source); };
         return;
     }
-    study.setting = fmt::format("odometry noise {} {}", to_word(kind), level);
+    study.setting = fmt::format("odometry noise {} {}",
+                                kOdometryNoiseWords.at(static_cast<std::size_t>(kind)), level);
     study.source = [level, kind](const StudyJob& job) {
         const SourceParams& source = job.configuration.source;
         return make_noisy_source(open_tour(source), level, kind, job.seed,

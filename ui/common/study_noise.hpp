@@ -1,15 +1,10 @@
 // Odometry noise in studies, the same from the window and from the command line.
 #pragma once
 
-#include <string>
-
 #include "hitos/services/study.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 
 namespace hitos {
-
-/// "relative-sigma", "variance"
-std::string to_word(OdometryNoiseKind kind);
 
 /// Lets every run of the study open its tour, log or world, with noise of its own, drawn with the
 /// run's seed; level 0: without noise. Throws ConfigError for an impossible level.

@@ -146,19 +146,14 @@ cv::Mat drawn(const SimulatedTour& tour) {
     const std::vector<Point2> truth = true_path(tour);
     const std::vector<Point2> odometry = odometry_path(tour);
     // The odometry may run far off: it is cut where walls and path end.
-    Point2 low = truth.front();
-    Point2 high = low;
-    const auto hold = [&](const Point2& point) {
-        low = {std::min(low.x, point.x), std::min(low.y, point.y)};
-        high = {std::max(high.x, point.x), std::max(high.y, point.y)};
-    };
+    Bounds bounds;
     for (const WallSegment& wall : world.walls) {
-        hold(wall.a);
-        hold(wall.b);
+        bounds.hold(wall.a);
+        bounds.hold(wall.b);
     }
-    std::ranges::for_each(truth, hold);
+    for (const Point2& point : truth) bounds.hold(point);
 
-    Canvas canvas(low, high);
+    Canvas canvas(bounds.low, bounds.high);
     canvas.path(odometry, grey, 1);
     for (const WallSegment& wall : world.walls) canvas.line(wall.a, wall.b, black, 3);
     canvas.path(truth, red, 1);

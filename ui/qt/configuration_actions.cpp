@@ -15,13 +15,7 @@
 #include "source_dialog.hpp"
 
 namespace hitos::window {
-namespace {
 
-QString words_of(const std::exception& error) {
-    return QString::fromUtf8(error.what());
-}
-
-}  // namespace
 
 ConfigurationActions::ConfigurationActions(Session& session, UserFiles& files, Prompts& prompts,
                                            QWidget* window)

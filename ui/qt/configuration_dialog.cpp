@@ -157,7 +157,7 @@ bool ConfigurationDialog::read(Configuracion& out) {
         } catch (const ConfigError& error) {
             first_wrong = field(error.key());
             if (first_wrong == nullptr) first_wrong = fields_.front();
-            first_wrong->set_error(QString::fromUtf8(error.what()));
+            first_wrong->set_error(words_of(error));
         }
     }
     if (first_wrong == nullptr) return true;

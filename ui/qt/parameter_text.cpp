@@ -106,10 +106,6 @@ const Words& choices() {
     return table;
 }
 
-QString to_qt(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 QString group_words(ParameterGroup group) {
     switch (group) {
         case ParameterGroup::source:
@@ -133,6 +129,10 @@ QString group_words(ParameterGroup group) {
 }
 
 }  // namespace
+
+QString to_qt(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
 
 QString label_of(const Parameter& parameter) {
     const auto found = labels().find(parameter.key);

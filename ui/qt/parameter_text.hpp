@@ -2,11 +2,13 @@
 #pragma once
 
 #include <QString>
+#include <string_view>
 
 #include "hitos/services/configuracion.hpp"
 
 namespace hitos::window {
 
+QString to_qt(std::string_view text);
 /// "D max"; the key where the table below knows no label.
 QString label_of(const Parameter& parameter);
 /// The sentence of the parameter table, translated.

@@ -52,6 +52,11 @@ class QtPrompts final : public Prompts {
 QString with_ending(const QString& path, const QString& filters, const QString& chosen,
                     const QString& otherwise);
 
+/// What an error says.
+inline QString words_of(const std::exception& error) {
+    return QString::fromUtf8(error.what());
+}
+
 /// Whether the user lets an existing file be replaced.
 bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path);
 void tell_not_written(Prompts& prompts, QWidget* parent, const QString& reason);
@@ -71,7 +76,7 @@ QString save_until_done(Prompts& prompts, QWidget* parent, Prompts::FileQuestion
             write(path);
             return path;
         } catch (const std::exception& error) {
-            tell_not_written(prompts, parent, QString::fromUtf8(error.what()));
+            tell_not_written(prompts, parent, words_of(error));
         }
     }
 }

@@ -18,14 +18,6 @@ namespace {
 
 constexpr const char* kDash = " — ";
 
-QString text_of(std::string_view words) {
-    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-}
-
-QString words_of(const std::exception& error) {
-    return QString::fromUtf8(error.what());
-}
-
 /// A study leaves these as they are, or sets them itself.
 bool can_be_studied(const Parameter& parameter) {
     return parameter.group != ParameterGroup::run && parameter.group != ParameterGroup::grid &&
@@ -36,7 +28,7 @@ bool can_be_studied(const Parameter& parameter) {
 QString item_of(std::string_view name, const std::vector<std::string_view>& keys) {
     QStringList labels;
     for (const std::string_view key : keys) labels << label_of(find_parameter(key));
-    return text_of(name) + kDash + labels.join(", ");
+    return to_qt(name) + kDash + labels.join(", ");
 }
 
 /// The study's value in the user's configuration. Throws ConfigError.
@@ -89,7 +81,7 @@ StudyForm::StudyForm(Ui::StudyDialog& ui, Session& session, UserFiles& files, Pr
 void StudyForm::fill() {
     for (const ThesisParameter& thesis : thesis_parameters()) {
         ui_.parameter->addItem(item_of(thesis.name, thesis.keys));
-        ui_.parameter->setItemData(ui_.parameter->count() - 1, text_of(thesis.meaning),
+        ui_.parameter->setItemData(ui_.parameter->count() - 1, to_qt(thesis.meaning),
                                    Qt::ToolTipRole);
     }
     ui_.parameter->insertSeparator(ui_.parameter->count());
@@ -99,10 +91,9 @@ void StudyForm::fill() {
         ui_.parameter->setItemData(ui_.parameter->count() - 1, description_of(parameter),
                                    Qt::ToolTipRole);
     }
-    ui_.noise_kind->addItem(tr("σ = level · speed"),
-                            QString::fromStdString(to_word(OdometryNoiseKind::relative_sigma)));
-    ui_.noise_kind->addItem(tr("σ² = level · speed"),
-                            QString::fromStdString(to_word(OdometryNoiseKind::variance)));
+    // In the order of OdometryNoiseKind.
+    ui_.noise_kind->addItem(tr("σ = level · speed"));
+    ui_.noise_kind->addItem(tr("σ² = level · speed"));
     ui_.threads->setSpecialValueText(tr("all (%1)").arg(std::thread::hardware_concurrency()));
 }
 

@@ -2,6 +2,7 @@
 // coordinates in frame b to frame a.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -22,6 +23,19 @@ struct Point2 {
     double x = 0.0;
     double y = 0.0;
     friend bool operator==(const Point2&, const Point2&) = default;
+};
+
+/// The upright rectangle that holds all points told to it.
+struct Bounds {
+    Point2 low;
+    Point2 high;
+    bool empty = true;
+
+    void hold(const Point2& p) {
+        low = empty ? p : Point2{std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = empty ? p : Point2{std::max(high.x, p.x), std::max(high.y, p.y)};
+        empty = false;
+    }
 };
 
 /// Position [m] and heading [rad] of a frame in another one.

@@ -30,6 +30,12 @@ struct Scan {
     Fan fan;                                ///< count == 0: unknown (normalised logs)
     std::uint64_t line = 0;                 ///< 1-based line of the log
     bool carries_odometry = false;          ///< the same line is an odometry reading too
+
+    /// Index behind the last point of a run.
+    std::uint32_t run_end(std::size_t run) const {
+        return run + 1 < run_starts.size() ? run_starts[run + 1]
+                                           : static_cast<std::uint32_t>(points.size());
+    }
 };
 
 /// One odometry reading: the twist held since the previous reading up to this one's time

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -50,6 +51,25 @@ Point2 foot(const Recta& recta);
 
 /// The distance [m] of a point from the line, with the sign of the side away from the origin.
 double signed_distance(const Recta& recta, const Point2& point);
+
+/// A line prepared for many points: cosine and sine are computed once.
+struct PreparedRecta {
+    double rho = 0.0;
+    double c = 1.0;  ///< of theta
+    double s = 0.0;
+
+    PreparedRecta() = default;
+    explicit PreparedRecta(const Recta& recta)
+        : rho(recta.rho), c(std::cos(recta.theta)), s(std::sin(recta.theta)) {}
+
+    /// As the function of that name.
+    double signed_distance(const Point2& p) const { return p.x * c + p.y * s - rho; }
+    /// The place [m] along the line of the point's foot, from the line's own foot; it grows to the
+    /// left of the normal.
+    double along(const Point2& p) const { return p.y * c - p.x * s; }
+    /// The point of the line at a place along it.
+    Point2 at(double t) const { return {rho * c - t * s, rho * s + t * c}; }
+};
 
 /// The feature in frame a from its values in frame b [T eq 7.23, 7.27 corrected: see
 /// docs/algorithm.md].

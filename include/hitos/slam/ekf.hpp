@@ -15,6 +15,20 @@ struct LandmarkEstimate {
     Matrix2 covariance;
 };
 
+/// ln N(nu; 0, Q) [T table 3.1, line 6] and the squared Mahalanobis distance of nu [P eq 2].
+struct Likelihood {
+    double log_likelihood;
+    double mahalanobis_squared;
+};
+
+inline Likelihood likelihood_of(const Vector2& nu, const Matrix2& q) {
+    const double det = q(0, 0) * q(1, 1) - q(0, 1) * q(1, 0);
+    const double n0 = nu(0);
+    const double n1 = nu(1);
+    const double d2 = (q(1, 1) * n0 * n0 - (q(0, 1) + q(1, 0)) * n0 * n1 + q(0, 0) * n1 * n1) / det;
+    return {-std::log(2.0 * kPi) - 0.5 * std::log(det) - 0.5 * d2, d2};
+}
+
 /// The filter for one kind of landmark with observation covariance R.
 template <Sensor S>
 class EKF {
@@ -26,19 +40,9 @@ class EKF {
         return jacobian * covariance * jacobian.transpose() + r_;
     }
 
-    /// ln N(nu; 0, Q) with Q as above [T table 3.1, line 6], and the squared Mahalanobis distance.
-    struct Likelihood {
-        double log_likelihood;
-        double mahalanobis_squared;
-    };
+    /// Of the innovation, with Q as above.
     Likelihood likelihood(const Innovation& innovation, const Matrix2& covariance) const {
-        const Matrix2 q = innovation_covariance(innovation.jacobian, covariance);
-        const double det = q(0, 0) * q(1, 1) - q(0, 1) * q(1, 0);
-        const double n0 = innovation.nu(0);
-        const double n1 = innovation.nu(1);
-        const double d2 =
-            (q(1, 1) * n0 * n0 - (q(0, 1) + q(1, 0)) * n0 * n1 + q(0, 0) * n1 * n1) / det;
-        return {-std::log(2.0 * kPi) - 0.5 * std::log(det) - 0.5 * d2, d2};
+        return likelihood_of(innovation.nu, innovation_covariance(innovation.jacobian, covariance));
     }
 
     /// A landmark seen for the first time: mean g^-1(z, pose), covariance G R G' with
