@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 
 namespace hitos {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 
 namespace hitos {
 namespace {

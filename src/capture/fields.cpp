@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 
 namespace hitos {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
-#include "hitos/capture/error.hpp"
 #include "line_reader.hpp"
 
 namespace hitos {

@@ -1,6 +1,6 @@
 #include "hitos/capture/log_writer.hpp"
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "tour_writer.hpp"
 
 namespace hitos {
@@ -14,7 +14,7 @@ std::unique_ptr<LogWriter> make_log_writer(LogFormat format, const std::filesyst
         case LogFormat::carmen:
             return make_log_writer_carmen(path);
         case LogFormat::normalized:
-            return make_log_writer_normalizado(path);
+            return make_log_writer_normalized(path);
         case LogFormat::automatic:
             break;
     }

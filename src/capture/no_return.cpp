@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "range_conversor.hpp"
 
 namespace hitos {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "formats.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
-#include "hitos/capture/error.hpp"
 #include "line_reader.hpp"
 
 namespace hitos {

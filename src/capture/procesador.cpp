@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 
 namespace hitos {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "hitos/capture/atomic_file.hpp"
+#include "hitos/base/atomic_file.hpp"
 #include "hitos/capture/log_writer.hpp"
 
 namespace hitos {
@@ -60,7 +60,7 @@ class TourWriter : public LogWriter {
 std::unique_ptr<LogWriter> make_log_writer_player(const std::filesystem::path& path);
 std::unique_ptr<LogWriter> make_log_writer_radish(const std::filesystem::path& path);
 std::unique_ptr<LogWriter> make_log_writer_carmen(const std::filesystem::path& path);
-std::unique_ptr<LogWriter> make_log_writer_normalizado(const std::filesystem::path& path);
+std::unique_ptr<LogWriter> make_log_writer_normalized(const std::filesystem::path& path);
 
 /// A reading with four decimals that neither rounds to "nothing" (0) nor to the greatest range.
 double writable_range(double range_m, double max_range_m);

@@ -5,7 +5,7 @@
 namespace hitos {
 
 std::string_view to_string(FeatureKind kind) {
-    return kind == FeatureKind::recta ? "line" : "corner";
+    return kind == FeatureKind::line ? "line" : "corner";
 }
 
 Recta normalized(const Recta& recta) {

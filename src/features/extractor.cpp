@@ -7,7 +7,7 @@
 
 #include "collinear_merge.hpp"
 #include "extractors.hpp"
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/features/line_fit.hpp"
 #include "ransac_lines.hpp"
 #include "split_and_merge.hpp"
@@ -41,17 +41,18 @@ void require(bool allowed, const char* key, const char* expected) {
 
 std::unique_ptr<MetodoExtraccionRectas> make_method(const ExtractionParams& params,
                                                     std::uint64_t seed) {
+    const LineParams& lines = params.lines;
     const SplitMergeParams& p = params.split_merge;
     require(p.dmax_m > 0.0, "split_merge.dmax", "a distance above 0 m");
-    require(p.min_length_m >= 0.0, "split_merge.min_length", "a length of 0 m or more");
-    require(p.min_points >= 2, "split_merge.min_points", "2 points or more");
+    require(lines.min_length_m >= 0.0, "split_merge.min_length", "a length of 0 m or more");
+    require(lines.min_points >= 2, "split_merge.min_points", "2 points or more");
     require(p.gap_m >= 0.0 && p.gap_per_range >= 0.0, "split_merge.gap", "0 or more");
-    if (params.method == LineMethod::split_merge) return std::make_unique<SplitAndMerge>(p);
+    if (params.method == LineMethod::split_merge) return std::make_unique<SplitAndMerge>(lines, p);
     const RansacParams& r = params.ransac;
     require(r.threshold_m > 0.0, "ransac.threshold", "a distance above 0 m");
     require(r.iterations >= 1, "ransac.iterations", "1 or more");
     require(r.edge_m >= 0.0 && r.edge_per_range >= 0.0, "ransac.edge", "0 or more");
-    return std::make_unique<RansacLines>(p, r, seed);
+    return std::make_unique<RansacLines>(lines, r, seed);
 }
 
 }  // namespace

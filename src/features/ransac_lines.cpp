@@ -140,7 +140,8 @@ bool RansacLines::refine(Recta& line) {
 
 void RansacLines::keep_pieces(std::span<const Point2> run) {
     // The first line found has taken the ends of those that meet it; give them back.
-    prepared_.assign(found_.begin(), found_.end());
+    prepared_.clear();
+    for (const Recta& line : found_) prepared_.emplace_back(line);
     nearest_.assign(run.size(), kNoLine);
     for (std::size_t i = 0; i < run.size(); ++i) {
         double least = params_.threshold_m;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "collinear_merge.hpp"
-#include "hitos/features/random_stream.hpp"
+#include "hitos/base/random_stream.hpp"
 
 namespace hitos {
 
@@ -14,7 +14,7 @@ namespace hitos {
 /// the rest; total least squares fits. Where lines meet, each point then goes to the nearest.
 class RansacLines final : public MetodoExtraccionRectas {
   public:
-    RansacLines(const SplitMergeParams& lines, const RansacParams& ransac, std::uint64_t seed)
+    RansacLines(const LineParams& lines, const RansacParams& ransac, std::uint64_t seed)
         : lines_params_(lines), params_(ransac), seed_(seed) {}
     void extract_lines(const Scan& scan, Observation& out) override;
 
@@ -43,7 +43,7 @@ class RansacLines final : public MetodoExtraccionRectas {
     bool near(const PreparedRecta& line, const Point2& point) const;
     bool long_enough(std::span<const Point2> points, const Recta& line) const;
 
-    SplitMergeParams lines_params_;
+    LineParams lines_params_;
     RansacParams params_;
     std::uint64_t seed_;
     std::uint64_t scans_ = 0;

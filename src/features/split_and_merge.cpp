@@ -26,11 +26,11 @@ void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t l
     while (!pending_.empty()) {
         const auto [begin, end] = pending_.back();
         pending_.pop_back();
-        if (end - begin + 1 < static_cast<std::uint32_t>(params_.min_points)) continue;
+        if (end - begin + 1 < static_cast<std::uint32_t>(lines_.min_points)) continue;
         const Point2& a = scan.points[begin];
         const Point2& b = scan.points[end];
         const double length = distance(a, b);
-        if (length < params_.min_length_m || length == 0.0) continue;
+        if (length < lines_.min_length_m || length == 0.0) continue;
         // Distance from the chord, as a cross product: no angle is needed to split.
         const double nx = (b.y - a.y) / length;
         const double ny = (a.x - b.x) / length;
@@ -68,7 +68,7 @@ void SplitAndMerge::extract_lines(const Scan& scan, Observation& out) {
         }
     }
 
-    merge_collinear(pieces_, params_.collinear, params_.fit, out);
+    merge_collinear(pieces_, lines_.collinear, params_.fit, out);
 }
 
 }  // namespace hitos

@@ -11,13 +11,15 @@ namespace hitos {
 /// merge of collinear pieces [T table 4.4], first piece first.
 class SplitAndMerge final : public MetodoExtraccionRectas {
   public:
-    explicit SplitAndMerge(const SplitMergeParams& params) : params_(params) {}
+    SplitAndMerge(const LineParams& lines, const SplitMergeParams& params)
+        : lines_(lines), params_(params) {}
     void extract_lines(const Scan& scan, Observation& out) override;
 
   private:
     bool gap_between(const Point2& a, const Point2& b) const;
     void split(const Scan& scan, std::uint32_t first, std::uint32_t last);
 
+    LineParams lines_;
     SplitMergeParams params_;
     // Working memory, kept between scans.
     std::vector<LinePiece> pieces_;

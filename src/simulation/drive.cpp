@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/simulation/driven_path.hpp"
 
 namespace hitos {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 
 namespace hitos {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hitos/capture/geometry.hpp"
+#include "hitos/base/geometry.hpp"
 
 namespace hitos {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "hitos/capture/error.hpp"
-#include "hitos/features/random_stream.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/random_stream.hpp"
 
 namespace hitos {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "hitos/features/random_stream.hpp"
+#include "hitos/base/random_stream.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 
 namespace hitos {

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "dxf_walls.hpp"
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "world_values.hpp"
 
 namespace hitos {

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/simulation/world.hpp"
 #include "world_values.hpp"
 

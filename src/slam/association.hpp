@@ -5,7 +5,7 @@
 
 #include "hitos/slam/params.hpp"
 #include "hitos/slam/slam_filter.hpp"
-#include "landmark_store.hpp"
+#include "map_store.hpp"
 #include "measurement.hpp"
 
 namespace hitos {

@@ -44,7 +44,7 @@ void EkfSlam::step(std::span<const Control> controls, const Observation& observa
     normalize();
     // Places in the map are counted lines first, and lines may just have been added.
     for (Association& association : associations_) {
-        if (association.kind == FeatureKind::esquina && association.landmark >= 0) {
+        if (association.kind == FeatureKind::corner && association.landmark >= 0) {
             association.landmark += best_lines();
         }
     }
@@ -114,7 +114,7 @@ void EkfSlam::update() {
     state_.update(rows_);
     for (const Association& association : associations_) {
         if (association.outcome != Association::Outcome::matched) continue;
-        auto& marks = association.kind == FeatureKind::recta ? lines_ : corners_;
+        auto& marks = association.kind == FeatureKind::line ? lines_ : corners_;
         ++marks[static_cast<std::size_t>(association.landmark)].observations;
     }
     normalize();

@@ -4,7 +4,7 @@
 
 #include "ekf_slam.hpp"
 #include "filtro_particulas.hpp"
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 
 namespace hitos {
 namespace {

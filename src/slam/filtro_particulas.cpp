@@ -181,7 +181,7 @@ void FiltroParticulas::note_associations() {
         const Decision& decision = decisions_[best_ * seen + k];
         const bool is_line = k < lines_seen_.size();
         Association association;
-        association.kind = is_line ? FeatureKind::recta : FeatureKind::esquina;
+        association.kind = is_line ? FeatureKind::line : FeatureKind::corner;
         association.observed = static_cast<std::uint32_t>(is_line ? k : k - lines_seen_.size());
         association.outcome = decision.outcome;
         if (decision.outcome != Association::Outcome::ignored) {

@@ -15,7 +15,7 @@
 #include "hitos/slam/resampler.hpp"
 #include "hitos/slam/robot.hpp"
 #include "hitos/slam/slam_filter.hpp"
-#include "landmark_store.hpp"
+#include "map_store.hpp"
 #include "pose_history.hpp"
 
 namespace hitos {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hitos/capture/geometry.hpp"
+#include "hitos/base/geometry.hpp"
 
 namespace hitos {
 

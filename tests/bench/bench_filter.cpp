@@ -13,9 +13,9 @@
 
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/procesador.hpp"
-#include "hitos/services/archivo_configuracion.hpp"
-#include "hitos/services/grid.hpp"
-#include "hitos/services/line_extents.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/grid.hpp"
+#include "hitos/services/run/line_extents.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 #include "hitos/slam/filters.hpp"
 

@@ -70,8 +70,8 @@ Run run_once(const Scenario& scenario, const SimulatedTour& tour, std::uint64_t 
     ExtractionParams extraction;
     extraction.detect = scenario.detect;
     extraction.method = LineMethod::ransac;
-    extraction.split_merge.min_length_m = 0.4;
-    extraction.split_merge.min_points = 9;
+    extraction.lines.min_length_m = 0.4;
+    extraction.lines.min_points = 9;
     extraction.covariance = scenario.covariance;
     extraction.point_sigma_m = kLaserSigma;
     const auto extractor = make_extractor(extraction, seed);

@@ -6,10 +6,10 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "command_line.hpp"
-#include "configuration_dialog.hpp"
+#include "app/command_line.hpp"
+#include "dialogs/configuration_dialog.hpp"
 #include "gui_fixture.hpp"
-#include "hitos/services/archivo_configuracion.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {

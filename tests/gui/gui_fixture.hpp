@@ -16,12 +16,12 @@
 #include <memory>
 #include <utility>
 
-#include "configuration_actions.hpp"
-#include "grid_view.hpp"
-#include "main_window.hpp"
-#include "map_window.hpp"
-#include "result_actions.hpp"
-#include "scan_view.hpp"
+#include "actions/configuration_actions.hpp"
+#include "actions/result_actions.hpp"
+#include "app/main_window.hpp"
+#include "views/grid_view.hpp"
+#include "views/map_window.hpp"
+#include "views/scan_view.hpp"
 
 namespace hitos::window {
 

@@ -3,7 +3,7 @@
 #include <QApplication>
 #include <QStandardPaths>
 
-#include "application.hpp"
+#include "app/application.hpp"
 #include "gui_fixture.hpp"
 #include "tests.hpp"
 

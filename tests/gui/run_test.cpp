@@ -5,10 +5,10 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "configuration_dialog.hpp"
+#include "dialogs/configuration_dialog.hpp"
 #include "gui_fixture.hpp"
-#include "plots.hpp"
 #include "tests.hpp"
+#include "views/plots.hpp"
 
 namespace hitos::window {
 namespace {

@@ -9,8 +9,8 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
+#include "dialogs/source_dialog.hpp"
 #include "gui_fixture.hpp"
-#include "source_dialog.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {

@@ -1,6 +1,6 @@
 // How the window starts where its files are bad.
 
-#include "command_line.hpp"
+#include "app/command_line.hpp"
 #include "gui_fixture.hpp"
 #include "tests.hpp"
 

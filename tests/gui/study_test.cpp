@@ -8,9 +8,9 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
-#include "hitos/services/study_values.hpp"
-#include "study_dialog.hpp"
+#include "hitos/services/study/study_values.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {

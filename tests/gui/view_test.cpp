@@ -10,11 +10,11 @@
 #include <QRadioButton>
 #include <QWheelEvent>
 
+#include "dialogs/picture_dialog.hpp"
 #include "gui_fixture.hpp"
-#include "hitos/services/picture_file.hpp"
-#include "picture_dialog.hpp"
-#include "plots.hpp"
+#include "hitos/services/maps/picture_file.hpp"
 #include "tests.hpp"
+#include "views/plots.hpp"
 
 namespace hitos::window {
 namespace {
@@ -305,7 +305,7 @@ void ViewTest::the_grid_view_shows_the_grid_map() {
     Fixture f;
     f.run_steps(200);
     const Grid grid =
-        f.session.algoritmo()->with_run([](const SlamRun& run) { return run.step_grid(); }).get();
+        f.session.worker()->with_run([](const Algoritmo& run) { return run.step_grid(); }).get();
     const GridTiles& tiles = f.window->grid_view().tiles();
     QCOMPARE(tiles.area, grid.area());
     const GridTiles whole = tiles_of(grid);

@@ -6,10 +6,10 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
-#include "application.hpp"
+#include "app/application.hpp"
+#include "dialogs/parameter_strings.hpp"
+#include "dialogs/parameter_text.hpp"
 #include "gui_fixture.hpp"
-#include "parameter_strings.hpp"
-#include "parameter_text.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {

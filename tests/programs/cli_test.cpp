@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "hitos/services/map_file.hpp"
-#include "hitos/services/trajectory_file.hpp"
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
 #include "support.hpp"
 
 namespace hitos {

@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "hitos/services/distances.hpp"
-#include "hitos/services/map_file.hpp"
-#include "hitos/services/segment_file.hpp"
+#include "hitos/services/evaluation/distances.hpp"
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/maps/segment_file.hpp"
 #include "program.hpp"
 
 namespace hitos {

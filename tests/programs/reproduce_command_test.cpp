@@ -13,7 +13,7 @@ class ReproduceCommand : public ProgramTest {
     }
 };
 
-TEST_F(ReproduceCommand, writes_table_document_and_plots_of_one_figure_and_goes_on) {
+TEST_F(ReproduceCommand, WritesTableDocumentAndPlotsOfOneFigureAndGoesOn) {
     const std::string arguments = "--only 10.28 --runs 1 --threads 2 --out " + path("two");
     const Outcome first = reproduce(arguments + " --report " + path("report.md"));
     ASSERT_EQ(first.status, 0) << first.output;
@@ -41,7 +41,7 @@ TEST_F(ReproduceCommand, writes_table_document_and_plots_of_one_figure_and_goes_
     EXPECT_EQ(content(path("two/reproduction.csv")), csv);
 }
 
-TEST_F(ReproduceCommand, does_without_gnuplot) {
+TEST_F(ReproduceCommand, DoesWithoutGnuplot) {
     const Outcome outcome =
         shell("PATH=/nowhere " + cli_ + " reproduce --only 10.87 --runs 1 --out " + path("out"));
     ASSERT_EQ(outcome.status, 0) << outcome.output;
@@ -51,7 +51,7 @@ TEST_F(ReproduceCommand, does_without_gnuplot) {
     EXPECT_FALSE(fs::exists(path("out/plots/10.87-lineamedia-p.png")));
 }
 
-TEST_F(ReproduceCommand, refuses_what_it_cannot_do) {
+TEST_F(ReproduceCommand, RefusesWhatItCannotDo) {
     const auto refused = [&](const std::string& arguments, const std::string& words) {
         const Outcome outcome = reproduce(arguments + " --out " + path("out"));
         EXPECT_NE(outcome.status, 0) << arguments;

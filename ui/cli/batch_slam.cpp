@@ -9,9 +9,9 @@
 #include <system_error>
 #include <vector>
 
-#include "hitos/capture/error.hpp"
-#include "hitos/services/archivo_configuracion.hpp"
-#include "hitos/services/results.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/results.hpp"
 #include "study_console.hpp"
 
 namespace hitos::cli {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "commands.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
-#include "hitos/capture/error.hpp"
 #include "hitos/capture/log_writer.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "hitos/simulation/odometry_noise.hpp"

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "hitos/capture/atomic_file.hpp"
-#include "hitos/capture/error.hpp"
-#include "hitos/services/distances.hpp"
-#include "hitos/services/measures.hpp"
-#include "hitos/services/results.hpp"
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/services/evaluation/distances.hpp"
+#include "hitos/services/evaluation/measures.hpp"
+#include "hitos/services/run/results.hpp"
 
 namespace hitos::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "commands.hpp"
-#include "common/reproduction.hpp"
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/workbench/reproduction.hpp"
 #include "progress_line.hpp"
 
 namespace hitos::cli {

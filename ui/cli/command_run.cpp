@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "common/open_tour.hpp"
-#include "common/tour_truth.hpp"
-#include "hitos/capture/error.hpp"
-#include "hitos/services/algoritmo.hpp"
-#include "hitos/services/archivo_configuracion.hpp"
-#include "hitos/services/results.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/results.hpp"
+#include "hitos/services/run/run_worker.hpp"
+#include "hitos/workbench/open_tour.hpp"
+#include "hitos/workbench/tour_truth.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
 
@@ -74,15 +74,15 @@ void run(const RunOptions& options) {
         references.walls = true_walls(*tour);
         if (!references.trajectory) references.trajectory = true_trajectory(*tour);
     }
-    SlamRunOptions run_options;
+    AlgoritmoOptions run_options;
     run_options.uncertainty = options.uncertainty;
-    Algoritmo algoritmo(configuration, std::move(fuente), run_options);
+    RunWorker worker(configuration, std::move(fuente), run_options);
     ProgressLine line("scans");
-    algoritmo.run();
-    Progress progress = algoritmo.progress();
+    worker.run();
+    Progress progress = worker.progress();
     while (progress.state == Progress::State::running) {
-        algoritmo.wait_for(std::chrono::milliseconds(20));
-        progress = algoritmo.progress();
+        worker.wait_for(std::chrono::milliseconds(20));
+        progress = worker.progress();
         line.show(progress.steps, progress.fraction,
                   fmt::format("{} landmarks", progress.lines + progress.corners));
     }
@@ -91,8 +91,8 @@ void run(const RunOptions& options) {
     line.finish(progress.steps, fmt::format("{} landmarks", progress.lines + progress.corners));
 
     const RunSummary summary =
-        algoritmo
-            .with_run([&](const SlamRun& finished) {
+        worker
+            .with_run([&](const Algoritmo& finished) {
                 return write_results(finished, references, seconds, options.out);
             })
             .get();

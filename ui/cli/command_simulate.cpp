@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "common/tour_picture.hpp"
-#include "common/tour_truth.hpp"
-#include "common/world_files.hpp"
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/capture/log_writer.hpp"
-#include "hitos/services/map_file.hpp"
-#include "hitos/services/trajectory_file.hpp"
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/simulation/reference_map.hpp"
 #include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/workbench/shipped_data.hpp"
+#include "hitos/workbench/tour_picture.hpp"
+#include "hitos/workbench/tour_truth.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
 

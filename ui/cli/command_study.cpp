@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "options.hpp"
 #include "study_console.hpp"
 

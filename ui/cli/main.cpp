@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "commands.hpp"
-#include "hitos/services/results.hpp"
+#include "hitos/services/run/results.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "hitos/capture/error.hpp"
-#include "hitos/services/archivo_configuracion.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 
 namespace hitos::cli {
 

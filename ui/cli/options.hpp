@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hitos/services/configuracion.hpp"
+#include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 
 namespace hitos::cli {

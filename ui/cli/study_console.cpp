@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "common/study_noise.hpp"
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/workbench/study_noise.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
 

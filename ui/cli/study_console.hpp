@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "hitos/services/study.hpp"
+#include "hitos/services/study/study.hpp"
 
 namespace hitos::cli {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hitos/capture/geometry.hpp"
+#include "hitos/base/geometry.hpp"
 
 namespace hitos {
 

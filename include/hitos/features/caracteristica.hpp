@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "hitos/capture/geometry.hpp"
+#include "hitos/base/geometry.hpp"
 
 namespace hitos {
 
@@ -27,7 +27,7 @@ struct Esquina {
     friend bool operator==(const Esquina&, const Esquina&) = default;
 };
 
-enum class FeatureKind { recta, esquina };
+enum class FeatureKind { line, corner };
 
 /// "line", "corner".
 std::string_view to_string(FeatureKind kind);
@@ -84,7 +84,7 @@ struct ICaracteristica {
     int observations = 0;  ///< how often it was observed
 
     FeatureKind kind() const {
-        return std::holds_alternative<Recta>(value) ? FeatureKind::recta : FeatureKind::esquina;
+        return std::holds_alternative<Recta>(value) ? FeatureKind::line : FeatureKind::corner;
     }
     /// Its point for the error measure [T 10.3]: the corner, or the line's foot.
     Point2 point() const;

@@ -58,15 +58,19 @@ struct CollinearParams {
     double gap_m = 0.0;       ///< and only pieces less than this apart; 0: any distance
 };
 
-/// Split & Merge [T tables 4.3, 4.4]; length, points and merge hold for every method.
+/// What is a line, whichever method finds it [T 4.4].
+struct LineParams {
+    double min_length_m = 0.5;  ///< shortest line [mlon]
+    int min_points = 15;        ///< fewest points of a line [mpuntos]
+    CollinearParams collinear;
+};
+
+/// Split & Merge [T tables 4.3, 4.4].
 struct SplitMergeParams {
     double dmax_m = 0.02;              ///< greatest distance of a point from its line [dmax]
-    double min_length_m = 0.5;         ///< shortest line [mlon]
-    int min_points = 15;               ///< fewest points of a line [mpuntos]
     LineFit fit = LineFit::endpoints;  ///< fit of the accepted lines
-    CollinearParams collinear;
-    double gap_m = 0.0;          ///< neighbours further apart than gap_m + gap_per_range *
-    double gap_per_range = 0.0;  ///< range end a run; both 0: they never do
+    double gap_m = 0.0;                ///< neighbours further apart than gap_m + gap_per_range *
+    double gap_per_range = 0.0;        ///< range end a run; both 0: they never do
 };
 
 /// RANSAC inside the runs that successive edge following cuts [P 2].
@@ -92,6 +96,7 @@ enum class Detection { lines, corners, both };
 struct ExtractionParams {
     Detection detect = Detection::both;
     LineMethod method = LineMethod::split_merge;
+    LineParams lines;
     SplitMergeParams split_merge;
     RansacParams ransac;
     ObservationCovariance covariance = ObservationCovariance::fixed;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hitos/capture/geometry.hpp"
+#include "hitos/base/geometry.hpp"
 #include "hitos/simulation/world.hpp"
 
 namespace hitos {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hitos/capture/geometry.hpp"
+#include "hitos/base/geometry.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 
 namespace hitos {

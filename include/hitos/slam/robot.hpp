@@ -5,8 +5,8 @@
 #include <array>
 #include <span>
 
+#include "hitos/base/random_stream.hpp"
 #include "hitos/features/control.hpp"
-#include "hitos/features/random_stream.hpp"
 #include "hitos/slam/params.hpp"
 
 namespace hitos {

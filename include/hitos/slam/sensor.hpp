@@ -28,7 +28,7 @@ struct Innovation {
 /// h = (rho - x cos theta - y sin theta, theta - theta_r) [T eq 7.25].
 struct SensorRecta {
     using Landmark = Recta;
-    static constexpr FeatureKind kKind = FeatureKind::recta;
+    static constexpr FeatureKind kKind = FeatureKind::line;
 
     static Vector2 measurement(const Recta& observed) { return {observed.rho, observed.theta}; }
 
@@ -119,7 +119,7 @@ struct SensorRecta {
 /// counts as 1 mm away: its bearing means nothing.
 struct SensorEsquina {
     using Landmark = Esquina;
-    static constexpr FeatureKind kKind = FeatureKind::esquina;
+    static constexpr FeatureKind kKind = FeatureKind::corner;
     static constexpr double kNearest = 1e-3;
 
     static Vector2 measurement(const Esquina& observed) {
@@ -210,7 +210,7 @@ JointInnovation joint_innovation(const Vector2& z, const Pose& pose,
                                  const typename S::Landmark& landmark) {
     const Innovation seen = S::innovation(z, pose, landmark);
     JointInnovation joint{seen.nu, S::pose_jacobian(pose, landmark), seen.jacobian};
-    if constexpr (S::kKind == FeatureKind::recta) {
+    if constexpr (S::kKind == FeatureKind::line) {
         if (seen.jacobian(0, 0) < 0.0) joint.by_pose.row(0) *= -1.0;
     }
     return joint;

@@ -14,7 +14,7 @@ namespace hitos {
 /// What became of one observed feature in the best hypothesis.
 struct Association {
     enum class Outcome : std::uint8_t { matched, created, ignored };
-    FeatureKind kind = FeatureKind::recta;
+    FeatureKind kind = FeatureKind::line;
     std::uint32_t observed = 0;  ///< index in Observation::lines or ::corners
     Outcome outcome = Outcome::ignored;
     std::int32_t landmark = -1;  ///< index in best_map(); -1 where ignored

@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
-#include "hitos/capture/error.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "support.hpp"
 

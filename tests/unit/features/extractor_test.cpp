@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "wall_scan.hpp"
 
 namespace hitos {
@@ -28,9 +28,9 @@ TEST(SplitAndMerge, EverySupportingPointIsWithinDmaxOfItsLine) {
     std::mt19937 engine(5);
     std::uniform_real_distribution<double> value(-4.0, 4.0);
     ExtractionParams params;
-    params.split_merge.min_length_m = 0.3;
-    params.split_merge.min_points = 5;
-    params.split_merge.collinear.rho_m = 1e-9;  // without the merge the bound is exact
+    params.lines.min_length_m = 0.3;
+    params.lines.min_points = 5;
+    params.lines.collinear.rho_m = 1e-9;  // without the merge the bound is exact
     int found = 0;
     for (int i = 0; i < 200; ++i) {
         const Point2 a{value(engine), value(engine)};
@@ -62,11 +62,11 @@ TEST_P(EveryMethod, ThresholdsRefuseShortAndSparseLines) {
     ExtractionParams params;
     params.method = GetParam();
     EXPECT_EQ(extract(params, scan).lines.size(), 1U);
-    params.split_merge.min_points = 21;
+    params.lines.min_points = 21;
     EXPECT_TRUE(extract(params, scan).lines.empty());
-    params.split_merge.min_points = 20;
+    params.lines.min_points = 20;
     EXPECT_EQ(extract(params, scan).lines.size(), 1U);
-    params.split_merge.min_length_m = 1.01;
+    params.lines.min_length_m = 1.01;
     EXPECT_TRUE(extract(params, scan).lines.empty());
 }
 
@@ -78,7 +78,7 @@ TEST_P(EveryMethod, AnInvalidReadingBreaksARunAndTheMergeJoinsItAgain) {
     const Observation merged = extract(params, scan);
     ASSERT_EQ(merged.lines.size(), 1U);
     EXPECT_EQ(merged.lines[0].count, 40U);
-    params.split_merge.collinear.gap_m = 0.1;  // the pieces are 0.2 m apart
+    params.lines.collinear.gap_m = 0.1;  // the pieces are 0.2 m apart
     EXPECT_EQ(extract(params, scan).lines.size(), 2U);
 }
 
@@ -108,7 +108,7 @@ TEST(SplitAndMerge, GapsEndARunWhereAsked) {
     const Scan scan =
         scan_of({joined(wall({2.0, -2.0}, {2.0, -0.5}, 20), wall({2.0, 0.5}, {2.0, 2.0}, 20))});
     ExtractionParams params;
-    params.split_merge.collinear.gap_m = 0.3;
+    params.lines.collinear.gap_m = 0.3;
     ASSERT_EQ(extract(params, scan).lines.size(), 1U);  // without gap breaking one straight run
     params.split_merge.gap_m = 0.5;
     EXPECT_EQ(extract(params, scan).lines.size(), 2U);
@@ -175,14 +175,14 @@ TEST(Extractor, EmptyAndTinyScansAreNoTrouble) {
     EXPECT_TRUE(extract({}, Scan{}).empty());
     EXPECT_TRUE(extract({}, scan_of({{{1.0, 1.0}}})).empty());
     ExtractionParams params;
-    params.split_merge.min_points = 2;
-    params.split_merge.min_length_m = 0.0;
+    params.lines.min_points = 2;
+    params.lines.min_length_m = 0.0;
     EXPECT_TRUE(extract(params, scan_of({{{1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}}})).empty());
 }
 
 TEST(Extractor, RefusesImpossibleParameters) {
     ExtractionParams params;
-    params.split_merge.min_points = 1;
+    params.lines.min_points = 1;
     EXPECT_THROW(make_extractor(params), ConfigError);
     params = {};
     params.split_merge.dmax_m = 0.0;

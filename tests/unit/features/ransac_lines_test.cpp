@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "wall_scan.hpp"
 
 namespace hitos {
@@ -125,7 +125,7 @@ TEST(Ransac, TheSameSeedAndScanNumberGiveTheSameLines) {
     }
     const Scan scan = scan_of({clutter});
     ExtractionParams params = ransac_params();
-    params.split_merge.min_points = 8;
+    params.lines.min_points = 8;
     params.ransac.threshold_m = 0.1;
     params.ransac.iterations = 20;  // few, so that draws matter
     const auto lines_of = [&](std::uint64_t seed) {
@@ -145,8 +145,8 @@ TEST(Ransac, TheSameSeedAndScanNumberGiveTheSameLines) {
 
 TEST(Ransac, EmptyAndTinyScansAreNoTrouble) {
     ExtractionParams params = ransac_params();
-    params.split_merge.min_points = 2;
-    params.split_merge.min_length_m = 0.0;
+    params.lines.min_points = 2;
+    params.lines.min_length_m = 0.0;
     EXPECT_TRUE(extract(params, Scan{}).empty());
     EXPECT_TRUE(extract(params, scan_of({{{1.0, 1.0}}})).empty());
     EXPECT_TRUE(extract(params, scan_of({{{1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}}})).empty());

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "worlds.hpp"
 
 namespace hitos {
@@ -50,7 +50,7 @@ void expect_way_points(const World& world, const DrivenPath& path) {
     }
 }
 
-TEST(DrivenPath, keeps_to_the_robots_bounds_and_passes_every_way_point) {
+TEST(DrivenPath, KeepsToTheRobotsBoundsAndPassesEveryWayPoint) {
     for (const std::string& name : test::shipped_names()) {
         SCOPED_TRACE(name);
         const World world = test::shipped(name);
@@ -60,7 +60,7 @@ TEST(DrivenPath, keeps_to_the_robots_bounds_and_passes_every_way_point) {
     }
 }
 
-TEST(DrivenPath, keeps_its_bounds_with_other_robots) {
+TEST(DrivenPath, KeepsItsBoundsWithOtherRobots) {
     for (const auto& [speed, acceleration, turn, turn_acceleration, rate] :
          {std::array{0.2, 0.1, 0.2, 0.2, 10.0}, std::array{2.0, 1.0, 2.0, 3.0, 20.0},
           std::array{0.5, 5.0, 1.0, 10.0, 4.0}, std::array{0.5, 0.4, 0.5, 0.1, 50.0}}) {
@@ -78,7 +78,7 @@ TEST(DrivenPath, keeps_its_bounds_with_other_robots) {
     }
 }
 
-TEST(DrivenPath, rests_and_looks_around_before_it_leaves) {
+TEST(DrivenPath, RestsAndLooksAroundBeforeItLeaves) {
     World world = small_world();
     world.tour.rest_s = 3.0;
     world.tour.look_around = true;
@@ -92,7 +92,7 @@ TEST(DrivenPath, rests_and_looks_around_before_it_leaves) {
     EXPECT_EQ(path.poses()[i].x, 0.0);
 }
 
-TEST(DrivenPath, knows_the_pose_between_two_control_steps) {
+TEST(DrivenPath, KnowsThePoseBetweenTwoControlSteps) {
     DrivenPath path({1.0, 2.0, 0.3}, 10.0);
     path.append({0.5, 0.0, 0.4});
     path.append({0.4, 0.0, -0.2});
@@ -111,7 +111,7 @@ TEST(DrivenPath, knows_the_pose_between_two_control_steps) {
     EXPECT_NEAR(there.theta, path.pose_at(0.15).theta, 1e-12);
 }
 
-TEST(DrivenPath, refuses_a_way_that_comes_too_near_to_a_wall_and_names_the_way_point) {
+TEST(DrivenPath, RefusesAWayThatComesTooNearToAWallAndNamesTheWayPoint) {
     World world = small_world();
     world.tour.way_points = {{{0, 2}, 6}, {{7.9, 2}, 7}};
     const std::string message = message_of<FormatError>([&] { drive(world); });
@@ -122,7 +122,7 @@ TEST(DrivenPath, refuses_a_way_that_comes_too_near_to_a_wall_and_names_the_way_p
     EXPECT_NE(message.find("0.26 m"), std::string::npos) << message;
 }
 
-TEST(DrivenPath, refuses_a_way_through_a_wall) {
+TEST(DrivenPath, RefusesAWayThroughAWall) {
     World world = small_world();
     world.robot.radius_m = 0.0;
     world.tour.way_points = {{{0, 2}, 6}, {{12, 2}, 7}};
@@ -130,7 +130,7 @@ TEST(DrivenPath, refuses_a_way_through_a_wall) {
               std::string::npos);
 }
 
-TEST(DrivenPath, refuses_a_start_at_a_wall) {
+TEST(DrivenPath, RefusesAStartAtAWall) {
     World world = small_world();
     world.tour.start = {-1.9, 0, 0};
     EXPECT_NE(
@@ -138,7 +138,7 @@ TEST(DrivenPath, refuses_a_start_at_a_wall) {
         std::string::npos);
 }
 
-TEST(DrivenPath, refuses_way_points_that_are_one) {
+TEST(DrivenPath, RefusesWayPointsThatAreOne) {
     World world = small_world();
     world.tour.way_points = {{{0, 2}, 6}, {{0.1, 2.1}, 7}, {{5, 0}, 8}};
     const std::string message = message_of<FormatError>([&] { drive(world); });
@@ -155,7 +155,7 @@ TEST(DrivenPath, refuses_way_points_that_are_one) {
               std::string::npos);
 }
 
-TEST(DrivenPath, measures_the_gap_between_a_wall_and_a_way) {
+TEST(DrivenPath, MeasuresTheGapBetweenAWallAndAWay) {
     const WallSegment wall{{0, 0}, {4, 0}, 1, 0};
     EXPECT_DOUBLE_EQ(distance(wall, Point2{2, 3}), 3.0);
     EXPECT_DOUBLE_EQ(distance(wall, Point2{7, 4}), 5.0);

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "hitos/capture/error.hpp"
-#include "hitos/services/dxf_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/services/maps/dxf_file.hpp"
 #include "worlds.hpp"
 
 namespace hitos {
@@ -52,7 +52,7 @@ class Drawing {
 
 using Walls = std::vector<std::vector<Point2>>;
 
-TEST(DxfWalls, reads_back_what_was_drawn) {
+TEST(DxfWalls, ReadsBackWhatWasDrawn) {
     const TempFolder folder;
     Drawing drawing(folder / "room.dxf");
     drawing.entities();
@@ -66,7 +66,7 @@ TEST(DxfWalls, reads_back_what_was_drawn) {
                                                           {{6, 1}, {8, 1}, {7, 2}, {6, 1}}}));
 }
 
-TEST(DxfWalls, reads_the_old_polyline_with_its_vertices) {
+TEST(DxfWalls, ReadsTheOldPolylineWithItsVertices) {
     const TempFolder folder;
     const auto path = folder.put(
         "old.dxf",
@@ -78,7 +78,7 @@ TEST(DxfWalls, reads_the_old_polyline_with_its_vertices) {
               (Walls{{{1.5, 2}, {3, 2}, {3, 4}, {1.5, 2}}, {{0, 0}, {1, 1}}}));
 }
 
-TEST(DxfWalls, takes_the_unit_from_the_drawing_unless_told) {
+TEST(DxfWalls, TakesTheUnitFromTheDrawingUnlessTold) {
     const TempFolder folder;
     Drawing drawing(folder / "mm.dxf");
     drawing.units(4);
@@ -89,7 +89,7 @@ TEST(DxfWalls, takes_the_unit_from_the_drawing_unless_told) {
     EXPECT_EQ(read_dxf_walls(folder / "mm.dxf", {{}, 0.01}), (Walls{{{0, 0}, {25, 5}}}));
 }
 
-TEST(DxfWalls, reads_one_layer_alone) {
+TEST(DxfWalls, ReadsOneLayerAlone) {
     const TempFolder folder;
     Drawing drawing(folder / "layers.dxf");
     drawing.entities();
@@ -104,7 +104,7 @@ TEST(DxfWalls, reads_one_layer_alone) {
               std::string::npos);
 }
 
-TEST(DxfWalls, reads_the_lines_of_a_drawn_map) {
+TEST(DxfWalls, ReadsTheLinesOfADrawnMap) {
     const TempFolder folder;
     const LandmarkMap map = {{Recta{2.0, kPi / 2.0}, 1e-4 * Eigen::Matrix2d::Identity()},
                              {Esquina{1.0, 2.0}, 1e-4 * Eigen::Matrix2d::Identity()}};
@@ -120,7 +120,7 @@ TEST(DxfWalls, reads_the_lines_of_a_drawn_map) {
         std::string::npos);
 }
 
-TEST(DxfWalls, refuses_what_is_not_straight) {
+TEST(DxfWalls, RefusesWhatIsNotStraight) {
     const TempFolder folder;
     Drawing round(folder / "round.dxf");
     round.entities();
@@ -138,7 +138,7 @@ TEST(DxfWalls, refuses_what_is_not_straight) {
               std::string::npos);
 }
 
-TEST(DxfWalls, refuses_what_is_no_drawing) {
+TEST(DxfWalls, RefusesWhatIsNoDrawing) {
     const TempFolder folder;
     EXPECT_NE(message_of<FileError>([&] { read_dxf_walls(folder / "none.dxf"); }).find("none.dxf"),
               std::string::npos);

@@ -31,7 +31,7 @@ std::vector<Line> odometry_lines(Fuente& fuente) {
     return lines;
 }
 
-TEST(FuenteSimulada, gives_the_lines_of_the_written_log) {
+TEST(FuenteSimulada, GivesTheLinesOfTheWrittenLog) {
     const TempFolder folder;
     for (const double rate : {10.0, 3.0, 7.0}) {
         World world = small_world();
@@ -48,7 +48,7 @@ TEST(FuenteSimulada, gives_the_lines_of_the_written_log) {
     }
 }
 
-TEST(FuenteSimulada, gives_the_scans_and_controls_of_the_written_log) {
+TEST(FuenteSimulada, GivesTheScansAndControlsOfTheWrittenLog) {
     const TempFolder folder;
     const auto tour = std::make_shared<const SimulatedTour>(small_world());
     const auto writer = make_log_writer(LogFormat::normalized, folder / "tour.log");
@@ -77,7 +77,7 @@ TEST(FuenteSimulada, gives_the_scans_and_controls_of_the_written_log) {
     EXPECT_EQ(simulated.report().skipped, 0U);
 }
 
-TEST(FuenteSimulada, reopens_at_its_beginning_with_the_same_noise) {
+TEST(FuenteSimulada, ReopensAtItsBeginningWithTheSameNoise) {
     FuenteSimulada fuente(std::make_shared<const SimulatedTour>(small_world()));
     for (int i = 0; i < 20; ++i) fuente.read_odometry_line();
     fuente.read_scan_line();

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
-#include "hitos/capture/error.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "support.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "worlds.hpp"
 
 namespace hitos {
@@ -52,16 +52,16 @@ void expect_moments(const Moments& m, double sigma_v, double sigma_w) {
     EXPECT_NEAR(m.correlation, 0.0, 5.0 / std::sqrt(kDraws));
 }
 
-TEST(OdometryNoise, has_a_sigma_relative_to_the_velocity) {
+TEST(OdometryNoise, HasASigmaRelativeToTheVelocity) {
     expect_moments(moments(OdometryNoiseKind::relative_sigma, 0.5, -0.3, 0.1), 0.05, 0.03);
 }
 
-TEST(OdometryNoise, has_a_variance_relative_to_the_velocity) {
+TEST(OdometryNoise, HasAVarianceRelativeToTheVelocity) {
     expect_moments(moments(OdometryNoiseKind::variance, 0.5, -0.3, 0.1), std::sqrt(0.05),
                    std::sqrt(0.03));
 }
 
-TEST(OdometryNoise, leaves_a_robot_at_rest_and_level_0_alone) {
+TEST(OdometryNoise, LeavesARobotAtRestAndLevel0Alone) {
     OdometryNoise noise(0.1, OdometryNoiseKind::variance, 1);
     OdometryNoise none(0.0, OdometryNoiseKind::relative_sigma, 1);
     for (int i = 0; i < 100; ++i) {
@@ -72,7 +72,7 @@ TEST(OdometryNoise, leaves_a_robot_at_rest_and_level_0_alone) {
     }
 }
 
-TEST(OdometryNoise, refuses_a_negative_or_infinite_level) {
+TEST(OdometryNoise, RefusesANegativeOrInfiniteLevel) {
     for (const double level : {-0.1, std::numeric_limits<double>::infinity(),
                                std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_THROW(OdometryNoise(level, OdometryNoiseKind::variance, 1), ConfigError);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hitos/services/map_file.hpp"
+#include "hitos/services/maps/map_file.hpp"
 #include "worlds.hpp"
 
 namespace hitos {
@@ -25,7 +25,7 @@ std::vector<std::string> sorted_lines(const std::string& text) {
     return lines;
 }
 
-TEST(ReferenceMap, of_the_shipped_worlds_is_the_stored_one_to_the_last_digit) {
+TEST(ReferenceMap, OfTheShippedWorldsIsTheStoredOneToTheLastDigit) {
     const std::vector<std::size_t> expected = {8, 9, 16, 22, 26};  // SPEC 10
     std::size_t i = 0;
     std::vector<std::string> names = test::shipped_names();
@@ -43,7 +43,7 @@ TEST(ReferenceMap, of_the_shipped_worlds_is_the_stored_one_to_the_last_digit) {
     }
 }
 
-TEST(ReferenceMap, merges_walls_on_one_line_and_counts_corners_once) {
+TEST(ReferenceMap, MergesWallsOnOneLineAndCountsCornersOnce) {
     // Two pieces of y = 2, a wall that ends on one of them, one that crosses the other, and one
     // that ends just short.
     const LandmarkMap map = reference_map(
@@ -54,7 +54,7 @@ TEST(ReferenceMap, merges_walls_on_one_line_and_counts_corners_once) {
               "x: 1 y: 2\nx: 6 y: 2\n");
 }
 
-TEST(ReferenceMap, is_in_the_frame_of_the_start) {
+TEST(ReferenceMap, IsInTheFrameOfTheStart) {
     const LandmarkMap map = reference_map(world_of("[[[4, -9], [4, 7], [1, 7]]]", "[1, 2, 90]"));
     ASSERT_EQ(map.size(), 3U);
     // x = 4 lies 3 m to the right of a robot at x = 1 that faces +y.

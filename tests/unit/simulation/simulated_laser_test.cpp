@@ -37,7 +37,7 @@ Fan fan(double from, double to, std::uint32_t count, double most = 8.0, Pose mou
     return result;
 }
 
-TEST(SimulatedLaser, agrees_with_a_slow_oracle_in_random_worlds) {
+TEST(SimulatedLaser, AgreesWithASlowOracleInRandomWorlds) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-10.0, 10.0);
     std::uniform_real_distribution<double> angle(-kPi, kPi);
@@ -76,7 +76,7 @@ TEST(SimulatedLaser, agrees_with_a_slow_oracle_in_random_worlds) {
     EXPECT_GT(hits, compared / 4);
 }
 
-TEST(SimulatedLaser, leaks_at_no_joint_of_two_walls) {
+TEST(SimulatedLaser, LeaksAtNoJointOfTwoWalls) {
     const World world = test::small_world();
     // Rays aimed at the corners themselves, from many places.
     std::mt19937 random(3);
@@ -92,7 +92,7 @@ TEST(SimulatedLaser, leaks_at_no_joint_of_two_walls) {
     }
 }
 
-TEST(SimulatedLaser, names_the_wall_and_keeps_to_the_greatest_range) {
+TEST(SimulatedLaser, NamesTheWallAndKeepsToTheGreatestRange) {
     const std::vector<WallSegment> walls = {{{5, -1}, {5, 1}, 1, 0}, {{3, 0.5}, {3, 2}, 2, 0}};
     std::vector<RayHit> hits;
     SimulatedLaser(walls, fan(-0.1, 0.3, 3, 5.0)).cast({}, hits);
@@ -105,7 +105,7 @@ TEST(SimulatedLaser, names_the_wall_and_keeps_to_the_greatest_range) {
     EXPECT_DOUBLE_EQ(hits[0].range_m, 5.0);
 }
 
-TEST(SimulatedLaser, sees_the_end_of_a_wall_it_looks_along) {
+TEST(SimulatedLaser, SeesTheEndOfAWallItLooksAlong) {
     std::vector<RayHit> hits;
     SimulatedLaser({{{4, 0}, {2, 0}, 1, 0}}, fan(0.0, 1.0, 2)).cast({}, hits);
     EXPECT_DOUBLE_EQ(hits[0].range_m, 2.0);

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
-#include "hitos/capture/error.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "worlds.hpp"
 
@@ -23,7 +23,7 @@ std::filesystem::path write(const World& world, LogFormat format,
     return path;
 }
 
-TEST(SimulatedTour, takes_readings_and_scans_at_their_rates) {
+TEST(SimulatedTour, TakesReadingsAndScansAtTheirRates) {
     const SimulatedTour tour(small_world());
     const double end = tour.path().duration_s();
     EXPECT_EQ(tour.scans(), static_cast<std::uint64_t>(std::floor(end * 5 + 1e-9)) + 1);
@@ -33,7 +33,7 @@ TEST(SimulatedTour, takes_readings_and_scans_at_their_rates) {
     EXPECT_EQ(tour.true_reading(0).twist, Twist{});
 }
 
-TEST(SimulatedTour, starts_at_the_origin_of_its_frame_wherever_the_robot_starts) {
+TEST(SimulatedTour, StartsAtTheOriginOfItsFrameWhereverTheRobotStarts) {
     World world = small_world();
     world.tour.start = {1.0, 1.0, 0.5};
     const SimulatedTour tour(world);
@@ -42,7 +42,7 @@ TEST(SimulatedTour, starts_at_the_origin_of_its_frame_wherever_the_robot_starts)
     EXPECT_NEAR(std::hypot(last.x - 5.0, last.y), 0.0, world.robot.tolerance_m);
 }
 
-TEST(SimulatedTour, odometry_without_noise_is_the_true_motion_at_any_rate) {
+TEST(SimulatedTour, OdometryWithoutNoiseIsTheTrueMotionAtAnyRate) {
     for (const double rate : {10.0, 5.0, 3.0, 40.0}) {
         World world = small_world();
         world.odometry.rate_hz = rate;
@@ -58,7 +58,7 @@ TEST(SimulatedTour, odometry_without_noise_is_the_true_motion_at_any_rate) {
     }
 }
 
-TEST(SimulatedTour, ranges_have_the_noise_that_was_asked_for) {
+TEST(SimulatedTour, RangesHaveTheNoiseThatWasAskedFor) {
     World world = small_world();
     world.tour.rest_s = 200.0;
     world.tour.way_points.resize(1);
@@ -93,7 +93,7 @@ TEST(SimulatedTour, ranges_have_the_noise_that_was_asked_for) {
     EXPECT_NEAR(neighbours / n / (sigma * sigma), 0.0, 5.0 / std::sqrt(n));
 }
 
-TEST(SimulatedTour, a_run_of_neighbours_ends_where_a_ray_returns_nothing) {
+TEST(SimulatedTour, ARunOfNeighboursEndsWhereARayReturnsNothing) {
     World world = small_world();
     world.laser.max_range_m = 5.0;
     world.laser.sigma_m = 0.0;
@@ -106,7 +106,7 @@ TEST(SimulatedTour, a_run_of_neighbours_ends_where_a_ray_returns_nothing) {
     EXPECT_EQ(scan.rays.back(), 180U);
 }
 
-TEST(SimulatedTour, points_lie_on_the_walls_whatever_the_mounting) {
+TEST(SimulatedTour, PointsLieOnTheWallsWhateverTheMounting) {
     World world = small_world();
     world.laser.sigma_m = 0.0;
     world.laser.mount_x_m = 0.2;
@@ -126,7 +126,7 @@ TEST(SimulatedTour, points_lie_on_the_walls_whatever_the_mounting) {
     }
 }
 
-TEST(SimulatedTour, the_same_seed_writes_the_same_bytes_in_every_format) {
+TEST(SimulatedTour, TheSameSeedWritesTheSameBytesInEveryFormat) {
     const TempFolder folder;
     for (const LogFormat format :
          {LogFormat::player, LogFormat::radish, LogFormat::normalized, LogFormat::carmen}) {
@@ -138,7 +138,7 @@ TEST(SimulatedTour, the_same_seed_writes_the_same_bytes_in_every_format) {
     }
 }
 
-TEST(SimulatedTour, every_format_reads_back_as_the_same_tour) {
+TEST(SimulatedTour, EveryFormatReadsBackAsTheSameTour) {
     const TempFolder folder;
     World world = small_world();
     world.laser.mount_x_m = 0.1;
@@ -163,7 +163,7 @@ TEST(SimulatedTour, every_format_reads_back_as_the_same_tour) {
     }
 }
 
-TEST(SimulatedTour, an_unwritable_log_leaves_nothing_behind) {
+TEST(SimulatedTour, AnUnwritableLogLeavesNothingBehind) {
     const TempFolder folder;
     EXPECT_THROW(write(small_world(), LogFormat::player, folder / "missing/tour.log"), FileError);
     {

@@ -1,6 +1,6 @@
 #include "hitos/simulation/world.hpp"
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "worlds.hpp"
 
 namespace hitos {
@@ -21,7 +21,7 @@ void expect_refusal(const std::string& text, const std::string& expected) {
     EXPECT_NE(message.find(expected), std::string::npos) << message;
 }
 
-TEST(World, reads_every_key) {
+TEST(World, ReadsEveryKey) {
     const World world = parse_world(
         "seed = 7\n"
         "walls = [[[0, 0], [4, 0], [4, 3]], [[1, 1], [2, 1.5]]]\n"
@@ -69,7 +69,7 @@ TEST(World, reads_every_key) {
     EXPECT_EQ(world.odometry.noise_kind, OdometryNoiseKind::variance);
 }
 
-TEST(World, has_the_defaults_of_the_thesis) {
+TEST(World, HasTheDefaultsOfTheThesis) {
     const World world = parse_world(walls + tour, "w.toml");
     EXPECT_EQ(world.laser.rays, 181);
     EXPECT_EQ(world.laser.field_of_view_deg, 180.0);
@@ -84,7 +84,7 @@ TEST(World, has_the_defaults_of_the_thesis) {
     check(world);
 }
 
-TEST(World, names_the_line_of_every_mistake) {
+TEST(World, NamesTheLineOfEveryMistake) {
     expect_refusal("walls = [\n[[0, 0], [4, 0]]\n[tour]", "folder/w.toml:3: ");
     expect_refusal(walls + tour + "speed = 1\n",
                    "w.toml:4: tour.speed: no such key; expected one of tour.laps, tour.rest, "
@@ -105,7 +105,7 @@ TEST(World, names_the_line_of_every_mistake) {
     expect_refusal(walls + tour + "start = [1, 2]\n", "w.toml:4: tour.start: expected [x, y, head");
 }
 
-TEST(World, refuses_walls_and_tours_that_are_none) {
+TEST(World, RefusesWallsAndToursThatAreNone) {
     expect_refusal("walls = [[[0, 0], [4, 0]],\n[[1, 1]]]\n" + tour,
                    "w.toml:2: wall 2: found one point, expected two points or more");
     expect_refusal("walls = [[]]\n" + tour, "wall 1: found no point");
@@ -122,12 +122,12 @@ TEST(World, refuses_walls_and_tours_that_are_none) {
     expect_refusal("", "found no walls");
 }
 
-TEST(World, refuses_bytes_that_are_no_text) {
+TEST(World, RefusesBytesThatAreNoText) {
     expect_refusal("walls = [[[0, 0], [4, 0]]]\n\xff\xfe\n",
                    "folder/w.toml:1: Encountered invalid utf-8");
 }
 
-TEST(World, reads_walls_from_a_drawing_beside_it) {
+TEST(World, ReadsWallsFromADrawingBesideIt) {
     const TempFolder folder;
     folder.put("room.dxf",
                "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n4\n21\n0\n"
@@ -148,7 +148,7 @@ TEST(World, reads_walls_from_a_drawing_beside_it) {
               std::string::npos);
 }
 
-TEST(World, refuses_files_that_cannot_be_read) {
+TEST(World, RefusesFilesThatCannotBeRead) {
     const TempFolder folder;
     EXPECT_NE(message_of<FileError>([&] { read_world(folder / "no.toml"); }).find("no such file"),
               std::string::npos);
@@ -156,7 +156,7 @@ TEST(World, refuses_files_that_cannot_be_read) {
               std::string::npos);
 }
 
-TEST(World, values_can_be_set_by_key) {
+TEST(World, ValuesCanBeSetByKey) {
     World world = test::small_world();
     for (const WorldKey& key : world_keys()) {
         // Whatever stands there can be set again, by the words that the key gives for it.
@@ -177,7 +177,7 @@ TEST(World, values_can_be_set_by_key) {
     EXPECT_EQ(world.laser.sigma_m, 0.25);
 }
 
-TEST(World, values_set_by_code_are_checked) {
+TEST(World, ValuesSetByCodeAreChecked) {
     World world = test::small_world();
     world.laser.rate_hz = 0.0;
     EXPECT_NE(message_of<ConfigError>([&] { check(world); }).find("laser.rate: found 0"),

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/slam/filters.hpp"
 #include "room_tour.hpp"
 #include "slow_ekf_slam.hpp"

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "hitos/features/random_stream.hpp"
+#include "hitos/base/random_stream.hpp"
 
 namespace hitos {
 namespace {

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "hitos/capture/error.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/slam/filters.hpp"
 #include "room_tour.hpp"
 
@@ -320,7 +320,7 @@ TEST(FiltroParticulas, AssociationsOfTheBestAreTold) {
     filter.step({}, seen);
     ASSERT_EQ(filter.associations().size(), 2U);
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::created);
-    EXPECT_EQ(filter.associations()[1].kind, FeatureKind::esquina);
+    EXPECT_EQ(filter.associations()[1].kind, FeatureKind::corner);
     EXPECT_EQ(filter.associations()[1].landmark, 1);
     filter.step({}, seen);
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::matched);

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "landmark_store.hpp"
+#include "map_store.hpp"
 
 namespace hitos {
 namespace {

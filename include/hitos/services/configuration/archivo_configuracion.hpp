@@ -1,0 +1,29 @@
+// Reads and writes configurations as commented TOML text.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "hitos/services/configuration/configuracion.hpp"
+
+namespace hitos {
+
+class ArchivoConfiguracion {
+  public:
+    /// The defaults with the file's values over them. Throws FileError where it cannot be read and
+    /// FormatError, with the line, for bad TOML, unknown keys (naming near ones), wrong types and
+    /// values out of range; all mistakes of the file in one message.
+    static Configuracion read(const std::filesystem::path& path);
+
+    /// As read(), from text; `name` stands in messages.
+    static Configuracion parse(std::string_view text, const std::string& name);
+
+    /// Every parameter, group by group, each with its meaning, unit, range and default as a
+    /// comment. Reading it back gives an equal configuration, to the last bit.
+    static std::string to_text(const Configuracion& configuration);
+
+    /// Writes to_text() atomically: a failed write leaves the file that was there.
+    static void write(const Configuracion& configuration, const std::filesystem::path& path);
+};
+
+}  // namespace hitos

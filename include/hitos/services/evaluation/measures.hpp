@@ -1,0 +1,55 @@
+// How good a map or a trajectory is [T 10.3].
+#pragma once
+
+#include <optional>
+
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
+
+namespace hitos {
+
+/// Errors of a landmark map against a reference map.
+struct MapError {
+    double mean_m = 0.0;  ///< [T 10.3]: mean over the landmarks of the distance to the nearest
+                          ///< reference landmark of the same kind
+    double maximum_m = 0.0;
+    int landmarks = 0;  ///< landmarks compared
+    int lines = 0;
+    int corners = 0;
+    int without_reference = 0;  ///< landmarks of a kind that the reference lacks; not in the mean
+    int reference_landmarks = 0;
+    int reference_found = 0;  ///< reference landmarks that are the nearest of some landmark
+};
+
+/// Nothing where no landmark can be compared.
+std::optional<MapError> map_error(const LandmarkMap& map, const LandmarkMap& reference);
+
+/// The rigid motion that takes the map nearest to the reference (least squares over the pairs of
+/// map_error, found anew until they no longer change), and the error after it. It takes the
+/// frame's error at the start out of the figure. The search starts at no motion and only goes
+/// downhill: the sum of squares is never greater than without alignment. What the map does not
+/// fix (the way along parallel lines) stays as it is.
+struct AlignedMapError {
+    Pose pose_reference_map;
+    MapError error;
+};
+std::optional<AlignedMapError> aligned_map_error(const LandmarkMap& map,
+                                                 const LandmarkMap& reference);
+
+/// Absolute trajectory error after the best rigid alignment without scale (Horn 1987; Umeyama
+/// 1991), over the poses whose stamps agree within `tolerance_s`: nearest stamps first, every pose
+/// once. Where the positions do not fix a rotation (a robot at rest) there is none. Nothing where
+/// no stamps agree.
+struct TrajectoryError {
+    double rmse_m = 0.0;  ///< ATE: root mean square distance
+    double mean_m = 0.0;
+    double maximum_m = 0.0;
+    double heading_rmse_rad = 0.0;
+    int poses = 0;  ///< pairs compared
+    Pose pose_reference_estimate;
+};
+std::optional<TrajectoryError> trajectory_error(const Trajectory& estimate,
+                                                const Trajectory& reference,
+                                                double tolerance_s = 0.02);
+
+}  // namespace hitos

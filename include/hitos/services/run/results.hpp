@@ -1,0 +1,64 @@
+// What a finished run leaves on disk.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitos/services/evaluation/distances.hpp"
+#include "hitos/services/evaluation/measures.hpp"
+#include "hitos/services/maps/paths_picture.hpp"
+#include "hitos/services/run/algoritmo.hpp"
+
+namespace hitos {
+
+/// The version of the program, as in summaries and --version.
+std::string version();
+
+/// What to compare a run with.
+struct References {
+    std::optional<LandmarkMap> map;
+    std::optional<Trajectory> trajectory;  ///< of the same clock, in any frame
+    std::vector<NamedDistance> distances;  ///< in the map's frame
+    Walls walls;                           ///< true walls for pictures, in the map's frame
+};
+
+/// The figures of a run, as summary.json states them.
+struct RunSummary {
+    std::string source;
+    LogFormat format = LogFormat::automatic;
+    std::uint64_t scans = 0;
+    double duration_s = 0.0;
+    std::string algorithm;  ///< as in the configuration: "fastslam", "ekf-slam"
+    int particles = 0;      ///< of FastSLAM; 0: the algorithm has none
+    std::uint64_t seed = 0;
+    int lines = 0;
+    int corners = 0;
+    ReadReport report;
+    std::optional<MapError> map_error;
+    std::optional<AlignedMapError> aligned_map_error;
+    std::optional<TrajectoryError> trajectory_error;
+    std::optional<TrajectoryError> odometry_error;
+    std::vector<MeasuredDistance> distances;
+    std::vector<std::string> not_drawn;  ///< pictures that are missing, each with the reason
+};
+
+RunSummary summarize(const Algoritmo& run, const References& references);
+
+/// The summary as JSON text; units stand in the names. `seconds` is the wall time of the run.
+std::string to_json(const RunSummary& summary, double seconds);
+
+/// Makes the folder (and its parents) and makes sure that files can be written there, so that a
+/// long run does not end in vain. Throws FileError.
+void prepare_output_folder(const std::filesystem::path& folder);
+
+/// Writes map.txt, segments.txt, map.dxf, trajectory.tum, odometry.tum, grid_best_steps, grid_best
+/// and grid_odometry (each as .png and .jpg), config.cfg and summary.json; distances.csv where
+/// distances are given; paths.png and its script where a trajectory is given; uncertainty.csv, .png
+/// and their script where the run recorded it. Without, those of an earlier run are removed. Each
+/// appears whole. Returns the summary.
+RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
+                         const std::filesystem::path& folder);
+
+}  // namespace hitos

@@ -1,0 +1,138 @@
+// Runs a Algoritmo on a worker thread for windows and command lines [T fig 9.14].
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "hitos/services/run/algoritmo.hpp"
+#include "hitos/services/run/grid_tiles.hpp"
+
+namespace hitos {
+
+/// Everything a view needs of the state after a step; immutable once published.
+struct Snapshot {
+    std::uint64_t steps = 0;
+    Scan scan;
+    Observation observation;
+    std::vector<Association> associations;
+    Pose best_pose;
+    LandmarkMap best_map;
+    std::vector<LineExtent> line_extents;  ///< segments of the lines of best_map
+    std::vector<WeightedPose> hypotheses;
+    Trajectory best_trajectory;
+    Trajectory odometry_trajectory;
+    GridTiles step_grid;
+    double seconds = 0.0;  ///< of the worker's time that making it took
+};
+
+/// The figures of one step, for plots against time.
+struct StepFigures {
+    double time_s = 0.0;  ///< stamp of the scan, since that of the first one
+    double neff = 0.0;
+    double best_log_weight = 0.0;
+    double step_seconds = 0.0;
+    int lines = 0;
+    int corners = 0;
+};
+
+/// How far a run has come; cheap to ask for.
+struct Progress {
+    enum class State { ready, running, paused, finished, failed };
+    State state = State::ready;
+    std::uint64_t steps = 0;
+    std::optional<double> fraction;  ///< of the source read, 0 … 1
+    double time_s = 0.0;             ///< stamp of the last scan
+    double duration_s = 0.0;         ///< since the first one
+    double steps_per_second = 0.0;   ///< over the last half second of running
+    int lines = 0;
+    int corners = 0;
+    FilterStatistics statistics;
+    double step_seconds = 0.0;  ///< wall time of the last step
+    std::uint64_t skipped_lines = 0;
+    std::string error;  ///< what ended a failed run
+};
+
+/// A run on its own thread. Every member may be called from any thread and returns without waiting
+/// for a step, except wait(), and futures that the caller chooses to wait for.
+class RunWorker {
+  public:
+    RunWorker(const Configuracion& configuration, std::unique_ptr<Fuente> fuente,
+              const AlgoritmoOptions& options = {});
+    /// Ends the worker after the step under way.
+    ~RunWorker();
+    RunWorker(const RunWorker&) = delete;
+    RunWorker& operator=(const RunWorker&) = delete;
+
+    /// Runs to the end of the source, or `steps` further steps.
+    void run();
+    void run(std::uint64_t steps);
+    /// Stops after the step under way.
+    void pause();
+    /// Stops and goes back to the beginning.
+    void restart();
+    /// Blocks until nothing is left to do (end, failure, pause, steps done).
+    void wait();
+    /// The same, but no longer than `time`.
+    void wait_for(std::chrono::milliseconds time);
+
+    Progress progress() const;
+
+    /// Asks for a snapshot of the state after the step under way (at once where none is); it is
+    /// made on the worker and handed out by latest_snapshot().
+    void request_snapshot();
+    std::shared_ptr<const Snapshot> latest_snapshot() const;
+
+    /// The figures of every step from number `first` (0 is the first scan) on. After a restart
+    /// they begin anew.
+    std::vector<StepFigures> figures_since(std::uint64_t first) const;
+
+    /// Calls `task` with the run between two steps, on the worker.
+    template <class Task>
+    auto with_run(Task task) -> std::future<std::invoke_result_t<Task, const Algoritmo&>> {
+        using Result = std::invoke_result_t<Task, const Algoritmo&>;
+        auto packaged =
+            std::make_shared<std::packaged_task<Result(const Algoritmo&)>>(std::move(task));
+        auto future = packaged->get_future();
+        post([packaged](const Algoritmo& run) { (*packaged)(run); });
+        return future;
+    }
+
+  private:
+    bool idle() const;  // with the mutex held
+    void post(std::function<void(const Algoritmo&)> task);
+    void work(const std::stop_token& stop);
+    void do_step();
+    void do_restart();
+    void publish_snapshot();
+    void note_progress();
+
+    Algoritmo run_;    // the worker's own, once it runs
+    GridTiler tiler_;  // likewise
+
+    mutable std::mutex mutex_;
+    std::condition_variable_any wake_;
+    std::condition_variable idle_;
+    std::uint64_t budget_ = 0;  // steps still asked for
+    bool restart_wanted_ = false;
+    bool snapshot_wanted_ = false;
+    bool busy_ = false;
+    std::vector<std::function<void(const Algoritmo&)>> tasks_;
+    Progress progress_;
+    std::shared_ptr<const Snapshot> snapshot_;
+    std::vector<StepFigures> figures_;
+    std::chrono::steady_clock::time_point rate_since_;
+    std::uint64_t rate_steps_ = 0;
+
+    std::jthread worker_;  // last: it uses everything above
+};
+
+}  // namespace hitos

@@ -1,0 +1,102 @@
+// Studies: many runs over values of parameters and seeds, in parallel, resumable, in shards
+// [T 8.2.2.11, 10.3].
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/study/study_result.hpp"
+#include "hitos/services/study/study_shard.hpp"
+#include "hitos/services/study/study_values.hpp"
+
+namespace hitos {
+
+/// One run that is to be done: its configuration has values and seed set.
+struct StudyJob {
+    std::size_t run = 0;
+    std::uint64_t seed = 0;
+    Configuracion configuration;
+};
+
+/// Gives a run its source; called on several threads at once.
+using StudySource = std::function<std::unique_ptr<Fuente>(const StudyJob&)>;
+
+/// What to do. A study is a value; several of them can be run at one go.
+struct Study {
+    Configuracion configuration;
+    LandmarkMap reference;
+    std::vector<StudyParameter> parameters;  ///< none, one or two
+    std::uint64_t first_seed = 1;
+    int seeds = 5;
+    StudySource source;   ///< null: the log that the configuration names
+    std::string setting;  ///< must tell apart sources that differ beyond the log's content
+    StudyLayout layout;
+};
+
+/// Checks the study and lays out its runs. Throws ConfigError for what no run could do: bad base
+/// configuration, too many parameters, no values, the same value twice, keys in two parameters,
+/// keys without effect.
+StudyPlan plan_study(const Study& study);
+
+/// How far run_studies has come.
+struct StudyProgress {
+    std::size_t runs = 0;      ///< to do, of all studies; those found done are not among them
+    std::size_t finished = 0;  ///< of these, the failed among them
+    std::size_t failed = 0;
+    std::size_t reused = 0;          ///< found done
+    double fraction = 0.0;           ///< of the runs to do, running ones counted by their part
+    std::string running;             ///< label of a run under way
+    std::size_t running_number = 0;  ///< its number, from 1
+    std::string failure;             ///< a run that has just failed, with the reason; else empty
+};
+using StudyObserver = std::function<void(const StudyProgress&)>;
+
+/// Told of every run that is done, those found done first; by one thread at a time.
+using StudyListener =
+    std::function<void(const StudyPlan&, std::size_t run, const StudyRecord& record)>;
+
+struct StudyOptions {
+    int threads = 0;  ///< runs at a time; 0: as many as the machine has
+    StudyShard shard;
+    bool tables = true;  ///< write tables and plots of whole studies at the end
+    /// Told of every start and end of a run and now and then between, by one thread at a time.
+    StudyObserver observer;
+    StudyListener listener;
+    std::stop_token stop;  ///< ends the study within a step; what is done stays done
+};
+
+struct StudyOutcome {
+    StudyPlan plan;
+    /// Run by run; where the shard is not the whole, those of other shards are not ok and have an
+    /// empty problem.
+    std::vector<StudyRecord> records;
+    std::size_t computed = 0;
+    std::size_t reused = 0;
+    std::size_t failed = 0;
+    bool stopped = false;      ///< before every run was done: there are no tables and plots
+    std::string plot_problem;  ///< why there are no plots; empty where there are, and for shards
+};
+
+/// Runs what is not yet done of every study, spreading all runs over the threads, each run on one
+/// thread. A run's map and record are written when it ends, whole or not at all, so a study that
+/// was stopped in any way goes on where it was. The results do not depend on threads, shards,
+/// stops or order. Failed runs are recorded and tried anew the next time. A whole study ends with
+/// its tables and plots; a shard leaves them to merge_study. Throws what ends everything: see
+/// plan_study, FileError for the output, and what opening the log throws.
+std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const StudyOptions& options);
+
+/// Gathers the runs of the shards' folders (none: they are all in `layout` already) and writes
+/// tables and plots, byte for byte as one process would have. Throws Error that names the missing
+/// runs where there are some, FormatError where the folders hold different studies or damaged
+/// files.
+StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout> shards = {});
+
+}  // namespace hitos

@@ -1,0 +1,24 @@
+// How a study's parameter lies along the x axis of its plots.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hitos/services/study/study_result.hpp"
+
+namespace hitos {
+
+/// By its number where each value is one, else place by place with the values as words.
+struct StudyAbscissa {
+    bool numbers = true;
+    bool logarithmic = false;
+    std::vector<double> positions;   ///< one for each value, in the plan's order
+    std::vector<std::string> words;  ///< likewise
+};
+
+StudyAbscissa study_abscissa(const StudyPlan::Axis& axis);
+
+/// "split_merge.dmax (m)"
+std::string study_axis_label(const StudyPlan::Axis& axis);
+
+}  // namespace hitos

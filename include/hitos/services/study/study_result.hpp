@@ -1,0 +1,120 @@
+// What a study consists of and what came out of it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hitos/services/study/study_values.hpp"
+
+namespace hitos {
+
+/// Where the files of a study lie. All names begin with `prefix`, so that several studies can
+/// share a folder.
+struct StudyLayout {
+    std::filesystem::path folder;
+    std::string prefix;                   ///< empty, or such as "quality-"
+    std::string quality = "quality.csv";  ///< the one name without prefix
+
+    std::filesystem::path file(const std::string& name) const { return folder / (prefix + name); }
+    std::filesystem::path quality_file() const { return folder / quality; }
+};
+
+/// A folder of its own.
+StudyLayout study_in_folder(const std::filesystem::path& folder);
+/// The quality file has this path, and everything else lies beside it under names that begin with
+/// its stem. Throws FileError for a path that names a folder or no file.
+StudyLayout study_beside(const std::filesystem::path& quality_file);
+
+/// The runs of a study: values (of no, one or two parameters) times seeds. Runs are numbered from
+/// 0, values of the first parameter slowest and seeds fastest.
+struct StudyPlan {
+    struct Axis {
+        std::string name;
+        std::vector<std::string> keys;
+        std::vector<std::string> units;  ///< one for each key, empty where it has none
+        std::vector<StudyValue> values;
+        friend bool operator==(const Axis&, const Axis&) = default;
+    };
+
+    std::vector<Axis> axes;
+    std::uint64_t first_seed = 1;
+    int seeds = 5;        ///< runs of each cell
+    std::string source;   ///< the log's file name, for people
+    std::string setting;  ///< what the source is beyond its file, e.g. its noise
+    std::string digest;   ///< of all that decides a result, but for values and seeds
+    int reference_lines = 0;
+    int reference_corners = 0;
+
+    /// A cell is one value of each parameter.
+    std::size_t cells() const;
+    std::size_t runs() const { return cells() * static_cast<std::size_t>(seeds); }
+    std::size_t cell_of(std::size_t run) const { return run / static_cast<std::size_t>(seeds); }
+    std::uint64_t seed_of(std::size_t run) const {
+        return first_seed + run % static_cast<std::size_t>(seeds);
+    }
+    /// The cell's place along each axis.
+    std::vector<std::size_t> places(std::size_t cell) const;
+    /// The cell's value of every key, axis by axis.
+    std::vector<std::string> texts(std::size_t cell) const;
+    std::vector<std::string> keys() const;
+    /// "dmax=0.02 seed 3", for people.
+    std::string label(std::size_t run) const;
+    /// "dmax-0.02-s3": the stem of the run's files, different for every run.
+    std::string file_stem(std::size_t run) const;
+    /// What a run's record must state to be this run's result.
+    std::string run_digest(std::size_t run) const;
+
+    friend bool operator==(const StudyPlan&, const StudyPlan&) = default;
+};
+
+/// The result of one run.
+struct StudyRecord {
+    bool ok = false;
+    std::string problem;                    ///< why it failed
+    std::optional<double> error_m;          ///< nothing where no landmark could be compared
+    std::optional<double> aligned_error_m;  ///< after the best rigid motion of the map
+    int lines = 0;
+    int corners = 0;
+    int reference_found = 0;
+    std::uint64_t scans = 0;
+    double seconds = 0.0;    ///< wall time: the one figure that is not reproducible
+    std::string map_digest;  ///< of the map file
+};
+
+/// Mean and spread of a figure over runs.
+struct Spread {
+    int count = 0;
+    double mean = 0.0;
+    std::optional<double> variance;  ///< unbiased (n - 1); nothing below two values
+    double minimum = 0.0;
+    double maximum = 0.0;
+};
+/// Nothing without values.
+std::optional<Spread> spread_of(std::span<const double> values);
+
+/// One row of the summary: all runs of one value, or pair of values [T 10.3].
+struct StudyCell {
+    std::vector<std::string> texts;
+    int finished = 0;
+    int failed = 0;
+    std::optional<Spread> error_m;
+    std::optional<Spread> aligned_error_m;
+    std::optional<Spread> landmarks;
+    std::optional<Spread> lines;
+    std::optional<Spread> corners;
+};
+std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRecord> records);
+
+/// The tables of a finished study as text.
+std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
+                        std::span<const StudyRecord> records);
+std::string timing_csv(const StudyPlan& plan, std::span<const StudyRecord> records);
+std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells);
+std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> cells);
+std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cells);
+
+}  // namespace hitos

@@ -1,0 +1,87 @@
+// Runs the synthetic experiments of thesis chapter 10 again and sets the outcome beside its
+// figures.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitos/services/study/study.hpp"
+#include "hitos/workbench/thesis_figures.hpp"
+
+namespace hitos {
+
+struct ReproductionOptions {
+    /// Figures by number, world or parameter; all where empty.
+    std::vector<std::string> only;
+    int runs = 5;     ///< of each value, with seeds from 1
+    int threads = 0;  ///< runs at a time; 0: as many as the machine has
+    std::filesystem::path out;
+    StudyObserver observer;
+};
+
+/// How a row came out against what is asked of it.
+struct Verdict {
+    bool error_met = false;             ///< working range: at most kErrorMargin above the thesis
+    bool landmarks_met = false;         ///< working range: near enough to the true number
+    bool thesis_landmarks_met = false;  ///< whether the thesis's own figure is
+    bool same_tendency = false;         ///< outside the range: harm or none, as in the thesis
+    std::string words;
+};
+
+struct ReproducedRow {
+    ThesisRow thesis;
+    bool in_range = false;
+    int finished = 0;
+    int failed = 0;
+    int bare = 0;                   ///< runs that found no landmark at all
+    std::optional<Spread> error_m;  ///< over the runs that found some
+    std::optional<Spread> landmarks;
+    Verdict verdict;
+};
+
+struct ReproducedFigure {
+    ThesisFigure thesis;
+    int true_landmarks = 0;
+    double tolerance = 0.0;  ///< of the number of landmarks
+    std::vector<ReproducedRow> rows;
+};
+
+struct Reproduction {
+    std::vector<ReproducedFigure> figures;
+    int runs = 0;
+    std::size_t computed = 0;
+    std::size_t reused = 0;
+    std::vector<std::string> failures;
+    std::string plot_problem;  ///< why there are no plots; empty where there are
+};
+
+/// How far above the thesis's error ours may lie in the working range [m].
+constexpr double kErrorMargin = 0.05;
+/// Laser and odometry of the simulated tours: SPEC section 9.
+constexpr double kReproductionLaserSigma = 0.003;
+constexpr double kReproductionOdometryNoise = 0.1;
+
+/// The figures that `only` names, in their order. Throws ConfigError where it names none.
+std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figures,
+                                         const std::vector<std::string>& only);
+
+/// Runs what is not yet done, and writes reproduction.csv, reproduction.md and plots/ into the
+/// folder. Nothing written depends on threads or interruptions. Throws what run_studies() throws.
+Reproduction reproduce(const ReproductionOptions& options);
+
+/// Judges all rows of the figure.
+void judge(ReproducedFigure& figure);
+
+std::string reproduction_csv(const Reproduction& reproduction);
+/// `plots` is the folder of the pictures as seen from the document.
+std::string reproduction_markdown(const Reproduction& reproduction, const std::string& plots);
+/// Draws every figure; gives the reason why there are no pictures, else an empty text.
+std::string draw_reproduction(const Reproduction& reproduction,
+                              const std::filesystem::path& folder);
+/// Writes the document and its pictures (beside it, in a folder of its stem).
+void write_report(const Reproduction& reproduction, const std::filesystem::path& document,
+                  const std::filesystem::path& plots);
+
+}  // namespace hitos

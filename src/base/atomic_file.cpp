@@ -1,0 +1,165 @@
+#include "hitos/base/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "hitos/base/error.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
+constexpr int kNamesTried = 1000;
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+/// What a user can do about the error; empty where the reason says it all.
+std::string advice(int error, bool folder_exists) {
+    switch (error) {
+        case EACCES:
+        case EPERM:
+        case EROFS:
+            return "; choose a folder that you may write to";
+        case ENOENT:
+            return folder_exists ? "; choose another folder" : "; create the folder first";
+        case ENOTDIR:
+            return "; choose a path whose parent is a folder";
+        case ENOSPC:
+        case EDQUOT:
+            return "; free some space or choose another disk";
+        case ENAMETOOLONG:
+            return "; choose a shorter name";
+        default:
+            return "";
+    }
+}
+
+/// A link stays a link: what it points to is replaced.
+std::filesystem::path followed(std::filesystem::path path) {
+    std::error_code error;
+    if (!std::filesystem::is_symlink(path, error)) return path;
+    std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
+    return error ? path : real;
+}
+
+void sync_folder(const std::filesystem::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;  // the file is in place; a folder that may not be read is no error
+    ::fsync(descriptor);
+    ::close(descriptor);
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
+    : target_(followed(std::move(target))) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(target_, ignored)) {
+        throw FileError(target_.string(), "cannot be written: it is a folder; choose a file name");
+    }
+    if (!target_.has_filename()) {
+        throw FileError(target_.string(), "cannot be written: it names no file");
+    }
+    const std::filesystem::path folder =
+        target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
+    struct stat old {};
+    const bool replaces = ::stat(target_.c_str(), &old) == 0;
+    for (int i = 0; i < kNamesTried && descriptor_ < 0; ++i) {
+        temporary_ =
+            folder / (".hitos-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp");
+        descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ < 0 && errno != EEXIST) break;
+    }
+    if (descriptor_ < 0) {
+        temporary_.clear();
+        fail("cannot be written");
+    }
+    if (replaces && S_ISREG(old.st_mode)) ::fchmod(descriptor_, old.st_mode & 07777U);
+    if (compress_gz && target_.extension() == ".gz") {
+        const int copy = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+        gzip_ = copy < 0 ? nullptr : ::gzdopen(copy, "wb6");
+        if (gzip_ == nullptr) {
+            const int error = errno;
+            if (copy >= 0) ::close(copy);
+            discard();
+            errno = error;
+            fail("cannot be compressed");
+        }
+    }
+    buffer_.reserve(kBufferBytes);
+}
+
+AtomicFile::~AtomicFile() {
+    discard();
+}
+
+void AtomicFile::discard() {
+    if (gzip_ != nullptr) ::gzclose(static_cast<gzFile>(std::exchange(gzip_, nullptr)));
+    if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    temporary_.clear();
+}
+
+void AtomicFile::write(std::string_view bytes) {
+    buffer_.append(bytes);
+    if (buffer_.size() >= kBufferBytes) flush();
+}
+
+void AtomicFile::flush() {
+    std::string_view rest = buffer_;
+    while (!rest.empty()) {
+        ssize_t done = 0;
+        if (gzip_ != nullptr) {
+            const std::size_t part = std::min(rest.size(), std::size_t{1} << 30);
+            errno = 0;
+            done = ::gzwrite(static_cast<gzFile>(gzip_), rest.data(), static_cast<unsigned>(part));
+        } else {
+            done = ::write(descriptor_, rest.data(), rest.size());
+            if (done < 0 && errno == EINTR) continue;
+        }
+        if (done <= 0) fail("writing fails");
+        rest.remove_prefix(static_cast<std::size_t>(done));
+    }
+    buffer_.clear();
+}
+
+void AtomicFile::commit() {
+    flush();
+    if (gzip_ != nullptr) {
+        errno = 0;
+        if (::gzclose(static_cast<gzFile>(std::exchange(gzip_, nullptr))) != Z_OK) {
+            fail("writing fails");
+        }
+    }
+    if (::fsync(descriptor_) != 0) fail("writing fails");
+    if (::close(std::exchange(descriptor_, -1)) != 0) fail("writing fails");
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot be put in place");
+    temporary_.clear();
+    sync_folder(target_.has_parent_path() ? target_.parent_path() : std::filesystem::path("."));
+}
+
+void AtomicFile::fail(const std::string& doing) const {
+    const int error = errno;
+    std::error_code ignored;
+    const bool folder_exists = std::filesystem::exists(target_.parent_path(), ignored);
+    throw FileError(target_.string(),
+                    doing + ": " + reason(error == 0 ? EIO : error) + advice(error, folder_exists));
+}
+
+void write_file(const std::filesystem::path& target, std::string_view content) {
+    AtomicFile file(target);
+    file.write(content);
+    file.commit();
+}
+
+}  // namespace hitos

@@ -1,0 +1,137 @@
+#include "hitos/base/text_input.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <system_error>
+
+#include "hitos/base/error.hpp"
+
+namespace hitos::input {
+namespace {
+
+constexpr std::string_view kWhite = " \t\r\n\v\f";
+constexpr std::size_t kChunk = std::size_t{1} << 16;
+
+struct GzipCloser {
+    void operator()(gzFile file) const { gzclose_r(file); }
+};
+
+}  // namespace
+
+std::string read_text(const std::filesystem::path& path) {
+    std::error_code problem;
+    const auto status = std::filesystem::status(path, problem);
+    if (status.type() == std::filesystem::file_type::not_found) {
+        throw FileError(path.string(), "no such file");
+    }
+    if (std::filesystem::is_directory(status)) {
+        throw FileError(path.string(), "is a directory; expected a file");
+    }
+    errno = 0;
+    const std::unique_ptr<gzFile_s, GzipCloser> file(gzopen(path.c_str(), "rb"));
+    if (!file) {
+        throw FileError(path.string(), "cannot open: " + std::generic_category().message(errno));
+    }
+    std::string text;
+    for (;;) {
+        const std::size_t used = text.size();
+        text.resize(used + kChunk);
+        const int got = gzread(file.get(), text.data() + used, static_cast<unsigned>(kChunk));
+        text.resize(used + static_cast<std::size_t>(got > 0 ? got : 0));
+        if (got <= 0) break;
+        if (text.size() > kLargestText) {
+            throw FileError(path.string(),
+                            fmt::format("is greater than {} MiB", kLargestText >> 20U));
+        }
+    }
+    int code = Z_OK;
+    const char* reason = gzerror(file.get(), &code);
+    if (code == Z_ERRNO) {
+        throw FileError(path.string(), "cannot read: " + std::generic_category().message(errno));
+    }
+    if (code != Z_OK && code != Z_STREAM_END) {
+        throw FileError(path.string(), fmt::format("damaged gzip file: {}", reason));
+    }
+    return text;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(kWhite);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kWhite) - first + 1);
+}
+
+std::vector<std::string_view> fields(std::string_view text) {
+    std::vector<std::string_view> words;
+    for (std::size_t at = text.find_first_not_of(kWhite); at != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(kWhite, at), text.size());
+        words.push_back(text.substr(at, end - at));
+        at = text.find_first_not_of(kWhite, end);
+    }
+    return words;
+}
+
+std::optional<std::string_view> next_line(std::string_view& rest) {
+    if (rest.empty()) return std::nullopt;
+    const std::size_t end = rest.find('\n');
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    return line;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+    // from_chars knows no plus sign.
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') {
+        text.remove_prefix(1);
+    }
+    double value = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (stop != end || error != std::errc{}) return std::nullopt;
+    return value;
+}
+
+std::string in_quotes(std::string_view text) {
+    constexpr std::size_t kLongest = 60;
+    std::size_t length = std::min(text.size(), kLongest);
+    // Not in the middle of a UTF-8 character.
+    while (length > 0 && length < text.size() &&
+           (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
+        --length;
+    }
+    std::string out = "\"";
+    for (const char c : text.substr(0, length)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7f) {
+            out += fmt::format("\\x{:02x}", byte);
+        } else {
+            out += c;
+        }
+    }
+    out += length < text.size() ? "...\"" : "\"";
+    return out;
+}
+
+double finite_number(std::string_view word, std::string_view column, const Place& place) {
+    const std::optional<double> value = parse_number(word);
+    if (value && std::isfinite(*value)) return *value;
+    throw FormatError(place.file, place.line,
+                      fmt::format("{} is {}; expected a finite number", column, in_quotes(word)));
+}
+
+void require_columns(std::size_t found, std::span<const std::string_view> columns,
+                     const Place& place) {
+    if (found == columns.size()) return;
+    throw FormatError(place.file, place.line,
+                      fmt::format("found {} fields; expected {} numbers, {}", found, columns.size(),
+                                  fmt::join(columns, " ")));
+}
+
+}  // namespace hitos::input

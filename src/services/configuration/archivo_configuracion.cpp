@@ -1,0 +1,277 @@
+// The one file that includes toml++, which is slow to compile.
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+
+namespace hitos {
+namespace {
+
+struct Mistake {
+    std::uint64_t line = 0;
+    std::string problem;
+};
+
+std::uint64_t line_of(const toml::source_region& source) {
+    return source.begin.line;
+}
+
+std::string_view group_of(std::string_view key) {
+    return key.substr(0, key.find('.'));
+}
+std::string_view name_of(std::string_view key) {
+    return key.substr(key.find('.') + 1);
+}
+
+std::string_view type_name(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "an array";
+        case toml::node_type::string:
+            return "a string";
+        case toml::node_type::integer:
+            return "an integer";
+        case toml::node_type::floating_point:
+            return "a real number";
+        case toml::node_type::boolean:
+            return "a boolean";
+        default:
+            return "a date or time";
+    }
+}
+
+std::string_view expected_name(Parameter::Type type) {
+    switch (type) {
+        case Parameter::Type::real:
+            return "a number";
+        case Parameter::Type::integer:
+            return "an integer";
+        default:
+            return "a string in quotes";
+    }
+}
+
+/// The node's value as the text that Parameter::set takes; nothing for a wrong type.
+std::optional<std::string> value_text(const toml::node& node, Parameter::Type type) {
+    const bool number = type == Parameter::Type::real || type == Parameter::Type::integer;
+    if (node.is_integer() && number) return fmt::format("{}", node.as_integer()->get());
+    if (node.is_floating_point() && type == Parameter::Type::real) {
+        return fmt::format("{}", node.as_floating_point()->get());
+    }
+    if (node.is_string() && !number) return node.as_string()->get();
+    return std::nullopt;
+}
+
+/// Goes through a parsed document and gathers every mistake with its line.
+class Reading {
+  public:
+    Configuracion configuration;
+    std::vector<Mistake> mistakes;
+
+    void read(const toml::table& document) {
+        for (const auto& [key, node] : document) {
+            const std::string_view group = key.str();
+            const auto known = std::ranges::any_of(
+                parameters(), [&](const Parameter& p) { return group_of(p.key) == group; });
+            if (const toml::table* table = node.as_table()) {
+                // The mistakes inside an unknown group name near keys; an empty one is told here.
+                if (!known && table->empty()) {
+                    add(line_of(key.source()), fmt::format("[{}]: no such group", group));
+                }
+                for (const auto& [name, value] : *table) {
+                    read(fmt::format("{}.{}", group, name.str()), line_of(name.source()), value);
+                }
+            } else if (known) {
+                add(line_of(key.source()),
+                    fmt::format("{0}: found {1}; expected a table [{0}]", group, type_name(node)));
+            } else {
+                read(std::string(group), line_of(key.source()), node);
+            }
+        }
+        if (mistakes.empty()) check_together();
+        std::ranges::stable_sort(mistakes, {}, &Mistake::line);
+    }
+
+  private:
+    void add(std::uint64_t line, std::string problem) {
+        mistakes.push_back({line, std::move(problem)});
+    }
+
+    void read(const std::string& key, std::uint64_t line, const toml::node& node) {
+        try {
+            const Parameter& parameter = find_parameter(key);
+            if (const auto text = value_text(node, parameter.type)) {
+                parameter.set(configuration, *text);
+                lines_.emplace_back(key, line);
+            } else {
+                add(line, fmt::format("{}: found {}; expected {}, {}", key, type_name(node),
+                                      expected_name(parameter.type), parameter.allowed()));
+            }
+        } catch (const ConfigError& error) {
+            add(line, error.what());
+        }
+    }
+
+    void check_together() {
+        try {
+            check(configuration);
+        } catch (const ConfigError& error) {
+            const auto found = std::ranges::find(lines_, error.key(),
+                                                 &std::pair<std::string, std::uint64_t>::first);
+            add(found == lines_.end() ? 0 : found->second, error.what());
+        }
+    }
+
+    std::vector<std::pair<std::string, std::uint64_t>> lines_;  ///< where each key was set
+};
+
+/// One mistake as it is; several one below the other, each with its line.
+std::string joined(const std::vector<Mistake>& mistakes) {
+    if (mistakes.size() == 1) return mistakes.front().problem;
+    std::string text = fmt::format("{} mistakes:", mistakes.size());
+    for (const Mistake& mistake : mistakes) {
+        text += mistake.line == 0 ? fmt::format("\n  {}", mistake.problem)
+                                  : fmt::format("\n  line {}: {}", mistake.line, mistake.problem);
+    }
+    return text;
+}
+
+/// Where the bytes stop being well-formed UTF-8 (Unicode 15, table 3-7), the one encoding of TOML;
+/// the size where they never do.
+std::size_t end_of_utf8(std::string_view text) {
+    const auto byte = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+    };
+    const auto length_after = [](unsigned lead) -> std::size_t {
+        if (lead < 0x80) return 1;
+        if (lead < 0xc2 || lead > 0xf4) return 0;
+        return lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+    };
+    std::size_t i = 0;
+    while (i < text.size()) {
+        const unsigned lead = byte(i);
+        const std::size_t length = length_after(lead);
+        if (length == 0) break;
+        bool good = true;
+        for (std::size_t k = 1; k < length; ++k) good = good && (byte(i + k) & 0xc0U) == 0x80U;
+        const unsigned second = byte(i + 1);
+        const bool overlong = (lead == 0xe0 && second < 0xa0) || (lead == 0xf0 && second < 0x90);
+        const bool beyond = (lead == 0xed && second > 0x9f) || (lead == 0xf4 && second > 0x8f);
+        if (!good || overlong || beyond) break;
+        i += length;
+    }
+    return i;
+}
+
+std::string toml_string(const Parameter& parameter, std::string_view text) {
+    if (end_of_utf8(text) != text.size()) {
+        throw ConfigError(
+            std::string(parameter.key),
+            input::in_quotes(text) + " is not UTF-8 and cannot stand in a configuration file");
+    }
+    std::string out = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (byte < 0x20 || byte == 0x7f) {
+            out += fmt::format("\\u{:04X}", byte);
+        } else {
+            out += c;
+        }
+    }
+    return out + '"';
+}
+
+std::string toml_value(const Parameter& parameter, const Configuracion& configuration) {
+    std::string text = parameter.text(configuration);
+    switch (parameter.type) {
+        case Parameter::Type::integer:
+            return text;
+        case Parameter::Type::real:
+            // A point makes it a float of TOML, which keeps the sign of -0.
+            return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+        default:
+            return toml_string(parameter, text);
+    }
+}
+
+/// Appends words as comment lines of at most 100 columns.
+void append_comment(std::string& out, std::string_view text) {
+    constexpr std::size_t kColumns = 100;
+    std::size_t column = 0;
+    for (const std::string_view word : input::fields(text)) {
+        if (column == 0 || column + 1 + word.size() > kColumns) {
+            out += column == 0 ? "#" : "\n#";
+            column = 1;
+        }
+        out += ' ';
+        out += word;
+        column += 1 + word.size();
+    }
+    out += '\n';
+}
+
+}  // namespace
+
+Configuracion ArchivoConfiguracion::read(const std::filesystem::path& path) {
+    return parse(input::read_text(path), path.string());
+}
+
+Configuracion ArchivoConfiguracion::parse(std::string_view text, const std::string& name) {
+    const std::size_t end = end_of_utf8(text);
+    if (end != text.size()) {
+        const auto line = 1 + std::ranges::count(text.substr(0, end), '\n');
+        throw FormatError(name, static_cast<std::uint64_t>(line),
+                          fmt::format("found the byte 0x{:02x}; expected UTF-8 text",
+                                      static_cast<unsigned char>(text[end])));
+    }
+    Reading reading;
+    try {
+        reading.read(toml::parse(text));
+    } catch (const toml::parse_error& error) {
+        throw FormatError(name, line_of(error.source()), std::string(error.description()));
+    }
+    if (!reading.mistakes.empty()) {
+        throw FormatError(name, reading.mistakes.front().line, joined(reading.mistakes));
+    }
+    return reading.configuration;
+}
+
+std::string ArchivoConfiguracion::to_text(const Configuracion& configuration) {
+    const Configuracion defaults;
+    std::string out =
+        "# Configuration of Hitos (TOML). A parameter that is left out has its default value.\n";
+    std::string_view group;
+    for (const Parameter& parameter : parameters()) {
+        if (group_of(parameter.key) != group) {
+            group = group_of(parameter.key);
+            out += fmt::format("\n[{}]\n", group);
+        }
+        out += '\n';
+        append_comment(out, parameter.description);
+        append_comment(out, fmt::format("Allowed: {}. Default: {}.", parameter.allowed(),
+                                        toml_value(parameter, defaults)));
+        out +=
+            fmt::format("{} = {}\n", name_of(parameter.key), toml_value(parameter, configuration));
+    }
+    return out;
+}
+
+void ArchivoConfiguracion::write(const Configuracion& configuration,
+                                 const std::filesystem::path& path) {
+    write_file(path, to_text(configuration));
+}
+
+}  // namespace hitos

@@ -1,0 +1,13 @@
+// The table behind parameters().
+#pragma once
+
+#include <vector>
+
+#include "hitos/services/configuration/configuracion.hpp"
+
+namespace hitos {
+
+/// Every parameter of Configuracion, group by group; keys of one TOML table stand together.
+std::vector<Parameter> make_parameter_table();
+
+}  // namespace hitos

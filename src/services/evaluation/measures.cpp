@@ -1,0 +1,311 @@
+#include "hitos/services/evaluation/measures.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace hitos {
+namespace {
+
+double distance(const Point2& a, const Point2& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// A landmark, by index, and the nearest reference landmark of its kind.
+struct MapPair {
+    std::size_t landmark = 0;
+    std::size_t reference = 0;
+    double distance_m = 0.0;
+};
+
+bool same_pairs(std::span<const MapPair> a, std::span<const MapPair> b) {
+    return std::ranges::equal(a, b, [](const MapPair& p, const MapPair& q) {
+        return p.landmark == q.landmark && p.reference == q.reference;
+    });
+}
+
+std::vector<MapPair> nearest_pairs(const LandmarkMap& map, const LandmarkMap& reference) {
+    std::vector<Point2> points;
+    points.reserve(reference.size());
+    for (const ICaracteristica& landmark : reference) points.push_back(landmark.point());
+    std::vector<MapPair> pairs;
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        const Point2 point = map[i].point();
+        std::optional<MapPair> best;
+        for (std::size_t j = 0; j < reference.size(); ++j) {
+            if (reference[j].kind() != map[i].kind()) continue;
+            const double away = distance(point, points[j]);
+            if (!best || away < best->distance_m) best = MapPair{i, j, away};
+        }
+        if (best) pairs.push_back(*best);
+    }
+    return pairs;
+}
+
+std::optional<MapError> error_of(std::span<const MapPair> pairs, const LandmarkMap& map,
+                                 const LandmarkMap& reference) {
+    if (pairs.empty()) return std::nullopt;
+    MapError error;
+    error.landmarks = static_cast<int>(pairs.size());
+    error.without_reference = static_cast<int>(map.size() - pairs.size());
+    error.reference_landmarks = static_cast<int>(reference.size());
+    std::vector<char> found(reference.size(), 0);
+    double sum = 0.0;
+    for (const MapPair& pair : pairs) {
+        ++(map[pair.landmark].kind() == FeatureKind::line ? error.lines : error.corners);
+        found[pair.reference] = 1;
+        sum += pair.distance_m;
+        error.maximum_m = std::max(error.maximum_m, pair.distance_m);
+    }
+    error.mean_m = sum / error.landmarks;
+    error.reference_found = static_cast<int>(std::ranges::count(found, 1));
+    return error;
+}
+
+LandmarkMap moved(const LandmarkMap& map, const Pose& pose) {
+    LandmarkMap out;
+    out.reserve(map.size());
+    for (const ICaracteristica& landmark : map) out.push_back(transform(pose, landmark));
+    return out;
+}
+
+using Jacobian = Eigen::Matrix<double, 2, 3>;
+
+/// The point of a landmark moved by `pose`, and its derivative by (x, y, theta).
+std::pair<Eigen::Vector2d, Jacobian> moved_point(const ICaracteristica& landmark,
+                                                 const Pose& pose) {
+    Jacobian jacobian;
+    if (const auto* recta = std::get_if<Recta>(&landmark.value)) {
+        // The foot rho' n, with n the moved normal and rho' = rho + (x, y) n, whatever its sign.
+        const double theta = recta->theta + pose.theta;
+        const Eigen::Vector2d n(std::cos(theta), std::sin(theta));
+        const Eigen::Vector2d across(-n.y(), n.x());
+        const Eigen::Vector2d shift(pose.x, pose.y);
+        const double rho = recta->rho + shift.dot(n);
+        jacobian.leftCols<2>() = n * n.transpose();
+        jacobian.col(2) = shift.dot(across) * n + rho * across;
+        return {rho * n, jacobian};
+    }
+    const auto& esquina = std::get<Esquina>(landmark.value);
+    const double c = std::cos(pose.theta);
+    const double s = std::sin(pose.theta);
+    const Eigen::Vector2d turned(c * esquina.x - s * esquina.y, s * esquina.x + c * esquina.y);
+    jacobian << 1.0, 0.0, -turned.y(), 0.0, 1.0, turned.x();
+    return {turned + Eigen::Vector2d(pose.x, pose.y), jacobian};
+}
+
+/// Fits the rigid motion to fixed pairs by Gauss-Newton steps that only go downhill.
+class PairFit {
+  public:
+    PairFit(const LandmarkMap& map, const LandmarkMap& reference, std::span<const MapPair> pairs)
+        : map_(map), pairs_(pairs) {
+        for (const MapPair& pair : pairs) {
+            const Point2 point = reference[pair.reference].point();
+            targets_.emplace_back(point.x, point.y);
+        }
+    }
+
+    double cost(const Pose& pose) const {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            sum += (moved_point(map_[pairs_[i].landmark], pose).first - targets_[i]).squaredNorm();
+        }
+        return sum;
+    }
+
+    Pose from(Pose pose) const {
+        constexpr int kMostSteps = 50;
+        double best = cost(pose);
+        for (int i = 0; i < kMostSteps; ++i) {
+            const Eigen::Vector3d full = step(pose);
+            bool better = false;
+            for (double part = 1.0; part > 1e-6 && !better; part /= 2.0) {
+                const Pose tried{pose.x + part * full.x(), pose.y + part * full.y(),
+                                 wrap_angle(pose.theta + part * full.z())};
+                const double its_cost = cost(tried);
+                if (its_cost < best) {
+                    best = its_cost;
+                    pose = tried;
+                    better = true;
+                }
+            }
+            if (!better) break;
+        }
+        return pose;
+    }
+
+  private:
+    /// The Gauss-Newton step, without the directions that the pairs do not fix.
+    Eigen::Vector3d step(const Pose& pose) const {
+        constexpr double kUnfixed = 1e-12;  // of the greatest eigenvalue
+        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            const auto [point, jacobian] = moved_point(map_[pairs_[i].landmark], pose);
+            normal += jacobian.transpose() * jacobian;
+            gradient += jacobian.transpose() * (point - targets_[i]);
+        }
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal);
+        const Eigen::Vector3d& values = solver.eigenvalues();  // ascending
+        Eigen::Vector3d result = Eigen::Vector3d::Zero();
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            if (!(values[k] > kUnfixed * values[2])) continue;
+            const Eigen::Vector3d direction = solver.eigenvectors().col(k);
+            result -= direction * (direction.dot(gradient) / values[k]);
+        }
+        return result;
+    }
+
+    const LandmarkMap& map_;
+    std::span<const MapPair> pairs_;
+    std::vector<Eigen::Vector2d> targets_;
+};
+
+/// A pose of one of two trajectories in the order of all stamps.
+struct Stamp {
+    double time_s = 0.0;
+    bool of_reference = false;
+    std::size_t index = 0;
+};
+
+/// Pairs (estimate, reference) of poses with stamps within the tolerance, nearest first. The two
+/// nearest that are left always stand side by side in the order of stamps, so a list of what is
+/// left and a queue of its neighbours suffice.
+std::vector<std::pair<std::size_t, std::size_t>> pairs_by_stamp(const Trajectory& estimate,
+                                                                const Trajectory& reference,
+                                                                double tolerance_s) {
+    std::vector<Stamp> stamps;
+    for (std::size_t i = 0; i < estimate.size(); ++i) {
+        if (std::isfinite(estimate[i].time_s)) stamps.push_back({estimate[i].time_s, false, i});
+    }
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+        if (std::isfinite(reference[i].time_s)) stamps.push_back({reference[i].time_s, true, i});
+    }
+    std::ranges::stable_sort(stamps, {}, &Stamp::time_s);
+
+    const std::size_t none = stamps.size();
+    std::vector<std::size_t> before(stamps.size());
+    std::vector<std::size_t> after(stamps.size());
+    std::vector<char> used(stamps.size(), 0);
+    using Candidate = std::tuple<double, std::size_t, std::size_t>;
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
+    const auto consider = [&](std::size_t left, std::size_t right) {
+        if (left == none || right == none) return;
+        if (stamps[left].of_reference == stamps[right].of_reference) return;
+        const double apart = stamps[right].time_s - stamps[left].time_s;
+        if (apart <= tolerance_s) candidates.emplace(apart, left, right);
+    };
+    for (std::size_t i = 0; i < stamps.size(); ++i) {
+        before[i] = i == 0 ? none : i - 1;
+        after[i] = i + 1;
+        consider(i, after[i]);
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    while (!candidates.empty()) {
+        const auto [apart, left, right] = candidates.top();
+        candidates.pop();
+        if (used[left] != 0 || used[right] != 0) continue;
+        used[left] = used[right] = 1;
+        const auto& [of_estimate, of_reference] =
+            stamps[left].of_reference ? std::pair(right, left) : std::pair(left, right);
+        pairs.emplace_back(stamps[of_estimate].index, stamps[of_reference].index);
+        const std::size_t outer_left = before[left];
+        const std::size_t outer_right = after[right];
+        if (outer_left != none) after[outer_left] = outer_right;
+        if (outer_right != none) before[outer_right] = outer_left;
+        consider(outer_left, outer_right);
+    }
+    std::ranges::sort(pairs);
+    return pairs;
+}
+
+/// The rigid motion that takes points nearest to their partners, in closed form: in the plane the
+/// rotation of Horn (1987) is the angle of the summed products of the centred points, seen as
+/// complex numbers.
+Pose rigid_alignment(std::span<const Point2> points, std::span<const Point2> partners) {
+    constexpr double kSamePlace = 1e-9;  // [m] positions this near fix no rotation
+    const auto n = static_cast<double>(points.size());
+    Point2 mean;
+    Point2 partner_mean;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        mean = {mean.x + points[i].x / n, mean.y + points[i].y / n};
+        partner_mean = {partner_mean.x + partners[i].x / n, partner_mean.y + partners[i].y / n};
+    }
+    double along = 0.0;
+    double across = 0.0;
+    double spread = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Point2 a{points[i].x - mean.x, points[i].y - mean.y};
+        const Point2 b{partners[i].x - partner_mean.x, partners[i].y - partner_mean.y};
+        along += a.x * b.x + a.y * b.y;
+        across += a.x * b.y - a.y * b.x;
+        spread += a.x * a.x + a.y * a.y;
+    }
+    const double theta = spread <= n * kSamePlace * kSamePlace ? 0.0 : std::atan2(across, along);
+    const Point2 turned = transform({0.0, 0.0, theta}, mean);
+    return {partner_mean.x - turned.x, partner_mean.y - turned.y, wrap_angle(theta)};
+}
+
+}  // namespace
+
+std::optional<MapError> map_error(const LandmarkMap& map, const LandmarkMap& reference) {
+    return error_of(nearest_pairs(map, reference), map, reference);
+}
+
+std::optional<AlignedMapError> aligned_map_error(const LandmarkMap& map,
+                                                 const LandmarkMap& reference) {
+    // Every round lowers the sum of squares, so that it ends; the limit is for rounding alone.
+    constexpr int kMostRounds = 200;
+    std::vector<MapPair> pairs = nearest_pairs(map, reference);
+    if (pairs.empty()) return std::nullopt;
+    Pose pose;
+    for (int round = 0; round < kMostRounds; ++round) {
+        pose = PairFit(map, reference, pairs).from(pose);
+        std::vector<MapPair> next = nearest_pairs(moved(map, pose), reference);
+        const bool settled = same_pairs(next, pairs);
+        pairs = std::move(next);
+        if (settled) break;
+    }
+    return AlignedMapError{pose, *error_of(pairs, map, reference)};
+}
+
+std::optional<TrajectoryError> trajectory_error(const Trajectory& estimate,
+                                                const Trajectory& reference, double tolerance_s) {
+    const auto pairs = pairs_by_stamp(estimate, reference, tolerance_s);
+    if (pairs.empty()) return std::nullopt;
+    std::vector<Point2> points;
+    std::vector<Point2> partners;
+    for (const auto& [i, j] : pairs) {
+        points.push_back({estimate[i].pose.x, estimate[i].pose.y});
+        partners.push_back({reference[j].pose.x, reference[j].pose.y});
+    }
+    TrajectoryError error;
+    error.poses = static_cast<int>(pairs.size());
+    error.pose_reference_estimate = rigid_alignment(points, partners);
+    double squares = 0.0;
+    double heading_squares = 0.0;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        const double away =
+            distance(transform(error.pose_reference_estimate, points[k]), partners[k]);
+        squares += away * away;
+        error.mean_m += away / error.poses;
+        error.maximum_m = std::max(error.maximum_m, away);
+        const double turn =
+            wrap_angle(estimate[pairs[k].first].pose.theta + error.pose_reference_estimate.theta -
+                       reference[pairs[k].second].pose.theta);
+        heading_squares += turn * turn;
+    }
+    error.rmse_m = std::sqrt(squares / error.poses);
+    error.heading_rmse_rad = std::sqrt(heading_squares / error.poses);
+    return error;
+}
+
+}  // namespace hitos

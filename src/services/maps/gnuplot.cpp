@@ -1,0 +1,110 @@
+#include "hitos/services/maps/gnuplot.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+
+namespace hitos {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for gnuplot to write in; what is whole in the end is moved out.
+class Workshop {
+  public:
+    explicit Workshop(const fs::path& beside)
+        : path_(beside / fmt::format(".hitos-{}-plots", ::getpid())) {
+        std::error_code error;
+        fs::remove_all(path_, error);
+        fs::create_directory(path_, error);
+        if (error) throw FileError(path_.string(), "cannot be made: " + error.message());
+    }
+    ~Workshop() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Workshop(const Workshop&) = delete;
+    Workshop& operator=(const Workshop&) = delete;
+    const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
+std::string read_all(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// Empty where gnuplot has run the script; else why not.
+std::string run_gnuplot(const fs::path& folder, const std::string& script) {
+    const fs::path said = folder / "gnuplot.out";
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, said.c_str(),
+                                       O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    ::posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    std::string program = "gnuplot";
+    std::string argument = script;
+    std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+    pid_t process = 0;
+    const int error =
+        ::posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
+    ::posix_spawn_file_actions_destroy(&actions);
+    if (error == ENOENT) return "gnuplot is not installed (Debian: gnuplot-nox)";
+    if (error != 0) return "gnuplot: " + std::generic_category().message(error);
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
+    const std::string output = read_all(said);
+    return "gnuplot fails: " + std::string(input::trimmed(output).substr(0, 400));
+}
+
+}  // namespace
+
+std::string draw_pictures(const fs::path& folder, std::span<const PlotFile> files,
+                          const std::string& script, std::span<const std::string> pictures,
+                          const std::string& refusal) {
+    const Workshop workshop(folder);
+    for (const PlotFile& file : files) {
+        write_file(folder / file.name, file.text);
+        write_file(workshop.path() / file.name, file.text);
+    }
+    std::string failure = refusal.empty() ? run_gnuplot(workshop.path(), script) : refusal;
+    for (const std::string& picture : pictures) {
+        if (failure.empty()) {
+            write_file(folder / picture, read_all(workshop.path() / picture));
+        } else {
+            // One from an earlier time would not show these figures.
+            std::error_code ignored;
+            fs::remove(folder / picture, ignored);
+        }
+    }
+    return failure;
+}
+
+std::string gnuplot_quoted(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) {
+        if (c == '\'') result += '\'';
+        result += c == '\n' ? ' ' : c;
+    }
+    return result + "'";
+}
+
+}  // namespace hitos

@@ -1,0 +1,222 @@
+#include "hitos/services/run/run_worker.hpp"
+
+#include <ctime>
+#include <limits>
+#include <utility>
+
+namespace hitos {
+namespace {
+
+/// Time that this thread was at work.
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+}  // namespace
+
+RunWorker::RunWorker(const Configuracion& configuration, std::unique_ptr<Fuente> fuente,
+                     const AlgoritmoOptions& options)
+    : run_(configuration, std::move(fuente), options),
+      worker_([this](const std::stop_token& stop) { work(stop); }) {}
+
+RunWorker::~RunWorker() {
+    worker_.request_stop();
+    worker_.join();
+}
+
+void RunWorker::run() {
+    run(std::numeric_limits<std::uint64_t>::max());
+}
+
+void RunWorker::run(std::uint64_t steps) {
+    const std::scoped_lock lock(mutex_);
+    const bool can_run =
+        progress_.state != Progress::State::finished && progress_.state != Progress::State::failed;
+    if (!can_run && !restart_wanted_) return;
+    budget_ = steps;
+    if (steps > 0) progress_.state = Progress::State::running;
+    rate_since_ = std::chrono::steady_clock::now();
+    rate_steps_ = progress_.steps;
+    wake_.notify_one();
+}
+
+void RunWorker::pause() {
+    const std::scoped_lock lock(mutex_);
+    budget_ = 0;
+    if (progress_.state == Progress::State::running) progress_.state = Progress::State::paused;
+    wake_.notify_one();
+}
+
+void RunWorker::restart() {
+    const std::scoped_lock lock(mutex_);
+    budget_ = 0;
+    restart_wanted_ = true;
+    progress_ = {};
+    figures_.clear();
+    wake_.notify_one();
+}
+
+void RunWorker::wait() {
+    std::unique_lock lock(mutex_);
+    idle_.wait(lock, [this] { return idle(); });
+}
+
+void RunWorker::wait_for(std::chrono::milliseconds time) {
+    std::unique_lock lock(mutex_);
+    idle_.wait_for(lock, time, [this] { return idle(); });
+}
+
+bool RunWorker::idle() const {
+    return !busy_ && budget_ == 0 && !restart_wanted_ && !snapshot_wanted_ && tasks_.empty();
+}
+
+Progress RunWorker::progress() const {
+    const std::scoped_lock lock(mutex_);
+    return progress_;
+}
+
+void RunWorker::request_snapshot() {
+    const std::scoped_lock lock(mutex_);
+    snapshot_wanted_ = true;
+    wake_.notify_one();
+}
+
+std::shared_ptr<const Snapshot> RunWorker::latest_snapshot() const {
+    const std::scoped_lock lock(mutex_);
+    return snapshot_;
+}
+
+std::vector<StepFigures> RunWorker::figures_since(std::uint64_t first) const {
+    const std::scoped_lock lock(mutex_);
+    if (first >= figures_.size()) return {};
+    return {figures_.begin() + static_cast<std::ptrdiff_t>(first), figures_.end()};
+}
+
+void RunWorker::post(std::function<void(const Algoritmo&)> task) {
+    const std::scoped_lock lock(mutex_);
+    tasks_.push_back(std::move(task));
+    wake_.notify_one();
+}
+
+void RunWorker::work(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+        wake_.wait(lock, stop, [this] {
+            return budget_ > 0 || restart_wanted_ || snapshot_wanted_ || !tasks_.empty();
+        });
+        if (stop.stop_requested()) break;
+        busy_ = true;
+        if (restart_wanted_) {
+            restart_wanted_ = false;
+            lock.unlock();
+            do_restart();
+            lock.lock();
+        } else if (budget_ > 0) {
+            --budget_;
+            lock.unlock();
+            do_step();
+            lock.lock();
+        }
+        if (snapshot_wanted_) {
+            lock.unlock();
+            publish_snapshot();
+            lock.lock();
+        }
+        for (const auto& task : std::exchange(tasks_, {})) {
+            lock.unlock();
+            task(run_);
+            lock.lock();
+        }
+        busy_ = false;
+        idle_.notify_all();
+    }
+}
+
+void RunWorker::do_restart() {
+    std::string error;
+    tiler_.clear();
+    try {
+        run_.restart();
+    } catch (const std::exception& failure) {
+        error = failure.what();
+    }
+    const std::scoped_lock lock(mutex_);
+    snapshot_ = nullptr;
+    if (error.empty()) return;
+    budget_ = 0;
+    progress_.state = Progress::State::failed;
+    progress_.error = error;
+}
+
+void RunWorker::do_step() {
+    const auto begin = std::chrono::steady_clock::now();
+    bool more = false;
+    std::string error;
+    try {
+        more = run_.step();
+    } catch (const std::exception& failure) {
+        error = failure.what();
+    }
+    const auto end = std::chrono::steady_clock::now();
+    if (more) tiler_.note_change(run_.step_grid().last_change());
+
+    const std::scoped_lock lock(mutex_);
+    if (restart_wanted_) return;  // this step's outcome no longer matters
+    progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
+    note_progress();
+    if (more) {
+        figures_.push_back({progress_.duration_s, progress_.statistics.neff,
+                            progress_.statistics.best_log_weight, progress_.step_seconds,
+                            progress_.lines, progress_.corners});
+        if (budget_ == 0) progress_.state = Progress::State::paused;
+        return;
+    }
+    budget_ = 0;
+    progress_.state = error.empty() ? Progress::State::finished : Progress::State::failed;
+    progress_.error = error;
+    if (error.empty()) progress_.fraction = 1.0;
+}
+
+void RunWorker::note_progress() {
+    progress_.steps = run_.steps();
+    progress_.fraction = run_.fuente().progress();
+    progress_.time_s = run_.scan().time_s;
+    progress_.duration_s = run_.duration_s();
+    progress_.lines = run_.filter().best_lines();
+    progress_.corners = run_.filter().best_corners();
+    progress_.statistics = run_.filter().statistics();
+    progress_.skipped_lines = run_.report().skipped;
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - rate_since_).count();
+    if (seconds >= 0.5) {
+        progress_.steps_per_second = static_cast<double>(progress_.steps - rate_steps_) / seconds;
+        rate_since_ = now;
+        rate_steps_ = progress_.steps;
+    }
+}
+
+void RunWorker::publish_snapshot() {
+    const double begin = thread_seconds();
+    auto snapshot = std::make_shared<Snapshot>();
+    snapshot->steps = run_.steps();
+    snapshot->scan = run_.scan();
+    snapshot->observation = run_.observation();
+    const auto associations = run_.filter().associations();
+    snapshot->associations.assign(associations.begin(), associations.end());
+    snapshot->best_pose = run_.filter().best_pose();
+    snapshot->best_map = run_.filter().best_map();
+    snapshot->hypotheses = run_.filter().hypotheses();
+    snapshot->best_trajectory = run_.best_trajectory();
+    snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
+    snapshot->odometry_trajectory = run_.odometry_trajectory();
+    snapshot->step_grid = tiler_.tiles(run_.step_grid());
+    snapshot->seconds = thread_seconds() - begin;
+
+    const std::scoped_lock lock(mutex_);
+    snapshot_wanted_ = false;
+    if (!restart_wanted_) snapshot_ = std::move(snapshot);
+}
+
+}  // namespace hitos

@@ -1,0 +1,303 @@
+#include "hitos/services/study/study.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+#include "hitos/services/evaluation/measures.hpp"
+#include "hitos/services/run/algoritmo.hpp"
+#include "study_files.hpp"
+
+namespace hitos {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One run of one study, in the order of all.
+struct Task {
+    std::size_t study = 0;
+    std::size_t run = 0;
+};
+
+StudyJob make_job(const Study& study, const StudyPlan& plan, std::size_t run) {
+    StudyJob job{run, plan.seed_of(run), study.configuration};
+    const std::vector<std::string> keys = plan.keys();
+    const std::vector<std::string> texts = plan.texts(plan.cell_of(run));
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        find_parameter(keys[i]).set(job.configuration, texts[i]);
+    job.configuration.run.seed = job.seed;
+    job.configuration.run.threads = 1;  // the runs themselves are spread over the threads
+    check(job.configuration);
+    return job;
+}
+
+std::unique_ptr<Fuente> open(const Study& study, const StudyJob& job) {
+    return study.source ? study.source(job) : open_source(job.configuration.source);
+}
+
+/// A log that cannot be opened ends the study at its start, not run by run; where the log is what
+/// varies, each run finds out for itself.
+void try_source(const Study& study, const StudyPlan& plan) {
+    const std::vector<std::string> keys = plan.keys();
+    if (std::any_of(keys.begin(), keys.end(),
+                    [](const std::string& key) { return key.starts_with("source."); })) {
+        return;
+    }
+    StudyJob job{0, plan.first_seed, study.configuration};
+    job.configuration.run.seed = job.seed;
+    open(study, job);
+}
+
+/// Does all tasks on a number of threads and tells the observer.
+class Crew {
+  public:
+    Crew(std::span<const Study> studies, std::span<StudyOutcome> outcomes, std::vector<Task> tasks,
+         const StudyOptions& options)
+        : studies_(studies),
+          outcomes_(outcomes),
+          tasks_(std::move(tasks)),
+          observer_(options.observer),
+          listener_(options.listener),
+          stop_(options.stop),
+          parts_(tasks_.size(), 0.0) {
+        progress_.runs = tasks_.size();
+        for (const StudyOutcome& outcome : outcomes) progress_.reused += outcome.reused;
+    }
+
+    void work(int threads) {
+        if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
+        const std::size_t count =
+            std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1,
+                                    std::max<std::size_t>(tasks_.size(), 1));
+        {
+            std::vector<std::jthread> crew;
+            for (std::size_t i = 0; i < count; ++i) crew.emplace_back([this] { work_on(); });
+        }
+        if (broken_) std::rethrow_exception(broken_);
+    }
+
+  private:
+    void work_on() {
+        try {
+            for (std::size_t place = next_++; place < tasks_.size(); place = next_++) {
+                if (stopped_ || stop_.stop_requested()) return;
+                do_task(place);
+            }
+        } catch (...) {
+            // Only the observer, or the lack of memory, comes here: no run can tell of it.
+            const std::scoped_lock lock(mutex_);
+            if (!broken_) broken_ = std::current_exception();
+            stopped_ = true;
+        }
+    }
+
+    void do_task(std::size_t place) {
+        const auto [s, run] = tasks_[place];
+        const StudyPlan& plan = outcomes_[s].plan;
+        tell(place, 0.0, nullptr);
+        const auto start = std::chrono::steady_clock::now();
+        StudyRecord record;
+        try {
+            std::optional<StudyRecord> computed = compute(place);
+            if (!computed) return;
+            record = *std::move(computed);
+        } catch (const Error& error) {
+            record.problem = error.what();
+        } catch (const std::exception& error) {
+            record.problem = std::string("internal error: ") + error.what();
+        }
+        record.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        try {
+            study::write_record(studies_[s].layout, plan, run, record);
+        } catch (const Error& error) {
+            record.ok = false;
+            record.problem = error.what();
+        }
+        outcomes_[s].records[run] = record;
+        tell(place, 1.0, &record);
+    }
+
+    /// Nothing where the study was stopped before the run's end.
+    std::optional<StudyRecord> compute(std::size_t place) {
+        const auto [s, number] = tasks_[place];
+        const Study& study = studies_[s];
+        const StudyPlan& plan = outcomes_[s].plan;
+        const StudyJob job = make_job(study, plan, number);
+        Algoritmo run(job.configuration, open(study, job), {.step_grid = false});
+        constexpr std::uint64_t kTellEvery = 64;
+        while (run.step()) {
+            if (stop_.stop_requested()) return std::nullopt;
+            if (run.steps() % kTellEvery == 0) {
+                tell(place, run.fuente().progress().value_or(0.0), nullptr);
+            }
+        }
+        StudyRecord record;
+        const LandmarkMap map = run.filter().best_map();
+        const fs::path map_file = study::map_file(study.layout, plan, number);
+        write_map(map, map_file);
+        record.map_digest = study::Digest().add_file(map_file).text();
+        record.scans = run.steps();
+        record.lines = run.filter().best_lines();
+        record.corners = run.filter().best_corners();
+        if (const auto error = map_error(map, study.reference)) {
+            record.error_m = error->mean_m;
+            record.reference_found = error->reference_found;
+        }
+        if (const auto aligned = aligned_map_error(map, study.reference)) {
+            record.aligned_error_m = aligned->error.mean_m;
+        }
+        record.ok = true;
+        return record;
+    }
+
+    /// `part` of the task is done; with its record, all of it.
+    void tell(std::size_t place, double part, const StudyRecord* record) {
+        const std::scoped_lock lock(mutex_);
+        const auto [s, run] = tasks_[place];
+        sum_ += part - parts_[place];
+        parts_[place] = part;
+        progress_.failure.clear();
+        if (record != nullptr) {
+            ++progress_.finished;
+            ++outcomes_[s].computed;
+            if (!record->ok) {
+                ++progress_.failed;
+                ++outcomes_[s].failed;
+                progress_.failure = outcomes_[s].plan.label(run) + ": " + record->problem;
+            }
+            if (listener_) listener_(outcomes_[s].plan, run, *record);
+        }
+        if (!observer_) return;
+        progress_.running = outcomes_[s].plan.label(run);
+        progress_.running_number = place + 1;
+        progress_.fraction = progress_.finished == progress_.runs
+                                 ? 1.0
+                                 : std::clamp(sum_ / static_cast<double>(progress_.runs), 0.0, 1.0);
+        observer_(progress_);
+    }
+
+    std::span<const Study> studies_;
+    std::span<StudyOutcome> outcomes_;
+    std::vector<Task> tasks_;
+    StudyObserver observer_;
+    StudyListener listener_;
+    std::stop_token stop_;
+    std::atomic<std::size_t> next_ = 0;
+    std::atomic<bool> stopped_ = false;
+
+    std::mutex mutex_;  // guards all below
+    StudyProgress progress_;
+    std::vector<double> parts_;
+    double sum_ = 0.0;
+    std::exception_ptr broken_;
+};
+
+std::string missing_runs(const StudyPlan& plan, const std::vector<std::size_t>& missing) {
+    constexpr std::size_t kNamed = 3;
+    std::vector<std::string> labels;
+    for (std::size_t i = 0; i < std::min(kNamed, missing.size()); ++i)
+        labels.push_back(plan.label(missing[i]));
+    return fmt::format("{} of {} runs are not there: {}{}; start the shards that lack them again",
+                       missing.size(), plan.runs(), fmt::join(labels, ", "),
+                       missing.size() > kNamed ? ", …" : "");
+}
+
+/// Copies what the shard has finished of the plan's runs.
+void gather(const StudyLayout& layout, const StudyLayout& shard, const StudyPlan& plan) {
+    for (std::size_t run = 0; run < plan.runs(); ++run) {
+        const auto record = study::read_record(shard, plan, run);
+        if (!record) continue;
+        // A failure does not replace another shard's success.
+        const auto known = study::read_record(layout, plan, run);
+        if (known && (known->ok || !record->ok)) continue;
+        if (record->ok) {
+            write_file(study::map_file(layout, plan, run),
+                       input::read_text(study::map_file(shard, plan, run)));
+        }
+        study::write_record(layout, plan, run, *record);
+    }
+}
+
+}  // namespace
+
+std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const StudyOptions& options) {
+    std::vector<StudyOutcome> outcomes;
+    for (const Study& study : studies) {
+        outcomes.emplace_back().plan = plan_study(study);
+        try_source(study, outcomes.back().plan);
+    }
+    std::vector<Task> tasks;
+    std::size_t number = 0;
+    for (std::size_t s = 0; s < studies.size(); ++s) {
+        StudyOutcome& outcome = outcomes[s];
+        study::prepare(studies[s].layout, outcome.plan);
+        outcome.records.resize(outcome.plan.runs());
+        for (std::size_t run = 0; run < outcome.plan.runs(); ++run, ++number) {
+            if (!options.shard.takes(number)) continue;
+            const auto record = study::read_record(studies[s].layout, outcome.plan, run);
+            if (record && record->ok) {
+                outcome.records[run] = *record;
+                ++outcome.reused;
+                if (options.listener) options.listener(outcome.plan, run, *record);
+            } else {
+                tasks.push_back({s, run});
+            }
+        }
+    }
+    const std::size_t to_do = tasks.size();
+    Crew(studies, outcomes, std::move(tasks), options).work(options.threads);
+    std::size_t done = 0;
+    for (const StudyOutcome& outcome : outcomes) done += outcome.computed;
+    if (done < to_do) {
+        for (StudyOutcome& outcome : outcomes) outcome.stopped = true;
+        return outcomes;
+    }
+    if (options.tables && options.shard.whole()) {
+        for (std::size_t s = 0; s < studies.size(); ++s) {
+            outcomes[s].plot_problem =
+                study::write_tables(studies[s].layout, outcomes[s].plan, outcomes[s].records);
+        }
+    }
+    return outcomes;
+}
+
+StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout> shards) {
+    StudyOutcome outcome;
+    outcome.plan = study::read_plan(shards.empty() ? layout : shards.front());
+    for (const StudyLayout& shard : shards) {
+        if (study::read_plan(shard) != outcome.plan) {
+            throw FormatError(study::plan_file(shard).string(), 0,
+                              "is of another study than " +
+                                  study::plan_file(shards.front()).string() +
+                                  ": program, configuration, log, values or seeds differ");
+        }
+    }
+    study::prepare(layout, outcome.plan);
+    for (const StudyLayout& shard : shards) gather(layout, shard, outcome.plan);
+    std::vector<std::size_t> missing;
+    for (std::size_t run = 0; run < outcome.plan.runs(); ++run) {
+        auto record = study::read_record(layout, outcome.plan, run);
+        if (!record) missing.push_back(run);
+        if (record && !record->ok) ++outcome.failed;
+        outcome.records.push_back(record.value_or(StudyRecord{}));
+    }
+    if (!missing.empty()) {
+        throw Error(layout.folder.string() + ": " + missing_runs(outcome.plan, missing));
+    }
+    outcome.reused = outcome.plan.runs() - outcome.failed;
+    outcome.plot_problem = study::write_tables(layout, outcome.plan, outcome.records);
+    return outcome;
+}
+
+}  // namespace hitos

@@ -1,0 +1,239 @@
+#include "study_files.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+#include "study_plot.hpp"
+
+namespace hitos::study {
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr const char* kPlanFormat = "hitos-study 1";
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error || !fs::is_directory(folder)) {
+        throw FileError(folder.string(), "cannot make this output folder: " +
+                                             (error ? error.message() : "a file is in its place"));
+    }
+}
+
+std::string content_digest(const fs::path& path) {
+    return Digest().add_file(path).text();
+}
+
+std::optional<double> optional_number(const ordered_json& value) {
+    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+ordered_json json_of(const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json();
+}
+
+std::string dumped(const ordered_json& json) {
+    // Values from a command line may be no UTF-8.
+    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string plan_text(const StudyPlan& plan) {
+    ordered_json axes = ordered_json::array();
+    for (const StudyPlan::Axis& axis : plan.axes) {
+        axes.push_back({{"name", axis.name},
+                        {"keys", axis.keys},
+                        {"units", axis.units},
+                        {"values", axis.values}});
+    }
+    return dumped({{"format", kPlanFormat},
+                   {"parameters", axes},
+                   {"first_seed", plan.first_seed},
+                   {"seeds", plan.seeds},
+                   {"source", plan.source},
+                   {"setting", plan.setting},
+                   {"digest", plan.digest},
+                   {"reference_lines", plan.reference_lines},
+                   {"reference_corners", plan.reference_corners}});
+}
+
+/// Whether the name is that of a temporary file (.hitos-<process>-…) whose writer is no more.
+bool is_leftover(std::string_view name) {
+    constexpr std::string_view kStart = ".hitos-";
+    if (!name.starts_with(kStart)) return false;
+    name.remove_prefix(kStart.size());
+    pid_t process = 0;
+    const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), process);
+    if (error != std::errc{} || stop == name.data() + name.size() || *stop != '-') return false;
+    return process == ::getpid() || (::kill(process, 0) != 0 && errno == ESRCH);
+}
+
+void remove_leftovers(const fs::path& folder) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        std::error_code ignored;
+        if (is_leftover(entry->path().filename().string())) fs::remove_all(entry->path(), ignored);
+    }
+}
+
+}  // namespace
+
+void Digest::mix(std::string_view bytes) {
+    constexpr std::uint64_t kPrime = 0x100000001b3U;
+    for (const char byte : bytes) {
+        state_ = (state_ ^ static_cast<unsigned char>(byte)) * kPrime;
+    }
+}
+
+Digest& Digest::add(std::string_view text) {
+    mix(std::to_string(text.size()));
+    mix(":");
+    mix(text);
+    return *this;
+}
+
+Digest& Digest::add_file(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw FileError(path.string(), "cannot be read");
+    std::string buffer(std::size_t{1} << 16, '\0');
+    while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
+           file.gcount() > 0) {
+        mix(std::string_view(buffer).substr(0, static_cast<std::size_t>(file.gcount())));
+    }
+    if (file.bad()) throw FileError(path.string(), "cannot be read to its end");
+    return *this;
+}
+
+std::string Digest::text() const {
+    return fmt::format("{:016x}", state_);
+}
+
+fs::path plan_file(const StudyLayout& layout) {
+    return layout.file("study.json");
+}
+
+fs::path map_file(const StudyLayout& layout, const StudyPlan& plan, std::size_t run) {
+    return layout.file("maps") / (plan.file_stem(run) + ".map");
+}
+
+fs::path record_file(const StudyLayout& layout, const StudyPlan& plan, std::size_t run) {
+    return layout.file("runs") / (plan.file_stem(run) + ".json");
+}
+
+void prepare(const StudyLayout& layout, const StudyPlan& plan) {
+    make_folder(layout.folder);
+    make_folder(layout.file("maps"));
+    make_folder(layout.file("runs"));
+    // Destroyed without commit, the probe leaves nothing behind.
+    AtomicFile(layout.quality_file()).write("");
+    write_file(plan_file(layout), plan_text(plan));
+}
+
+StudyPlan read_plan(const StudyLayout& layout) {
+    const fs::path path = plan_file(layout);
+    const std::string text = input::read_text(path);
+    try {
+        const ordered_json json = ordered_json::parse(text);
+        if (json.at("format") != kPlanFormat) {
+            throw FormatError(path.string(), 0, fmt::format("expected format {}", kPlanFormat));
+        }
+        StudyPlan plan;
+        for (const ordered_json& axis : json.at("parameters")) {
+            plan.axes.push_back({axis.at("name"), axis.at("keys"), axis.at("units"),
+                                 axis.at("values").get<std::vector<StudyValue>>()});
+        }
+        plan.first_seed = json.at("first_seed");
+        plan.seeds = json.at("seeds");
+        plan.source = json.at("source");
+        plan.setting = json.at("setting");
+        plan.digest = json.at("digest");
+        plan.reference_lines = json.at("reference_lines");
+        plan.reference_corners = json.at("reference_corners");
+        const bool whole =
+            std::all_of(plan.axes.begin(), plan.axes.end(), [](const StudyPlan::Axis& axis) {
+                return axis.units.size() == axis.keys.size() && !axis.values.empty() &&
+                       std::all_of(
+                           axis.values.begin(), axis.values.end(),
+                           [&](const StudyValue& v) { return v.size() == axis.keys.size(); });
+            });
+        if (plan.seeds < 1 || !whole) throw FormatError(path.string(), 0, "the plan is damaged");
+        return plan;
+    } catch (const nlohmann::json::exception& error) {
+        throw FormatError(path.string(), 0, fmt::format("is no plan of a study: {}", error.what()));
+    }
+}
+
+void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
+                  const StudyRecord& record) {
+    const ordered_json json{{"run", plan.run_digest(run)},
+                            {"ok", record.ok},
+                            {"problem", record.problem},
+                            {"error_m", json_of(record.error_m)},
+                            {"aligned_error_m", json_of(record.aligned_error_m)},
+                            {"lines", record.lines},
+                            {"corners", record.corners},
+                            {"reference_found", record.reference_found},
+                            {"scans", record.scans},
+                            {"seconds", record.seconds},
+                            {"map", record.map_digest}};
+    write_file(record_file(layout, plan, run), dumped(json));
+}
+
+std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPlan& plan,
+                                       std::size_t run) {
+    const fs::path path = record_file(layout, plan, run);
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+    try {
+        const ordered_json json = ordered_json::parse(input::read_text(path));
+        if (json.at("run") != plan.run_digest(run)) return std::nullopt;
+        StudyRecord record;
+        record.ok = json.at("ok");
+        record.problem = json.at("problem");
+        record.error_m = optional_number(json.at("error_m"));
+        record.aligned_error_m = optional_number(json.at("aligned_error_m"));
+        record.lines = json.at("lines");
+        record.corners = json.at("corners");
+        record.reference_found = json.at("reference_found");
+        record.scans = json.at("scans");
+        record.seconds = json.at("seconds");
+        record.map_digest = json.at("map");
+        const fs::path map = map_file(layout, plan, run);
+        if (record.ok &&
+            (!fs::is_regular_file(map, ignored) || content_digest(map) != record.map_digest)) {
+            return std::nullopt;
+        }
+        return record;
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;  // somebody else's hand was in it; the run is only done anew
+    }
+}
+
+std::string write_tables(const StudyLayout& layout, const StudyPlan& plan,
+                         std::span<const StudyRecord> records) {
+    for (const char* folder : {"maps", "runs"}) remove_leftovers(layout.file(folder));
+    remove_leftovers(layout.folder);
+
+    const std::vector<StudyCell> cells = summarize(plan, records);
+    write_file(layout.quality_file(), quality_csv(layout, plan, records));
+    write_file(layout.file("summary.csv"), summary_csv(plan, cells));
+    write_file(layout.file("summary.md"), summary_markdown(plan, cells));
+    write_file(layout.file("summary.tex"), summary_latex(plan, cells));
+    write_file(layout.file("timing.csv"), timing_csv(plan, records));
+    return write_plots(layout, plan, cells);
+}
+
+}  // namespace hitos::study

@@ -1,0 +1,52 @@
+// The files by which a study remembers what was done: its plan and a record for each run.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "hitos/services/study/study_result.hpp"
+
+namespace hitos::study {
+
+/// FNV-1a, 64 bits: tells changed input from unchanged; no protection against forgery.
+class Digest {
+  public:
+    /// The length goes in too, so that two texts are never taken for one.
+    Digest& add(std::string_view text);
+    Digest& add_file(const std::filesystem::path& path);
+    std::string text() const;
+
+  private:
+    void mix(std::string_view bytes);
+    std::uint64_t state_ = 0xcbf29ce484222325U;
+};
+
+std::filesystem::path plan_file(const StudyLayout& layout);
+std::filesystem::path map_file(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);
+std::filesystem::path record_file(const StudyLayout& layout, const StudyPlan& plan,
+                                  std::size_t run);
+
+/// Makes the folders and the plan file. Throws FileError.
+void prepare(const StudyLayout& layout, const StudyPlan& plan);
+
+/// Throws FileError, or FormatError where the file is none of Hitos.
+StudyPlan read_plan(const StudyLayout& layout);
+
+void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
+                  const StudyRecord& record);
+
+/// The run's record; nothing where there is none, where it is of other settings, or where its map
+/// is missing or changed: then the run must be done anew.
+std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPlan& plan,
+                                       std::size_t run);
+
+/// Writes tables and plots and removes what a killed process left half-written. Gives the reason
+/// why there are no plots, else an empty text.
+std::string write_tables(const StudyLayout& layout, const StudyPlan& plan,
+                         std::span<const StudyRecord> records);
+
+}  // namespace hitos::study

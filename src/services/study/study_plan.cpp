@@ -1,0 +1,244 @@
+// The runs of a study: their order, names and digests, and whether the study makes sense.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "hitos/base/error.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/results.hpp"
+#include "hitos/services/study/study.hpp"
+#include "study_files.hpp"
+
+namespace hitos {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The value as the configuration writes it, so that 0.020 and 2e-2 are one value; as it stands
+/// where a key cannot take it (its runs will fail and say why).
+StudyValue canonical(const std::vector<std::string>& keys, const StudyValue& value) {
+    StudyValue texts;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const Parameter& parameter = find_parameter(keys[i]);
+        Configuracion scratch;
+        try {
+            parameter.set(scratch, value[i]);
+            texts.push_back(parameter.text(scratch));
+        } catch (const ConfigError&) {
+            texts.push_back(value[i]);
+        }
+    }
+    return texts;
+}
+
+StudyPlan::Axis axis_of(const StudyParameter& parameter) {
+    if (parameter.values.empty()) throw ConfigError(parameter.name, "found no value to study");
+    StudyPlan::Axis axis{parameter.name, parameter.keys, {}, {}};
+    for (const std::string& key : parameter.keys) {
+        if (key == "run.seed" || key == "run.threads") {
+            throw ConfigError(parameter.name, key +
+                                                  " is set by the study itself; say the number "
+                                                  "of runs and the first seed instead");
+        }
+        axis.units.emplace_back(find_parameter(key).unit);
+    }
+    for (const StudyValue& value : parameter.values) {
+        if (value.size() != parameter.keys.size()) {
+            throw ConfigError(parameter.name, fmt::format("a value has {} components, expected {}",
+                                                          value.size(), parameter.keys.size()));
+        }
+        StudyValue texts = canonical(parameter.keys, value);
+        if (std::find(axis.values.begin(), axis.values.end(), texts) != axis.values.end()) {
+            throw ConfigError(parameter.name,
+                              fmt::format("the value {} is given twice", fmt::join(texts, ", ")));
+        }
+        axis.values.push_back(std::move(texts));
+    }
+    return axis;
+}
+
+/// A key that the configuration leaves without effect would make a study of equal runs.
+void check_effect(const Configuracion& configuration, const StudyPlan& plan) {
+    const std::vector<std::string> keys = plan.keys();
+    const auto varied = [&](std::string_view key) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    const auto without = [&](std::string_view prefix, std::string_view because) {
+        for (const std::string& key : keys) {
+            if (key.starts_with(prefix)) {
+                throw ConfigError(key, fmt::format("has no effect where {}", because));
+            }
+        }
+    };
+    if (!varied("motion.model")) {
+        if (configuration.filter.motion.model == MotionModel::proportional) {
+            without("motion.sigma_", "motion.model is proportional; set it to odometry");
+        } else {
+            without("motion.var_", "motion.model is not proportional");
+        }
+    }
+    without("grid.", "no grid is drawn, as in studies");
+}
+
+/// All that decides a result, but for values and seeds: program, parameters, log, reference.
+std::string digest_of(const Study& study, const StudyPlan& plan) {
+    Configuracion base = study.configuration;
+    base.source.file.clear();  // the content counts, not the place
+    base.run = {};
+    study::Digest digest;
+    digest.add(version()).add(ArchivoConfiguracion::to_text(base)).add(study.setting);
+    digest.add(map_to_text(study.reference));
+    std::vector<std::string> logs{study.configuration.source.file};
+    for (const StudyPlan::Axis& axis : plan.axes) {
+        const auto key = std::find(axis.keys.begin(), axis.keys.end(), "source.file");
+        if (key == axis.keys.end()) continue;
+        const auto component = static_cast<std::size_t>(key - axis.keys.begin());
+        logs.clear();
+        for (const StudyValue& value : axis.values) logs.push_back(value[component]);
+    }
+    for (const std::string& log : logs) {
+        std::error_code ignored;
+        if (fs::is_regular_file(log, ignored)) digest.add_file(log);
+        digest.add("end of log");
+    }
+    return digest.text();
+}
+
+void count_reference(const LandmarkMap& reference, StudyPlan& plan) {
+    for (const ICaracteristica& landmark : reference) {
+        ++(landmark.kind() == FeatureKind::line ? plan.reference_lines : plan.reference_corners);
+    }
+}
+
+}  // namespace
+
+StudyPlan plan_study(const Study& study) {
+    check(study.configuration);
+    constexpr std::size_t kMostParameters = 2;
+    if (study.parameters.size() > kMostParameters) {
+        throw ConfigError(study.parameters.back().name,
+                          fmt::format("found {} parameters; a study varies two at the most",
+                                      study.parameters.size()));
+    }
+    constexpr int kMostSeeds = 1000000;
+    if (study.seeds < 1 || study.seeds > kMostSeeds) {
+        throw ConfigError("runs", fmt::format("found {} for each value, expected 1 to {}",
+                                              study.seeds, kMostSeeds));
+    }
+    constexpr auto kLastSeed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    if (study.first_seed > kLastSeed - static_cast<std::uint64_t>(study.seeds)) {
+        throw ConfigError("seed", fmt::format("{} and {} more go beyond {}", study.first_seed,
+                                              study.seeds - 1, kLastSeed));
+    }
+    StudyPlan plan;
+    plan.first_seed = study.first_seed;
+    plan.seeds = study.seeds;
+    plan.setting = study.setting;
+    plan.source = fs::path(study.configuration.source.file).filename().string();
+    std::set<std::string> keys;
+    for (const StudyParameter& parameter : study.parameters) {
+        plan.axes.push_back(axis_of(parameter));
+        for (const std::string& key : parameter.keys) {
+            if (!keys.insert(key).second) {
+                throw ConfigError(key, "is varied by both parameters of the study");
+            }
+        }
+    }
+    check_effect(study.configuration, plan);
+    count_reference(study.reference, plan);
+    plan.digest = digest_of(study, plan);
+    return plan;
+}
+
+std::size_t StudyPlan::cells() const {
+    std::size_t count = 1;
+    for (const Axis& axis : axes) count *= axis.values.size();
+    return count;
+}
+
+std::vector<std::size_t> StudyPlan::places(std::size_t cell) const {
+    std::vector<std::size_t> places(axes.size());
+    for (std::size_t a = axes.size(); a-- > 0;) {
+        places[a] = cell % axes[a].values.size();
+        cell /= axes[a].values.size();
+    }
+    return places;
+}
+
+std::vector<std::string> StudyPlan::texts(std::size_t cell) const {
+    const std::vector<std::size_t> place = places(cell);
+    std::vector<std::string> texts;
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        const StudyValue& value = axes[a].values[place[a]];
+        texts.insert(texts.end(), value.begin(), value.end());
+    }
+    return texts;
+}
+
+std::vector<std::string> StudyPlan::keys() const {
+    std::vector<std::string> keys;
+    for (const Axis& axis : axes) keys.insert(keys.end(), axis.keys.begin(), axis.keys.end());
+    return keys;
+}
+
+std::string StudyPlan::label(std::size_t run) const {
+    const std::vector<std::size_t> place = places(cell_of(run));
+    std::string label;
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        label += fmt::format("{}={} ", axes[a].name, fmt::join(axes[a].values[place[a]], "/"));
+    }
+    return label + fmt::format("seed {}", seed_of(run));
+}
+
+std::string StudyPlan::file_stem(std::size_t run) const {
+    const std::size_t cell = cell_of(run);
+    const std::vector<std::size_t> place = places(cell);
+    std::string stem;
+    bool exact = true;
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        stem += fmt::format("{}-{}-", axes[a].name, fmt::join(axes[a].values[place[a]], "_"));
+    }
+    for (char& c : stem) {
+        const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+                           (c >= 'A' && c <= 'Z') || c == '.' || c == '-' || c == '+' || c == '_';
+        if (plain) continue;
+        c = '_';
+        exact = false;
+    }
+    constexpr std::size_t kLongest = 120;
+    if (stem.size() > kLongest) {
+        stem.resize(kLongest);
+        exact = false;
+    }
+    // What was lost may have told two values apart; the cell's number does.
+    if (!exact) stem += fmt::format("-v{}-", cell + 1);
+    return stem + fmt::format("s{}", seed_of(run));
+}
+
+std::string StudyPlan::run_digest(std::size_t run) const {
+    study::Digest run_digest;
+    run_digest.add(digest);
+    const std::vector<std::string> key = keys();
+    const std::vector<std::string> text = texts(cell_of(run));
+    for (std::size_t i = 0; i < key.size(); ++i) run_digest.add(key[i]).add(text[i]);
+    return run_digest.add(std::to_string(seed_of(run))).text();
+}
+
+StudyLayout study_in_folder(const fs::path& folder) {
+    return {folder, "", "quality.csv"};
+}
+
+StudyLayout study_beside(const fs::path& quality_file) {
+    std::error_code ignored;
+    if (!quality_file.has_filename() || fs::is_directory(quality_file, ignored)) {
+        throw FileError(quality_file.string(),
+                        "is a folder; expected the path of the quality file to write");
+    }
+    const fs::path folder = quality_file.has_parent_path() ? quality_file.parent_path() : ".";
+    return {folder, quality_file.stem().string() + "-", quality_file.filename().string()};
+}
+
+}  // namespace hitos

@@ -1,0 +1,141 @@
+#include "study_plot.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hitos/services/maps/gnuplot.hpp"
+#include "hitos/services/study/study_abscissa.hpp"
+
+namespace hitos::study {
+namespace {
+
+/// One plot: a figure of each cell against the parameter.
+struct Measure {
+    const char* name;  ///< stem of its files
+    const char* label;
+    std::optional<Spread> StudyCell::*spread;
+};
+
+constexpr std::array kMeasures = {Measure{"error", "map error (m)", &StudyCell::error_m},
+                                  Measure{"landmarks", "landmarks", &StudyCell::landmarks}};
+
+std::size_t curves(const StudyPlan& plan) {
+    return plan.axes.size() < 2 ? 1 : plan.axes[1].values.size();
+}
+
+/// gnuplot's blocks: one for each curve, with two empty lines between.
+std::string data_text(const StudyPlan& plan, std::span<const StudyCell> cells,
+                      const StudyAbscissa& x, const Measure& measure) {
+    std::string text = "# x mean standard_deviation minimum maximum runs\n";
+    std::vector<std::size_t> order(x.positions.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return x.positions[a] < x.positions[b]; });
+    for (std::size_t curve = 0; curve < curves(plan); ++curve) {
+        if (curve > 0) text += "\n\n";
+        if (plan.axes.size() > 1) {
+            text += fmt::format("# {} = {}\n", plan.axes[1].name,
+                                fmt::join(plan.axes[1].values[curve], "/"));
+        }
+        for (const std::size_t i : order) {
+            const auto& spread = cells[i * curves(plan) + curve].*measure.spread;
+            if (!spread) {
+                text += fmt::format("{} NaN NaN NaN NaN 0\n", x.positions[i]);
+                continue;
+            }
+            text += fmt::format("{} {} {} {} {} {}\n", x.positions[i], spread->mean,
+                                std::sqrt(spread->variance.value_or(0.0)), spread->minimum,
+                                spread->maximum, spread->count);
+        }
+    }
+    return text;
+}
+
+/// Leaves room at both ends; gnuplot's own range goes to whole decades where x is logarithmic.
+std::string range(const StudyAbscissa& x) {
+    constexpr double kRoom = 0.04;
+    const auto [least, greatest] = std::minmax_element(x.positions.begin(), x.positions.end());
+    if (x.logarithmic) {
+        const double room = std::pow(*greatest / *least, kRoom);
+        return fmt::format("set logscale x\nset xrange [{:.6g}:{:.6g}]\n", *least / room,
+                           *greatest * room);
+    }
+    const double span = *greatest - *least;
+    const double room = span > 0.0 ? kRoom * span : std::max(1.0, std::abs(*least));
+    return fmt::format("set xrange [{:.6g}:{:.6g}]\n", *least - room, *greatest + room);
+}
+
+/// Words, and the values of a logarithmic axis, stand at their places.
+std::string tics(const StudyAbscissa& x) {
+    std::vector<std::string> marks;
+    for (std::size_t i = 0; i < x.positions.size(); ++i) {
+        marks.push_back(fmt::format("{} {}", gnuplot_quoted(x.words[i]), x.positions[i]));
+    }
+    return fmt::format("set xtics ({})\n", fmt::join(marks, ", "));
+}
+
+std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const StudyAbscissa& x,
+                        const Measure& measure) {
+    const std::string stem = layout.prefix + measure.name;
+    std::string plot = "plot ";
+    for (std::size_t curve = 0; curve < curves(plan); ++curve) {
+        const std::string title = plan.axes.size() < 2
+                                      ? "mean and standard deviation"
+                                      : fmt::format("{} = {}", plan.axes[1].name,
+                                                    fmt::join(plan.axes[1].values[curve], "/"));
+        if (curve > 0) plot += ", \\\n     ";
+        plot += fmt::format(
+            "{} index {} using 1:2:3 with yerrorlines linewidth 1.5 pointtype 7 "
+            "pointsize 0.7 title {}",
+            gnuplot_quoted(stem + ".dat"), curve, gnuplot_quoted(title));
+    }
+    if (measure.spread == &StudyCell::landmarks) {
+        plot += fmt::format(
+            ", \\\n     {} with lines dashtype 2 linecolor 'black' title "
+            "'in the reference'",
+            plan.reference_lines + plan.reference_corners);
+    }
+    std::string text = fmt::format("# Draw again with: gnuplot {}.gp\n", stem);
+    text +=
+        fmt::format("set xlabel {} noenhanced\n", gnuplot_quoted(study_axis_label(plan.axes[0])));
+    text += fmt::format("set ylabel '{}'\n", measure.label);
+    text += "set grid\nset key outside top center horizontal noenhanced\nset yrange [0:*]\n";
+    text += range(x);
+    if (x.logarithmic || !x.numbers) text += tics(x);
+    text += "set xtics noenhanced\n";
+    for (const auto& [extension, terminal] :
+         {std::pair("png", "pngcairo size 900,600"), std::pair("svg", "svg size 900,600")}) {
+        text += fmt::format("set terminal {}\nset output {}\n{}\n", terminal,
+                            gnuplot_quoted(stem + "." + extension), plot);
+    }
+    return text + "unset output\n";
+}
+
+}  // namespace
+
+std::string write_plots(const StudyLayout& layout, const StudyPlan& plan,
+                        std::span<const StudyCell> cells) {
+    if (plan.axes.empty()) return "";
+    const StudyAbscissa x = study_abscissa(plan.axes[0]);
+    std::string problem;
+    for (const Measure& measure : kMeasures) {
+        const std::string stem = layout.prefix + measure.name;
+        const std::vector<PlotFile> files{{stem + ".dat", data_text(plan, cells, x, measure)},
+                                          {stem + ".gp", script_text(layout, plan, x, measure)}};
+        const bool any = std::any_of(cells.begin(), cells.end(), [&](const StudyCell& cell) {
+            return (cell.*measure.spread).has_value();
+        });
+        const std::vector<std::string> pictures{stem + ".png", stem + ".svg"};
+        const std::string failure =
+            draw_pictures(layout.folder, files, stem + ".gp", pictures,
+                          any ? "" : fmt::format("no run gave a figure for {}", measure.name));
+        if (problem.empty()) problem = failure;
+    }
+    return problem;
+}
+
+}  // namespace hitos::study

@@ -1,0 +1,284 @@
+// The figures of a study as text: CSV with every digit, Markdown and LaTeX for people.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "hitos/services/study/study_result.hpp"
+
+namespace hitos {
+namespace {
+
+std::string csv_field(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    if (text.find_first_of(",\"\r") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+std::string csv_line(std::vector<std::string> fields) {
+    for (std::string& field : fields) field = csv_field(std::move(field));
+    return fmt::format("{}\n", fmt::join(fields, ","));
+}
+
+/// The shortest digits that read back the same; empty for nothing.
+std::string exact(const std::optional<double>& value) {
+    return value ? fmt::format("{}", *value) : "";
+}
+
+std::string mean(const std::optional<Spread>& spread) {
+    return spread ? exact(spread->mean) : "";
+}
+
+std::string variance(const std::optional<Spread>& spread) {
+    return spread ? exact(spread->variance) : "";
+}
+
+std::string rounded(const std::optional<double>& value, int decimals) {
+    return value ? fmt::format("{:.{}f}", *value, decimals) : "–";
+}
+
+std::optional<double> mean_value(const std::optional<Spread>& spread) {
+    return spread ? std::optional(spread->mean) : std::nullopt;
+}
+
+std::optional<double> variance_value(const std::optional<Spread>& spread) {
+    return spread ? spread->variance : std::nullopt;
+}
+
+/// The columns of the tables for people, with the digits that the thesis prints.
+struct PrettyTable {
+    std::vector<std::string> head;
+    std::vector<std::vector<std::string>> rows;
+};
+
+PrettyTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells,
+                         const std::vector<std::string>& heads) {
+    PrettyTable table;
+    for (const StudyPlan::Axis& axis : plan.axes) {
+        for (std::size_t i = 0; i < axis.keys.size(); ++i) {
+            const std::string& name = axis.keys.size() == 1 ? axis.name : axis.keys[i];
+            table.head.push_back(axis.units[i].empty() ? name : name + " (" + axis.units[i] + ")");
+        }
+    }
+    table.head.insert(table.head.end(), heads.begin(), heads.end());
+    for (const StudyCell& cell : cells) {
+        std::vector<std::string> row = cell.texts;
+        row.push_back(cell.failed == 0
+                          ? fmt::format("{}", cell.finished)
+                          : fmt::format("{} of {}", cell.finished, cell.finished + cell.failed));
+        row.push_back(rounded(mean_value(cell.error_m), 3));
+        row.push_back(rounded(variance_value(cell.error_m), 4));
+        row.push_back(rounded(mean_value(cell.aligned_error_m), 3));
+        row.push_back(rounded(mean_value(cell.landmarks), 1));
+        row.push_back(rounded(mean_value(cell.lines), 1));
+        row.push_back(rounded(mean_value(cell.corners), 1));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+std::string reference_sentence(const StudyPlan& plan) {
+    return fmt::format("{} landmarks in the reference: {} lines, {} corners.",
+                       plan.reference_lines + plan.reference_corners, plan.reference_lines,
+                       plan.reference_corners);
+}
+
+std::string escaped(const std::string& text, std::string_view special, std::string_view with) {
+    std::string result;
+    for (const char c : text) {
+        if (special.find(c) != std::string_view::npos) result += with;
+        result += c;
+    }
+    return result;
+}
+
+std::string latex(const std::string& text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '\\') {
+            result += "\\textbackslash{}";
+        } else if (c == '~') {
+            result += "\\~{}";
+        } else if (c == '^' && i + 1 < text.size()) {
+            result += fmt::format("$^{}$", text[++i]);  // of a unit such as m^2
+        } else {
+            result += escaped(std::string(1, c), "&%$#_{}^", "\\");
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::optional<Spread> spread_of(std::span<const double> values) {
+    if (values.empty()) return std::nullopt;
+    Spread spread;
+    spread.count = static_cast<int>(values.size());
+    const auto n = static_cast<double>(values.size());
+    double sum = 0.0;
+    for (const double value : values) sum += value;
+    spread.mean = sum / n;
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    spread.minimum = *least;
+    spread.maximum = *greatest;
+    if (values.size() > 1) {
+        // About the mean: the difference of two sums would lose the digits of a small variance.
+        double squares = 0.0;
+        for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
+        spread.variance = squares / (n - 1.0);
+    }
+    return spread;
+}
+
+std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRecord> records) {
+    std::vector<StudyCell> cells;
+    for (std::size_t cell = 0; cell < plan.cells(); ++cell) {
+        StudyCell row;
+        row.texts = plan.texts(cell);
+        std::vector<double> errors;
+        std::vector<double> aligned;
+        std::vector<double> landmarks;
+        std::vector<double> lines;
+        std::vector<double> corners;
+        const auto seeds = static_cast<std::size_t>(plan.seeds);
+        for (const StudyRecord& record : records.subspan(cell * seeds, seeds)) {
+            if (!record.ok) {
+                ++row.failed;
+                continue;
+            }
+            ++row.finished;
+            if (record.error_m) errors.push_back(*record.error_m);
+            if (record.aligned_error_m) aligned.push_back(*record.aligned_error_m);
+            landmarks.push_back(record.lines + record.corners);
+            lines.push_back(record.lines);
+            corners.push_back(record.corners);
+        }
+        row.error_m = spread_of(errors);
+        row.aligned_error_m = spread_of(aligned);
+        row.landmarks = spread_of(landmarks);
+        row.lines = spread_of(lines);
+        row.corners = spread_of(corners);
+        cells.push_back(std::move(row));
+    }
+    return cells;
+}
+
+std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
+                        std::span<const StudyRecord> records) {
+    std::vector<std::string> head = plan.keys();
+    for (const char* name :
+         {"seed", "status", "error_m", "aligned_error_m", "landmarks", "lines", "corners",
+          "reference_found", "reference_landmarks", "scans", "map", "problem"}) {
+        head.emplace_back(name);
+    }
+    std::string text = csv_line(std::move(head));
+    for (std::size_t run = 0; run < records.size(); ++run) {
+        const StudyRecord& record = records[run];
+        std::vector<std::string> row = plan.texts(plan.cell_of(run));
+        row.push_back(fmt::format("{}", plan.seed_of(run)));
+        if (record.ok) {
+            row.insert(
+                row.end(),
+                {"ok", exact(record.error_m), exact(record.aligned_error_m),
+                 fmt::format("{}", record.lines + record.corners), fmt::format("{}", record.lines),
+                 fmt::format("{}", record.corners), fmt::format("{}", record.reference_found),
+                 fmt::format("{}", plan.reference_lines + plan.reference_corners),
+                 fmt::format("{}", record.scans),
+                 layout.prefix + "maps/" + plan.file_stem(run) + ".map", ""});
+        } else {
+            row.insert(row.end(), {"failed", "", "", "", "", "", "", "", "", "", record.problem});
+        }
+        text += csv_line(std::move(row));
+    }
+    return text;
+}
+
+std::string timing_csv(const StudyPlan& plan, std::span<const StudyRecord> records) {
+    std::vector<std::string> head = plan.keys();
+    head.insert(head.end(), {"seed", "seconds", "scans_per_second"});
+    std::string text = csv_line(std::move(head));
+    for (std::size_t run = 0; run < records.size(); ++run) {
+        const StudyRecord& record = records[run];
+        std::vector<std::string> row = plan.texts(plan.cell_of(run));
+        row.push_back(fmt::format("{}", plan.seed_of(run)));
+        row.push_back(fmt::format("{:.6f}", record.seconds));
+        row.push_back(
+            record.ok && record.seconds > 0.0
+                ? fmt::format("{:.1f}", static_cast<double>(record.scans) / record.seconds)
+                : "");
+        text += csv_line(std::move(row));
+    }
+    return text;
+}
+
+std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells) {
+    std::vector<std::string> head = plan.keys();
+    for (const char* name :
+         {"runs", "failed", "measured", "error_m", "error_variance_m2", "error_minimum_m",
+          "error_maximum_m", "aligned_error_m", "aligned_error_variance_m2", "landmarks",
+          "landmarks_variance", "lines", "lines_variance", "corners", "corners_variance",
+          "reference_landmarks"}) {
+        head.emplace_back(name);
+    }
+    std::string text = csv_line(std::move(head));
+    for (const StudyCell& cell : cells) {
+        std::vector<std::string> row = cell.texts;
+        row.push_back(fmt::format("{}", cell.finished));
+        row.push_back(fmt::format("{}", cell.failed));
+        row.push_back(fmt::format("{}", cell.error_m ? cell.error_m->count : 0));
+        row.push_back(mean(cell.error_m));
+        row.push_back(variance(cell.error_m));
+        row.push_back(cell.error_m ? exact(cell.error_m->minimum) : "");
+        row.push_back(cell.error_m ? exact(cell.error_m->maximum) : "");
+        for (const std::optional<Spread>* spread :
+             {&cell.aligned_error_m, &cell.landmarks, &cell.lines, &cell.corners}) {
+            row.push_back(mean(*spread));
+            row.push_back(variance(*spread));
+        }
+        row.push_back(fmt::format("{}", plan.reference_lines + plan.reference_corners));
+        text += csv_line(std::move(row));
+    }
+    return text;
+}
+
+std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> cells) {
+    const PrettyTable table = pretty_table(plan, cells,
+                                           {"runs", "error (m)", "variance (m²)",
+                                            "aligned error (m)", "landmarks", "lines", "corners"});
+    const auto line = [](const std::vector<std::string>& fields) {
+        std::string text = "|";
+        for (const std::string& field : fields) text += " " + escaped(field, "|\\", "\\") + " |";
+        return text + "\n";
+    };
+    std::string text = line(table.head) + "|";
+    for (std::size_t i = 0; i < table.head.size(); ++i) text += "---:|";
+    text += "\n";
+    for (const std::vector<std::string>& row : table.rows) text += line(row);
+    return text + "\n" + reference_sentence(plan) + "\n";
+}
+
+std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cells) {
+    const PrettyTable table = pretty_table(
+        plan, cells,
+        {"runs", "error (m)", "variance (m^2)", "aligned (m)", "landmarks", "lines", "corners"});
+    const auto line = [](const std::vector<std::string>& fields) {
+        std::vector<std::string> cells_text;
+        cells_text.reserve(fields.size());
+        for (const std::string& field : fields)
+            cells_text.push_back(field == "–" ? "--" : latex(field));
+        return fmt::format("{} \\\\\n", fmt::join(cells_text, " & "));
+    };
+    std::string text =
+        fmt::format("\\begin{{tabular}}{{{}}}\n\\hline\n", std::string(table.head.size(), 'r'));
+    text += line(table.head) + "\\hline\n";
+    for (const std::vector<std::string>& row : table.rows) text += line(row);
+    return text + "\\hline\n\\end{tabular}\n% " + reference_sentence(plan) + "\n";
+}
+
+}  // namespace hitos

@@ -1,0 +1,263 @@
+#include "hitos/workbench/reproduction.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <deque>
+#include <fstream>
+#include <future>
+#include <iterator>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/simulation/fuente_simulada.hpp"
+#include "hitos/simulation/reference_map.hpp"
+#include "hitos/workbench/recorded_lines.hpp"
+#include "hitos/workbench/shipped_data.hpp"
+
+namespace hitos {
+namespace {
+
+namespace fs = std::filesystem;
+
+World thesis_world(const std::string& name) {
+    World world = read_world(find_world(name));
+    world.laser.sigma_m = kReproductionLaserSigma;
+    world.odometry.noise = kReproductionOdometryNoise;
+    world.odometry.noise_kind = OdometryNoiseKind::relative_sigma;
+    check(world);
+    return world;
+}
+
+/// The tours of a world with the noise of a seed, each made once while it is in use. The studies
+/// come tour by tour, so a few are enough.
+class Tours {
+  public:
+    explicit Tours(std::size_t kept) : kept_(kept) {}
+
+    FuenteGrabada::Lines get(const World& world, std::uint64_t seed) {
+        std::promise<FuenteGrabada::Lines> promise;
+        std::shared_future<FuenteGrabada::Lines> lines;
+        bool mine = false;
+        {
+            const std::scoped_lock lock(mutex_);
+            const auto known = std::ranges::find_if(entries_, [&](const Entry& entry) {
+                return entry.world == world.name && entry.seed == seed;
+            });
+            if (known != entries_.end()) {
+                lines = known->lines;
+            } else {
+                mine = true;
+                lines = promise.get_future().share();
+                entries_.push_back({world.name, seed, lines});
+                if (entries_.size() > kept_) entries_.pop_front();
+            }
+        }
+        if (mine) {
+            try {
+                World noisy = world;
+                noisy.seed = seed;
+                FuenteSimulada source(std::make_shared<SimulatedTour>(std::move(noisy)));
+                promise.set_value(std::make_shared<RecordedLines>(source));
+            } catch (...) {
+                promise.set_exception(std::current_exception());
+            }
+        }
+        return lines.get();
+    }
+
+  private:
+    struct Entry {
+        std::string world;
+        std::uint64_t seed = 0;
+        std::shared_future<FuenteGrabada::Lines> lines;
+    };
+    std::size_t kept_;
+    std::mutex mutex_;
+    std::deque<Entry> entries_;
+};
+
+std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// One seed of one figure: so all runs on the same tour stand together.
+struct Part {
+    std::size_t figure = 0;
+    std::uint64_t seed = 1;
+};
+
+std::vector<Part> order_of(const std::vector<ThesisFigure>& figures, int runs) {
+    std::vector<std::string> worlds;
+    for (const ThesisFigure& figure : figures) {
+        if (std::ranges::find(worlds, figure.world) == worlds.end()) worlds.push_back(figure.world);
+    }
+    std::vector<Part> parts;
+    for (const std::string& world : worlds) {
+        for (int seed = 1; seed <= runs; ++seed) {
+            for (std::size_t f = 0; f < figures.size(); ++f) {
+                if (figures[f].world == world) {
+                    parts.push_back({f, static_cast<std::uint64_t>(seed)});
+                }
+            }
+        }
+    }
+    return parts;
+}
+
+Study study_of(const ThesisFigure& figure, const World& world, const Part& part, Tours& tours,
+               const fs::path& out) {
+    Study study;
+    study.configuration = thesis_configuration(*figure.table);
+    study.reference = reference_map(world);
+    StudyParameter parameter{
+        std::string(figure.table->parameter), {std::string(figure.table->key)}, {}};
+    for (const ThesisRow& row : figure.rows) parameter.values.push_back({row.value});
+    study.parameters.push_back(std::move(parameter));
+    study.first_seed = part.seed;
+    study.seeds = 1;
+    study.setting =
+        fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}",
+                    kReproductionLaserSigma, kReproductionOdometryNoise, content(world.file));
+    study.source = [&world, &tours](const StudyJob& job) -> std::unique_ptr<Fuente> {
+        return std::make_unique<FuenteGrabada>(
+            world.file, [&world, &tours, seed = job.seed] { return tours.get(world, seed); });
+    };
+    study.layout = {out / "runs" / figure.stem(), fmt::format("s{}-", part.seed), "quality.csv"};
+    return study;
+}
+
+/// What a figure's runs gave, value by value.
+struct Gathered {
+    std::vector<double> errors;
+    std::vector<double> landmarks;
+};
+
+void put_into(ReproducedFigure& figure, const std::vector<Gathered>& gathered) {
+    for (std::size_t i = 0; i < figure.rows.size(); ++i) {
+        ReproducedRow& row = figure.rows[i];
+        row.error_m = spread_of(gathered[i].errors);
+        row.landmarks = spread_of(gathered[i].landmarks);
+        row.bare = row.finished - static_cast<int>(gathered[i].errors.size());
+    }
+    judge(figure);
+}
+
+ReproducedFigure empty_figure(const ThesisFigure& thesis, const World& world) {
+    constexpr double kClose = 0.5;
+    constexpr double kComplex = 1.5;
+    ReproducedFigure figure;
+    figure.thesis = thesis;
+    figure.true_landmarks = static_cast<int>(reference_map(world).size());
+    figure.tolerance = thesis.world == "complex" ? kComplex : kClose;
+    for (const ThesisRow& row : thesis.rows) {
+        ReproducedRow& reproduced = figure.rows.emplace_back();
+        reproduced.thesis = row;
+        reproduced.in_range = thesis.range.holds(std::stod(row.value));
+    }
+    return figure;
+}
+
+Reproduction gather(const std::vector<ThesisFigure>& figures,
+                    const std::map<std::string, World>& worlds, const std::vector<Part>& parts,
+                    const std::vector<StudyOutcome>& outcomes) {
+    Reproduction result;
+    std::vector<std::vector<Gathered>> gathered;
+    for (const ThesisFigure& figure : figures) {
+        result.figures.push_back(empty_figure(figure, worlds.at(figure.world)));
+        gathered.emplace_back(figure.rows.size());
+    }
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        ReproducedFigure& figure = result.figures[parts[p].figure];
+        const StudyOutcome& outcome = outcomes[p];
+        result.computed += outcome.computed;
+        result.reused += outcome.reused;
+        for (std::size_t run = 0; run < outcome.records.size(); ++run) {
+            const StudyRecord& record = outcome.records[run];
+            if (!record.ok) {
+                ++figure.rows[run].failed;
+                result.failures.push_back(fmt::format("{} {}: {}", figure.thesis.stem(),
+                                                      outcome.plan.label(run), record.problem));
+                continue;
+            }
+            ++figure.rows[run].finished;
+            Gathered& row = gathered[parts[p].figure][run];
+            if (record.error_m) row.errors.push_back(*record.error_m);
+            row.landmarks.push_back(record.lines + record.corners);
+        }
+    }
+    for (std::size_t f = 0; f < figures.size(); ++f) put_into(result.figures[f], gathered[f]);
+    return result;
+}
+
+bool names(const std::string& word, const ThesisFigure& figure) {
+    const std::size_t slash = figure.name.find('/');
+    return word == figure.name || word == figure.name.substr(0, slash) ||
+           (slash != std::string::npos && word == figure.name.substr(slash + 1)) ||
+           word == figure.world || word == figure.table->parameter || word == figure.stem();
+}
+
+}  // namespace
+
+std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figures,
+                                         const std::vector<std::string>& only) {
+    if (only.empty()) return figures;
+    for (const std::string& word : only) {
+        if (std::ranges::none_of(figures,
+                                 [&](const auto& figure) { return names(word, figure); })) {
+            std::vector<std::string> known;
+            known.reserve(figures.size());
+            for (const ThesisFigure& figure : figures) known.push_back(figure.stem());
+            throw ConfigError("--only", fmt::format("found '{}', expected a figure's number, a "
+                                                    "world or a parameter of {}",
+                                                    word, fmt::join(known, ", ")));
+        }
+    }
+    std::vector<ThesisFigure> selected;
+    std::ranges::copy_if(figures, std::back_inserter(selected), [&](const ThesisFigure& figure) {
+        return std::ranges::any_of(only, [&](const auto& word) { return names(word, figure); });
+    });
+    return selected;
+}
+
+Reproduction reproduce(const ReproductionOptions& options) {
+    constexpr int kMostRuns = 10000;
+    if (options.runs < 1 || options.runs > kMostRuns) {
+        throw ConfigError("--runs", fmt::format("found {} of each value, expected 1 to {}",
+                                                options.runs, kMostRuns));
+    }
+    const std::vector<ThesisFigure> figures =
+        select_figures(read_thesis_figures(find_thesis_results()), options.only);
+    std::map<std::string, World> worlds;
+    for (const ThesisFigure& figure : figures) {
+        if (!worlds.contains(figure.world)) worlds[figure.world] = thesis_world(figure.world);
+    }
+    const std::size_t threads = options.threads > 0
+                                    ? static_cast<std::size_t>(options.threads)
+                                    : std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+    constexpr std::size_t kMostKept = 6;
+    Tours tours(std::min(threads + 1, kMostKept));
+    const std::vector<Part> parts = order_of(figures, options.runs);
+    std::vector<Study> studies;
+    for (const Part& part : parts) {
+        const ThesisFigure& figure = figures[part.figure];
+        studies.push_back(study_of(figure, worlds.at(figure.world), part, tours, options.out));
+    }
+    StudyOptions how;
+    how.threads = options.threads;
+    how.tables = false;
+    how.observer = options.observer;
+    Reproduction result = gather(figures, worlds, parts, run_studies(studies, how));
+    result.runs = options.runs;
+    write_file(options.out / "reproduction.csv", reproduction_csv(result));
+    result.plot_problem = draw_reproduction(result, options.out / "plots");
+    write_file(options.out / "reproduction.md", reproduction_markdown(result, "plots"));
+    return result;
+}
+
+}  // namespace hitos

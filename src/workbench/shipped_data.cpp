@@ -1,0 +1,71 @@
+#include "hitos/workbench/shipped_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "hitos/base/error.hpp"
+
+namespace hitos {
+namespace {
+
+/// The place in the folder that the program was built or unpacked in: seen from the program's own
+/// place upwards, then from the current folder. Empty where there is none.
+std::filesystem::path shipped(const char* built, const char* installed) {
+    std::error_code ignored;
+    std::filesystem::path above = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    while (above.has_relative_path()) {
+        above = above.parent_path();
+        for (const char* place : {built, installed}) {
+            if (std::filesystem::exists(above / place, ignored)) return above / place;
+        }
+    }
+    if (std::filesystem::exists(built, ignored)) return built;
+    return {};
+}
+
+std::filesystem::path worlds_folder() {
+    return shipped("data/worlds", "share/hitos/worlds");
+}
+
+}  // namespace
+
+bool is_world_file(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".toml";
+}
+
+std::vector<std::string> shipped_worlds() {
+    std::vector<std::string> names;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(worlds_folder(), ignored)) {
+        if (is_world_file(entry.path())) names.push_back(entry.path().stem().string());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+std::filesystem::path find_world(const std::string& name) {
+    std::error_code ignored;
+    if (std::filesystem::exists(name, ignored)) return name;
+    const std::vector<std::string> worlds = shipped_worlds();
+    if (std::ranges::find(worlds, name) != worlds.end()) {
+        return worlds_folder() / (name + ".toml");
+    }
+    throw FileError(name, fmt::format("no such world file; the worlds that come with Hitos are {}",
+                                      fmt::join(worlds, ", ")));
+}
+
+std::filesystem::path find_thesis_results() {
+    std::filesystem::path path = shipped("data/results.csv", "share/hitos/results.csv");
+    if (path.empty()) {
+        throw FileError("data/results.csv",
+                        "is not there; it comes with Hitos: start the program from its folder");
+    }
+    return path;
+}
+
+}  // namespace hitos

@@ -1,0 +1,25 @@
+#include "hitos/workbench/study_noise.hpp"
+
+#include <fmt/format.h>
+
+#include "hitos/simulation/noisy_source.hpp"
+#include "hitos/workbench/open_tour.hpp"
+
+namespace hitos {
+
+void set_study_source(Study& study, double level, OdometryNoiseKind kind) {
+    static_cast<void>(OdometryNoise(level, kind, 0));  // throws for an impossible level
+    if (level == 0.0) {
+        study.source = [](const StudyJob& job) { return open_tour(job.configuration.source); };
+        return;
+    }
+    study.setting = fmt::format("odometry noise {} {}",
+                                kOdometryNoiseWords.at(static_cast<std::size_t>(kind)), level);
+    study.source = [level, kind](const StudyJob& job) {
+        const SourceParams& source = job.configuration.source;
+        return make_noisy_source(open_tour(source), level, kind, job.seed,
+                                 source.read.logged_velocities);
+    };
+}
+
+}  // namespace hitos

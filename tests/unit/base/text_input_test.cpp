@@ -1,0 +1,122 @@
+#include "hitos/base/text_input.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cmath>
+#include <limits>
+
+#include "hitos/base/error.hpp"
+#include "support.hpp"
+
+namespace hitos::input {
+namespace {
+
+using test::message_of;
+using test::TempFolder;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::string gzipped(const TempFolder& folder, std::string_view text) {
+    std::string path = (folder / "packed.gz").string();
+    auto* const file = gzopen(path.c_str(), "wb");
+    EXPECT_EQ(gzwrite(file, text.data(), static_cast<unsigned>(text.size())),
+              static_cast<int>(text.size()));
+    EXPECT_EQ(gzclose(file), Z_OK);
+    return path;
+}
+
+std::string long_text() {
+    std::string text;
+    for (int i = 0; i < 50000; ++i) text += std::to_string(i * 7919) + "\n";
+    return text;
+}
+
+TEST(ReadText, GivesPlainFilesByteByByte) {
+    const TempFolder folder;
+    const std::string text("a\r\n\0\xff", 5);
+    EXPECT_EQ(read_text(folder.put("plain", text)), text);
+    EXPECT_EQ(read_text(folder.put("empty", "")), "");
+    EXPECT_EQ(read_text(folder.put("long", long_text())), long_text());
+}
+
+TEST(ReadText, UnpacksGzip) {
+    const TempFolder folder;
+    EXPECT_EQ(read_text(gzipped(folder, long_text())), long_text());
+}
+
+TEST(ReadText, RefusesTruncatedAndDamagedGzip) {
+    const TempFolder folder;
+    const std::string packed = test::content(gzipped(folder, long_text()));
+    const auto cut = folder.put("cut.gz", packed.substr(0, packed.size() / 2));
+    EXPECT_THAT(message_of<FileError>([&] { read_text(cut); }),
+                HasSubstr(cut.string() + ": damaged gzip file: "));
+    std::string bent = packed;
+    bent[bent.size() / 2] = static_cast<char>(~bent[bent.size() / 2]);
+    const auto damaged = folder.put("bent.gz", bent);
+    EXPECT_THAT(message_of<FileError>([&] { read_text(damaged); }),
+                HasSubstr(damaged.string() + ": damaged gzip file: "));
+}
+
+TEST(ReadText, TellsMissingFilesAndFolders) {
+    const TempFolder folder;
+    const auto missing = folder / "missing";
+    EXPECT_EQ(message_of<FileError>([&] { read_text(missing); }),
+              missing.string() + ": no such file");
+    const auto below_a_file = folder.put("file", "x") / "y";
+    EXPECT_EQ(message_of<FileError>([&] { read_text(below_a_file); }),
+              below_a_file.string() + ": no such file");
+    EXPECT_EQ(message_of<FileError>([&] { read_text(folder.path()); }),
+              folder.path().string() + ": is a directory; expected a file");
+}
+
+TEST(Trimmed, TakesWhiteSpaceOffBothEnds) {
+    EXPECT_EQ(trimmed(" \t a b\r\n"), "a b");
+    EXPECT_EQ(trimmed("a"), "a");
+    EXPECT_EQ(trimmed(" \t\r\n"), "");
+    EXPECT_EQ(trimmed(""), "");
+}
+
+TEST(Fields, AreTheWordsBetweenWhiteSpace) {
+    EXPECT_THAT(fields(" a  bc\td\r"), ElementsAre("a", "bc", "d"));
+    EXPECT_THAT(fields("a"), ElementsAre("a"));
+    EXPECT_THAT(fields(" \t"), IsEmpty());
+}
+
+TEST(NextLine, CutsLinesUntilNothingIsLeft) {
+    std::string_view rest = "a\n\nb";
+    EXPECT_EQ(next_line(rest), "a");
+    EXPECT_EQ(next_line(rest), "");
+    EXPECT_EQ(next_line(rest), "b");
+    EXPECT_EQ(next_line(rest), std::nullopt);
+    rest = "a\n";
+    EXPECT_EQ(next_line(rest), "a");
+    EXPECT_EQ(next_line(rest), std::nullopt);
+}
+
+TEST(ParseNumber, TakesTheWholeTextOrNothing) {
+    EXPECT_EQ(parse_number("-1.5e3"), -1500.0);
+    EXPECT_EQ(parse_number("+2"), 2.0);
+    EXPECT_EQ(parse_number(".5"), 0.5);
+    EXPECT_EQ(parse_number("4.9e-324"), std::numeric_limits<double>::denorm_min());
+    for (const char* text :
+         {"", "+", "-", "1x", "1 ", " 1", "1,5", "++1", "+-1", "0x10", "1e999"}) {
+        EXPECT_EQ(parse_number(text), std::nullopt) << text;
+    }
+    EXPECT_EQ(parse_number("inf"), std::numeric_limits<double>::infinity());
+    EXPECT_TRUE(std::isnan(parse_number("nan").value()));
+}
+
+TEST(InQuotes, EscapesAndCuts) {
+    EXPECT_EQ(in_quotes("a b"), "\"a b\"");
+    EXPECT_EQ(in_quotes(std::string_view("a\0\x1b\x7f", 4)), "\"a\\x00\\x1b\\x7f\"");
+    EXPECT_EQ(in_quotes(std::string(60, 'x')), '"' + std::string(60, 'x') + '"');
+    EXPECT_EQ(in_quotes(std::string(61, 'x')), '"' + std::string(60, 'x') + "...\"");
+    // The cut never falls inside a character.
+    EXPECT_EQ(in_quotes(std::string(59, 'x') + "ñññ"), '"' + std::string(59, 'x') + "...\"");
+}
+
+}  // namespace
+}  // namespace hitos::input

@@ -1,0 +1,200 @@
+#include "configuration/parameter_table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace hitos {
+namespace {
+
+using Type = Parameter::Type;
+
+/// Values away from the defaults, each parameter another one.
+void change(const Parameter& parameter, Configuracion& configuration, int salt) {
+    switch (parameter.type) {
+        case Type::real: {
+            const double part = 0.25 + 0.001 * salt;
+            parameter.real(configuration) =
+                parameter.minimum + part * (parameter.maximum - parameter.minimum);
+            break;
+        }
+        case Type::integer:
+            parameter.set_integer(configuration,
+                                  static_cast<std::int64_t>(parameter.minimum) + 7 + salt);
+            break;
+        case Type::choice:
+            parameter.set_integer(configuration,
+                                  (parameter.get_integer(configuration) + 1) %
+                                      static_cast<std::int64_t>(parameter.choices.size()));
+            break;
+        case Type::text:
+            parameter.words(configuration) = "changed";
+            break;
+    }
+}
+
+TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
+    std::set<std::string_view> keys;
+    for (const Parameter& parameter : make_parameter_table()) {
+        EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
+        EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
+    }
+    EXPECT_EQ(keys.size(), 50U);
+}
+
+TEST(ParameterTable, GroupsAndTablesStandTogether) {
+    std::vector<ParameterGroup> groups;
+    std::vector<std::string_view> tables;
+    for (const Parameter& parameter : make_parameter_table()) {
+        const std::string_view table = parameter.key.substr(0, parameter.key.find('.'));
+        if (groups.empty() || groups.back() != parameter.group) groups.push_back(parameter.group);
+        if (tables.empty() || tables.back() != table) tables.push_back(table);
+    }
+    EXPECT_EQ(std::set(groups.begin(), groups.end()).size(), groups.size());
+    EXPECT_EQ(groups.size(), 8U);
+    EXPECT_EQ(std::set(tables.begin(), tables.end()).size(), tables.size());
+}
+
+TEST(ParameterTable, EachParameterHasExactlyTheWayInThatItsTypeNames) {
+    for (const Parameter& p : make_parameter_table()) {
+        const bool whole = p.type == Type::integer || p.type == Type::choice;
+        EXPECT_EQ(p.real != nullptr, p.type == Type::real) << p.key;
+        EXPECT_EQ(p.get_real != nullptr, p.type == Type::real) << p.key;
+        EXPECT_EQ(p.get_integer != nullptr, whole) << p.key;
+        EXPECT_EQ(p.set_integer != nullptr, whole) << p.key;
+        EXPECT_EQ(p.words != nullptr, p.type == Type::text) << p.key;
+        EXPECT_EQ(p.get_words != nullptr, p.type == Type::text) << p.key;
+        EXPECT_EQ(p.choices.size() > 1, p.type == Type::choice) << p.key;
+    }
+}
+
+TEST(ParameterTable, DescriptionsAreSentencesOfPlainText) {
+    for (const Parameter& parameter : make_parameter_table()) {
+        EXPECT_GT(parameter.description.size(), 30U) << parameter.key;
+        EXPECT_TRUE(parameter.description.ends_with('.')) << parameter.key;
+        for (const char c : parameter.description) {
+            EXPECT_TRUE(c >= 0x20 && c < 0x7f) << parameter.key << ": " << parameter.description;
+        }
+    }
+}
+
+TEST(ParameterTable, TheThesisSymbolsAreNamed) {
+    const std::map<std::string_view, std::string_view> symbols = {
+        {"split_merge.dmax", "Dmax"},          {"split_merge.min_length", "Lmin"},
+        {"split_merge.min_points", "Pmin"},    {"association.p0", "P0"},
+        {"resampling.neff_threshold", "Neff"}, {"observation.var_rho", "sigma"}};
+    std::size_t found = 0;
+    for (const Parameter& parameter : make_parameter_table()) {
+        const auto symbol = symbols.find(parameter.key);
+        if (symbol == symbols.end()) continue;
+        ++found;
+        EXPECT_NE(parameter.description.find(symbol->second), std::string_view::npos)
+            << parameter.key;
+    }
+    EXPECT_EQ(found, symbols.size());
+}
+
+TEST(ParameterTable, DefaultsAreAllowed) {
+    const Configuracion defaults;
+    for (const Parameter& parameter : make_parameter_table()) {
+        EXPECT_NO_THROW(parameter.check(defaults)) << parameter.key;
+    }
+}
+
+TEST(ParameterTable, EachParameterReachesAPlaceOfItsOwn) {
+    const std::vector<Parameter> table = make_parameter_table();
+    const Configuracion defaults;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        Configuracion changed;
+        change(table[i], changed, static_cast<int>(i));
+        for (std::size_t j = 0; j < table.size(); ++j) {
+            EXPECT_EQ(table[j].text(changed) == table[j].text(defaults), i != j)
+                << table[i].key << " changes " << table[j].key;
+        }
+    }
+}
+
+TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
+    Configuracion c;
+    c.source = {"a.log", LogFormat::carmen, {12.5, true}};
+    c.run = {42, 3};
+    c.filter.algorithm = SlamAlgorithm::ekf_slam;
+    c.filter.particles = 77;
+    c.filter.motion = {MotionModel::proportional, 0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17};
+    c.filter.observation = {0.21, 0.22};
+    c.filter.association = {AssociationMethod::gated_nearest, 0.31, 0.91, 0.92,
+                            AmbiguityRule::new_landmark,      0.33};
+    c.filter.resampling = {ResamplingRule::neff, 41.5};
+    c.extraction.detect = Detection::corners;
+    c.extraction.lines = {0.52, 53, {0.54, 0.55, 0.56}};
+    c.extraction.split_merge = {0.51, LineFit::least_squares, 0.57, 0.58};
+    c.extraction.method = LineMethod::ransac;
+    c.extraction.ransac = {0.71, 0.72, 0.73, 74};
+    c.extraction.covariance = ObservationCovariance::points;
+    c.extraction.point_sigma_m = 0.75;
+    c.extraction.common_sigma_m = 0.76;
+    c.extraction.corner_distance_m = 0.59;
+    c.grid = {0.61, 0.62, -0.63, 6.4, 6.5};
+    const std::map<std::string_view, std::string> expected = {
+        {"source.file", "a.log"},
+        {"source.format", "carmen"},
+        {"source.max_range", "12.5"},
+        {"source.odometry", "velocities"},
+        {"run.seed", "42"},
+        {"run.threads", "3"},
+        {"filter.algorithm", "ekf-slam"},
+        {"filter.particles", "77"},
+        {"association.method", "gnn"},
+        {"association.p0", "0.31"},
+        {"association.gate_probability", "0.91"},
+        {"association.new_probability", "0.92"},
+        {"association.ambiguity", "new-landmark"},
+        {"association.ambiguity_ratio", "0.33"},
+        {"motion.model", "proportional"},
+        {"motion.sigma_x", "0.11"},
+        {"motion.sigma_y", "0.12"},
+        {"motion.sigma_theta", "0.13"},
+        {"motion.var_along", "0.14"},
+        {"motion.var_across", "0.15"},
+        {"motion.var_theta_per_rad", "0.16"},
+        {"motion.var_theta_per_m", "0.17"},
+        {"observation.var_rho", "0.21"},
+        {"observation.var_theta", "0.22"},
+        {"observation.covariance", "points"},
+        {"observation.point_sigma", "0.75"},
+        {"observation.common_sigma", "0.76"},
+        {"features.method", "ransac"},
+        {"features.detect", "corners"},
+        {"features.corner_distance", "0.59"},
+        {"split_merge.dmax", "0.51"},
+        {"split_merge.min_length", "0.52"},
+        {"split_merge.min_points", "53"},
+        {"split_merge.fit", "least-squares"},
+        {"split_merge.collinear_rho", "0.54"},
+        {"split_merge.collinear_theta", "0.55"},
+        {"split_merge.collinear_gap", "0.56"},
+        {"split_merge.gap", "0.57"},
+        {"split_merge.gap_per_range", "0.58"},
+        {"ransac.edge", "0.71"},
+        {"ransac.edge_per_range", "0.72"},
+        {"ransac.threshold", "0.73"},
+        {"ransac.iterations", "74"},
+        {"resampling.rule", "neff"},
+        {"resampling.neff_threshold", "41.5"},
+        {"grid.resolution", "0.61"},
+        {"grid.hit", "0.62"},
+        {"grid.miss", "-0.63"},
+        {"grid.limit", "6.4"},
+        {"grid.max_range", "6.5"}};
+    for (const Parameter& parameter : make_parameter_table()) {
+        const auto entry = expected.find(parameter.key);
+        ASSERT_NE(entry, expected.end()) << parameter.key;
+        EXPECT_EQ(parameter.text(c), entry->second) << parameter.key;
+    }
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,203 @@
+#include "hitos/services/maps/picture_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "hitos/base/error.hpp"
+#include "support.hpp"
+
+namespace hitos {
+namespace {
+
+using test::message_of;
+using test::TempFolder;
+using ::testing::HasSubstr;
+
+/// 12 x 10 m with a cell of 0.5 m: free but for a wall at the right end of the bottom row.
+Grid grid_map() {
+    GridParams params;
+    params.resolution_m = 0.5;
+    Grid grid(params);
+    Scan scan;
+    for (int row = 0; row < 20; ++row) {
+        scan.points = {{11.5, 0.0}};
+        grid.add(scan, {0.25, 0.25 + 0.5 * row, 0.0});
+    }
+    return grid;
+}
+
+cv::Mat decoded(const std::string& bytes) {
+    const std::vector<std::uint8_t> buffer(bytes.begin(), bytes.end());
+    return cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+}
+
+cv::Vec3b at(const cv::Mat& image, int x, int y) {
+    return image.at<cv::Vec3b>(y, x);
+}
+
+bool is_red(const cv::Vec3b& p) {
+    return p[2] > 200 && p[1] < 60 && p[0] < 60;
+}
+bool is_green(const cv::Vec3b& p) {
+    return p[1] > 120 && p[2] < 60 && p[0] < 60;
+}
+bool is_blue(const cv::Vec3b& p) {
+    return p[0] > 200 && p[2] < 60;
+}
+
+TEST(EncodePicture, PngHoldsThePictureExactly) {
+    const Grid::Picture picture{3, 2, {0, 50, 100, 150, 205, 255}};
+    const cv::Mat image = decoded(encode_picture(picture, "png"));
+    ASSERT_EQ(image.size(), cv::Size(3, 2));
+    ASSERT_EQ(image.type(), CV_8UC1);
+    EXPECT_THAT(std::vector<std::uint8_t>(image.begin<std::uint8_t>(), image.end<std::uint8_t>()),
+                ::testing::ElementsAreArray(picture.grey));
+}
+
+TEST(EncodePicture, JpgIsNearThePicture) {
+    const Grid grid = grid_map();
+    const Grid::Picture picture = grid.picture();
+    const std::string bytes = encode_picture(grid, {}, "JPG");
+    EXPECT_TRUE(bytes.starts_with("\xff\xd8\xff"));
+    const cv::Mat image = decoded(bytes);
+    ASSERT_EQ(image.size(), cv::Size(picture.width, picture.height));
+    for (int y = 0; y < image.rows; ++y) {
+        for (int x = 0; x < image.cols; ++x) {
+            EXPECT_NEAR(image.at<std::uint8_t>(y, x),
+                        picture.grey[static_cast<std::size_t>(y * picture.width + x)], 25);
+        }
+    }
+}
+
+TEST(EncodePicture, ScaleRepeatsCells) {
+    const Grid grid = grid_map();
+    const Grid::Picture picture = grid.picture();
+    const cv::Mat image = decoded(encode_picture(grid, {.scale = 3, .path = {}}, "png"));
+    ASSERT_EQ(image.size(), cv::Size(3 * picture.width, 3 * picture.height));
+    ASSERT_EQ(image.channels(), 1);
+    for (int y = 0; y < image.rows; ++y) {
+        for (int x = 0; x < image.cols; ++x) {
+            ASSERT_EQ(image.at<std::uint8_t>(y, x),
+                      picture.grey[static_cast<std::size_t>(y / 3 * picture.width + x / 3)]);
+        }
+    }
+}
+
+TEST(EncodePicture, DrawsThePathWhereItWas) {
+    const Grid grid = grid_map();
+    PictureStyle style{.scale = 10, .path = {{2.25, 2.25}, {8.25, 2.25}, {8.25, 8.25}}};
+    const cv::Mat image = decoded(encode_picture(grid, style, "png"));
+    ASSERT_EQ(image.channels(), 3);
+    ASSERT_EQ(image.size(), cv::Size(240, 200));
+    // 20 pixels a metre, y upwards.
+    EXPECT_TRUE(is_green(at(image, 45, 155)));
+    EXPECT_TRUE(is_blue(at(image, 165, 35)));
+    EXPECT_TRUE(is_red(at(image, 105, 155)));
+    EXPECT_TRUE(is_red(at(image, 165, 95)));
+    EXPECT_EQ(at(image, 105, 95)[0], at(image, 105, 95)[2]);  // off the path it stays grey
+    EXPECT_EQ(at(image, 105, 145)[0], at(image, 105, 145)[2]);
+}
+
+TEST(EncodePicture, PassesOverPathPointsThatCannotBeDrawn) {
+    const Grid grid = grid_map();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const PictureStyle style{
+        .scale = 10, .path = {{2.25, 2.25}, {nan, 1.0}, {1e300, 1.0}, {-1e9, 0.0}, {8.25, 2.25}}};
+    const cv::Mat image = decoded(encode_picture(grid, style, "png"));
+    EXPECT_TRUE(is_green(at(image, 45, 155)));
+    EXPECT_TRUE(is_blue(at(image, 165, 155)));
+    EXPECT_FALSE(is_red(at(image, 105, 155)));
+    const PictureStyle lost{.path = {{nan, nan}}};
+    EXPECT_NO_THROW(encode_picture(grid, lost, "png"));
+}
+
+TEST(EncodePicture, ScaleBarHasARoundLength) {
+    const Grid grid = grid_map();
+    const cv::Mat image =
+        decoded(encode_picture(grid, {.scale = 10, .path = {}, .scale_bar = true}, "png"));
+    ASSERT_EQ(image.channels(), 1);
+    // A quarter of 12 m is 3 m: the bar is 2 m, 40 pixels.
+    const int row = image.rows - 12;
+    int black = 0;
+    for (int x = 0; x < image.cols; ++x) black += image.at<std::uint8_t>(row, x) == 0 ? 1 : 0;
+    EXPECT_EQ(black, 40);
+    EXPECT_EQ(image.at<std::uint8_t>(row, 10), 0);
+    EXPECT_EQ(image.at<std::uint8_t>(row, 49), 0);
+    EXPECT_EQ(image.at<std::uint8_t>(row, 51), 255);
+    // Too small a picture stays without.
+    EXPECT_EQ(encode_picture(grid, {.scale = 1, .path = {}, .scale_bar = true}, "png"),
+              encode_picture(grid, {}, "png"));
+}
+
+TEST(EncodePicture, RefusesWhatItCannotDraw) {
+    const Grid grid = grid_map();
+    EXPECT_EQ(message_of<ConfigError>([&] { encode_picture(grid, {}, "bmp"); }),
+              "kind: \"bmp\" is no kind of picture; allowed: one of png, jpg, jpeg");
+    for (const int scale : {0, -1, 65}) {
+        EXPECT_EQ(
+            message_of<ConfigError>(
+                [&] { encode_picture(grid, {.scale = scale, .path = {}}, "png"); }),
+            "scale: " + std::to_string(scale) + " is out of range; allowed: integers from 1 to 64");
+    }
+    EXPECT_THAT(message_of<Error>([&] { encode_picture(Grid{}, {}, "png"); }),
+                HasSubstr("the grid map is empty"));
+    const Grid::Picture wide{70000, 1, std::vector<std::uint8_t>(70000, 205)};
+    EXPECT_THAT(message_of<Error>([&] { encode_picture(wide, "jpg"); }),
+                HasSubstr("at most 65500 pixels a side and the picture has 70000 x 1; write PNG"));
+    EXPECT_NO_THROW(encode_picture(wide, "png"));
+}
+
+TEST(EncodePicture, RefusesPicturesOfTooManyPixels) {
+    GridParams params;
+    params.resolution_m = 1.0;
+    Grid grid(params);
+    Scan scan;
+    scan.points = {{700.0, 700.0}};
+    grid.add(scan, {});
+    EXPECT_EQ(
+        message_of<Error>([&] { encode_picture(grid, {.scale = 64, .path = {}}, "png"); }),
+        "a picture of 44864 x 44864 pixels is too great; use a smaller scale or coarser cells");
+}
+
+TEST(WritePicture, WritesTheKindThatTheExtensionNames) {
+    const TempFolder folder;
+    const Grid grid = grid_map();
+    const PictureStyle style{.scale = 2, .path = {{1.0, 1.0}, {5.0, 5.0}}};
+    for (const char* name : {"a.png", "b.PNG"}) {
+        write_picture(grid, style, folder / name);
+        EXPECT_EQ(test::content(folder / name), encode_picture(grid, style, "png"));
+    }
+    for (const char* name : {"a.jpg", "b.Jpeg"}) {
+        write_picture(grid.picture(), folder / name);
+        EXPECT_EQ(test::content(folder / name), encode_picture(grid.picture(), "jpg"));
+    }
+    EXPECT_EQ(folder.files(), 4U);
+}
+
+TEST(WritePicture, ErrorsNameTheFileAndLeaveWhatWasThere) {
+    const TempFolder folder;
+    const Grid grid = grid_map();
+    const auto bmp = folder / "a.bmp";
+    EXPECT_EQ(message_of<FileError>([&] { write_picture(grid, {}, bmp); }),
+              bmp.string() +
+                  ": found the extension \".bmp\"; pictures are written as .png, .jpg or .jpeg");
+    EXPECT_THAT(message_of<FileError>([&] { write_picture(grid, {}, folder / "a"); }),
+                HasSubstr("found the extension \"\""));
+    const auto old = folder.put("old.png", "precious");
+    EXPECT_THAT(message_of<FileError>([&] { write_picture(Grid{}, {}, old); }),
+                HasSubstr(old.string() + ": the grid map is empty"));
+    EXPECT_THAT(message_of<FileError>([&] { write_picture(grid, {.scale = 0, .path = {}}, old); }),
+                HasSubstr(old.string() + ": scale: 0 is out of range"));
+    EXPECT_THAT(message_of<FileError>([&] { write_picture(grid, {}, old / "b.png"); }),
+                HasSubstr((old / "b.png").string()));
+    EXPECT_EQ(test::content(old), "precious");
+    EXPECT_EQ(folder.files(), 1U);
+}
+
+}  // namespace
+}  // namespace hitos

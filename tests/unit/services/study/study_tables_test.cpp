@@ -1,0 +1,165 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+
+#include "hitos/services/study/study_result.hpp"
+#include "study/study_plot.hpp"
+#include "support.hpp"
+
+namespace hitos {
+namespace {
+
+using test::content;
+using test::TempFolder;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+StudyPlan plan_of(std::vector<StudyPlan::Axis> axes, int seeds) {
+    StudyPlan plan;
+    plan.axes = std::move(axes);
+    plan.seeds = seeds;
+    plan.reference_lines = 4;
+    plan.reference_corners = 4;
+    return plan;
+}
+
+StudyPlan::Axis dmax_axis() {
+    return {"dmax", {"split_merge.dmax"}, {"m"}, {{"0.01"}, {"0.1"}}};
+}
+
+StudyRecord run(double error, int lines, int corners) {
+    StudyRecord record;
+    record.ok = true;
+    record.error_m = error;
+    record.aligned_error_m = error / 2.0;
+    record.lines = lines;
+    record.corners = corners;
+    record.scans = 100;
+    record.seconds = 0.5;
+    return record;
+}
+
+StudyRecord failure(const std::string& problem) {
+    StudyRecord record;
+    record.problem = problem;
+    return record;
+}
+
+TEST(StudyTables, MeanAndVarianceAgreeWithTheSumOverAllPairs) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal(0.15, 0.02);
+    for (const std::size_t n : {std::size_t{2}, std::size_t{5}, std::size_t{200}}) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < n; ++i) values.push_back(normal(random));
+        // In long double and by differences of pairs, which needs no mean.
+        long double sum = 0.0L;
+        long double pairs = 0.0L;
+        for (const double a : values) {
+            sum += static_cast<long double>(a);
+            for (const double b : values) {
+                const long double difference =
+                    static_cast<long double>(a) - static_cast<long double>(b);
+                pairs += difference * difference;
+            }
+        }
+        const auto count = static_cast<long double>(n);
+        const auto spread = spread_of(values);
+        ASSERT_TRUE(spread && spread->variance);
+        EXPECT_NEAR(spread->mean, static_cast<double>(sum / count), 1e-15);
+        EXPECT_NEAR(*spread->variance, static_cast<double>(pairs / (2.0L * count * (count - 1.0L))),
+                    1e-16);
+        EXPECT_EQ(spread->count, static_cast<int>(n));
+        EXPECT_LE(spread->minimum, spread->mean);
+        EXPECT_GE(spread->maximum, spread->mean);
+    }
+}
+
+TEST(StudyTables, OneValueHasNoVarianceAndNoneHasNoMean) {
+    const std::vector<double> one{0.25};
+    EXPECT_EQ(spread_of(one)->mean, 0.25);
+    EXPECT_EQ(spread_of(one)->variance, std::nullopt);
+    EXPECT_FALSE(spread_of({}).has_value());
+}
+
+TEST(StudyTables, FailedRunsAreListedAndCountedButNotInTheMeans) {
+    const StudyPlan plan = plan_of({dmax_axis()}, 2);
+    const std::vector<StudyRecord> records{run(0.1, 4, 4), run(0.2, 4, 2),
+                                           failure("bad, \"quoted\"\nthing"), run(0.5, 6, 4)};
+    EXPECT_EQ(quality_csv(study_beside("out/q.csv"), plan, records),
+              "split_merge.dmax,seed,status,error_m,aligned_error_m,landmarks,lines,corners,"
+              "reference_found,reference_landmarks,scans,map,problem\n"
+              "0.01,1,ok,0.1,0.05,8,4,4,0,8,100,q-maps/dmax-0.01-s1.map,\n"
+              "0.01,2,ok,0.2,0.1,6,4,2,0,8,100,q-maps/dmax-0.01-s2.map,\n"
+              "0.1,1,failed,,,,,,,,,,\"bad, \"\"quoted\"\" thing\"\n"
+              "0.1,2,ok,0.5,0.25,10,6,4,0,8,100,q-maps/dmax-0.1-s2.map,\n");
+    const std::vector<StudyCell> cells = summarize(plan, records);
+    ASSERT_EQ(cells.size(), 2U);
+    EXPECT_EQ(cells[1].finished, 1);
+    EXPECT_EQ(cells[1].failed, 1);
+    EXPECT_EQ(cells[1].error_m->mean, 0.5);
+    EXPECT_EQ(summary_markdown(plan, cells),
+              "| dmax (m) | runs | error (m) | variance (m²) | aligned error (m) | landmarks | "
+              "lines | corners |\n|---:|---:|---:|---:|---:|---:|---:|---:|\n"
+              "| 0.01 | 2 | 0.150 | 0.0050 | 0.075 | 7.0 | 4.0 | 3.0 |\n"
+              "| 0.1 | 1 of 2 | 0.500 | – | 0.250 | 10.0 | 6.0 | 4.0 |\n\n"
+              "8 landmarks in the reference: 4 lines, 4 corners.\n");
+    EXPECT_THAT(summary_latex(plan, cells), HasSubstr("0.1 & 1 of 2 & 0.500 & -- & 0.250"));
+    EXPECT_THAT(summary_latex(plan, cells), HasSubstr("variance (m$^2$)"));
+    EXPECT_THAT(summary_csv(plan, cells),
+                HasSubstr("\n0.1,1,1,1,0.5,,0.5,0.5,0.25,,10,,6,,4,,8\n"));
+    EXPECT_THAT(timing_csv(plan, records), HasSubstr("\n0.01,1,0.500000,200.0\n"));
+}
+
+TEST(StudyTables, ARunWithoutComparableLandmarksCountsAsRunOnly) {
+    const StudyPlan plan = plan_of({}, 2);
+    StudyRecord blind = run(0.0, 0, 0);
+    blind.error_m.reset();
+    blind.aligned_error_m.reset();
+    const std::vector<StudyRecord> records{blind, run(0.3, 4, 4)};
+    const std::vector<StudyCell> cells = summarize(plan, records);
+    EXPECT_EQ(cells[0].finished, 2);
+    EXPECT_EQ(cells[0].error_m->count, 1);
+    EXPECT_EQ(cells[0].error_m->mean, 0.3);
+    EXPECT_EQ(cells[0].landmarks->mean, 4.0);
+    EXPECT_THAT(quality_csv(study_in_folder("out"), plan, records),
+                HasSubstr("\n1,ok,,,0,0,0,0,8,100,"));
+}
+
+TEST(StudyTables, PlotsDrawOneCurveForEachSecondValue) {
+    const TempFolder folder;
+    const StudyPlan plan = plan_of(
+        {dmax_axis(), {"sensor", {"a", "b"}, {"m^2", "rad^2"}, {{"1", "2"}, {"3", "4"}}}}, 1);
+    const std::vector<StudyRecord> records{run(0.1, 4, 4), run(0.2, 4, 4), failure("x"),
+                                           run(0.4, 4, 4)};
+    const std::string problem =
+        study::write_plots(study_in_folder(folder.path()), plan, summarize(plan, records));
+    EXPECT_EQ(content(folder / "error.dat"),
+              "# x mean standard_deviation minimum maximum runs\n# sensor = 1/2\n"
+              "0.01 0.1 0 0.1 0.1 1\n0.1 NaN NaN NaN NaN 0\n\n\n# sensor = 3/4\n"
+              "0.01 0.2 0 0.2 0.2 1\n0.1 0.4 0 0.4 0.4 1\n");
+    const std::string script = content(folder / "landmarks.gp");
+    EXPECT_THAT(script, HasSubstr("index 1 using 1:2:3 with yerrorlines"));
+    EXPECT_THAT(script, HasSubstr("title 'sensor = 3/4'"));
+    EXPECT_THAT(script, HasSubstr("     8 with lines"));
+    EXPECT_THAT(script, Not(HasSubstr("logscale")));
+    if (!problem.empty()) GTEST_SKIP() << problem;
+    EXPECT_EQ(content(folder / "error.png").substr(1, 3), "PNG");
+    EXPECT_THAT(content(folder / "error.svg"), HasSubstr("</svg>"));
+    EXPECT_EQ(folder.files(), 8U) << "nothing but scripts, data and pictures";
+}
+
+TEST(StudyTables, ValuesThatAreNoNumbersStandAsWordsAndWideOnesOnALogarithmicAxis) {
+    const TempFolder folder;
+    const std::vector<StudyRecord> records{run(0.1, 4, 4), run(0.2, 4, 4)};
+    StudyPlan words = plan_of({{"fit", {"split_merge.fit"}, {""}, {{"it's"}, {"b_c"}}}}, 1);
+    study::write_plots(study_in_folder(folder.path()), words, summarize(words, records));
+    EXPECT_THAT(content(folder / "error.gp"), HasSubstr("set xtics ('it''s' 1, 'b_c' 2)"));
+    StudyPlan wide = plan_of({{"p", {"filter.particles"}, {""}, {{"500"}, {"5"}}}}, 1);
+    study::write_plots(study_in_folder(folder.path()), wide, summarize(wide, records));
+    EXPECT_THAT(content(folder / "error.gp"), HasSubstr("set logscale x"));
+    EXPECT_THAT(content(folder / "error.dat"), HasSubstr("runs\n5 0.2 0 0.2 0.2 1\n500 0.1"));
+}
+
+}  // namespace
+}  // namespace hitos

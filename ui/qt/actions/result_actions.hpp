@@ -1,0 +1,45 @@
+// The use cases that look at or keep what a run made [T 8.2.2.7-10].
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+
+#include "app/session.hpp"
+#include "prompts.hpp"
+#include "user_files.hpp"
+#include "views/map_window.hpp"
+
+namespace hitos::window {
+
+class CanvasView;
+
+class ResultActions final : public QObject {
+    Q_OBJECT
+
+  public:
+    ResultActions(Session& session, UserFiles& files, Prompts& prompts, QWidget* window);
+
+    MapWindow* best_window() const { return best_; }
+    MapWindow* odometry_window() const { return odometry_; }
+
+    void view_best();
+    void view_odometry();
+    void save_map();
+    void save_results();
+    void save_picture(const hitos::window::CanvasView& view);
+
+  signals:
+    void notice(QString text);
+
+  private:
+    MapWindow* open_window(QPointer<MapWindow>& place, const QString& title, MapWindow::Show show);
+
+    Session& session_;
+    UserFiles& files_;
+    Prompts& prompts_;
+    QWidget* window_;
+    QPointer<MapWindow> best_;
+    QPointer<MapWindow> odometry_;
+};
+
+}  // namespace hitos::window

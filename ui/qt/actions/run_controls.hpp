@@ -1,0 +1,54 @@
+// The control panel: seven buttons [T 9.2.6.3] and how far the run has come.
+#pragma once
+
+#include <QWidget>
+
+#include "app/session.hpp"
+
+class QAction;
+class QProgressBar;
+class QToolButton;
+
+namespace hitos::window {
+
+/// The actions of the seven buttons; the window's menus and keys use the same ones.
+struct RunActions {
+    QAction* run = nullptr;
+    QAction* stop = nullptr;
+    QAction* step = nullptr;
+    QAction* best_map = nullptr;
+    QAction* odometry = nullptr;
+    QAction* save_map = nullptr;
+    QAction* restart = nullptr;
+};
+
+class RunControls final : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit RunControls(QWidget* parent = nullptr);
+
+    /// Makes the buttons and lets them do what they say with the session.
+    void set_up(const RunActions& actions, Session& session);
+
+    /// Which actions are possible in this state.
+    void show_progress(const Progress& progress, bool has_source);
+    /// The number of scans of the whole log, where it is known.
+    void set_total(std::optional<quint64> scans) { total_ = scans; }
+
+  private:
+    QToolButton* add_button(QAction* action, const char* name, bool primary = false);
+    /// A button that goes inactive would give the keyboard to whatever is next: from running or
+    /// stepping it goes to the stop button, and back.
+    void pass_focus(bool running, bool can_run);
+
+    RunActions actions_;
+    QToolButton* run_ = nullptr;
+    QToolButton* stop_ = nullptr;
+    QToolButton* step_ = nullptr;
+    QWidget* before_stop_ = nullptr;  // what had the keyboard
+    QProgressBar* progress_ = nullptr;
+    std::optional<quint64> total_;
+};
+
+}  // namespace hitos::window

@@ -1,0 +1,58 @@
+// Where the user's own files lie, and the logs and configurations used last.
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+#include <optional>
+
+#include "hitos/services/configuration/configuracion.hpp"
+
+namespace hitos::window {
+
+/// init.cfg, the window's settings and the recent files, all in one folder.
+class UserFiles final : public QObject {
+    Q_OBJECT
+
+  public:
+    /// The user's configuration folder, or another one.
+    explicit UserFiles(const QString& folder = {}, QObject* parent = nullptr);
+
+    QString init_path() const;
+    bool has_init() const;
+    QSettings& settings() { return settings_; }
+
+    /// Newest first; only what still exists.
+    QStringList recent() const;
+    void note_recent(const QString& path);
+    void clear_recent();
+
+    /// The folder to begin a file dialog of this kind with ("log", "config", "picture", "map").
+    QString last_folder(const QString& kind) const;
+    void note_folder(const QString& kind, const QString& path);
+
+  signals:
+    void recent_changed();
+
+  private:
+    QString folder_;
+    QSettings settings_;
+};
+
+/// Reads a configuration; a relative source that is not found where the program runs is looked for
+/// beside the file. Throws hitos::Error.
+Configuracion read_configuration(const QString& path);
+
+/// What the user may name on the command line or drop on the window.
+enum class FileKind {
+    configuration,  ///< .cfg
+    source          ///< a log, or a world (.toml)
+};
+FileKind kind_of(const QString& path);
+
+/// A file that comes with Hitos ("data/bigloop.log.gz"): beside the executable, in the source tree
+/// that it was built in, or installed; empty where it is nowhere.
+QString shipped_file(const QString& relative);
+
+}  // namespace hitos::window

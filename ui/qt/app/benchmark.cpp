@@ -1,0 +1,212 @@
+#include "benchmark.hpp"
+
+#include <fmt/core.h>
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QTimer>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "hitos/base/error.hpp"
+#include "hitos/workbench/open_tour.hpp"
+#include "main_window.hpp"
+#include "session.hpp"
+#include "views/grid_view.hpp"
+#include "views/scan_view.hpp"
+#include "workers/background.hpp"
+#include "workers/thread_call.hpp"
+#include "workers/thread_clock.hpp"
+
+namespace hitos::window {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr quint64 kSliceSteps = 100;
+constexpr double kSlowestAnswerMs = 50.0;
+constexpr double kGreatestCost = 0.2;
+constexpr double kMostPictures = 60.0;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// What some steps took.
+struct Slice {
+    quint64 steps = 0;
+    double seconds = 0.0;
+    double work_seconds = 0.0;  ///< of all threads, however long others kept them waiting
+};
+
+struct Figures {
+    std::vector<double> slowdowns;  ///< time with the window / time without, pair by pair
+    Slice bare;
+    Slice shown;
+    int pictures = 0;
+    std::vector<double> answers_ms;
+};
+
+/// A thread asks the window's event loop, as a key press would, and notes when it answers.
+class Probe {
+  public:
+    Probe()
+        : thread_([this](const std::stop_token& stop) {
+              constexpr auto kPause = std::chrono::milliseconds(5);
+              while (!stop.stop_requested()) {
+                  const auto asked = Clock::now();
+                  in_window_([this, asked] { answers_ms_.push_back(seconds_since(asked) * 1e3); });
+                  std::this_thread::sleep_for(kPause);
+              }
+          }) {}
+
+    std::vector<double> finish() {
+        thread_.request_stop();
+        thread_.join();
+        QCoreApplication::processEvents();
+        return answers_ms_;
+    }
+
+  private:
+    ThreadCall in_window_;
+    std::vector<double> answers_ms_;  // only touched by the window's thread until it is over
+    std::jthread thread_;
+};
+
+Slice bare_slice(RunWorker& worker) {
+    const quint64 before = worker.progress().steps;
+    const double work = process_seconds();
+    const auto begin = Clock::now();
+    worker.run(kSliceSteps);
+    worker.wait();
+    return {worker.progress().steps - before, seconds_since(begin), process_seconds() - work};
+}
+
+/// The same steps while the window shows them. The last picture, which is drawn when they are over,
+/// belongs to no slice.
+Slice shown_slice(Session& session, Figures& figures) {
+    RunWorker& worker = *session.worker();
+    const quint64 before = session.progress().steps;
+    QEventLoop loop;
+    ThreadCall in_window;
+    double seconds = 0.0;
+    double work_seconds = 0.0;
+    Probe probe;
+    const double work = process_seconds();
+    const auto begin = Clock::now();
+    session.run_steps(kSliceSteps);
+    const std::jthread watch([&] {
+        worker.wait();
+        seconds = seconds_since(begin);
+        work_seconds = process_seconds() - work;
+        in_window([&loop] { loop.quit(); });
+    });
+    loop.exec();
+    const std::vector<double> answers = probe.finish();
+    figures.answers_ms.insert(figures.answers_ms.end(), answers.begin(), answers.end());
+    return {session.progress().steps - before, seconds, work_seconds};
+}
+
+void settle(const Session& session) {
+    constexpr int kStepMs = 20;
+    do {
+        QEventLoop loop;
+        QTimer::singleShot(kStepMs, &loop, &QEventLoop::quit);
+        loop.exec();
+    } while (session.snapshot() && session.snapshot()->steps != session.progress().steps);
+}
+
+void add(Slice& sum, const Slice& slice) {
+    sum.steps += slice.steps;
+    sum.seconds += slice.seconds;
+    sum.work_seconds += slice.work_seconds;
+}
+
+double speed(const Slice& slice) {
+    return static_cast<double>(slice.steps) / slice.seconds;
+}
+
+/// The same log twice, step by step beside each other: once bare, once in the window. Slices of
+/// both take turns, so that whatever else the machine does hits both alike.
+Figures measure(MainWindow& window, Session& session) {
+    Figures figures;
+    // At the window's run's priority: only the window makes a difference.
+    const auto bare = in_background([&] {
+        return std::make_unique<RunWorker>(session.configuration(),
+                                           open_tour(session.configuration().source));
+    });
+    bool counting = false;
+    const auto counter = QObject::connect(&window.grid_view(), &CanvasView::painted, &window,
+                                          [&] { figures.pictures += counting ? 1 : 0; });
+    const auto show = [&] {
+        settle(session);
+        counting = true;
+        const Slice slice = shown_slice(session, figures);
+        counting = false;
+        settle(session);
+        return slice;
+    };
+    for (bool bare_first = true;; bare_first = !bare_first) {
+        Slice without;
+        if (bare_first) without = bare_slice(*bare);
+        const Slice with = show();
+        if (!bare_first) without = bare_slice(*bare);
+        if (without.steps < kSliceSteps || with.steps < kSliceSteps) break;
+        add(figures.bare, without);
+        add(figures.shown, with);
+        figures.slowdowns.push_back(with.seconds / without.seconds);
+    }
+    QObject::disconnect(counter);
+    std::sort(figures.slowdowns.begin(), figures.slowdowns.end());
+    std::sort(figures.answers_ms.begin(), figures.answers_ms.end());
+    return figures;
+}
+
+double quantile(const std::vector<double>& sorted, double part) {
+    if (sorted.empty()) return 0.0;
+    const auto place = static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1));
+    return sorted[place];
+}
+
+}  // namespace
+
+int run_benchmark(MainWindow& window, Session& session) {
+    window.show();
+    session.restart();
+    QCoreApplication::processEvents();
+    const Figures figures = measure(window, session);
+    if (figures.slowdowns.empty()) {
+        throw Error(fmt::format("{}: too short to measure; a log of {} scans or more is needed",
+                                session.configuration().source.file, kSliceSteps));
+    }
+    const double cost = 1.0 - speed(figures.shown) / speed(figures.bare);
+    const double usual = 1.0 - 1.0 / quantile(figures.slowdowns, 0.5);
+    const double bare_work = figures.bare.work_seconds / static_cast<double>(figures.bare.steps);
+    const double work = figures.shown.work_seconds / static_cast<double>(figures.shown.steps);
+    const double pictures = figures.pictures / figures.shown.seconds;
+    const double slowest_ms = quantile(figures.answers_ms, 1.0);
+    fmt::print("{} steps each, in turns of {}: {:.1f} steps/s without the window, {:.1f} with it\n",
+               figures.shown.steps, kSliceSteps, speed(figures.bare), speed(figures.shown));
+    fmt::print(
+        "the window costs {:.1f} % of the speed, {:.1f} % in the median turn (limit {:.0f} %)\n",
+        100.0 * cost, 100.0 * usual, 100.0 * kGreatestCost);
+    fmt::print(
+        "processor time of a step: {:.2f} ms without the window, {:.2f} ms with it ({:+.1f} %)\n",
+        1e3 * bare_work, 1e3 * work, 100.0 * (work / bare_work - 1.0));
+    fmt::print("{:.1f} pictures/s of each view (limit {:.0f})\n", pictures, kMostPictures);
+    fmt::print(
+        "input answered after {:.2f} ms (median), {:.2f} ms (99 %), {:.2f} ms (slowest of {}; "
+        "limit {:.0f} ms)\n",
+        quantile(figures.answers_ms, 0.5), quantile(figures.answers_ms, 0.99), slowest_ms,
+        figures.answers_ms.size(), kSlowestAnswerMs);
+    const bool good =
+        cost < kGreatestCost && pictures <= kMostPictures && slowest_ms < kSlowestAnswerMs;
+    fmt::print("{}\n", good ? "good" : "TOO MUCH");
+    return good ? 0 : 1;
+}
+
+}  // namespace hitos::window

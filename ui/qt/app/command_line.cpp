@@ -1,0 +1,124 @@
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "actions/user_files.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/workbench/shipped_data.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr const char* kReadyTour = "data/bigloop.log.gz";
+
+/// The file of that name, or the world of that name that comes with Hitos.
+std::string source_named(const std::string& name) {
+    return std::filesystem::exists(name) ? name : find_world(name).string();
+}
+
+}  // namespace
+
+std::optional<int> parse(int argc, char** argv, CommandLine& out) {
+    CLI::App program{"Hitos: watch landmark SLAM at work on a recorded laser tour"};
+    program.name("hitos");
+    program.set_version_flag("--version", hitos::version());
+    program.footer("Without arguments it opens your init.cfg, or a ready tour. docs/user-guide.md");
+    program.add_option(
+        "file", out.open,
+        "Log (plain or .gz), configuration (.cfg), or world (.toml, or the name of one "
+        "that comes with Hitos)");
+    program.add_option("--config", out.config, "Configuration file");
+    program.add_option("--set", out.assignments, "Change one parameter; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    program.add_option("--seed", out.seed, "Seed of all random numbers");
+    program.add_option("--threads", out.threads, "Threads (default: all)");
+    program.add_option("--reference", out.reference, "Reference map to measure the map against");
+    program.add_option("--reference-trajectory", out.reference_trajectory,
+                       "Reference trajectory (TUM) to measure the path against");
+    program.add_flag("--run", out.run, "Start running at once");
+    program
+        .add_option("--vary", out.vary,
+                    "Open the study of a parameter with these values, e.g. dmax=0.01,0.02")
+        ->type_name("NAME=VALUES");
+    program.add_option("--study-runs", out.study_runs, "Runs of each value of the study")
+        ->check(CLI::Range(1, 1000000));
+    program.add_option("--study-folder", out.study_folder, "Folder for the results of the study");
+    program.add_option("--language", out.language, "en or es (default: the system's)")
+        ->check(CLI::IsMember({"en", "es"}));
+    program.add_option("--theme", out.theme, "light, dark or system")
+        ->check(CLI::IsMember({"light", "dark", "system"}));
+    program.add_option("--size", out.size, "Size of the window, e.g. 1360x860");
+    program.add_option("--screenshot", out.screenshot,
+                       "Write a picture (.png, .jpg) of the window and leave; needs no display");
+    program.add_option("--steps", out.steps, "Steps to run before the picture is taken");
+    program.add_option("--scale", out.scale, "Pixels per point of the picture")
+        ->check(CLI::Range(0.5, 4.0));
+    program
+        .add_option("--show", out.show,
+                    "What the picture shows: main, world, plots, source, configuration, best-map, "
+                    "odometry, study")
+        ->check(CLI::IsMember({"main", "world", "plots", "source", "configuration", "best-map",
+                               "odometry", "study"}));
+    program.add_flag("--benchmark", out.benchmark,
+                     "Run the log with and without the window; print speeds and response times");
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error);
+    }
+    return std::nullopt;
+}
+
+Configuracion starting_configuration(const CommandLine& line, const UserFiles& files, Init init) {
+    Configuracion configuration;
+    const QString named = QString::fromStdString(line.open);
+    const bool named_configuration = !named.isEmpty() && kind_of(named) == FileKind::configuration;
+    if (!line.config.empty()) {
+        configuration = read_configuration(QString::fromStdString(line.config));
+    } else if (named_configuration) {
+        configuration = read_configuration(named);
+    } else if (init == Init::read && files.has_init()) {
+        configuration = read_configuration(files.init_path());
+    } else if (named.isEmpty()) {
+        const QString ready = shipped_file("config/simulated.cfg");
+        if (!ready.isEmpty()) configuration = read_configuration(ready);
+    }
+    if (!named.isEmpty() && !named_configuration) {
+        configuration.source.file = source_named(line.open);
+        configuration.source.format = LogFormat::automatic;
+    }
+    if (configuration.source.file.empty()) {
+        configuration.source.file = shipped_file(kReadyTour).toStdString();
+    }
+    for (const std::string& assignment : line.assignments) set_parameter(configuration, assignment);
+    if (line.seed) {
+        find_parameter("run.seed").set(configuration, std::to_string(*line.seed));
+    }
+    if (line.threads) {
+        find_parameter("run.threads").set(configuration, std::to_string(*line.threads));
+    }
+    check(configuration);
+    return configuration;
+}
+
+std::string starting_reference_map(const CommandLine& line, const Configuracion& configuration) {
+    if (!line.reference.empty()) return line.reference;
+    const std::string& log = configuration.source.file;
+    if (log.empty() || log != shipped_file(kReadyTour).toStdString()) return {};
+    return shipped_file("data/maps/bigloop.map").toStdString();
+}
+
+References starting_references(const CommandLine& line, const Configuracion& configuration) {
+    References references;
+    const std::string map = starting_reference_map(line, configuration);
+    if (!map.empty()) references.map = read_map(map);
+    if (!line.reference_trajectory.empty()) {
+        references.trajectory = read_trajectory(line.reference_trajectory);
+    }
+    return references;
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,56 @@
+// What the program is told on the command line.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/run/results.hpp"
+
+namespace hitos::window {
+
+class UserFiles;
+
+struct CommandLine {
+    std::string open;  ///< log, world or configuration
+    std::string config;
+    std::vector<std::string> assignments;
+    std::optional<std::uint64_t> seed;
+    std::optional<int> threads;
+    std::string reference;
+    std::string reference_trajectory;
+    std::string language;
+    std::string theme;
+    std::string size;
+    bool run = false;
+    std::string vary;  ///< what to study, "dmax=0.01,0.02"; empty: no study
+    std::string study_folder;
+    int study_runs = 5;  ///< of each value
+    // Pictures for documents.
+    std::string screenshot;
+    std::uint64_t steps = 0;
+    double scale = 1.0;
+    std::string show = "main";
+    // Measuring.
+    bool benchmark = false;
+};
+
+/// Whether the user's init.cfg counts.
+enum class Init { read, ignored };
+
+/// Reads the arguments. Where they ask for help or are wrong, it prints and gives the exit code.
+std::optional<int> parse(int argc, char** argv, CommandLine& out);
+
+/// The configuration to start with: the named one, else the user's init.cfg, else the defaults;
+/// then the log, else the ready tour; then the single parameters. Throws hitos::Error.
+Configuracion starting_configuration(const CommandLine& line, const UserFiles& files,
+                                     Init init = Init::read);
+
+/// The reference map's file, or for the ready tour the one that belongs to it; else empty.
+std::string starting_reference_map(const CommandLine& line, const Configuracion& configuration);
+
+/// The references named, or for the ready tour the one that belongs to it. Throws hitos::Error.
+References starting_references(const CommandLine& line, const Configuracion& configuration);
+
+}  // namespace hitos::window

@@ -1,0 +1,319 @@
+#include "main_window.hpp"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QShortcut>
+#include <QTimer>
+
+#include "actions/configuration_actions.hpp"
+#include "actions/result_actions.hpp"
+#include "dialogs/picture_dialog.hpp"
+#include "dialogs/study_dialog.hpp"
+#include "icons.hpp"
+#include "status_line.hpp"
+#include "ui_main_window.h"
+#include "views/plots.hpp"
+#include "views/view_settings.hpp"
+#include "workers/log_counter.hpp"
+#include "workers/reference_meter.hpp"
+
+namespace hitos::window {
+namespace {
+
+/// The first file of this computer among what is dragged; empty where there is none.
+QString file_of(const QMimeData& dragged) {
+    for (const QUrl& url : dragged.urls()) {
+        if (url.isLocalFile() && !url.toLocalFile().isEmpty()) return url.toLocalFile();
+    }
+    return {};
+}
+
+}  // namespace
+
+MainWindow::MainWindow(Session& session, UserFiles& files, Prompts& prompts)
+    : ui_(std::make_unique<Ui::MainWindow>()), session_(session), files_(files), prompts_(prompts) {
+    ui_->setupUi(this);
+    setWindowIcon(icon(Glyph::application));
+    make_parts();
+    set_up_view_buttons();
+    connect_configuration();
+    connect_run();
+    connect_views();
+    connect_help();
+    refill_recent();
+    show_configuration();
+    restore_state();
+    ui_->scan_view->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+ScanView& MainWindow::scan_view() const {
+    return *ui_->scan_view;
+}
+
+GridView& MainWindow::grid_view() const {
+    return *ui_->grid_view;
+}
+
+void MainWindow::make_parts() {
+    configuration_ = new ConfigurationActions(session_, files_, prompts_, this);
+    results_ = new ResultActions(session_, files_, prompts_, this);
+    view_settings_ = new ViewSettings(files_, ui_->menu_layers, ui_->menu_theme, this);
+    meter_ = new ReferenceMeter(session_, this);
+    status_ = new StatusLine(ui_->statusbar, session_);
+    counter_ = new LogCounter(session_, this);
+    connect(counter_, &LogCounter::counted, ui_->controls, &RunControls::set_total);
+    connect(counter_, &LogCounter::counted, status_, &StatusLine::set_total);
+    plots_ = new Plots(session_, *meter_);
+    dock_ = new QDockWidget(tr("Plots"), this);
+    dock_->setObjectName("plots_dock");
+    dock_->setWidget(plots_);
+    addDockWidget(Qt::BottomDockWidgetArea, dock_);
+    dock_->hide();
+    QAction* show_plots = dock_->toggleViewAction();
+    show_plots->setObjectName("action_plots");
+    show_plots->setShortcut(QKeySequence("Ctrl+G"));
+    ui_->menu_view->insertAction(ui_->menu_theme->menuAction(), show_plots);
+    ui_->menu_view->insertSeparator(ui_->menu_theme->menuAction());
+    ui_->views->setSizes({500, 500});
+}
+
+void MainWindow::set_up_view_buttons() {
+    struct Buttons {
+        CanvasView* view;
+        QToolButton* fit;
+        QToolButton* in;
+        QToolButton* out;
+        QToolButton* picture;
+    };
+    for (const Buttons& b : {Buttons{ui_->scan_view, ui_->scan_fit, ui_->scan_zoom_in,
+                                     ui_->scan_zoom_out, ui_->scan_picture},
+                             Buttons{ui_->grid_view, ui_->grid_fit, ui_->grid_zoom_in,
+                                     ui_->grid_zoom_out, ui_->grid_picture}}) {
+        b.fit->setIcon(icon(Glyph::fit));
+        b.in->setIcon(icon(Glyph::zoom_in));
+        b.out->setIcon(icon(Glyph::zoom_out));
+        b.picture->setIcon(icon(Glyph::picture));
+        connect(b.fit, &QToolButton::clicked, b.view, &CanvasView::fit);
+        connect(b.in, &QToolButton::clicked, b.view, [view = b.view] { view->zoom(1.25); });
+        connect(b.out, &QToolButton::clicked, b.view, [view = b.view] { view->zoom(0.8); });
+        connect(b.picture, &QToolButton::clicked, b.view, &CanvasView::picture_wanted);
+    }
+    ui_->action_world_frame->setIcon(icon(Glyph::frame));
+    ui_->action_follow->setIcon(icon(Glyph::follow));
+    ui_->scan_frame->setDefaultAction(ui_->action_world_frame);
+    ui_->grid_follow->setDefaultAction(ui_->action_follow);
+    ui_->scan_frame->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    ui_->grid_follow->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+}
+
+void MainWindow::connect_configuration() {
+    connect(ui_->action_select_source, &QAction::triggered, configuration_,
+            [this] { configuration_->select_source(); });
+    connect(ui_->action_manual, &QAction::triggered, configuration_,
+            &ConfigurationActions::configure);
+    connect(ui_->action_load, &QAction::triggered, configuration_, &ConfigurationActions::load);
+    connect(ui_->action_save, &QAction::triggered, configuration_, &ConfigurationActions::save);
+    connect(ui_->action_set_default, &QAction::triggered, configuration_,
+            &ConfigurationActions::set_default);
+    connect(ui_->action_reference_map, &QAction::triggered, configuration_,
+            &ConfigurationActions::load_reference_map);
+    connect(ui_->action_reference_trajectory, &QAction::triggered, configuration_,
+            &ConfigurationActions::load_reference_trajectory);
+    connect(ui_->action_remove_references, &QAction::triggered, configuration_,
+            &ConfigurationActions::remove_references);
+    const auto enable_remove = [this] {
+        const References& references = session_.references();
+        ui_->action_remove_references->setEnabled(references.map || references.trajectory);
+    };
+    connect(&session_, &Session::references_changed, this, enable_remove);
+    enable_remove();
+    connect(ui_->summary, &SummaryBar::group_clicked, configuration_,
+            &ConfigurationActions::configure_group);
+    connect(configuration_, &ConfigurationActions::notice, status_, &StatusLine::notice);
+    connect(&session_, &Session::configuration_changed, this, &MainWindow::show_configuration);
+    connect(&files_, &UserFiles::recent_changed, this, &MainWindow::refill_recent);
+}
+
+void MainWindow::connect_run() {
+    ui_->controls->set_up(
+        {ui_->action_run, ui_->action_stop, ui_->action_step, ui_->action_best_map,
+         ui_->action_odometry, ui_->action_save_map, ui_->action_restart},
+        session_);
+    // The space bar runs and stops, unless a button has the focus; an action that is disabled would
+    // swallow it.
+    ui_->action_run->setShortcut({});
+    auto* space = new QShortcut(QKeySequence(Qt::Key_Space), this);
+    connect(space, &QShortcut::activated, this, [this] {
+        if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget())) {
+            button->click();  // as everywhere
+            return;
+        }
+        (ui_->action_stop->isEnabled() ? ui_->action_stop : ui_->action_run)->trigger();
+    });
+    connect(&session_, &Session::failed, this, [this](const QString& reason) {
+        prompts_.warn(this, tr("The run has failed"), reason);
+    });
+    connect(ui_->action_best_map, &QAction::triggered, results_, &ResultActions::view_best);
+    connect(ui_->action_odometry, &QAction::triggered, results_, &ResultActions::view_odometry);
+    connect(ui_->action_save_map, &QAction::triggered, results_, &ResultActions::save_map);
+    connect(ui_->action_save_results, &QAction::triggered, results_, &ResultActions::save_results);
+    connect(ui_->action_study, &QAction::triggered, this, [this] { open_study(); });
+    connect(ui_->action_save_picture, &QAction::triggered, this, &MainWindow::save_picture_in_use);
+    connect(ui_->action_exit, &QAction::triggered, this, &QWidget::close);
+    connect(results_, &ResultActions::notice, status_, &StatusLine::notice);
+    const auto enable = [this] {
+        ui_->action_save_results->setEnabled(session_.progress().steps > 0);
+        ui_->action_study->setEnabled(session_.has_source());
+    };
+    connect(&session_, &Session::progress_changed, this, enable);
+    enable();
+}
+
+void MainWindow::connect_views() {
+    // One view after the other, so that a key press waits for one picture and not for two.
+    const auto show_snapshot = [this] {
+        ui_->scan_view->set_snapshot(session_.snapshot());
+        const int delay_ms = session_.progress().state == Progress::State::running ? 8 : 0;
+        if (delay_ms == 0) {
+            ui_->grid_view->set_snapshot(session_.snapshot());
+            return;
+        }
+        QTimer::singleShot(delay_ms, Qt::PreciseTimer, ui_->grid_view,
+                           [this] { ui_->grid_view->set_snapshot(session_.snapshot()); });
+    };
+    connect(&session_, &Session::snapshot_changed, this, show_snapshot);
+    for (CanvasView* view :
+         {static_cast<CanvasView*>(ui_->scan_view), static_cast<CanvasView*>(ui_->grid_view)}) {
+        connect(view, &CanvasView::painted, &session_, &Session::note_cost);
+        connect(view, &CanvasView::hovered_at, status_, &StatusLine::show_place);
+        connect(view, &CanvasView::left, status_, &StatusLine::clear_place);
+        connect(view, &CanvasView::picture_wanted, results_,
+                [this, view] { results_->save_picture(*view); });
+    }
+    connect(ui_->scan_view, &ScanView::landmark_clicked, this, &MainWindow::set_highlight);
+    connect(ui_->grid_view, &GridView::landmark_clicked, this, &MainWindow::set_highlight);
+    connect(view_settings_, &ViewSettings::layers_changed, ui_->scan_view, &ScanView::set_layers);
+    connect(view_settings_, &ViewSettings::layers_changed, ui_->grid_view, &GridView::set_layers);
+    connect(view_settings_, &ViewSettings::theme_changed, this, &MainWindow::restyle);
+    ui_->scan_view->set_layers(view_settings_->layers());
+    ui_->grid_view->set_layers(view_settings_->layers());
+    connect(ui_->action_world_frame, &QAction::toggled, ui_->scan_view,
+            [this](bool on) { ui_->scan_view->set_robot_frame(!on); });
+    connect(ui_->action_follow, &QAction::toggled, ui_->grid_view, &CanvasView::set_follow);
+    connect(ui_->grid_view, &CanvasView::follow_changed, ui_->action_follow, &QAction::setChecked);
+    connect(plots_, &Plots::picture_wanted, this, &MainWindow::save_plots_picture);
+    connect(&session_, &Session::references_changed, ui_->grid_view, [this] {
+        ui_->grid_view->set_reference_map(session_.references().map);
+        ui_->grid_view->set_reference_path({});
+    });
+    connect(meter_, &ReferenceMeter::measured, ui_->grid_view,
+            [this](const std::shared_ptr<const Measured>& figures) {
+                ui_->grid_view->set_reference_path(figures->reference_world);
+            });
+    show_snapshot();
+}
+
+void MainWindow::set_highlight(const PickedLandmark& picked) {
+    ui_->scan_view->set_highlight(picked);
+    ui_->grid_view->set_highlight(picked);
+}
+
+void MainWindow::save_picture_in_use() {
+    const bool scan = ui_->scan_view->hasFocus();
+    results_->save_picture(scan ? static_cast<const CanvasView&>(*ui_->scan_view)
+                                : *ui_->grid_view);
+}
+
+void MainWindow::save_plots_picture() {
+    const QString path = save_until_done(
+        prompts_, this,
+        {tr("Save as image"), files_.last_folder("picture") + "/plots.png",
+         tr("Images (*.jpg *.jpeg *.png)"), "png"},
+        [this](const QString& target) { write_image(plots_->picture(2.0), target); });
+    if (!path.isEmpty()) files_.note_folder("picture", path);
+}
+
+StudyDialog& MainWindow::open_study() {
+    if (study_ == nullptr) study_ = new StudyDialog(session_, files_, prompts_, this);
+    if (study_->isVisible()) study_->raise();
+    study_->show();
+    study_->activateWindow();
+    return *study_;
+}
+
+void MainWindow::restyle() {
+    show_configuration();
+    plots_->restyle();
+    if (study_ != nullptr) study_->restyle();
+    update();
+}
+
+void MainWindow::refill_recent() {
+    ui_->menu_recent->clear();
+    for (const QString& path : files_.recent()) {
+        QAction* action = ui_->menu_recent->addAction(QFileInfo(path).fileName());
+        action->setToolTip(path);
+        action->setStatusTip(path);
+        connect(action, &QAction::triggered, configuration_,
+                [this, path] { configuration_->open(path); });
+    }
+    ui_->menu_recent->setEnabled(!ui_->menu_recent->isEmpty());
+    if (ui_->menu_recent->isEmpty()) return;
+    ui_->menu_recent->addSeparator();
+    connect(ui_->menu_recent->addAction(tr("Clear the list")), &QAction::triggered, &files_,
+            &UserFiles::clear_recent);
+}
+
+void MainWindow::show_configuration() {
+    const Configuracion& configuration = session_.configuration();
+    ui_->summary->set_configuration(configuration);
+    const QString file = QFileInfo(QString::fromStdString(configuration.source.file)).fileName();
+    setWindowTitle(file.isEmpty() ? QStringLiteral("Hitos") : file + " – Hitos");
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (study_ != nullptr && !study_->may_end()) {
+        event->ignore();
+        return;
+    }
+    session_.pause();
+    save_state();
+    event->accept();
+}
+
+void MainWindow::save_state() {
+    QSettings& settings = files_.settings();
+    settings.setValue("window/geometry", saveGeometry());
+    settings.setValue("window/state", saveState());
+    settings.setValue("window/views", ui_->views->saveState());
+    settings.setValue("window/world_frame", ui_->action_world_frame->isChecked());
+}
+
+void MainWindow::restore_state() {
+    QSettings& settings = files_.settings();
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    restoreState(settings.value("window/state").toByteArray());
+    ui_->views->restoreState(settings.value("window/views").toByteArray());
+    ui_->action_world_frame->setChecked(settings.value("window/world_frame", false).toBool());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!file_of(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QString path = file_of(*event->mimeData());
+    if (path.isEmpty()) return;
+    event->acceptProposedAction();
+    // Not at once: where it came from waits for the end of the drop, and a question may follow.
+    QTimer::singleShot(0, configuration_, [this, path] { configuration_->open(path); });
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,88 @@
+// The program's window: puts the parts together and connects them, and nothing else.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "actions/prompts.hpp"
+#include "actions/user_files.hpp"
+#include "session.hpp"
+
+class QDockWidget;
+
+namespace hitos::window {
+
+class CanvasView;
+class ConfigurationActions;
+class GridView;
+class LogCounter;
+struct PickedLandmark;
+class Plots;
+class ReferenceMeter;
+class ResultActions;
+class ScanView;
+class StatusLine;
+class StudyDialog;
+class ViewSettings;
+namespace Ui {
+class MainWindow;
+}
+
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    MainWindow(Session& session, UserFiles& files, Prompts& prompts);
+    ~MainWindow() override;
+
+    ConfigurationActions& configuration_actions() { return *configuration_; }
+    ResultActions& result_actions() { return *results_; }
+    ScanView& scan_view() const;
+    GridView& grid_view() const;
+    Plots& plots() const { return *plots_; }
+    QDockWidget& plots_dock() const { return *dock_; }
+    /// Shows the study of one parameter.
+    StudyDialog& open_study();
+    /// Null until it was opened.
+    StudyDialog* study() const { return study_; }
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void make_parts();
+    void connect_configuration();
+    void connect_run();
+    void connect_views();
+    void connect_help();
+    void set_up_view_buttons();
+    void refill_recent();
+    void show_configuration();
+    void set_highlight(const PickedLandmark& picked);
+    void save_picture_in_use();
+    void save_plots_picture();
+    void restyle();
+    void save_state();
+    void restore_state();
+    void show_about();
+    void show_keys();
+    void show_guide();
+
+    std::unique_ptr<Ui::MainWindow> ui_;
+    Session& session_;
+    UserFiles& files_;
+    Prompts& prompts_;
+    ConfigurationActions* configuration_ = nullptr;
+    ResultActions* results_ = nullptr;
+    ViewSettings* view_settings_ = nullptr;
+    ReferenceMeter* meter_ = nullptr;
+    LogCounter* counter_ = nullptr;
+    StatusLine* status_ = nullptr;
+    Plots* plots_ = nullptr;
+    QDockWidget* dock_ = nullptr;
+    StudyDialog* study_ = nullptr;
+};
+
+}  // namespace hitos::window

@@ -1,0 +1,120 @@
+#include "screenshot.hpp"
+
+#include <QApplication>
+#include <QDialog>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QFileInfo>
+#include <QPixmap>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <functional>
+
+#include "actions/result_actions.hpp"
+#include "dialogs/configuration_dialog.hpp"
+#include "dialogs/picture_dialog.hpp"
+#include "dialogs/source_dialog.hpp"
+#include "dialogs/study_dialog.hpp"
+#include "hitos/base/error.hpp"
+#include "main_window.hpp"
+#include "views/map_window.hpp"
+#include "views/scan_view.hpp"
+
+namespace hitos::window {
+namespace {
+
+void process_until(const std::function<bool()>& done) {
+    constexpr int kStepMs = 10;
+    while (!done()) {
+        QEventLoop loop;
+        QTimer::singleShot(kStepMs, &loop, &QEventLoop::quit);
+        loop.exec();
+    }
+}
+
+void settle(int milliseconds) {
+    QElapsedTimer clock;
+    clock.start();
+    process_until([&] { return clock.elapsed() >= milliseconds; });
+}
+
+void run_steps(Session& session, std::uint64_t steps) {
+    if (steps == 0) return;
+    session.run_steps(steps);
+    process_until([&] {
+        const Progress p = session.progress();
+        const bool idle = p.state != Progress::State::running;
+        return idle &&
+               (p.steps == 0 || (session.snapshot() && session.snapshot()->steps == p.steps));
+    });
+    constexpr int kMeasureMs = 700;  // the errors against a reference come a little later
+    settle(session.references().map || session.references().trajectory ? kMeasureMs : 100);
+}
+
+void write_picture_of(QWidget& widget, const CommandLine& line) {
+    write_image(widget.grab().toImage(), QString::fromStdString(line.screenshot));
+}
+
+void show_map(MapWindow* map, const CommandLine& line) {
+    process_until([map] { return !map->builder().state().running; });
+    settle(100);
+    write_picture_of(*map, line);
+}
+
+void show_study(MainWindow& window, const CommandLine& line) {
+    const QTemporaryDir scratch;
+    StudyDialog& study = window.open_study();
+    study.form().set_assignment(QString::fromStdString(line.vary));
+    study.form().set_runs(line.study_runs);
+    const QString folder = line.study_folder.empty() ? scratch.filePath("study")
+                                                     : QString::fromStdString(line.study_folder);
+    if (QFileInfo::exists(folder)) {  // there is nobody to ask
+        throw FileError(folder.toStdString(), "exists already; a picture takes a new folder");
+    }
+    study.form().set_folder(folder);
+    if (!line.vary.empty()) study.start();
+    process_until([&study] { return !study.running(); });
+    settle(100);
+    write_picture_of(study, line);
+}
+
+}  // namespace
+
+void take_screenshot(MainWindow& window, Session& session, const CommandLine& line) {
+    window.plots_dock().setVisible(line.show == "plots");
+    if (line.show == "world") window.scan_view().set_robot_frame(false);
+    window.show();
+    settle(100);
+    // The errors are measured beside the run: for their curves it must not be over at once.
+    const std::uint64_t pieces = line.show == "plots" && line.steps > 0 ? 15 : 1;
+    for (std::uint64_t piece = 1; piece <= pieces; ++piece)
+        run_steps(session, line.steps * piece / pieces - line.steps * (piece - 1) / pieces);
+    QtPrompts prompts;
+    if (line.show == "source") {
+        SourceDialog dialog(session.configuration().source, prompts, {}, &window);
+        bool checked = false;
+        QObject::connect(&dialog, &SourceDialog::checked, &dialog, [&] { checked = true; });
+        dialog.show();
+        process_until([&] { return checked; });
+        settle(100);
+        write_picture_of(dialog, line);
+    } else if (line.show == "configuration") {
+        ConfigurationDialog dialog(session.configuration(), prompts, &window);
+        dialog.show();
+        settle(100);
+        write_picture_of(dialog, line);
+    } else if (line.show == "best-map") {
+        window.result_actions().view_best();
+        show_map(window.result_actions().best_window(), line);
+    } else if (line.show == "odometry") {
+        window.result_actions().view_odometry();
+        show_map(window.result_actions().odometry_window(), line);
+    } else if (line.show == "study") {
+        show_study(window, line);
+    } else {
+        write_picture_of(window, line);
+    }
+}
+
+}  // namespace hitos::window

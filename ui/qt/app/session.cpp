@@ -1,0 +1,139 @@
+#include "session.hpp"
+
+#include <QThreadPool>
+#include <algorithm>
+#include <utility>
+
+#include "hitos/workbench/open_tour.hpp"
+#include "workers/background.hpp"
+#include "workers/thread_clock.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr int kTickMs = 5;
+constexpr qint64 kFrameUs = 16'000;  // sixty pictures a second
+constexpr qint64 kTellMs = 100;
+
+}  // namespace
+
+Session::Session(QObject* parent) : QObject(parent) {
+    timer_.setInterval(kTickMs);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, &Session::tick);
+    clock_.start();
+}
+
+Session::~Session() = default;
+
+Progress Session::progress() const {
+    return worker_ ? worker_->progress() : Progress{};
+}
+
+/// The old run ends after the step under way; nobody waits for it here.
+void Session::retire() {
+    if (!worker_) return;
+    QThreadPool::globalInstance()->start(
+        [old = std::shared_ptr<RunWorker>(std::move(worker_))]() mutable { old.reset(); });
+}
+
+void Session::set_configuration(const Configuracion& configuration) {
+    check(configuration);
+    std::unique_ptr<RunWorker> next;
+    if (!configuration.source.file.empty()) {
+        next = in_background([&] {
+            return std::make_unique<RunWorker>(configuration, open_tour(configuration.source));
+        });
+    }
+    retire();
+    const bool another_log = configuration.source.file != configuration_.source.file;
+    configuration_ = configuration;
+    worker_ = std::move(next);
+    if (another_log) set_references({});
+    begin_anew();
+    emit configuration_changed();
+}
+
+void Session::begin_anew() {
+    snapshot_ = nullptr;
+    requested_ = false;
+    before_request_ = nullptr;
+    told_ = {};
+    emit restarted();
+    emit snapshot_changed();
+    emit progress_changed();
+}
+
+void Session::set_references(const References& references, const QString& map_file) {
+    references_ = references;
+    reference_map_file_ = map_file;
+    emit references_changed();
+}
+
+void Session::run() {
+    if (!worker_) return;
+    worker_->run();
+    wake();
+}
+
+void Session::run_steps(quint64 steps) {
+    if (!worker_) return;
+    worker_->run(steps);
+    wake();
+}
+
+void Session::pause() {
+    if (!worker_) return;
+    worker_->pause();
+    wake();
+}
+
+void Session::restart() {
+    if (!worker_) return;
+    worker_->restart();
+    begin_anew();
+}
+
+void Session::wake() {
+    timer_.start();
+    tick();
+}
+
+void Session::tick() {
+    if (!worker_) {
+        timer_.stop();
+        return;
+    }
+    const Progress now = worker_->progress();
+    const bool changed_state = now.state != told_.state;
+    if (changed_state || (now.steps != told_.steps && clock_.elapsed() - told_ms_ >= kTellMs)) {
+        told_ = now;
+        told_ms_ = clock_.elapsed();
+        emit progress_changed();
+        if (changed_state && now.state == Progress::State::failed) {
+            emit failed(QString::fromStdString(now.error));
+        }
+    }
+    const qint64 now_us = clock_.nsecsElapsed() / 1000;
+    const std::shared_ptr<const Snapshot> latest = worker_->latest_snapshot();
+    if (requested_ && latest && latest != before_request_) {
+        requested_ = false;
+        snapshot_ = latest;
+        const double begin = thread_seconds();
+        emit snapshot_changed();
+        const double cost =
+            latest->seconds + std::exchange(paint_seconds_, 0.0) + thread_seconds() - begin;
+        request_not_before_us_ =
+            now_us + std::max(kFrameUs, static_cast<qint64>(cost / kShare * 1e6));
+    }
+    const bool running = now.state == Progress::State::running;
+    const bool behind = now.steps > 0 && (!snapshot_ || snapshot_->steps != now.steps);
+    if (!requested_ && behind && (!running || now_us >= request_not_before_us_)) {
+        before_request_ = worker_->latest_snapshot();
+        requested_ = true;
+        worker_->request_snapshot();
+    }
+    if (!running && !behind && told_.steps == now.steps && !changed_state) timer_.stop();
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,83 @@
+// What the window works on: a configuration, its run, and what it is compared with.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+
+#include "hitos/services/run/results.hpp"
+#include "hitos/services/run/run_worker.hpp"
+
+namespace hitos::window {
+
+/// Holds the configuration and the RunWorker that runs it, and tells the views what is new at the
+/// rate of the screen. Snapshots are asked for so seldom that making and painting them takes no
+/// more than kShare of the time.
+class Session final : public QObject {
+    Q_OBJECT
+
+  public:
+    static constexpr double kShare = 0.1;
+
+    explicit Session(QObject* parent = nullptr);
+    ~Session() override;
+
+    const Configuracion& configuration() const { return configuration_; }
+    /// Starts anew with this configuration. Throws hitos::Error and changes nothing where the
+    /// configuration or its source is not possible; without a source there is nothing to run. The
+    /// references belong to the log: with another one they go.
+    void set_configuration(const Configuracion& configuration);
+
+    bool has_source() const { return worker_ != nullptr; }
+    /// Null without a source.
+    RunWorker* worker() const { return worker_.get(); }
+    /// The newest one; null before the first.
+    std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
+    Progress progress() const;
+
+    const References& references() const { return references_; }
+    /// `map_file` is where the map was read; empty where it is not known.
+    void set_references(const References& references, const QString& map_file = {});
+    const QString& reference_map_file() const { return reference_map_file_; }
+
+    void run();
+    void run_steps(quint64 steps);
+    void pause();
+    void restart();
+    /// A view says how long it took to paint.
+    void note_cost(double seconds) { paint_seconds_ += seconds; }
+
+  signals:
+    void configuration_changed();
+    /// The run is at its beginning: earlier pictures mean nothing.
+    void restarted();
+    void snapshot_changed();
+    /// State or figures changed; at most ten times a second but at once on a change of state.
+    void progress_changed();
+    void references_changed();
+    void failed(QString reason);
+
+  private:
+    void tick();
+    void wake();
+    void retire();
+    void begin_anew();
+
+    Configuracion configuration_;
+    References references_;
+    QString reference_map_file_;
+    std::unique_ptr<RunWorker> worker_;
+    std::shared_ptr<const Snapshot> snapshot_;
+    QTimer timer_;
+    QElapsedTimer clock_;
+    Progress told_;
+    qint64 told_ms_ = 0;
+    qint64 request_not_before_us_ = 0;
+    bool requested_ = false;
+    std::shared_ptr<const Snapshot> before_request_;
+    double paint_seconds_ = 0.0;
+};
+
+}  // namespace hitos::window

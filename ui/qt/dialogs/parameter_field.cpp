@@ -1,0 +1,130 @@
+#include "parameter_field.hpp"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+#include "app/theme.hpp"
+#include "hitos/base/error.hpp"
+#include "parameter_text.hpp"
+
+namespace hitos::window {
+namespace {
+
+QString tip_of(const Parameter& parameter) {
+    static const Configuracion defaults;
+    QString tip =
+        "<p style='white-space:pre-wrap'>" + description_of(parameter).toHtmlEscaped() + "</p><p>";
+    if (parameter.type == Parameter::Type::real || parameter.type == Parameter::Type::integer) {
+        tip += ParameterField::tr("Allowed: %1").arg(allowed_of(parameter)) + "<br/>";
+    }
+    if (parameter.type != Parameter::Type::text) {
+        tip += ParameterField::tr("Default: %1").arg(value_of(parameter, defaults)) + "<br/>";
+    }
+    return tip + "<code>" + QString::fromStdString(std::string(parameter.key)) + "</code></p>";
+}
+
+}  // namespace
+
+ParameterField::ParameterField(const Parameter& parameter, QGridLayout* rows, QWidget* parent)
+    : QObject(parent), parameter_(parameter) {
+    const QString key = QString::fromStdString(std::string(parameter.key));
+    const int row = rows->rowCount();
+    label_ = new QLabel(label_of(parameter), parent);
+    if (parameter.type == Parameter::Type::choice) {
+        choice_ = new QComboBox(parent);
+        choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        choice_->setFocusPolicy(Qt::StrongFocus);
+        for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+            choice_->addItem(choice_of(parameter, i));
+        connect(choice_, &QComboBox::currentIndexChanged, this, &ParameterField::mark_changed);
+        connect(choice_, &QComboBox::currentIndexChanged, this, &ParameterField::edited);
+    } else {
+        line_ = new QLineEdit(parent);
+        connect(line_, &QLineEdit::textChanged, this, &ParameterField::mark_changed);
+        connect(line_, &QLineEdit::textEdited, this, &ParameterField::edited);
+    }
+    editor()->setObjectName("field_" + key);
+    label_->setBuddy(editor());
+    unit_ = new QLabel(unit_of(parameter), parent);
+    unit_->setProperty("role", "muted");
+    error_ = new QLabel(parent);
+    error_->setObjectName("error_" + key);
+    error_->setProperty("role", "error");
+    error_->setWordWrap(true);
+    error_->hide();
+    for (QWidget* widget : {static_cast<QWidget*>(label_), editor()})
+        widget->setToolTip(tip_of(parameter));
+    rows->addWidget(label_, row, 0);
+    rows->addWidget(editor(), row, 1);
+    rows->addWidget(unit_, row, 2);
+    rows->addWidget(error_, row + 1, 0, 1, 3);
+}
+
+QWidget* ParameterField::editor() const {
+    return choice_ != nullptr ? static_cast<QWidget*>(choice_) : line_;
+}
+
+QString ParameterField::text() const {
+    if (choice_ == nullptr) return line_->text();
+    return QString::fromStdString(
+        std::string(parameter_.choices.at(static_cast<std::size_t>(choice_->currentIndex()))));
+}
+
+void ParameterField::set_value(const Configuracion& configuration) {
+    if (choice_ != nullptr) {
+        choice_->setCurrentIndex(static_cast<int>(parameter_.get_integer(configuration)));
+    } else {
+        line_->setText(QString::fromStdString(parameter_.text(configuration)));
+    }
+    good_ = text();
+    set_error({});
+    mark_changed();
+}
+
+bool ParameterField::apply(Configuracion& configuration) {
+    try {
+        parameter_.set(configuration, text().toStdString());
+        good_ = text();
+        set_error({});
+        return true;
+    } catch (const Error&) {
+        // The library's words name the key; here the field itself says what is meant.
+        set_error(parameter_.type == Parameter::Type::integer
+                      ? tr("Whole numbers: %1").arg(allowed_of(parameter_))
+                      : tr("Allowed: %1").arg(allowed_of(parameter_)));
+        return false;
+    }
+}
+
+void ParameterField::set_error(const QString& error) {
+    error_->setText(error);
+    error_->setVisible(!error.isEmpty());
+    set_look(*editor(), "state", error.isEmpty() ? "good" : "wrong");
+}
+
+bool ParameterField::has_error() const {
+    return !error_->text().isEmpty();
+}
+
+void ParameterField::set_used(bool used) {
+    for (QWidget* widget : {static_cast<QWidget*>(label_), editor(), static_cast<QWidget*>(unit_)})
+        widget->setEnabled(used);
+    if (used || !has_error()) return;
+    if (line_ != nullptr) line_->setText(good_);  // nobody can mend it where it is grey
+    set_error({});
+}
+
+void ParameterField::focus() {
+    editor()->setFocus();
+    if (line_ != nullptr) line_->selectAll();
+}
+
+void ParameterField::mark_changed() {
+    static const Configuracion defaults;
+    const QString normal = QString::fromStdString(parameter_.text(defaults));
+    set_look(*label_, "role", text() == normal ? "value" : "changed");
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,162 @@
+#include "source_dialog.hpp"
+
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QFontDatabase>
+#include <QMimeData>
+#include <QPushButton>
+#include <utility>
+
+#include "app/theme.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/workbench/source_inspection.hpp"
+#include "parameter_text.hpp"
+#include "ui_source_dialog.h"
+#include "workers/background.hpp"
+
+namespace hitos::window {
+
+SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder, QWidget* parent)
+    : QDialog(parent),
+      ui_(std::make_unique<Ui::SourceDialog>()),
+      prompts_(prompts),
+      folder_(std::move(folder)),
+      source_(std::move(source)) {
+    ui_->setupUi(this);
+    pool_.setMaxThreadCount(1);
+    const Parameter& format = find_parameter("source.format");
+    for (std::size_t i = 0; i < format.choices.size(); ++i)
+        ui_->type->addItem(choice_of(format, i));
+    ui_->type->setCurrentIndex(static_cast<int>(source_.format));
+    ui_->lines->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    ui_->reading->hide();
+    ui_->path->setText(QString::fromStdString(source_.file));
+    connect(ui_->path, &QLineEdit::textChanged, this, &SourceDialog::begin_check);
+    connect(ui_->type, &QComboBox::currentIndexChanged, this, &SourceDialog::begin_check);
+    connect(ui_->browse, &QPushButton::clicked, this, &SourceDialog::browse);
+    connect(ui_->buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(ui_->buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    begin_check();
+}
+
+SourceDialog::~SourceDialog() {
+    if (stop_) *stop_ = true;
+    pool_.waitForDone();
+}
+
+SourceParams SourceDialog::source() const {
+    SourceParams chosen = source_;
+    chosen.file = ui_->path->text().trimmed().toStdString();
+    chosen.format = static_cast<LogFormat>(ui_->type->currentIndex());
+    return chosen;
+}
+
+void SourceDialog::set_path(const QString& path) {
+    ui_->path->setText(path);
+}
+
+void SourceDialog::browse() {
+    const QString path = ui_->path->text().trimmed();
+    const QString chosen = prompts_.open_file(
+        this, {tr("Open log"),
+               path.isEmpty() ? folder_ : path,
+               tr("Logs and worlds (*.log *.clf *.gfs *.txt *.gz *.toml);;All files (*)"),
+               {}});
+    if (!chosen.isEmpty()) set_path(chosen);
+}
+
+void SourceDialog::begin_check() {
+    if (stop_) *stop_ = true;
+    summary_.reset();
+    ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
+    ui_->lines->clear();
+    const SourceParams wanted = source();
+    if (wanted.file.empty()) {
+        stop_.reset();
+        ui_->reading->hide();
+        show_verdict(tr("Choose a log: odometry and laser scans, as text or .gz."), "muted");
+        return;
+    }
+    show_verdict(tr("Reading…"), "muted");
+    ui_->reading->setValue(0);
+    ui_->reading->show();
+    stop_ = std::make_shared<std::atomic<bool>>(false);
+    pool_.start([this, wanted, stop = stop_] {
+        begin_background_work();
+        std::optional<LogSummary> summary;
+        QString problem;
+        try {
+            summary = inspect_source(wanted, [&](double part) {
+                in_window_([this, stop, part] {
+                    if (stop == stop_) ui_->reading->setValue(static_cast<int>(part * 1000.0));
+                });
+                return !stop->load();
+            });
+        } catch (const std::exception& error) {
+            problem = QString::fromUtf8(error.what());
+        }
+        in_window_([this, stop, summary, problem] { end_check(stop, summary, problem); });
+    });
+}
+
+void SourceDialog::end_check(const Stop& stop, const std::optional<LogSummary>& summary,
+                             const QString& problem) {
+    if (stop != stop_ || *stop) return;  // a later check is under way
+    ui_->reading->hide();
+    if (!summary) {
+        show_verdict(problem, "error");
+        emit checked(false);
+        return;
+    }
+    summary_ = summary;
+    QStringList lines;
+    for (const std::string& line : summary->first_lines) lines << QString::fromStdString(line);
+    ui_->lines->setPlainText(lines.join('\n'));
+    const bool scans = summary->report.scans > 0;
+    show_verdict(
+        scans ? words_of(*summary) : tr("The file holds odometry but not one readable scan."),
+        scans ? "good" : "error");
+    ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans);
+    emit checked(scans);
+}
+
+QString SourceDialog::words_of(const LogSummary& summary) const {
+    const Parameter& format = find_parameter("source.format");
+    QString words = tr("%1: %2 scans, %3 odometry readings, %4 s, %5 m.")
+                        .arg(choice_of(format, static_cast<std::size_t>(summary.format)))
+                        .arg(summary.report.scans)
+                        .arg(summary.report.odometry)
+                        .arg(summary.duration_s, 0, 'f', 1)
+                        .arg(summary.distance_m, 0, 'f', 1);
+    if (summary.fan.count > 0) {
+        words +=
+            ' ' + tr("Laser: %1 rays over %2°.")
+                      .arg(summary.fan.count)
+                      .arg((summary.fan.max_angle_rad - summary.fan.min_angle_rad) * 180.0 / kPi, 0,
+                           'f', 0);
+    }
+    if (summary.report.skipped > 0) {
+        const auto& first = summary.report.examples.front();
+        words += '\n' + tr("Damaged lines that will be skipped: %1; the first is line %2: %3")
+                            .arg(summary.report.skipped)
+                            .arg(first.line)
+                            .arg(QString::fromStdString(first.reason));
+    }
+    return words;
+}
+
+void SourceDialog::show_verdict(const QString& text, const char* role) {
+    ui_->verdict->setText(text);
+    set_look(*ui_->verdict, "role", role);
+}
+
+void SourceDialog::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void SourceDialog::dropEvent(QDropEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (!urls.isEmpty()) set_path(urls.front().toLocalFile());
+}
+
+}  // namespace hitos::window

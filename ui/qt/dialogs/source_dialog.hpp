@@ -1,0 +1,65 @@
+// Choosing the log [T 9.2.6.6, use case 8.2.2.1].
+#pragma once
+
+#include <QDialog>
+#include <QThreadPool>
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "actions/prompts.hpp"
+#include "hitos/capture/log_summary.hpp"
+#include "hitos/services/configuration/configuracion.hpp"
+#include "workers/thread_call.hpp"
+
+namespace hitos::window {
+
+namespace Ui {
+class SourceDialog;
+}
+
+/// Reads the whole file while the user looks at its first lines; only a log that can be read can be
+/// accepted.
+class SourceDialog final : public QDialog {
+    Q_OBJECT
+
+  public:
+    SourceDialog(SourceParams source, Prompts& prompts, QString folder, QWidget* parent);
+    ~SourceDialog() override;
+
+    /// What the user chose.
+    SourceParams source() const;
+    /// What the chosen log holds.
+    const std::optional<LogSummary>& summary() const { return summary_; }
+
+    void set_path(const QString& path);
+
+  signals:
+    /// A file was read, or found to be no log.
+    void checked(bool good);
+
+  protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    using Stop = std::shared_ptr<std::atomic<bool>>;
+
+    void browse();
+    void begin_check();
+    void end_check(const Stop& stop, const std::optional<LogSummary>& summary,
+                   const QString& problem);
+    void show_verdict(const QString& text, const char* role);
+    QString words_of(const LogSummary& summary) const;
+
+    std::unique_ptr<Ui::SourceDialog> ui_;
+    Prompts& prompts_;
+    QString folder_;
+    SourceParams source_;
+    std::optional<LogSummary> summary_;
+    Stop stop_;  ///< of the check under way
+    ThreadCall in_window_{this};
+    QThreadPool pool_;
+};
+
+}  // namespace hitos::window

@@ -1,0 +1,64 @@
+// A study of one parameter, from its plan to its plots [T 8.2.2.11, 10.4].
+#pragma once
+
+#include <QDialog>
+#include <QElapsedTimer>
+#include <memory>
+
+#include "actions/prompts.hpp"
+#include "actions/user_files.hpp"
+#include "app/session.hpp"
+#include "study_form.hpp"
+#include "views/study_plots.hpp"
+#include "workers/study_runner.hpp"
+
+namespace hitos::window {
+
+namespace Ui {
+class StudyDialog;
+}
+
+/// Runs the engine of `hitos-cli study` on the session's configuration, and writes the same files.
+/// The main window can be used meanwhile.
+class StudyDialog final : public QDialog {
+    Q_OBJECT
+
+  public:
+    StudyDialog(Session& session, UserFiles& files, Prompts& prompts, QWidget* parent);
+    ~StudyDialog() override;
+
+    StudyForm& form() { return form_; }
+    StudyPlots& plots() const;
+    bool running() const { return runner_.running(); }
+    void start();
+    /// Whether what runs may be ended: asks the user where something does.
+    bool may_end();
+    void restyle();
+
+  signals:
+    /// The study has ended in whatever way, or could not begin.
+    void ended();
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void reject() override;
+
+  private:
+    bool may_replace(const StudyLayout& layout);
+    void show_progress(const StudyProgress& progress);
+    void finish(const StudyOutcome& outcome);
+    void fail(const StudyProblem& problem);
+    void show_state();
+    void show_verdict(const QString& words, const char* role);
+    void save_plot();
+
+    std::unique_ptr<Ui::StudyDialog> ui_;
+    UserFiles& files_;
+    Prompts& prompts_;
+    StudyForm form_;
+    StudyLayout layout_;  ///< of the study under way or done
+    QElapsedTimer clock_;
+    StudyRunner runner_;
+};
+
+}  // namespace hitos::window

@@ -1,0 +1,72 @@
+// What is to be studied, as the user writes it.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "actions/prompts.hpp"
+#include "actions/user_files.hpp"
+#include "app/session.hpp"
+#include "workers/study_runner.hpp"
+
+class QLabel;
+class QWidget;
+
+namespace hitos::window {
+
+namespace Ui {
+class StudyDialog;
+}
+
+struct StudyRequest {
+    Study study;
+    int threads = 0;  ///< as in StudyOptions
+};
+
+/// The left side of the study's dialog: fills its fields, tells at each what is wrong with it, and
+/// makes a Study of them.
+class StudyForm final : public QObject {
+    Q_OBJECT
+
+  public:
+    StudyForm(Ui::StudyDialog& ui, Session& session, UserFiles& files, Prompts& prompts,
+              QWidget* dialog);
+
+    /// "dmax=0.01,0.02", as the command line takes it.
+    void set_assignment(const QString& assignment);
+    void set_runs(int runs);
+    void set_folder(const QString& folder);
+
+    /// Nothing where a field is wrong; then the fields say so and the first of them has the focus.
+    std::optional<StudyRequest> read();
+    /// Tells at the field that is to blame. False where none is.
+    bool blame(const StudyProblem& problem);
+    /// For the next time.
+    void remember();
+
+  private:
+    void fill();
+    void restore();
+    void show_source();
+    void explain_parameter();
+    void explain_values();
+    void browse_reference();
+    void browse_folder();
+    QString parameter() const;
+    QString assignment() const;
+    void set_error(QWidget& editor, QLabel& label, const QString& words);
+    void clear_errors();
+    void read_values(Study& study);
+    void read_seed(Study& study);
+    void read_reference(Study& study);
+    void read_folder(Study& study);
+
+    Ui::StudyDialog& ui_;
+    Session& session_;
+    UserFiles& files_;
+    Prompts& prompts_;
+    QWidget* dialog_;
+    QWidget* first_wrong_ = nullptr;
+};
+
+}  // namespace hitos::window

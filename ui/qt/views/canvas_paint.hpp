@@ -1,0 +1,38 @@
+// Small drawings that views share; everything in pixels of the scene.
+#pragma once
+
+#include <Eigen/Core>
+#include <QPainter>
+#include <QPolygonF>
+#include <vector>
+
+#include "canvas_view.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
+
+namespace hitos::window {
+
+QPen thin_pen(const QColor& colour, double width = 1.0, Qt::PenStyle style = Qt::SolidLine);
+QColor faded(QColor colour, int alpha);
+
+/// A bar of a round length in the lower left corner, with that length in words.
+void draw_scale_bar(QPainter& painter, const Scene& scene);
+/// Lines every round distance, and nothing where they would be too dense.
+void draw_metre_grid(QPainter& painter, const Scene& scene);
+/// Words on a quiet background with the upper left corner at `at`.
+void draw_chip(QPainter& painter, const Scene& scene, const QPointF& at, const QStringList& lines);
+/// The robot's outline with its heading.
+void draw_robot(QPainter& painter, const Scene& scene, const Pose& pose_view_robot);
+/// A path; points nearer than three pixels to the one before are left out.
+void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>& path_m,
+               const QPen& pen);
+void draw_disc(QPainter& painter, const QPointF& pixel, double radius, const QColor& colour);
+
+/// The part of an infinite line that lies in sight, as pixels; empty where none does.
+QPolygonF visible_line(const Scene& scene, double rho_m, double theta_rad);
+/// The ellipse of `sigmas` standard deviations of a covariance, in the view's frame [m].
+QPolygonF ellipse(const QPointF& centre_m, const Eigen::Matrix2d& covariance, double sigmas);
+
+/// Points of a trajectory, moved by `pose_view_world`.
+std::vector<QPointF> points_of(const Trajectory& trajectory, const Pose& pose_view_world = {});
+
+}  // namespace hitos::window

@@ -1,0 +1,313 @@
+#include "canvas_view.hpp"
+
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "canvas_paint.hpp"
+#include "hitos/base/error.hpp"
+#include "workers/thread_clock.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr double kLeastZoom = 0.5;      // pixels per metre
+constexpr double kGreatestZoom = 5000;  // a millimetre is five pixels
+constexpr int kLongestSide = 16000;     // of saved pictures
+constexpr double kClickPixels = 4.0;
+constexpr double kScaleBand = 46.0;  // pixels at the bottom that belong to the scale bar
+
+}  // namespace
+
+QTransform Camera::to_screen(const QSizeF& size) const {
+    QTransform transform;
+    transform.translate(size.width() / 2.0, size.height() / 2.0);
+    transform.scale(pixels_per_m, -pixels_per_m);
+    transform.rotateRadians(turn_rad);
+    transform.translate(-centre.x(), -centre.y());
+    return transform;
+}
+
+CanvasView::CanvasView(QWidget* parent) : QWidget(parent) {
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(220, 180);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setCursor(Qt::CrossCursor);
+}
+
+void CanvasView::fit() {
+    if (follow_) set_follow(false);
+    fit_ = true;
+    emit fit_changed(true);
+    apply_fit();
+    update();
+}
+
+void CanvasView::zoom(double factor) {
+    zoom_at(QPointF(width() / 2.0, height() / 2.0), factor);
+}
+
+void CanvasView::set_follow(bool on) {
+    if (follow_ == on) return;
+    follow_ = on;
+    if (on) {
+        fit_ = false;
+        emit fit_changed(false);
+        if (robot_) camera_.centre = *robot_;
+        camera_.pixels_per_m = std::max(camera_.pixels_per_m, 30.0);
+        update();
+    }
+    emit follow_changed(on);
+}
+
+void CanvasView::set_turn(double turn_rad) {
+    camera_.turn_rad = turn_rad;
+}
+
+QPointF CanvasView::world_at(const QPointF& pixel) const {
+    return to_world(camera_.to_screen(size()).inverted().map(pixel));
+}
+
+Camera CanvasView::fitted(const QSizeF& size) const {
+    constexpr double kMargin = 1.08;
+    Camera camera = camera_;
+    const QRectF box = content();
+    if (!box.isValid()) return camera;
+    QTransform turn;
+    turn.rotateRadians(camera.turn_rad);
+    const QRectF turned = turn.mapRect(box);
+    const double height = std::max(size.height() - kScaleBand, size.height() / 2.0);
+    camera.centre = box.center();
+    camera.pixels_per_m =
+        std::clamp(std::min(size.width() / turned.width(), height / turned.height()) / kMargin,
+                   kLeastZoom, kGreatestZoom);
+    make_room_for_scale_bar(camera, size);
+    return camera;
+}
+
+/// Lifts the content, which is in the middle, until the bar below covers none of it.
+void CanvasView::make_room_for_scale_bar(Camera& camera, const QSizeF& size) const {
+    const QTransform to_screen = camera.to_screen(size);
+    const double free = size.height() - to_screen.mapRect(content()).bottom();
+    const double lift = std::clamp(kScaleBand - free, 0.0, kScaleBand / 2.0);
+    const QTransform back = to_screen.inverted();
+    camera.centre += back.map(QPointF(0.0, lift)) - back.map(QPointF());
+}
+
+void CanvasView::apply_fit() {
+    if (fit_) camera_ = fitted(size());
+}
+
+void CanvasView::content_changed(std::optional<QPointF> robot) {
+    robot_ = robot;
+    if (follow_ && robot_) camera_.centre = *robot_;
+    apply_fit();
+    hover_again();
+    update();
+}
+
+void CanvasView::hover_again() {
+    if (!cursor_ || dragged_) return;
+    hover(camera_.to_screen(size()).inverted().map(*cursor_));
+    emit hovered_at(world_at(*cursor_));
+}
+
+QSize CanvasView::picture_size(bool whole, double scale) const {
+    if (!whole) return (QSizeF(size()) * scale).toSize();
+    QTransform turn;
+    turn.rotateRadians(camera_.turn_rad);
+    const QRectF box = turn.mapRect(content());
+    if (!box.isValid()) return (QSizeF(size()) * scale).toSize();
+    const QSizeF map = box.size() * 1.06 * whole_pixels_per_m() + QSizeF(0.0, kScaleBand);
+    return (map * scale).toSize().expandedTo(QSize(64, 64));
+}
+
+QImage CanvasView::picture(bool whole, double scale) const {
+    const QSize pixels = picture_size(whole, scale);
+    if (pixels.width() > kLongestSide || pixels.height() > kLongestSide) {
+        throw Error(tr("The picture would have %1 × %2 pixels and may have %3 a side; choose a "
+                       "smaller scale.")
+                        .arg(pixels.width())
+                        .arg(pixels.height())
+                        .arg(kLongestSide)
+                        .toStdString());
+    }
+    QImage image(pixels, QImage::Format_RGB32);
+    const Colours& paper = light_colours();
+    image.fill(paper.canvas);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(font());
+    painter.scale(scale, scale);
+    const QSizeF logical = QSizeF(pixels) / scale;
+    Camera camera = camera_;
+    if (whole && content().isValid()) {
+        camera.centre = content().center();
+        camera.pixels_per_m = whole_pixels_per_m();
+        make_room_for_scale_bar(camera, logical);
+    }
+    paint_scene(painter, {camera.to_screen(logical), logical, camera.pixels_per_m, paper, true});
+    return image;
+}
+
+void CanvasView::paintEvent(QPaintEvent* event) {
+    Q_UNUSED(event)
+    const double begin = thread_seconds();
+    QPainter painter(this);
+    const Colours& c = colours();
+    painter.fillRect(rect(), c.canvas);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (content().isValid()) {
+        paint_scene(painter,
+                    {camera_.to_screen(size()), QSizeF(size()), camera_.pixels_per_m, c, true});
+    } else {
+        painter.setPen(c.muted);
+        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                         empty_text());
+    }
+    if (hasFocus()) {
+        painter.setRenderHint(QPainter::Antialiasing, false);
+        painter.setPen(QPen(faded(c.accent, 120), 1));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+    painter.end();
+    emit painted(thread_seconds() - begin);
+}
+
+void CanvasView::moved_by_user() {
+    if (fit_) {
+        fit_ = false;
+        emit fit_changed(false);
+    }
+    hover_again();
+    update();
+}
+
+void CanvasView::zoom_at(const QPointF& pixel, double factor) {
+    const QPointF before = camera_.to_screen(size()).inverted().map(pixel);
+    camera_.pixels_per_m = std::clamp(camera_.pixels_per_m * factor, kLeastZoom, kGreatestZoom);
+    if (!follow_) {
+        const QPointF after = camera_.to_screen(size()).inverted().map(pixel);
+        camera_.centre += before - after;
+    }
+    moved_by_user();
+}
+
+void CanvasView::pan(const QPointF& pixels) {
+    const QTransform back = camera_.to_screen(size()).inverted();
+    camera_.centre -= back.map(pixels) - back.map(QPointF());
+    if (follow_) set_follow(false);
+    moved_by_user();
+}
+
+void CanvasView::wheelEvent(QWheelEvent* event) {
+    zoom_at(event->position(), std::pow(1.0015, event->angleDelta().y()));
+    event->accept();
+}
+
+void CanvasView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    press_ = last_ = event->position();
+    pressed_ = true;
+    dragged_ = false;
+}
+
+void CanvasView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF pixel = event->position();
+    cursor_ = pixel;
+    if (event->buttons() & Qt::LeftButton) {
+        if (!dragged_ && (pixel - press_).manhattanLength() > kClickPixels) {
+            dragged_ = true;
+            setCursor(Qt::ClosedHandCursor);
+        }
+        if (dragged_) pan(pixel - last_);
+        last_ = pixel;
+    } else {
+        hover(camera_.to_screen(size()).inverted().map(pixel));
+    }
+    emit hovered_at(world_at(pixel));
+}
+
+void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    setCursor(Qt::CrossCursor);
+    // The second release of a double click belongs to no press.
+    if (std::exchange(pressed_, false) && !dragged_) {
+        click(camera_.to_screen(size()).inverted().map(event->position()));
+    }
+    dragged_ = false;
+}
+
+void CanvasView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    press_ = last_ = event->position();
+    fit();
+}
+
+void CanvasView::leaveEvent(QEvent* event) {
+    cursor_.reset();
+    hover(std::nullopt);
+    emit left();
+    QWidget::leaveEvent(event);
+}
+
+void CanvasView::keyPressEvent(QKeyEvent* event) {
+    constexpr double kStep = 48.0;
+    switch (event->key()) {
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:
+            zoom(1.25);
+            break;
+        case Qt::Key_Minus:
+            zoom(0.8);
+            break;
+        case Qt::Key_F:
+        case Qt::Key_0:
+            fit();
+            break;
+        case Qt::Key_A:
+            pan({kStep, 0.0});
+            break;
+        case Qt::Key_D:
+            pan({-kStep, 0.0});
+            break;
+        case Qt::Key_W:
+            pan({0.0, kStep});
+            break;
+        case Qt::Key_S:
+            pan({0.0, -kStep});
+            break;
+        case Qt::Key_Menu:
+            emit picture_wanted();
+            break;
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+void CanvasView::resizeEvent(QResizeEvent* event) {
+    apply_fit();
+    QWidget::resizeEvent(event);
+}
+
+void CanvasView::contextMenuEvent(QContextMenuEvent* event) {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setObjectName("view_menu");
+    menu->addAction(tr("Save as image…"), this, &CanvasView::picture_wanted);
+    menu->addSeparator();
+    menu->addAction(tr("Fit to window"), this, &CanvasView::fit);
+    menu->addAction(tr("Zoom in"), this, [this] { zoom(1.25); });
+    menu->addAction(tr("Zoom out"), this, [this] { zoom(0.8); });
+    menu->popup(event->globalPos());
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,116 @@
+// What all views of the plane share: navigation, scale, coordinates, pictures.
+#pragma once
+
+#include <QImage>
+#include <QPointF>
+#include <QRectF>
+#include <QSizeF>
+#include <QTransform>
+#include <QWidget>
+#include <optional>
+
+#include "app/theme.hpp"
+#include "hitos/base/geometry.hpp"
+
+class QContextMenuEvent;
+
+namespace hitos::window {
+
+/// Where the eye is: `centre` [m] of the view's frame lies in the middle of the widget.
+struct Camera {
+    QPointF centre;
+    double pixels_per_m = 40.0;
+    double turn_rad = 0.0;  ///< the view's frame is shown turned by it, counter-clockwise
+    QTransform to_screen(const QSizeF& size) const;
+};
+
+/// What a picture is drawn with.
+struct Scene {
+    QTransform to_screen;  ///< from the view's frame [m] to pixels
+    QSizeF size;
+    double pixels_per_m = 1.0;
+    const Colours& colours;
+    bool chrome = true;  ///< with scale bar and legends
+};
+
+/// Base of the views. Wheel zooms at the cursor, dragging pans, double click and F fit; W, A, S and
+/// D pan, + and - zoom. Until the user moves the camera it keeps everything in sight.
+class CanvasView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit CanvasView(QWidget* parent = nullptr);
+
+    const Camera& camera() const { return camera_; }
+    bool fits() const { return fit_; }
+    /// The picture as seen, or the whole content, each pixel of the screen made `scale` pixels.
+    /// Whole content is drawn with `whole_pixels_per_m()` times scale. Throws hitos::Error where
+    /// it would be too great.
+    QImage picture(bool whole, double scale) const;
+    QSize picture_size(bool whole, double scale) const;
+    /// World coordinates at a point of the widget.
+    QPointF world_at(const QPointF& pixel) const;
+
+    void fit();
+    void zoom(double factor);
+    void set_follow(bool on);
+
+  signals:
+    void picture_wanted();
+    void hovered_at(QPointF world_m);
+    void left();
+    void fit_changed(bool on);
+    void follow_changed(bool on);
+    void painted(double seconds);
+
+  protected:
+    virtual void paint_scene(QPainter& painter, const Scene& scene) const = 0;
+    /// Everything worth seeing, in the view's frame [m]; null where there is nothing.
+    virtual QRectF content() const = 0;
+    /// Pixels per metre of a whole picture at scale 1.
+    virtual double whole_pixels_per_m() const { return 20.0; }
+    virtual QPointF to_world(const QPointF& point) const { return point; }
+    /// The cursor is at `point` of the view's frame, nothing when it left.
+    virtual void hover(std::optional<QPointF> point) { Q_UNUSED(point) }
+    virtual void click(const QPointF& point) { Q_UNUSED(point) }
+    /// What is drawn where there is nothing to see yet.
+    virtual QString empty_text() const = 0;
+
+    /// Content changed: fits, or follows `robot`, and asks for a new picture.
+    void content_changed(std::optional<QPointF> robot);
+    /// What is drawn has moved or changed below a cursor that rests.
+    void hover_again();
+    void set_turn(double turn_rad);
+    double tolerance_m() const { return 8.0 / camera_.pixels_per_m; }
+
+    void paintEvent(QPaintEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+  private:
+    void zoom_at(const QPointF& pixel, double factor);
+    void pan(const QPointF& pixels);
+    void moved_by_user();
+    void apply_fit();
+    Camera fitted(const QSizeF& size) const;
+    void make_room_for_scale_bar(Camera& camera, const QSizeF& size) const;
+
+    Camera camera_;
+    bool fit_ = true;
+    bool follow_ = false;
+    bool pressed_ = false;
+    bool dragged_ = false;
+    QPointF press_;
+    std::optional<QPointF> cursor_;  ///< [pixels], nothing where it is elsewhere
+    QPointF last_;
+    std::optional<QPointF> robot_;
+};
+
+}  // namespace hitos::window

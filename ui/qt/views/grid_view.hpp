@@ -1,0 +1,62 @@
+// The grid map with the best path and the reference [T 9.2.6.2, right].
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "canvas_view.hpp"
+#include "grid_layer.hpp"
+#include "hitos/services/run/run_worker.hpp"
+#include "landmark_painter.hpp"
+#include "layers.hpp"
+
+namespace hitos::window {
+
+/// A grid map in the world's frame: that of a snapshot, or one that a builder makes.
+class GridView final : public CanvasView {
+    Q_OBJECT
+
+  public:
+    explicit GridView(QWidget* parent = nullptr);
+
+    const GridTiles& tiles() const { return tiles_; }
+
+    void set_snapshot(const std::shared_ptr<const Snapshot>& snapshot);
+    /// Shows a grid that is not of a snapshot, with the path it was made along.
+    void set_grid(const GridTiles& tiles, const Trajectory& path);
+    void set_layers(const LayerSet& layers);
+    void set_highlight(const hitos::window::PickedLandmark& picked);
+    void set_reference_map(const std::optional<LandmarkMap>& map);
+    void set_reference_path(const Trajectory& path_world);
+
+  signals:
+    void landmark_clicked(hitos::window::PickedLandmark landmark);
+
+  protected:
+    void paint_scene(QPainter& painter, const Scene& scene) const override;
+    QRectF content() const override;
+    double whole_pixels_per_m() const override;
+    void hover(std::optional<QPointF> point) override;
+    void click(const QPointF& point) override;
+    QString empty_text() const override;
+
+  private:
+    void paint_reference(QPainter& painter, const Scene& scene) const;
+    void paint_marks(QPainter& painter, const Scene& scene) const;
+
+    std::shared_ptr<const Snapshot> snapshot_;
+    GridTiles tiles_;
+    GridLayer layer_;
+    LayerSet layers_;
+    std::vector<QPointF> path_;
+    std::vector<QPointF> odometry_;
+    std::vector<QPointF> reference_path_;
+    std::optional<LandmarkMap> reference_map_;
+    MarkedMap landmarks_;
+    PickedLandmark highlight_;
+    int hovered_ = -1;
+    QPointF hovered_at_m_;
+};
+
+}  // namespace hitos::window

@@ -1,0 +1,24 @@
+// How plots look, whatever they show.
+#pragma once
+
+#include <QFont>
+#include <QString>
+
+#include "app/theme.hpp"
+
+class QCPAxisRect;
+class QCPTextElement;
+class QCustomPlot;
+
+namespace hitos::window {
+
+/// Adds a plot with its title above: it takes the rows 2 `row` and 2 `row` + 1 of the layout.
+QCPAxisRect* add_titled_plot(QCustomPlot& plot, int row, int column, const QString& title);
+QCPTextElement* title_of(QCustomPlot& plot, int row, int column);
+
+/// The letters of titles and axes beside words in this font.
+QFont plot_font(const QFont& words);
+void style_plot(QCPAxisRect& rect, QCPTextElement& title, const Colours& colours,
+                const QFont& font);
+
+}  // namespace hitos::window

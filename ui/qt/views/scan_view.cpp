@@ -1,0 +1,272 @@
+#include "scan_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hitos::window {
+namespace {
+
+constexpr std::size_t kMostParticlesDrawn = 2000;
+
+QPointF to_qt(const Point2& point) {
+    return {point.x, point.y};
+}
+
+QPointF moved(const Pose& pose, const Point2& point) {
+    return to_qt(transform(pose, point));
+}
+
+void unite(QRectF& box, const QPointF& point) {
+    if (box.isNull()) {
+        box = QRectF(point, QSizeF(1e-6, 1e-6));
+        return;
+    }
+    box.setLeft(std::min(box.left(), point.x()));
+    box.setRight(std::max(box.right(), point.x()));
+    box.setTop(std::min(box.top(), point.y()));
+    box.setBottom(std::max(box.bottom(), point.y()));
+}
+
+}  // namespace
+
+ScanView::ScanView(QWidget* parent) : CanvasView(parent), layers_(default_layers()) {
+    set_turn(kPi / 2.0);
+}
+
+Pose ScanView::pose_view_robot() const {
+    return robot_frame_ || !snapshot_ ? Pose{} : snapshot_->best_pose;
+}
+
+Pose ScanView::pose_view_world() const {
+    return robot_frame_ && snapshot_ ? inverse(snapshot_->best_pose) : Pose{};
+}
+
+void ScanView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
+    const bool anew = !snapshot || !snapshot_ || snapshot->steps < snapshot_->steps;
+    snapshot_ = snapshot && snapshot->steps > 0 ? snapshot : nullptr;
+    if (anew) content_ = {};
+    hovered_ = -1;
+    prepare();
+}
+
+void ScanView::set_layers(const LayerSet& layers) {
+    layers_ = layers;
+    hover_again();
+    update();
+}
+
+void ScanView::set_robot_frame(bool on) {
+    if (robot_frame_ == on) return;
+    robot_frame_ = on;
+    set_turn(on ? kPi / 2.0 : 0.0);
+    content_ = {};
+    prepare();
+    fit();
+}
+
+void ScanView::set_highlight(const PickedLandmark& picked) {
+    highlight_ = picked;
+    update();
+}
+
+void ScanView::prepare() {
+    points_.clear();
+    segments_.clear();
+    corners_.clear();
+    particles_.clear();
+    links_.clear();
+    landmarks_ = {};
+    if (!snapshot_) {
+        content_changed(std::nullopt);
+        return;
+    }
+    const Pose from_robot = pose_view_robot();
+    const Pose from_world = pose_view_world();
+    for (const Point2& point : snapshot_->scan.points) points_.push_back(moved(from_robot, point));
+    const Observation& seen = snapshot_->observation;
+    for (const DetectedLine& line : seen.lines) {
+        segments_.emplace_back(moved(from_robot, seen.support[line.first]),
+                               moved(from_robot, seen.support[line.first + line.count - 1]));
+    }
+    for (const Esquina& corner : seen.corners)
+        corners_.push_back(moved(from_robot, {corner.x, corner.y}));
+    const auto& cloud = snapshot_->hypotheses;
+    const std::size_t stride = 1 + (cloud.size() - 1) / kMostParticlesDrawn;
+    for (std::size_t i = 0; i < cloud.size(); i += stride) {
+        const Pose pose = compose(from_world, cloud[i].pose);
+        particles_.emplace_back(pose.x, pose.y, pose.x + std::cos(pose.theta),
+                                pose.y + std::sin(pose.theta));
+    }
+    landmarks_ = transform(from_world, snapshot_->best_map, snapshot_->line_extents);
+    prepare_links();
+    grow_content();
+    content_changed(QPointF(from_robot.x, from_robot.y));
+}
+
+void ScanView::prepare_links() {
+    for (const Association& association : snapshot_->associations) {
+        Link link;
+        link.outcome = association.outcome;
+        const bool line = association.kind == FeatureKind::line;
+        link.observed =
+            line ? segments_.at(association.observed).center() : corners_.at(association.observed);
+        link.landmark = link.observed;
+        const auto index = static_cast<std::size_t>(std::max(association.landmark, 0));
+        if (association.landmark >= 0 && index < landmarks_.map.size()) {
+            const ICaracteristica& landmark = landmarks_.map[index];
+            if (const auto* recta = std::get_if<Recta>(&landmark.value)) {
+                const double away = recta->rho - link.observed.x() * std::cos(recta->theta) -
+                                    link.observed.y() * std::sin(recta->theta);
+                link.landmark += away * QPointF(std::cos(recta->theta), std::sin(recta->theta));
+            } else {
+                link.landmark = to_qt(landmark.point());
+            }
+        }
+        links_.push_back(link);
+    }
+}
+
+/// Keeps in sight what was seen since the start, but for the farthest readings: a window of 80 m
+/// for one reading through a door would show nothing.
+void ScanView::grow_content() {
+    const Pose robot = pose_view_robot();
+    std::vector<double> ranges;
+    ranges.reserve(points_.size());
+    for (const QPointF& point : points_)
+        ranges.push_back(std::hypot(point.x() - robot.x, point.y() - robot.y));
+    double limit = 1.0;
+    if (!ranges.empty()) {
+        const auto place = ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() * 19 / 20);
+        std::vector<double> sorted = ranges;
+        const auto middle = sorted.begin() + (place - ranges.begin());
+        std::nth_element(sorted.begin(), middle, sorted.end());
+        limit = *middle;
+    }
+    unite(content_, QPointF(robot.x - 0.6, robot.y - 0.6));
+    unite(content_, QPointF(robot.x + 0.6, robot.y + 0.6));
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (ranges[i] <= limit) unite(content_, points_[i]);
+    }
+}
+
+void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
+    if (!snapshot_) return;
+    draw_metre_grid(painter, scene);
+    const int highlighted = find_same(snapshot_->best_map, highlight_.landmark);
+    if (layers_.has(Layer::landmarks)) {
+        draw_landmarks(painter, scene, landmarks_,
+                       {layers_.has(Layer::uncertainty), layers_.has(Layer::endless),
+                        layers_.has(Layer::names), highlighted});
+    }
+    if (layers_.has(Layer::path) && !robot_frame_) {
+        draw_path(painter, scene, points_of(snapshot_->best_trajectory),
+                  thin_pen(faded(scene.colours.path, 170), 1.6));
+    }
+    if (layers_.has(Layer::scan)) {
+        QPolygonF pixels;
+        for (const QPointF& point : points_) pixels.append(scene.to_screen.map(point));
+        painter.setPen(QPen(scene.colours.scan, 2.6, Qt::SolidLine, Qt::RoundCap));
+        painter.drawPoints(pixels);
+    }
+    if (layers_.has(Layer::particles)) paint_particles(painter, scene);
+    if (layers_.has(Layer::robot)) draw_robot(painter, scene, pose_view_robot());
+    if (layers_.has(Layer::detected)) paint_detected(painter, scene);
+    if (layers_.has(Layer::associations)) paint_links(painter, scene);
+    if (scene.chrome) draw_scale_bar(painter, scene);
+    if (hovered_ >= 0 && static_cast<std::size_t>(hovered_) < landmarks_.map.size()) {
+        draw_chip(painter, scene, scene.to_screen.map(hovered_at_m_) + QPointF(14.0, 14.0),
+                  describe(snapshot_->best_map[static_cast<std::size_t>(hovered_)], hovered_));
+    }
+}
+
+void ScanView::paint_particles(QPainter& painter, const Scene& scene) const {
+    constexpr double kArrowPixels = 9.0;
+    QVector<QLineF> arrows;
+    QPolygonF places;
+    arrows.reserve(static_cast<qsizetype>(particles_.size()));
+    for (const QLineF& particle : particles_) {
+        QLineF arrow = scene.to_screen.map(particle);
+        arrow.setLength(kArrowPixels);
+        arrows.append(arrow);
+        places.append(arrow.p1());
+    }
+    const bool smooth = particles_.size() <= 300;  // antialiasing a thousand lines is dear
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, smooth);
+    const int alpha = particles_.size() > 300 ? 110 : 150;
+    painter.setPen(thin_pen(faded(scene.colours.particle, alpha)));
+    painter.drawLines(arrows);
+    painter.setPen(QPen(scene.colours.particle, 2.4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPoints(places);
+    painter.restore();
+}
+
+void ScanView::paint_detected(QPainter& painter, const Scene& scene) const {
+    painter.setPen(thin_pen(scene.colours.observed, 2.6));
+    for (const QLineF& segment : segments_) painter.drawLine(scene.to_screen.map(segment));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(thin_pen(scene.colours.observed, 2.0));
+    for (const QPointF& corner : corners_) {
+        const QPointF at = scene.to_screen.map(corner);
+        painter.drawRect(QRectF(at - QPointF(4.0, 4.0), QSizeF(8.0, 8.0)));
+    }
+}
+
+void ScanView::paint_links(QPainter& painter, const Scene& scene) const {
+    for (const Link& link : links_) {
+        const QPointF from = scene.to_screen.map(link.observed);
+        const QPointF to = scene.to_screen.map(link.landmark);
+        switch (link.outcome) {
+            case Association::Outcome::matched:
+                painter.setPen(thin_pen(scene.colours.association, 1.8));
+                painter.setBrush(scene.colours.association);
+                painter.drawLine(from, to);
+                painter.drawEllipse(from, 2.2, 2.2);
+                break;
+            case Association::Outcome::created:
+                painter.setPen(thin_pen(scene.colours.created, 2.2));
+                painter.setBrush(scene.colours.canvas);
+                painter.drawEllipse(from, 7.0, 7.0);
+                painter.drawLine(from - QPointF(3.5, 0.0), from + QPointF(3.5, 0.0));
+                painter.drawLine(from - QPointF(0.0, 3.5), from + QPointF(0.0, 3.5));
+                break;
+            case Association::Outcome::ignored:
+                painter.setPen(thin_pen(scene.colours.ignored, 2.0));
+                painter.drawLine(from - QPointF(4.0, 4.0), from + QPointF(4.0, 4.0));
+                painter.drawLine(from - QPointF(4.0, -4.0), from + QPointF(4.0, -4.0));
+                break;
+        }
+    }
+}
+
+QPointF ScanView::to_world(const QPointF& point) const {
+    if (!robot_frame_ || !snapshot_) return point;
+    return moved(snapshot_->best_pose, {point.x(), point.y()});
+}
+
+void ScanView::hover(std::optional<QPointF> point) {
+    int found = -1;
+    if (point && layers_.has(Layer::landmarks)) {
+        found = landmark_at(landmarks_, {point->x(), point->y()}, tolerance_m());
+        hovered_at_m_ = *point;
+    }
+    if (found < 0 && hovered_ < 0) return;
+    hovered_ = found;
+    update();
+}
+
+void ScanView::click(const QPointF& point) {
+    if (!snapshot_) return;
+    const int found = layers_.has(Layer::landmarks)
+                          ? landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m())
+                          : -1;
+    PickedLandmark picked;
+    if (found >= 0) picked.landmark = snapshot_->best_map[static_cast<std::size_t>(found)];
+    emit landmark_clicked(picked);
+}
+
+QString ScanView::empty_text() const {
+    return tr("The scan, the particles and the landmarks appear here once the algorithm runs.");
+}
+
+}  // namespace hitos::window

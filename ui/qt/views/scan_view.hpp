@@ -1,0 +1,76 @@
+// The last scan with what the algorithm makes of it [T 9.2.6.2, left].
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "canvas_view.hpp"
+#include "hitos/services/run/run_worker.hpp"
+#include "landmark_painter.hpp"
+#include "layers.hpp"
+
+namespace hitos::window {
+
+/// Scan, detected features, particles, landmarks with their uncertainty, and associations; in the
+/// robot's frame (ahead is up) or in the world's.
+class ScanView final : public CanvasView {
+    Q_OBJECT
+
+  public:
+    explicit ScanView(QWidget* parent = nullptr);
+
+    bool robot_frame() const { return robot_frame_; }
+
+    void set_snapshot(const std::shared_ptr<const Snapshot>& snapshot);
+    void set_layers(const LayerSet& layers);
+    void set_robot_frame(bool on);
+    /// Shows this landmark of the world strongly; nothing shows none.
+    void set_highlight(const hitos::window::PickedLandmark& picked);
+
+  signals:
+    void landmark_clicked(hitos::window::PickedLandmark landmark);
+
+  protected:
+    void paint_scene(QPainter& painter, const Scene& scene) const override;
+    QRectF content() const override { return content_; }
+    double whole_pixels_per_m() const override { return 60.0; }
+    QPointF to_world(const QPointF& point) const override;
+    void hover(std::optional<QPointF> point) override;
+    void click(const QPointF& point) override;
+    QString empty_text() const override;
+
+  private:
+    struct Link {
+        QPointF observed;
+        QPointF landmark;
+        Association::Outcome outcome = Association::Outcome::ignored;
+    };
+
+    void prepare();
+    void prepare_links();
+    void grow_content();
+    Pose pose_view_world() const;
+    Pose pose_view_robot() const;
+    void paint_particles(QPainter& painter, const Scene& scene) const;
+    void paint_detected(QPainter& painter, const Scene& scene) const;
+    void paint_links(QPainter& painter, const Scene& scene) const;
+
+    std::shared_ptr<const Snapshot> snapshot_;
+    LayerSet layers_;
+    bool robot_frame_ = true;
+    PickedLandmark highlight_;
+    int hovered_ = -1;
+    QPointF hovered_at_m_;
+
+    // In the view's frame, made once per snapshot.
+    std::vector<QPointF> points_;
+    std::vector<QLineF> segments_;
+    std::vector<QPointF> corners_;
+    std::vector<QLineF> particles_;  // place and heading
+    std::vector<Link> links_;
+    MarkedMap landmarks_;
+    QRectF content_;
+};
+
+}  // namespace hitos::window

@@ -1,0 +1,71 @@
+// The outcome of a study of one parameter, as the thesis draws it [T 10.4].
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+#include <QWidget>
+#include <vector>
+
+#include "app/theme.hpp"
+#include "hitos/services/study/study_abscissa.hpp"
+#include "hitos/services/study/study_result.hpp"
+
+class QCPAxisRect;
+class QCPErrorBars;
+class QCPGraph;
+class QCustomPlot;
+
+namespace hitos::window {
+
+/// Error of the map and number of landmarks against the parameter's values: every run, mean and
+/// standard deviation, and how many landmarks the reference has.
+class StudyPlots final : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit StudyPlots(QWidget* parent = nullptr);
+
+    /// The plan must have one parameter.
+    void show_results(const StudyPlan& plan, const std::vector<StudyRecord>& records);
+    void clear();
+    bool empty() const { return cells_.empty(); }
+    void restyle();
+
+    /// For paper: in light colours. `scale` is pixels per point.
+    QImage picture(double scale);
+    QByteArray pdf();
+
+    /// Values that have a mean error, for tests.
+    int means() const;
+
+  signals:
+    void picture_wanted();
+
+  protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+  private:
+    struct Measure {
+        QCPAxisRect* rect = nullptr;
+        QCPGraph* runs = nullptr;
+        QCPGraph* means = nullptr;
+        QCPErrorBars* spread = nullptr;
+        QCPGraph* reference = nullptr;
+    };
+
+    Measure make_measure(int row, const QString& title);
+    void style(const Colours& colours);
+    void lay_out_axis(const StudyPlan::Axis& axis);
+    void draw(const Measure& measure, std::optional<Spread> StudyCell::*spread);
+    void explain(const QPoint& place);
+    template <class Draw>
+    void in_light_colours(Draw draw);
+
+    QCustomPlot* plot_;
+    Measure error_;
+    Measure landmarks_;
+    StudyAbscissa x_;
+    std::vector<StudyCell> cells_;
+};
+
+}  // namespace hitos::window

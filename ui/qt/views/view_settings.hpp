@@ -1,0 +1,36 @@
+// Layers, frame and appearance: the View menu, and what of it is remembered.
+#pragma once
+
+#include <QObject>
+
+#include "actions/user_files.hpp"
+#include "app/theme.hpp"
+#include "layers.hpp"
+
+class QMenu;
+
+namespace hitos::window {
+
+class ViewSettings final : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Fills the two menus; `theme` is what the user asked for on the command line, if anything.
+    ViewSettings(UserFiles& files, QMenu* layers_menu, QMenu* theme_menu, QObject* parent);
+
+    const LayerSet& layers() const { return layers_; }
+    static Theme saved_theme(UserFiles& files);
+
+  signals:
+    void layers_changed(const hitos::window::LayerSet& layers);
+    void theme_changed();
+
+  private:
+    void fill_layers(QMenu* menu);
+    void fill_themes(QMenu* menu);
+
+    UserFiles& files_;
+    LayerSet layers_;
+};
+
+}  // namespace hitos::window

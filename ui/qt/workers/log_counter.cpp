@@ -1,0 +1,45 @@
+#include "log_counter.hpp"
+
+#include <exception>
+
+#include "background.hpp"
+#include "hitos/workbench/source_inspection.hpp"
+
+namespace hitos::window {
+
+LogCounter::LogCounter(Session& session, QObject* parent) : QObject(parent), session_(session) {
+    pool_.setMaxThreadCount(1);
+    connect(&session, &Session::configuration_changed, this, &LogCounter::begin);
+    begin();
+}
+
+LogCounter::~LogCounter() {
+    if (stop_) *stop_ = true;
+    pool_.waitForDone();
+}
+
+void LogCounter::begin() {
+    const SourceParams& wanted = session_.configuration().source;
+    if (wanted.file == source_.file && wanted.format == source_.format) return;
+    source_ = wanted;
+    if (stop_) *stop_ = true;
+    emit counted(std::nullopt);
+    if (wanted.file.empty()) return;
+    stop_ = std::make_shared<std::atomic<bool>>(false);
+    pool_.start([this, wanted, stop = stop_] {
+        begin_background_work();
+        std::optional<quint64> scans;
+        try {
+            const LogSummary summary =
+                inspect_source(wanted, [&](double) { return !stop->load(); });
+            if (summary.complete) scans = summary.report.scans;
+        } catch (const std::exception&) {
+            scans.reset();  // the run itself tells what is wrong with the log
+        }
+        in_window_([this, stop, scans] {
+            if (stop == stop_ && !*stop) emit counted(scans);
+        });
+    });
+}
+
+}  // namespace hitos::window
