@@ -50,6 +50,7 @@ class FiltroParticulas final : public SlamFilter {
     std::size_t history_nodes() const { return history_.size(); }
 
   private:
+    // A step, in the order of [T tables 3.2, 6.3].
     void propose(const SlamInput& input);
     void observe(const Observation& observation);
     void associate(const Particula& particle, std::span<Decision> decisions) const;
@@ -58,6 +59,7 @@ class FiltroParticulas final : public SlamFilter {
     void choose_best();
     void resample();
 
+    // What a step needs besides.
     /// Gives every particle a map of its own with room for what is seen.
     void detach_maps();
     void note_associations();
