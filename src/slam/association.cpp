@@ -20,20 +20,4 @@ SeenFeature Associator::seen(const Measurement& measured) const {
     return {measured, 2.0 * (greatest - log_p0_)};
 }
 
-Decision Associator::resolve(const BestTwo& candidates) const {
-    using Outcome = Association::Outcome;
-    if (candidates.none()) return {Outcome::created, 0, log_p0_};
-    if (!rule_.ambiguous(candidates, log_p0_)) {
-        return {Outcome::matched, candidates.best(), candidates.best_log()};
-    }
-    switch (params_.ambiguity) {
-        case AmbiguityRule::neutral:
-            return {Outcome::ignored, 0, 0.0};
-        case AmbiguityRule::new_landmark:
-            return {Outcome::ignored, 0, log_p0_};
-        default:
-            return {Outcome::ignored, 0, std::max(candidates.best_log(), candidates.second_log())};
-    }
-}
-
 }  // namespace hitos
