@@ -84,9 +84,19 @@ void add_source(Table& table) {
     table.push_back(text<&Config::source, &SourceParams::file>(
         "source.file", Group::source,
         "Path of the log to read, plain or gzip; empty where none is chosen."));
-    table.push_back(choice<&Config::source, &SourceParams::format>(
-        "source.format", Group::source, {"auto", "player", "radish", "normalized", "carmen"},
-        "Format of the log; auto finds it from the first lines."));
+    Parameter format = described(Parameter::Type::choice, "source.format", Group::source,
+                                 "Format of the log; auto finds it from the first lines.");
+    format.choices = {kAutoFormat};
+    for (const LogFormat& known : log_formats().entries()) format.choices.push_back(known.word);
+    format.get_integer = [](const Config& c) {
+        if (c.source.format == kAutoFormat) return std::int64_t{0};
+        return &log_formats().find(c.source.format) - log_formats().entries().data() + 1;
+    };
+    format.set_integer = [](Config& c, std::int64_t place) {
+        c.source.format = place == 0 ? std::string(kAutoFormat)
+                                     : log_formats().entries()[static_cast<std::size_t>(place - 1)].word;
+    };
+    table.push_back(std::move(format));
     table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::max_range_m>(
         "source.max_range", Group::source, "m", 0.0, 1000.0,
         "Readings at or beyond this range are no points, so a higher value keeps more far "

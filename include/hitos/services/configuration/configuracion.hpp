@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "hitos/capture/conversor.hpp"
-#include "hitos/capture/fuente.hpp"
+#include "hitos/capture/log_format.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "hitos/features/extractor.hpp"
 #include "hitos/services/run/grid.hpp"
 #include "hitos/slam/params.hpp"
@@ -18,7 +18,7 @@ namespace hitos {
 /// Where the data come from [T 9.2.6.1].
 struct SourceParams {
     std::string file;  ///< path of the log; empty: none chosen
-    LogFormat format = LogFormat::automatic;
+    std::string format{kAutoFormat};  ///< word of log_formats(), or "auto"
     ReadOptions read;
 };
 

@@ -84,7 +84,7 @@ TEST(ArchivoConfiguracion, ReadsEveryTypeOverTheDefaults) {
     expected.grid.resolution_m = 1.0;
     expected.grid.log_odds_miss = -0.25;
     expected.source.file = "C:\\a";
-    expected.source.format = LogFormat::radish;
+    expected.source.format = "radish";
     expect_equal(c, expected);
 }
 

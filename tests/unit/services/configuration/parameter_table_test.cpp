@@ -119,7 +119,7 @@ TEST(ParameterTable, EachParameterReachesAPlaceOfItsOwn) {
 
 TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     Configuracion c;
-    c.source = {"a.log", LogFormat::carmen, {12.5, true}};
+    c.source = {"a.log", "carmen", {12.5, true}};
     c.run = {42, 3};
     c.filter.algorithm = SlamAlgorithm::ekf_slam;
     c.filter.particles = 77;

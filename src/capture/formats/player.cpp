@@ -1,14 +1,83 @@
-// Player/Stage writelog [T A.1], in the variants of Player 1.5 to 3.1.
+// Player/Stage writelog [T A.1], in the variants of Player 1.5 to 3.1. Written with more decimals
+// than Player prints.
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 
-#include "formats.hpp"
+#include "fan_fit.hpp"
+#include "formats/formats.hpp"
 #include "range_conversor.hpp"
+#include "text_out.hpp"
+#include "tour_writer.hpp"
 
 namespace hitos {
 namespace {
+
+/// The part of a Player line before the payload. Files of Player 1.5 and 1.6 have no type and
+/// subtype; their sixth field is the data's own time, with a point in it.
+struct PlayerHeader {
+    std::string_view time;
+    std::string_view interface;
+    std::string_view index;
+    std::string_view type;     ///< empty in the old layout
+    std::string_view subtype;  ///< empty in the old layout
+    std::string_view payload;
+
+    bool old_layout() const { return type.empty(); }
+    /// Whether type and subtype are these numbers, however they are padded.
+    bool is(std::int64_t wanted_type, std::int64_t wanted_subtype) const {
+        return parse_integer(type) == wanted_type && parse_integer(subtype) == wanted_subtype;
+    }
+};
+
+/// Nothing where the line does not begin as a Player line must.
+std::optional<PlayerHeader> split_player_header(std::string_view text) {
+    Fields fields(text);
+    PlayerHeader header;
+    header.time = fields.take();
+    fields.take();  // host: a number or a name
+    fields.take();  // robot: the port
+    header.interface = fields.take();
+    header.index = fields.take();
+    const std::string_view sixth = fields.take();
+    if (header.time.empty() || begins_with_letter(header.time) || sixth.empty()) {
+        return std::nullopt;
+    }
+    if (!begins_with_letter(header.interface) || !parse_integer(header.index)) return std::nullopt;
+    if (sixth.find('.') == std::string_view::npos) {
+        header.type = sixth;
+        header.subtype = fields.take();
+        if (header.subtype.empty()) return std::nullopt;
+    }
+    header.payload = fields.rest();
+    return header;
+}
+
+bool claims(std::string_view text) {
+    return text.starts_with("## Player version") || split_player_header(text).has_value();
+}
+
+LineKind classify(std::string_view text) {
+    const std::optional<PlayerHeader> header = split_player_header(text);
+    if (!header) return LineKind::damaged;
+    const bool laser = header->interface == "laser";
+    const bool ranger = header->interface == "ranger";
+    const bool position = header->interface == "position2d" || header->interface == "position";
+    if (!laser && !ranger && !position) return LineKind::other;
+    const LineKind kind = position ? LineKind::odometry : LineKind::scan;
+    if (header->old_layout()) return kind;
+    // Digits that are none must reach the converter, which says what is wrong with them.
+    if (!parse_integer(header->type) || !parse_integer(header->subtype)) return kind;
+    const bool data = header->is(1, 1);
+    if (position) return data ? kind : LineKind::other;
+    // writelog leaves the payload out of messages that it does not know.
+    if (header->payload.empty() && !data) return LineKind::other;
+    const bool geometry = header->is(4, 1);
+    const bool needed = laser ? header->is(1, 2) || header->is(1, 3) : header->is(4, 5);
+    return data || geometry || needed ? kind : LineKind::other;
+}
 
 /// Interface and index: what tells two devices of one log apart.
 struct Device {
@@ -207,10 +276,99 @@ std::optional<OdometryRecord> ConversorPlayer::odometry(const RawLine& line) {
     return record;
 }
 
+constexpr Layout kPose{6, 10, true, '0'};
+constexpr Layout kAngle{8, 11, true, '0'};
+constexpr Layout kRange{4, 7, true, '0'};
+
+class LogWriterPlayer final : public TourWriter {
+  public:
+    explicit LogWriterPlayer(const std::filesystem::path& path)
+        : TourWriter(path), fitter_(path.string()) {}
+
+  private:
+    Prepared prepare(const Scan& scan) override;
+    void put_head(std::string& out) override;
+    void put_scan(std::string& out, const Prepared& scan, double time_s,
+                  const Pose& pose_odom_robot) override;
+    void put_odometry(std::string& out, const Odometria& odometry,
+                      const Pose& pose_odom_robot) override;
+
+    FanFitter fitter_;
+    std::optional<Pose> told_mount_;
+};
+
+void append_message(std::string& out, double time_s, const char* message) {
+    append_fixed(out, time_s, Layout{6, 17, false, '0'});
+    out += " 16777343 6665 ";  // 127.0.0.1 as Player writes it, and its port
+    out += message;
+}
+
+void LogWriterPlayer::put_head(std::string& out) {
+    out +=
+        "## Player version 3.1.0 (text written by Hitos)\n"
+        "## File version 0.3.0 \n"
+        "## Format: \n"
+        "## - Messages are newline-separated\n"
+        "## - Common header to each message is:\n"
+        "##   time     host   robot  interface index  type   subtype\n"
+        "##   (double) (uint) (uint) (string)  (uint) (uint) (uint)\n"
+        "## - Following the common header is the message payload \n";
+}
+
+TourWriter::Prepared LogWriterPlayer::prepare(const Scan& scan) {
+    const Sweep sweep = fitter_.sweep(scan);
+    Prepared prepared{sweep.fan, {}};
+    std::string& out = prepared.text;
+    out += " 0000";
+    append_all(out, {sweep.fan.min_angle_rad, sweep.fan.max_angle_rad, sweep.fan.step_rad()},
+               kAngle);
+    out += ' ';
+    append_fixed(out, sweep.fan.max_range_m, kRange);
+    out += ' ';
+    append_count(out, sweep.fan.count, 4);
+    for (const double range : sweep.ranges_m) {
+        const bool hit = range > 0.0;
+        out += ' ';
+        append_fixed(out,
+                     hit ? writable_range(range, sweep.fan.max_range_m) : sweep.fan.max_range_m, 4);
+        out += hit ? "  1" : "  0";
+    }
+    out += " \n";
+    return prepared;
+}
+
+void LogWriterPlayer::put_scan(std::string& out, const Prepared& scan, double time_s,
+                               const Pose& /*pose_odom_robot*/) {
+    const Pose& mount = scan.fan.pose_robot_laser;
+    if (told_mount_ != mount) {
+        told_mount_ = mount;
+        append_message(out, time_s, "laser 00 004 001 ");
+        append_all(out, {mount.x, mount.y}, Layout{6, 10, true, ' '});
+        append_all(out, {mount.theta, 0.0, 0.0}, Layout{6, 9, false, ' '});
+        out += '\n';
+    }
+    append_message(out, time_s, "laser 00 001 001");
+    out += scan.text;
+}
+
+void LogWriterPlayer::put_odometry(std::string& out, const Odometria& odometry,
+                                   const Pose& pose_odom_robot) {
+    append_message(out, odometry.time_s, "position2d 00 001 001");
+    append_all(out,
+               {pose_odom_robot.x, pose_odom_robot.y, pose_odom_robot.theta, odometry.twist.v,
+                odometry.twist.v_lateral, odometry.twist.w},
+               kPose);
+    out += " 0\n";
+}
+
 }  // namespace
 
-std::unique_ptr<RangeConversor> make_conversor_player(const ReadOptions& options) {
-    return std::make_unique<ConversorPlayer>(options);
+LogFormat player_format() {
+    return {{"player", "Player", "logs of Player and Stage"},
+            claims,
+            classify,
+            make_range_conversor<ConversorPlayer>,
+            make_writer<LogWriterPlayer>};
 }
 
 }  // namespace hitos

@@ -1,15 +1,85 @@
-// The text format of [T A.2]. It has no place for the laser's mounting, so ranges and bearings are
-// those seen from the robot.
+// The text format of [T A.2]. It has no place for the laser's mounting: ranges and bearings are
+// written as seen from the robot.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "fan_fit.hpp"
+#include "formats/formats.hpp"
+#include "range_conversor.hpp"
 #include "text_out.hpp"
 #include "tour_writer.hpp"
 
 namespace hitos {
 namespace {
+
+/// A word, the device's index, a time, and numbers.
+bool claims(std::string_view text) {
+    Fields fields(text);
+    const std::string_view name = fields.take();
+    if (name != "position" && name != "laser") return false;
+    return parse_integer(fields.take()) && parse_double(fields.take()) &&
+           parse_double(fields.take());
+}
+
+LineKind classify(std::string_view text) {
+    const std::string_view name = Fields(text).peek();
+    if (name == "laser") return LineKind::scan;
+    if (name == "position") return LineKind::odometry;
+    return other_or_damaged(text);
+}
+
+class ConversorRadish final : public RangeConversor {
+  public:
+    using RangeConversor::RangeConversor;
+    bool parse_scan(const RawLine& line, Readings& out) override;
+    std::optional<OdometryRecord> odometry(const RawLine& line) override;
+
+  private:
+    std::optional<std::int64_t> laser_;     // index of the device in use: the first that is sound
+    std::optional<std::int64_t> position_;  // likewise
+};
+
+bool ConversorRadish::parse_scan(const RawLine& line, Readings& out) {
+    Fields fields(line);
+    fields.word("laser");
+    const std::int64_t index = fields.integer("index");
+    out.time_s = fields.number("time");
+    if (fields.at_end()) fields.fail("readings: found none, expected range bearing intensity");
+    while (!fields.at_end()) {
+        out.ranges_m.push_back(fields.reading("range"));
+        out.bearings_rad.push_back(fields.number("bearing"));
+        fields.reading("intensity");
+    }
+    if (laser_ && *laser_ != index) return false;
+    laser_ = index;
+    out.fan = fan_of_bearings(out.bearings_rad);
+    return true;
+}
+
+std::optional<OdometryRecord> ConversorRadish::odometry(const RawLine& line) {
+    Fields fields(line);
+    fields.word("position");
+    const std::int64_t index = fields.integer("index");
+    OdometryRecord record;
+    record.line = line.number;
+    record.time_s = fields.number("time");
+    Pose pose;
+    pose.x = fields.number("px");
+    pose.y = fields.number("py");
+    pose.theta = fields.number("pa");
+    Twist velocity;
+    velocity.v = fields.number("vx");
+    velocity.v_lateral = fields.number("vy");
+    velocity.w = fields.number("va");
+    fields.expect_end("va");
+    if (position_ && *position_ != index) return std::nullopt;
+    position_ = index;
+    record.pose_odom_robot = pose;
+    record.velocity = velocity;
+    return record;
+}
 
 class LogWriterRadish final : public TourWriter {
   public:
@@ -38,9 +108,6 @@ void append_no_return(std::string& out, double bearing_rad, double max_range_m) 
 
 /// Every ray of the fan, in order.
 void append_fan(std::string& out, const Scan& scan) {
-    const double step = scan.fan.count > 1 ? (scan.fan.max_angle_rad - scan.fan.min_angle_rad) /
-                                                 (scan.fan.count - 1)
-                                           : 0.0;
     std::size_t next = 0;
     for (std::uint32_t ray = 0; ray < scan.fan.count; ++ray) {
         if (next < scan.rays.size() && scan.rays[next] == ray) {
@@ -48,10 +115,9 @@ void append_fan(std::string& out, const Scan& scan) {
             append_reading(out, std::max(1e-4, std::hypot(point.x, point.y)),
                            std::atan2(point.y, point.x));
         } else {
-            append_no_return(
-                out,
-                wrap_angle(scan.fan.pose_robot_laser.theta + scan.fan.min_angle_rad + ray * step),
-                scan.fan.max_range_m);
+            append_no_return(out,
+                             wrap_angle(scan.fan.pose_robot_laser.theta + scan.fan.angle_rad(ray)),
+                             scan.fan.max_range_m);
         }
     }
 }
@@ -106,8 +172,12 @@ void LogWriterRadish::put_odometry(std::string& out, const Odometria& odometry,
 
 }  // namespace
 
-std::unique_ptr<LogWriter> make_log_writer_radish(const std::filesystem::path& path) {
-    return std::make_unique<LogWriterRadish>(path);
+LogFormat radish_format() {
+    return {{"radish", "Radish", "the text format of the thesis for Radish tours"},
+            claims,
+            classify,
+            make_range_conversor<ConversorRadish>,
+            make_writer<LogWriterRadish>};
 }
 
 }  // namespace hitos
