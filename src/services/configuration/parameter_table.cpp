@@ -3,6 +3,12 @@
 #include <initializer_list>
 #include <type_traits>
 
+#include "hitos/features/line_methods.hpp"
+#include "hitos/slam/filters.hpp"
+#include "hitos/slam/proposal.hpp"
+#include "hitos/slam/resampler.hpp"
+#include "hitos/slam/robot.hpp"
+
 namespace hitos {
 namespace {
 
@@ -68,6 +74,24 @@ Parameter choice(std::string_view key, Group group, std::initializer_list<std::s
     return parameter;
 }
 
+/// A word of the registry that `Entries` gives, kept as it is.
+template <auto Entries, auto... Members>
+Parameter registered(std::string_view key, Group group, std::string_view description) {
+    Parameter parameter = described(Parameter::Type::choice, key, group, description);
+    for (const auto& entry : Entries().entries()) parameter.choices.push_back(entry.word);
+    parameter.get_integer = [](const Config& c) {
+        const auto& entries = Entries().entries();
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            if (entries[i].word == member<Members...>(c)) return static_cast<std::int64_t>(i);
+        }
+        return std::int64_t{-1};
+    };
+    parameter.set_integer = [](Config& c, std::int64_t place) {
+        member<Members...>(c) = Entries().entries().at(static_cast<std::size_t>(place)).word;
+    };
+    return parameter;
+}
+
 template <auto... Members>
 Parameter text(std::string_view key, Group group, std::string_view description) {
     Parameter parameter = described(Parameter::Type::text, key, group, description);
@@ -109,14 +133,18 @@ void add_source(Table& table) {
 }
 
 void add_particle_filter(Table& table) {
-    table.push_back(choice<&Config::filter, &Filter::algorithm>(
-        "filter.algorithm", Group::particle_filter, {"fastslam", "ekf-slam"},
+    table.push_back(registered<&slam_algorithms, &Config::filter, &Filter::algorithm>(
+        "filter.algorithm", Group::particle_filter,
         "What builds the map: fastslam, particles with one small filter per landmark; ekf-slam, "
         "one extended Kalman filter over the pose and all landmarks."));
     table.push_back(integer<&Config::filter, &Filter::particles>(
         "filter.particles", Group::particle_filter, 1.0, 1e6,
         "Number of particles M; more of them follow more hypotheses, and time and memory grow in "
         "proportion."));
+    table.push_back(registered<&proposals, &Config::filter, &Filter::proposal>(
+        "filter.proposal", Group::particle_filter,
+        "Where particles draw their new poses from: motion takes the motion model alone, as "
+        "FastSLAM 1.0 does."));
     table.push_back(choice<&Config::filter, &Filter::association, &AssociationParams::method>(
         "association.method", Group::particle_filter, {"ml", "gnn"},
         "How an observation finds its landmark: ml takes the maximum likelihood, with p0 for a "
@@ -149,8 +177,9 @@ void add_particle_filter(Table& table) {
 }
 
 void add_motion(Table& table) {
-    table.push_back(choice<&Config::filter, &Filter::motion, &MotionParams::model>(
-        "motion.model", Group::motion, {"odometry", "no-odometry", "proportional"},
+    table.push_back(registered<&motion_models, &Config::filter, &Filter::motion,
+                               &MotionParams::model>(
+        "motion.model", Group::motion,
         "odometry: controls and noise of constant sigma; no-odometry: controls are ignored and the "
         "particles only spread; proportional: controls and noise that grows with the motion."));
     table.push_back(real<&Config::filter, &Filter::motion, &MotionParams::sigma_x_m>(
@@ -209,8 +238,8 @@ void add_observation(Table& table) {
 }
 
 void add_features(Table& table) {
-    table.push_back(choice<&Config::extraction, &ExtractionParams::method>(
-        "features.method", Group::split_merge, {"split-merge", "ransac"},
+    table.push_back(registered<&line_methods, &Config::extraction, &ExtractionParams::method>(
+        "features.method", Group::split_merge,
         "How lines are found: split-merge divides runs of points at the farthest one; ransac cuts "
         "the scan at edges and takes the lines that most points agree with, fitted by least "
         "squares. Both use min_length, min_points and collinear_* of split_merge."));
@@ -294,6 +323,11 @@ void add_resampling(Table& table) {
         "resampling.neff_threshold", Group::resampling, "particles", 0.0, 1e6,
         "Effective number of particles Neff below which the rule neff resamples; a higher value "
         "resamples more often."));
+    table.push_back(registered<&resampling_methods, &Config::filter, &Filter::resampling,
+                               &ResamplingParams::method>(
+        "resampling.method", Group::resampling,
+        "How particles are drawn anew; all methods give a particle as many copies in the mean as "
+        "its weight says and differ in how much chance adds, low-variance least."));
 }
 
 void add_grid(Table& table) {

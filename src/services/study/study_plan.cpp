@@ -74,7 +74,7 @@ void check_effect(const Configuracion& configuration, const StudyPlan& plan) {
         }
     };
     if (!varied("motion.model")) {
-        if (configuration.filter.motion.model == MotionModel::proportional) {
+        if (configuration.filter.motion.model == "proportional") {
             without("motion.sigma_", "motion.model is proportional; set it to odometry");
         } else {
             without("motion.var_", "motion.model is not proportional");

@@ -25,14 +25,14 @@ struct Card {
 /// What each card shows; the models that a choice leaves unused are not shown.
 std::vector<Card> cards_of(const Configuracion& c) {
     std::vector<const char*> motion{"motion.model"};
-    if (c.filter.motion.model == MotionModel::proportional) {
+    if (c.filter.motion.model == "proportional") {
         motion.insert(motion.end(), {"motion.var_along", "motion.var_across",
                                      "motion.var_theta_per_rad", "motion.var_theta_per_m"});
     } else {
         motion.insert(motion.end(), {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"});
     }
     std::vector<const char*> filter{"filter.algorithm"};
-    if (c.filter.algorithm == SlamAlgorithm::ekf_slam) {
+    if (c.filter.algorithm == "ekf-slam") {
         filter.insert(filter.end(),
                       {"association.gate_probability", "association.new_probability"});
     } else {
@@ -49,10 +49,10 @@ std::vector<Card> cards_of(const Configuracion& c) {
     } else {
         observation.insert(observation.end(), {"observation.var_rho", "observation.var_theta"});
     }
-    if (c.filter.algorithm == SlamAlgorithm::fastslam) observation.push_back("association.method");
+    if (c.filter.algorithm == "fastslam") observation.push_back("association.method");
     observation.push_back("association.ambiguity");
     std::vector<const char*> lines{"features.detect", "features.method"};
-    if (c.extraction.method == LineMethod::ransac) {
+    if (c.extraction.method == "ransac") {
         lines.insert(lines.end(), {"ransac.threshold"});
     } else {
         lines.insert(lines.end(), {"split_merge.dmax", "split_merge.fit"});

@@ -122,7 +122,8 @@ void ConfigurationDialog::mark_unused() {
     use(proportional, {"motion.var_along", "motion.var_across", "motion.var_theta_per_rad",
                        "motion.var_theta_per_m"});
     const bool ekf = chosen("filter.algorithm", "ekf-slam");
-    use(!ekf, {"filter.particles", "association.method", "association.p0", "resampling.rule"});
+    use(!ekf, {"filter.particles", "association.method", "association.p0", "resampling.rule",
+               "resampling.method", "filter.proposal"});
     use(ekf, {"association.new_probability"});
     use(ekf || chosen("association.method", "gnn"), {"association.gate_probability"});
     use(!chosen("association.ambiguity", "off"), {"association.ambiguity_ratio"});

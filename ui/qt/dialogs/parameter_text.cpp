@@ -56,6 +56,8 @@ const Words& labels() {
         {"ransac.iterations", QT_TRANSLATE_NOOP("ParameterLabel", "RANSAC iterations")},
         {"resampling.rule", QT_TRANSLATE_NOOP("ParameterLabel", "Resampling")},
         {"resampling.neff_threshold", QT_TRANSLATE_NOOP("ParameterLabel", "Neff threshold")},
+        {"resampling.method", QT_TRANSLATE_NOOP("ParameterLabel", "Resampling method")},
+        {"filter.proposal", QT_TRANSLATE_NOOP("ParameterLabel", "Proposal")},
         {"grid.resolution", QT_TRANSLATE_NOOP("ParameterLabel", "Cell size")},
         {"grid.hit", QT_TRANSLATE_NOOP("ParameterLabel", "Hit")},
         {"grid.miss", QT_TRANSLATE_NOOP("ParameterLabel", "Miss")},
@@ -78,6 +80,7 @@ const Words& choices() {
         {"source.odometry=velocities", QT_TRANSLATE_NOOP("ParameterChoice", "Logged velocities")},
         {"filter.algorithm=fastslam", QT_TRANSLATE_NOOP("ParameterChoice", "FastSLAM 1.0")},
         {"filter.algorithm=ekf-slam", QT_TRANSLATE_NOOP("ParameterChoice", "EKF-SLAM")},
+        {"filter.proposal=motion", QT_TRANSLATE_NOOP("ParameterChoice", "Motion model")},
         {"association.method=ml", QT_TRANSLATE_NOOP("ParameterChoice", "Maximum likelihood")},
         {"association.method=gnn", QT_TRANSLATE_NOOP("ParameterChoice", "Gated nearest neighbour")},
         {"association.ambiguity=keep-likelihood",
@@ -102,6 +105,10 @@ const Words& choices() {
         {"split_merge.fit=least-squares", QT_TRANSLATE_NOOP("ParameterChoice", "Least squares")},
         {"resampling.rule=always", QT_TRANSLATE_NOOP("ParameterChoice", "Without threshold")},
         {"resampling.rule=neff", QT_TRANSLATE_NOOP("ParameterChoice", "Neff threshold")},
+        {"resampling.method=low-variance", QT_TRANSLATE_NOOP("ParameterChoice", "Low variance")},
+        {"resampling.method=stratified", QT_TRANSLATE_NOOP("ParameterChoice", "Stratified")},
+        {"resampling.method=residual", QT_TRANSLATE_NOOP("ParameterChoice", "Residual")},
+        {"resampling.method=multinomial", QT_TRANSLATE_NOOP("ParameterChoice", "Multinomial")},
     };
     return table;
 }

@@ -42,7 +42,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 50U);
+    EXPECT_EQ(keys.size(), 52U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -67,7 +67,7 @@ TEST(ParameterTable, EachParameterHasExactlyTheWayInThatItsTypeNames) {
         EXPECT_EQ(p.set_integer != nullptr, whole) << p.key;
         EXPECT_EQ(p.words != nullptr, p.type == Type::text) << p.key;
         EXPECT_EQ(p.get_words != nullptr, p.type == Type::text) << p.key;
-        EXPECT_EQ(p.choices.size() > 1, p.type == Type::choice) << p.key;
+        EXPECT_EQ(!p.choices.empty(), p.type == Type::choice) << p.key;
     }
 }
 
@@ -110,6 +110,7 @@ TEST(ParameterTable, EachParameterReachesAPlaceOfItsOwn) {
     for (std::size_t i = 0; i < table.size(); ++i) {
         Configuracion changed;
         change(table[i], changed, static_cast<int>(i));
+        if (table[i].choices.size() == 1) continue;  // it has one value only
         for (std::size_t j = 0; j < table.size(); ++j) {
             EXPECT_EQ(table[j].text(changed) == table[j].text(defaults), i != j)
                 << table[i].key << " changes " << table[j].key;
@@ -121,17 +122,17 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     Configuracion c;
     c.source = {"a.log", "carmen", {12.5, true}};
     c.run = {42, 3};
-    c.filter.algorithm = SlamAlgorithm::ekf_slam;
+    c.filter.algorithm = "ekf-slam";
     c.filter.particles = 77;
-    c.filter.motion = {MotionModel::proportional, 0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17};
+    c.filter.motion = {"proportional", 0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17};
     c.filter.observation = {0.21, 0.22};
     c.filter.association = {AssociationMethod::gated_nearest, 0.31, 0.91, 0.92,
                             AmbiguityRule::new_landmark,      0.33};
-    c.filter.resampling = {ResamplingRule::neff, 41.5};
+    c.filter.resampling = {ResamplingRule::neff, 41.5, "residual"};
     c.extraction.detect = Detection::corners;
     c.extraction.lines = {0.52, 53, {0.54, 0.55, 0.56}};
     c.extraction.split_merge = {0.51, LineFit::least_squares, 0.57, 0.58};
-    c.extraction.method = LineMethod::ransac;
+    c.extraction.method = "ransac";
     c.extraction.ransac = {0.71, 0.72, 0.73, 74};
     c.extraction.covariance = ObservationCovariance::points;
     c.extraction.point_sigma_m = 0.75;
@@ -184,6 +185,8 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"ransac.iterations", "74"},
         {"resampling.rule", "neff"},
         {"resampling.neff_threshold", "41.5"},
+        {"resampling.method", "residual"},
+        {"filter.proposal", "motion"},
         {"grid.resolution", "0.61"},
         {"grid.hit", "0.62"},
         {"grid.miss", "-0.63"},
