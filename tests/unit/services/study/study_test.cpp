@@ -1,5 +1,7 @@
 #include "hitos/services/study/study.hpp"
 
+#include "hitos/services/run/open_source.hpp"
+
 #include <gmock/gmock.h>
 
 #include <atomic>
@@ -214,7 +216,7 @@ TEST_F(StudyTest, ASourceThatFailsForOneSeedFailsThatRun) {
     Study study = this->study("out");
     study.parameters.clear();
     std::atomic<int> opened = 0;
-    study.source = [&](const StudyJob& job) -> std::unique_ptr<Fuente> {
+    study.source = [&](const StudyJob& job) -> std::unique_ptr<TourReader> {
         ++opened;
         if (job.seed == 2) throw FileError("tape", "torn");
         return open_source(job.configuration.source);
