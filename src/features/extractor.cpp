@@ -7,7 +7,7 @@
 
 #include "collinear_merge.hpp"
 #include "extractors.hpp"
-#include "hitos/base/error.hpp"
+#include "hitos/features/extraction_parameters.hpp"
 #include "hitos/features/line_fit.hpp"
 #include "ransac_lines.hpp"
 #include "split_and_merge.hpp"
@@ -35,24 +35,13 @@ double distance_to_support(const Observation& observation, const DetectedLine& l
     return std::sqrt(nearest);
 }
 
-void require(bool allowed, const char* key, const char* expected) {
-    if (!allowed) throw ConfigError(key, std::string("expected ") + expected);
-}
-
 std::unique_ptr<MetodoExtraccionRectas> make_method(const ExtractionParams& params,
                                                     std::uint64_t seed) {
     const LineParams& lines = params.lines;
-    const SplitMergeParams& p = params.split_merge;
-    require(p.dmax_m > 0.0, "split_merge.dmax", "a distance above 0 m");
-    require(lines.min_length_m >= 0.0, "split_merge.min_length", "a length of 0 m or more");
-    require(lines.min_points >= 2, "split_merge.min_points", "2 points or more");
-    require(p.gap_m >= 0.0 && p.gap_per_range >= 0.0, "split_merge.gap", "0 or more");
-    if (params.method == LineMethod::split_merge) return std::make_unique<SplitAndMerge>(lines, p);
-    const RansacParams& r = params.ransac;
-    require(r.threshold_m > 0.0, "ransac.threshold", "a distance above 0 m");
-    require(r.iterations >= 1, "ransac.iterations", "1 or more");
-    require(r.edge_m >= 0.0 && r.edge_per_range >= 0.0, "ransac.edge", "0 or more");
-    return std::make_unique<RansacLines>(lines, r, seed);
+    if (params.method == LineMethod::split_merge) {
+        return std::make_unique<SplitAndMerge>(lines, params.split_merge);
+    }
+    return std::make_unique<RansacLines>(lines, params.ransac, seed);
 }
 
 }  // namespace
@@ -81,11 +70,7 @@ LineFinder::LineFinder(const ExtractionParams& params, std::uint64_t seed)
       point_sigma_m_(params.point_sigma_m),
       common_sigma_m_(params.common_sigma_m),
       through_ends_(params.method == LineMethod::split_merge &&
-                    params.split_merge.fit == LineFit::endpoints) {
-    require(covariance_ == ObservationCovariance::fixed || point_sigma_m_ > 0.0,
-            "observation.point_sigma", "a standard deviation above 0 m");
-    require(common_sigma_m_ >= 0.0, "observation.common_sigma", "0 m or more");
-}
+                    params.split_merge.fit == LineFit::endpoints) {}
 
 void LineFinder::find(const Scan& scan, Observation& out) {
     out.clear();
@@ -117,7 +102,7 @@ void ExPuntos::extract(const Scan& scan, Observation& out) {
 }
 
 std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params, std::uint64_t seed) {
-    require(params.corner_distance_m >= 0.0, "features.corner_distance", "0 m or more");
+    check_all(extraction_parameters(), params);
     LineFinder lines(params, seed);
     if (params.detect == Detection::lines) return std::make_unique<ExRectas>(std::move(lines));
     return std::make_unique<ExPuntos>(std::move(lines), params.corner_distance_m,

@@ -24,7 +24,7 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
       source_(std::move(source)) {
     ui_->setupUi(this);
     pool_.setMaxThreadCount(1);
-    const Parameter& format = find_parameter("source.format");
+    const ConfigParameter& format = find_parameter("source.format");
     for (std::size_t i = 0; i < format.choices.size(); ++i)
         ui_->type->addItem(choice_of(format, i));
     ui_->type->setCurrentIndex(static_cast<int>(source_.format));
@@ -121,7 +121,7 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<LogSummary>& 
 }
 
 QString SourceDialog::words_of(const LogSummary& summary) const {
-    const Parameter& format = find_parameter("source.format");
+    const ConfigParameter& format = find_parameter("source.format");
     QString words = tr("%1: %2 scans, %3 odometry readings, %4 s, %5 m.")
                         .arg(choice_of(format, static_cast<std::size_t>(summary.format)))
                         .arg(summary.report.scans)
