@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
+#include "hitos/features/line_methods.hpp"
 
 namespace hitos {
 namespace {
@@ -60,8 +61,7 @@ void add_features(Table& table) {
              "least squares. Both use min_length, min_points and collinear_* of split_merge."),
          .label = HITOS_TEXT("ParameterLabel", "Lines by"),
          .card = "features",
-         .choices = {{"split-merge", HITOS_TEXT("ParameterChoice", "Split and Merge")},
-                     {"ransac", HITOS_TEXT("ParameterChoice", "RANSAC")}}}));
+         .choices = choices_of(line_methods())}));
     const auto detect = choice<&ExtractionParams::detect>(
         {.key = "features.detect",
          .description = HITOS_TEXT(
@@ -218,26 +218,13 @@ void add_ransac(Table& table) {
          .label = HITOS_TEXT("ParameterLabel", "RANSAC iterations")}));
 }
 
-void read_by(Table& table, std::string_view chooser, std::string word,
-             std::vector<std::string_view> keys) {
-    const auto choice = *std::ranges::find(table, chooser, &ParameterFacts::key);
-    for (auto& p : table) {
-        if (std::ranges::find(keys, p.key) != keys.end())
-            p.conditions.insert(p.conditions.begin(), where(choice, {word}));
-    }
-}
-
 Table make_table() {
     Table table;
     add_observation(table);
     add_features(table);
     add_split_merge(table);
     add_ransac(table);
-    read_by(
-        table, "features.method", "split-merge",
-        {"split_merge.dmax", "split_merge.fit", "split_merge.gap", "split_merge.gap_per_range"});
-    read_by(table, "features.method", "ransac",
-            {"ransac.edge", "ransac.edge_per_range", "ransac.threshold", "ransac.iterations"});
+    heed_readers(table, "features.method", line_methods());
     return table;
 }
 

@@ -9,8 +9,6 @@
 #include "extractors.hpp"
 #include "hitos/features/extraction_parameters.hpp"
 #include "hitos/features/line_fit.hpp"
-#include "ransac_lines.hpp"
-#include "split_and_merge.hpp"
 
 namespace hitos {
 namespace {
@@ -35,15 +33,6 @@ double distance_to_support(const Observation& observation, const DetectedLine& l
     return std::sqrt(nearest);
 }
 
-std::unique_ptr<MetodoExtraccionRectas> make_method(const ExtractionParams& params,
-                                                    std::uint64_t seed) {
-    const LineParams& lines = params.lines;
-    if (params.method == LineMethod::split_merge) {
-        return std::make_unique<SplitAndMerge>(lines, params.split_merge);
-    }
-    return std::make_unique<RansacLines>(lines, params.ransac, seed);
-}
-
 }  // namespace
 
 void find_corners(Observation& seen, double corner_distance_m) {
@@ -65,12 +54,10 @@ void find_corners(Observation& seen, double corner_distance_m) {
 }
 
 LineFinder::LineFinder(const ExtractionParams& params, std::uint64_t seed)
-    : method_(make_method(params, seed)),
+    : method_(line_methods().find(params.method).make(params, seed)),
       covariance_(params.covariance),
       point_sigma_m_(params.point_sigma_m),
-      common_sigma_m_(params.common_sigma_m),
-      through_ends_(params.method == LineMethod::split_merge &&
-                    params.split_merge.fit == LineFit::endpoints) {}
+      common_sigma_m_(params.common_sigma_m) {}
 
 void LineFinder::find(const Scan& scan, Observation& out) {
     out.clear();
@@ -83,8 +70,9 @@ void LineFinder::find(const Scan& scan, Observation& out) {
     for (const DetectedLine& line : out.lines) {
         const std::span<const Point2> support = out.support_of(line);
         out.line_covariances.push_back(
-            through_ends_ ? line_covariance(line.recta, ends_of(support, line.recta), errors)
-                          : line_covariance(line.recta, support, errors));
+            method_->fits_end_points()
+                ? line_covariance(line.recta, ends_of(support, line.recta), errors)
+                : line_covariance(line.recta, support, errors));
     }
 }
 

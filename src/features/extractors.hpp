@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "hitos/features/extractor.hpp"
+#include "hitos/features/line_methods.hpp"
 
 namespace hitos {
 
@@ -25,7 +26,6 @@ class LineFinder {
     ObservationCovariance covariance_;
     double point_sigma_m_;
     double common_sigma_m_;
-    bool through_ends_;  ///< lines are fitted to their end points alone
 };
 
 /// Lines only.

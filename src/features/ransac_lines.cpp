@@ -225,4 +225,18 @@ bool RansacLines::long_enough(std::span<const Point2> points, const Recta& line)
     return to > from && to - from >= lines_params_.min_length_m;
 }
 
+LineMethodEntry ransac_method() {
+    LineMethodEntry entry;
+    entry.word = "ransac";
+    entry.label = HITOS_TEXT("ParameterChoice", "RANSAC");
+    entry.purpose =
+        "cuts the scan at edges and takes the lines that most points agree with, fitted by least "
+        "squares";
+    entry.reads = {"ransac.edge", "ransac.edge_per_range", "ransac.threshold", "ransac.iterations"};
+    entry.make = [](const ExtractionParams& params, std::uint64_t seed) {
+        return std::make_unique<RansacLines>(params.lines, params.ransac, seed);
+    };
+    return entry;
+}
+
 }  // namespace hitos

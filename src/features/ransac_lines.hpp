@@ -6,6 +6,7 @@
 
 #include "collinear_merge.hpp"
 #include "hitos/base/random_stream.hpp"
+#include "hitos/features/line_methods.hpp"
 
 namespace hitos {
 
@@ -61,5 +62,8 @@ class RansacLines final : public MetodoExtraccionRectas {
     std::vector<Point2> points_;  // of all pieces, piece by piece
     std::vector<LinePiece> pieces_;
 };
+
+/// "ransac".
+LineMethodEntry ransac_method();
 
 }  // namespace hitos

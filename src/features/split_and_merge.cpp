@@ -71,4 +71,17 @@ void SplitAndMerge::extract_lines(const Scan& scan, Observation& out) {
     merge_collinear(pieces_, lines_.collinear, params_.fit, out);
 }
 
+LineMethodEntry split_and_merge_method() {
+    LineMethodEntry entry;
+    entry.word = "split-merge";
+    entry.label = HITOS_TEXT("ParameterChoice", "Split and Merge");
+    entry.purpose = "divides runs of points at the farthest one";
+    entry.reads = {"split_merge.dmax", "split_merge.fit", "split_merge.gap",
+                   "split_merge.gap_per_range"};
+    entry.make = [](const ExtractionParams& params, std::uint64_t /*seed*/) {
+        return std::make_unique<SplitAndMerge>(params.lines, params.split_merge);
+    };
+    return entry;
+}
+
 }  // namespace hitos

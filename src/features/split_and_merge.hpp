@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "collinear_merge.hpp"
+#include "hitos/features/line_methods.hpp"
 
 namespace hitos {
 
@@ -14,6 +15,7 @@ class SplitAndMerge final : public MetodoExtraccionRectas {
     SplitAndMerge(const LineParams& lines, const SplitMergeParams& params)
         : lines_(lines), params_(params) {}
     void extract_lines(const Scan& scan, Observation& out) override;
+    bool fits_end_points() const override { return params_.fit == LineFit::endpoints; }
 
   private:
     bool gap_between(const Point2& a, const Point2& b) const;
@@ -25,5 +27,8 @@ class SplitAndMerge final : public MetodoExtraccionRectas {
     std::vector<LinePiece> pieces_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pending_;
 };
+
+/// "split-merge".
+LineMethodEntry split_and_merge_method();
 
 }  // namespace hitos

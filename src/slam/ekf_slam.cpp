@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "hitos/slam/ekf.hpp"
 
@@ -25,15 +26,15 @@ Likelihood compared(const Vector2& nu, const Matrix2& s) {
 
 EkfSlam::EkfSlam(const FilterParams& params)
     : params_(params),
-      robot_(params.motion),
+      robot_(make_robot(params.motion)),
       gate_(chi_square_gate(params.association.gate_probability)),
       new_gate_(chi_square_gate(params.association.new_probability)) {
     statistics_.neff = 1.0;
 }
 
-void EkfSlam::step(std::span<const Control> controls, const Observation& observation) {
-    predict(sum_controls(controls));
-    measurements_.take(observation, params_.observation);
+void EkfSlam::step(const SlamInput& input) {
+    predict(sum_controls(input.controls));
+    measurements_.take(input.observation, params_.observation);
     associations_.clear();
     rows_.clear();
     associate<SensorRecta>(measurements_.lines, lines_);
@@ -45,7 +46,7 @@ void EkfSlam::step(std::span<const Control> controls, const Observation& observa
     // Places in the map are counted lines first, and lines may just have been added.
     for (Association& association : associations_) {
         if (association.kind == FeatureKind::corner && association.landmark >= 0) {
-            association.landmark += best_lines();
+            association.landmark += best_count(FeatureKind::line);
         }
     }
     history_.push_back(state_.pose());
@@ -55,8 +56,8 @@ void EkfSlam::predict(const MotionIncrement& increment) {
     const Pose before = state_.pose();
     // At the first scan there is no step to be uncertain about, as in the particle filter.
     const Matrix3 noise =
-        steps() == 0 ? Matrix3(Matrix3::Zero()) : robot_.noise_covariance(before, increment);
-    state_.move(robot_.mean(before, increment), robot_.jacobian(before, increment), noise);
+        steps() == 0 ? Matrix3(Matrix3::Zero()) : robot_->noise_covariance(before, increment);
+    state_.move(robot_->mean(before, increment), robot_->jacobian(before, increment), noise);
 }
 
 template <class S>
@@ -159,6 +160,18 @@ LandmarkMap EkfSlam::best_map() const {
         add(mark, SensorEsquina::from_state(state_.landmark(mark.at)));
     }
     return map;
+}
+
+SlamAlgorithmEntry ekf_slam_algorithm() {
+    SlamAlgorithmEntry entry;
+    entry.word = "ekf-slam";
+    entry.label = HITOS_TEXT("ParameterChoice", "EKF-SLAM");
+    entry.purpose = "one extended Kalman filter over the pose and all landmarks";
+    entry.reads = {"association.gate_probability", "association.new_probability"};
+    entry.make = [](const FilterParams& params, std::uint64_t /*seed*/, int /*threads*/) {
+        return std::make_unique<EkfSlam>(params);
+    };
+    return entry;
 }
 
 }  // namespace hitos

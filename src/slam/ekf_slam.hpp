@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "hitos/slam/params.hpp"
+#include "hitos/slam/filters.hpp"
 #include "hitos/slam/robot.hpp"
-#include "hitos/slam/slam_filter.hpp"
 #include "joint_state.hpp"
 #include "measurement.hpp"
 
@@ -18,14 +18,15 @@ class EkfSlam final : public SlamFilter {
   public:
     explicit EkfSlam(const FilterParams& params);
 
-    void step(std::span<const Control> controls, const Observation& observation) override;
+    void step(const SlamInput& input) override;
 
     std::uint64_t steps() const override { return history_.size(); }
     Pose best_pose() const override { return state_.pose(); }
     LandmarkMap best_map() const override;
     std::vector<Pose> best_history() const override { return history_; }
-    int best_lines() const override { return static_cast<int>(lines_.size()); }
-    int best_corners() const override { return static_cast<int>(corners_.size()); }
+    int best_count(FeatureKind kind) const override {
+        return static_cast<int>(kind == FeatureKind::line ? lines_.size() : corners_.size());
+    }
     std::span<const Association> associations() const override { return associations_; }
     std::vector<WeightedPose> hypotheses() const override { return {{state_.pose(), 1.0}}; }
     FilterStatistics statistics() const override { return statistics_; }
@@ -52,7 +53,7 @@ class EkfSlam final : public SlamFilter {
     void normalize();
 
     FilterParams params_;
-    Robot robot_;
+    std::shared_ptr<const Robot> robot_;
     double gate_;      ///< squared Mahalanobis distance within which an observation is a landmark's
     double new_gate_;  ///< and beyond which it is of none
     JointState state_;
@@ -65,5 +66,8 @@ class EkfSlam final : public SlamFilter {
     Measurements measurements_;
     std::vector<JointState::Row> rows_;
 };
+
+/// "ekf-slam".
+SlamAlgorithmEntry ekf_slam_algorithm();
 
 }  // namespace hitos

@@ -5,6 +5,10 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/slam/filters.hpp"
+#include "hitos/slam/proposal.hpp"
+#include "hitos/slam/resampler.hpp"
+#include "hitos/slam/robot.hpp"
 
 namespace hitos {
 namespace {
@@ -22,8 +26,7 @@ void add_filter(Table& table) {
              "ekf-slam, one extended Kalman filter over the pose and all landmarks."),
          .label = HITOS_TEXT("ParameterLabel", "Algorithm"),
          .card = "filter",
-         .choices = {{"fastslam", HITOS_TEXT("ParameterChoice", "FastSLAM 1.0")},
-                     {"ekf-slam", HITOS_TEXT("ParameterChoice", "EKF-SLAM")}}}));
+         .choices = choices_of(slam_algorithms())}));
     table.push_back(integer<&Filter::particles>(
         {.key = "filter.particles",
          .minimum = 1.0,
@@ -34,6 +37,13 @@ void add_filter(Table& table) {
          .label = HITOS_TEXT("ParameterLabel", "Particles"),
          .symbol = "M",
          .card = "filter"}));
+    table.push_back(choice<&Filter::proposal>(
+        {.key = "filter.proposal",
+         .description = HITOS_TEXT("Parameter",
+                                   "Where particles draw their new poses from: motion takes the "
+                                   "motion model alone, as FastSLAM 1.0 does."),
+         .label = HITOS_TEXT("ParameterLabel", "Proposal"),
+         .choices = choices_of(proposals())}));
 }
 
 void add_association(Table& table) {
@@ -68,7 +78,8 @@ void add_association(Table& table) {
          .card = "filter"});
     // What has no choice of association associates by gnn.
     gate.conditions.push_back({"association.method", "gnn", [](const Filter& f) {
-                                   return f.algorithm != SlamAlgorithm::fastslam ||
+                                   return !slam_algorithms().reads(f.algorithm,
+                                                                   "association.method") ||
                                           f.association.method == AssociationMethod::gated_nearest;
                                }});
     table.push_back(std::move(gate));
@@ -250,15 +261,14 @@ void add_resampling(Table& table) {
              .symbol = "Neff",
              .card = "filter"}),
         {where(rule, {"neff"})}));
-}
-
-void read_by(Table& table, std::string_view chooser, std::vector<std::string> words,
-             std::vector<std::string_view> keys) {
-    const auto choice = *std::ranges::find(table, chooser, &ParameterFacts::key);
-    for (auto& p : table) {
-        if (std::ranges::find(keys, p.key) != keys.end())
-            p.conditions.insert(p.conditions.begin(), where(choice, words));
-    }
+    table.push_back(choice<&Filter::resampling, &ResamplingParams::method>(
+        {.key = "resampling.method",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "How particles are drawn anew; all methods give a particle as many copies in the mean "
+             "as its weight says and differ in how much chance adds, low-variance least."),
+         .label = HITOS_TEXT("ParameterLabel", "Resampling method"),
+         .choices = choices_of(resampling_methods())}));
 }
 
 Table make_table() {
@@ -268,15 +278,10 @@ Table make_table() {
     add_motion(table);
     add_observation(table);
     add_resampling(table);
-    read_by(table, "filter.algorithm", {"fastslam"},
-            {"filter.particles", "association.method", "association.p0", "resampling.rule",
-             "resampling.neff_threshold"});
-    read_by(table, "filter.algorithm", {"ekf-slam"}, {"association.new_probability"});
-    read_by(table, "motion.model", {"odometry", "no-odometry"},
-            {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"});
-    read_by(table, "motion.model", {"proportional"},
-            {"motion.var_along", "motion.var_across", "motion.var_theta_per_rad",
-             "motion.var_theta_per_m"});
+    heed_readers(table, "filter.algorithm", slam_algorithms());
+    heed_readers(table, "filter.proposal", proposals());
+    heed_readers(table, "motion.model", motion_models());
+    heed_readers(table, "resampling.method", resampling_methods());
     return table;
 }
 
@@ -290,7 +295,7 @@ std::span<const Parameter<FilterParams>> filter_parameters() {
 void check(const FilterParams& params) {
     check_all(filter_parameters(), params);
     const AssociationParams& association = params.association;
-    if (params.algorithm == SlamAlgorithm::ekf_slam &&
+    if (slam_algorithms().reads(params.algorithm, "association.new_probability") &&
         association.new_probability < association.gate_probability) {
         throw ConfigError("association.new_probability",
                           fmt::format("{} is less than association.gate_probability {}; an "

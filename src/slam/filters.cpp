@@ -6,21 +6,16 @@
 
 namespace hitos {
 
-std::unique_ptr<SlamFilter> make_fastslam(const FilterParams& params, std::uint64_t seed,
-                                          int threads) {
-    check(params);
-    return std::make_unique<FiltroParticulas>(params, seed, threads);
-}
-
-std::unique_ptr<SlamFilter> make_ekf_slam(const FilterParams& params) {
-    check(params);
-    return std::make_unique<EkfSlam>(params);
+Registry<SlamAlgorithmEntry>& slam_algorithms() {
+    static Registry<SlamAlgorithmEntry> registry("SLAM algorithm", "filter.algorithm",
+                                                 {fastslam_algorithm(), ekf_slam_algorithm()});
+    return registry;
 }
 
 std::unique_ptr<SlamFilter> make_filter(const FilterParams& params, std::uint64_t seed,
                                         int threads) {
-    if (params.algorithm == SlamAlgorithm::ekf_slam) return make_ekf_slam(params);
-    return make_fastslam(params, seed, threads);
+    check(params);
+    return slam_algorithms().find(params.algorithm).make(params, seed, threads);
 }
 
 }  // namespace hitos

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
 
 namespace hitos {
 namespace {
@@ -43,9 +45,10 @@ void apply(const Decision& decision, Columns& landmarks, const Pose& pose,
 FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t seed, int threads)
     : params_(params),
       seed_(seed),
-      robot_(params.motion),
+      proposal_(proposals().find(params.proposal).make(params)),
       associator_(params.association),
       resampler_(make_resampler(params.resampling)),
+      resampling_(resampling_methods().find(params.resampling.method).make(params.resampling)),
       arena_(threads > 0 ? threads : tbb::task_arena::automatic),
       particles_(static_cast<std::size_t>(params.particles)) {
     if (threads > tbb::info::default_concurrency()) {
@@ -61,8 +64,9 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
     statistics_.neff = static_cast<double>(particles_.size());
 }
 
-void FiltroParticulas::step(std::span<const Control> controls, const Observation& observation) {
-    predict(sum_controls(controls));
+void FiltroParticulas::step(const SlamInput& input) {
+    const Observation& observation = input.observation;
+    propose(input);
     associations_.clear();
     statistics_.resampled = false;
     if (observation.empty()) {
@@ -85,7 +89,7 @@ void FiltroParticulas::step(std::span<const Control> controls, const Observation
 
     detach_maps();
     const auto landmarks =
-        static_cast<std::size_t>(best_lines()) + static_cast<std::size_t>(best_corners());
+        static_cast<std::size_t>(best_count(FeatureKind::line) + best_count(FeatureKind::corner));
     for_each(particles_.size(), seen * (landmarks + 8), [&](std::size_t i) {
         const std::span<Decision> decisions(&decisions_[i * seen], seen);
         associate(particles_[i], decisions);
@@ -100,17 +104,13 @@ void FiltroParticulas::step(std::span<const Control> controls, const Observation
     ++steps_;
 }
 
-void FiltroParticulas::predict(const MotionIncrement& increment) {
-    // At the first scan there is no step to be uncertain about: noise would only turn the map.
-    if (steps_ == 0) {
-        for (Particula& particle : particles_) {
-            particle.pose = robot_.mean(particle.pose, increment);
-        }
-        return;
-    }
+void FiltroParticulas::propose(const SlamInput& input) {
+    proposal_->begin(input, steps_ == 0);
     for_each(particles_.size(), 10, [&](std::size_t i) {
         RandomStream random(seed_, RandomPurpose::motion, steps_, static_cast<std::uint32_t>(i));
-        particles_[i].pose = robot_.sample(particles_[i].pose, increment, random);
+        const ProposedPose drawn = proposal_->draw(particles_[i].pose, random);
+        particles_[i].pose = drawn.pose;
+        particles_[i].log_weight += drawn.log_weight;
     });
 }
 
@@ -200,8 +200,8 @@ void FiltroParticulas::remember_poses() {
 
 void FiltroParticulas::resample() {
     if (!resampler_->wants(statistics_.neff)) return;
-    const double start = RandomStream(seed_, RandomPurpose::resampling, steps_, 0).uniform();
-    low_variance_selection(weights_, start, selected_);
+    RandomStream random(seed_, RandomPurpose::resampling, steps_, 0);
+    resampling_->select(weights_, random, selected_);
 
     resampled_.clear();
     std::size_t new_best = 0;
@@ -233,7 +233,8 @@ void FiltroParticulas::resample() {
 
 LandmarkMap FiltroParticulas::best_map() const {
     LandmarkMap map;
-    map.reserve(static_cast<std::size_t>(best_lines()) + static_cast<std::size_t>(best_corners()));
+    map.reserve(
+        static_cast<std::size_t>(best_count(FeatureKind::line) + best_count(FeatureKind::corner)));
     const auto add = [&map](const auto& landmarks) {
         for (std::size_t i = 0; i < landmarks.size(); ++i) {
             const auto estimate = landmarks.get(i);
@@ -249,12 +250,10 @@ std::vector<Pose> FiltroParticulas::best_history() const {
     return history_.path(particles_[best_].history);
 }
 
-int FiltroParticulas::best_lines() const {
-    return static_cast<int>(maps_.lines(particles_[best_].map).size());
-}
-
-int FiltroParticulas::best_corners() const {
-    return static_cast<int>(maps_.corners(particles_[best_].map).size());
+int FiltroParticulas::best_count(FeatureKind kind) const {
+    const MapStore::Handle map = particles_[best_].map;
+    return static_cast<int>(kind == FeatureKind::line ? maps_.lines(map).size()
+                                                      : maps_.corners(map).size());
 }
 
 std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
@@ -296,6 +295,25 @@ void FiltroParticulas::for_each(std::size_t count, std::size_t work_each, const 
                               for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
                           });
     });
+}
+
+SlamAlgorithmEntry fastslam_algorithm() {
+    SlamAlgorithmEntry entry;
+    entry.word = "fastslam";
+    entry.label = HITOS_TEXT("ParameterChoice", "FastSLAM 1.0");
+    entry.purpose = "particles with one small filter per landmark";
+    entry.reads = {"filter.particles",
+                   "filter.proposal",
+                   "association.method",
+                   "association.p0",
+                   "association.gate_probability",
+                   "resampling.rule",
+                   "resampling.neff_threshold",
+                   "resampling.method"};
+    entry.make = [](const FilterParams& params, std::uint64_t seed, int threads) {
+        return std::make_unique<FiltroParticulas>(params, seed, threads);
+    };
+    return entry;
 }
 
 }  // namespace hitos

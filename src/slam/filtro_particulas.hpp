@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "association.hpp"
+#include "hitos/slam/filters.hpp"
 #include "hitos/slam/params.hpp"
+#include "hitos/slam/proposal.hpp"
 #include "hitos/slam/resampler.hpp"
-#include "hitos/slam/robot.hpp"
-#include "hitos/slam/slam_filter.hpp"
 #include "map_store.hpp"
 #include "pose_history.hpp"
 
@@ -33,14 +33,13 @@ class FiltroParticulas final : public SlamFilter {
   public:
     FiltroParticulas(const FilterParams& params, std::uint64_t seed, int threads);
 
-    void step(std::span<const Control> controls, const Observation& observation) override;
+    void step(const SlamInput& input) override;
 
     std::uint64_t steps() const override { return steps_; }
     Pose best_pose() const override { return particles_[best_].pose; }
     LandmarkMap best_map() const override;
     std::vector<Pose> best_history() const override;
-    int best_lines() const override;
-    int best_corners() const override;
+    int best_count(FeatureKind kind) const override;
     std::span<const Association> associations() const override { return associations_; }
     std::vector<WeightedPose> hypotheses() const override;
     FilterStatistics statistics() const override { return statistics_; }
@@ -51,7 +50,7 @@ class FiltroParticulas final : public SlamFilter {
     std::size_t history_nodes() const { return history_.size(); }
 
   private:
-    void predict(const MotionIncrement& increment);
+    void propose(const SlamInput& input);
     void detach_maps();
     void associate(const Particula& particle, std::span<Decision> decisions) const;
     void update(Particula& particle, std::span<Decision> decisions);
@@ -67,9 +66,10 @@ class FiltroParticulas final : public SlamFilter {
 
     FilterParams params_;
     std::uint64_t seed_;
-    Robot robot_;
+    std::unique_ptr<Proposal> proposal_;
     Associator associator_;
     std::unique_ptr<Resampler> resampler_;
+    std::unique_ptr<ResamplingMethod> resampling_;
     std::optional<tbb::global_control> more_threads_;  // where more than the machine has are asked
     tbb::task_arena arena_;
 
@@ -92,5 +92,8 @@ class FiltroParticulas final : public SlamFilter {
     std::vector<Particula> resampled_;
     std::vector<std::pair<MapStore::Handle, MapStore::Handle>> copies_;
 };
+
+/// "fastslam".
+SlamAlgorithmEntry fastslam_algorithm();
 
 }  // namespace hitos

@@ -67,10 +67,10 @@ Field make_field(int landmarks) {
 }
 
 /// A filter whose map already holds the whole field, seen from the robot's first place.
-std::unique_ptr<SlamFilter> filter_with_map(const Field& field, SlamAlgorithm algorithm) {
+std::unique_ptr<SlamFilter> filter_with_map(const Field& field, const char* algorithm) {
     FilterParams params;
     params.algorithm = algorithm;
-    params.motion.model = MotionModel::proportional;
+    params.motion.model = "proportional";
     params.observation = {0.0004, 0.0001};
     auto filter = make_filter(params, 1, 1);
     const double middle = 0.5 * kSpacing * std::ceil(std::sqrt(field.corners.size()));
@@ -79,19 +79,21 @@ std::unique_ptr<SlamFilter> filter_with_map(const Field& field, SlamAlgorithm al
     for (const Esquina& corner : field.corners) {
         all.corners.push_back(transform(inverse(start), corner));
     }
-    filter->step({}, all);
+    filter->step({Scan{}, {}, all});
     return filter;
 }
 
-void step(benchmark::State& state, SlamAlgorithm algorithm) {
+void step(benchmark::State& state, const char* algorithm) {
     const Field field = make_field(static_cast<int>(state.range(0)));
     const auto filter = filter_with_map(field, algorithm);
+    const Scan scan;
     std::size_t k = 0;
     for (auto _ : state) {
-        filter->step(std::span(&field.controls[k], 1), field.observations[k]);
+        filter->step({scan, std::span(&field.controls[k], 1), field.observations[k]});
         k = (k + 1) % field.observations.size();
     }
-    state.counters["landmarks"] = filter->best_lines() + filter->best_corners();
+    state.counters["landmarks"] =
+        filter->best_count(FeatureKind::line) + filter->best_count(FeatureKind::corner);
     state.SetComplexityN(state.range(0));
 }
 
@@ -100,10 +102,8 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
     for (const int landmarks : {20, 50, 100, 200, 500, 1000}) benchmark->Arg(landmarks);
 }
 
-BENCHMARK_CAPTURE(step, ekf_slam, SlamAlgorithm::ekf_slam)
-    ->Apply(sizes)
-    ->Complexity(benchmark::oNSquared);
-BENCHMARK_CAPTURE(step, fastslam_100_particles, SlamAlgorithm::fastslam)
+BENCHMARK_CAPTURE(step, ekf_slam, "ekf-slam")->Apply(sizes)->Complexity(benchmark::oNSquared);
+BENCHMARK_CAPTURE(step, fastslam_100_particles, "fastslam")
     ->Apply(sizes)
     ->Complexity(benchmark::oN);
 

@@ -68,13 +68,14 @@ void extraction_and_filter(benchmark::State& state) {
     double landmarks = 0.0;
     for (auto _ : state) {
         const auto extractor = make_extractor(t.configuration.extraction);
-        const auto filter = make_fastslam(params, 1, static_cast<int>(state.range(1)));
+        const auto filter = make_filter(params, 1, static_cast<int>(state.range(1)));
         Observation seen;
         landmarks = 0.0;
         for (std::size_t i = 0; i < scans; ++i) {
             extractor->extract(t.scans[i], seen);
-            filter->step(t.controls[i], seen);
-            landmarks += filter->best_lines() + filter->best_corners();
+            filter->step({t.scans[i], t.controls[i], seen});
+            landmarks +=
+                filter->best_count(FeatureKind::line) + filter->best_count(FeatureKind::corner);
         }
         benchmark::DoNotOptimize(filter->best_pose());
     }
@@ -96,12 +97,12 @@ void segments(benchmark::State& state) {
     double noting = 0.0;
     double laying_out = 0.0;
     for (auto _ : state) {
-        const auto filter = make_fastslam(params, 1, 1);
+        const auto filter = make_filter(params, 1, 1);
         LineExtents extents;
         Observation seen;
         for (std::size_t i = 0; i < t.scans.size(); ++i) {
             extractor->extract(t.scans[i], seen);
-            filter->step(t.controls[i], seen);
+            filter->step({t.scans[i], t.controls[i], seen});
             const auto begin = std::chrono::steady_clock::now();
             extents.note(*filter, seen);
             noting +=

@@ -45,7 +45,7 @@ constexpr double kLaserSigma = 0.01;
 
 MotionParams motion_noise(double factor) {
     MotionParams motion;
-    motion.model = MotionModel::proportional;
+    motion.model = "proportional";
     motion.var_along_m2_per_m = 0.0005 * factor;
     motion.var_across_m2_per_m = 0.0001 * factor;
     // Not per radian: the filter would count the noise's own turns as the robot's.
@@ -63,20 +63,20 @@ struct Run {
 
 Run run_once(const Scenario& scenario, const SimulatedTour& tour, std::uint64_t seed) {
     FilterParams filter_params;
-    filter_params.algorithm = SlamAlgorithm::ekf_slam;
+    filter_params.algorithm = "ekf-slam";
     filter_params.motion = motion_noise(scenario.noise);
     filter_params.association.gate_probability = 0.999;
     filter_params.association.new_probability = 0.999999;
     ExtractionParams extraction;
     extraction.detect = scenario.detect;
-    extraction.method = LineMethod::ransac;
+    extraction.method = "ransac";
     extraction.lines.min_length_m = 0.4;
     extraction.lines.min_points = 9;
     extraction.covariance = scenario.covariance;
     extraction.point_sigma_m = kLaserSigma;
     const auto extractor = make_extractor(extraction, seed);
     const auto filter = make_filter(filter_params, seed, 1);
-    const Robot robot(filter_params.motion);
+    const auto robot = make_robot(filter_params.motion);
 
     Run run;
     Observation seen;
@@ -87,11 +87,12 @@ Run run_once(const Scenario& scenario, const SimulatedTour& tour, std::uint64_t 
             const Pose driven = between(tour.true_pose(k - 1), tour.true_pose(k));
             const Control exact{twist_between(driven, seconds), seconds};
             RandomStream random(seed, RandomPurpose::odometry_noise, k, 0);
-            const Pose told = robot.sample({}, sum_controls(std::span(&exact, 1)), random);
+            const Pose told = robot->sample({}, sum_controls(std::span(&exact, 1)), random);
             controls.push_back({twist_between(told, seconds), seconds});
         }
-        extractor->extract(tour.scan(k), seen);
-        filter->step(controls, seen);
+        const Scan scan = tour.scan(k);
+        extractor->extract(scan, seen);
+        filter->step({scan, controls, seen});
 
         const Pose truth = tour.true_pose(k);
         const Pose estimate = filter->best_pose();
@@ -102,7 +103,7 @@ Run run_once(const Scenario& scenario, const SimulatedTour& tour, std::uint64_t 
         run.nees.push_back(moved ? error.dot(covariance.ldlt().solve(error)) : std::nan(""));
         run.last_error_m = std::hypot(error(0), error(1));
     }
-    run.landmarks = filter->best_lines() + filter->best_corners();
+    run.landmarks = filter->best_count(FeatureKind::line) + filter->best_count(FeatureKind::corner);
     return run;
 }
 

@@ -251,11 +251,11 @@ void ConfigurationTest::what_the_models_do_not_use_is_grey() {
         emit choice->activated(place);
     };
     QVERIFY(enabled("filter.particles") && !enabled("association.new_probability"));
-    choose("filter.algorithm", static_cast<int>(SlamAlgorithm::ekf_slam));
+    choose("filter.algorithm", 1);
     QVERIFY(!enabled("filter.particles") && enabled("association.new_probability"));
     QVERIFY(!enabled("resampling.neff_threshold") && enabled("association.gate_probability"));
     QVERIFY(enabled("split_merge.dmax") && !enabled("ransac.threshold"));
-    choose("features.method", static_cast<int>(LineMethod::ransac));
+    choose("features.method", 1);
     QVERIFY(!enabled("split_merge.dmax") && enabled("ransac.threshold"));
     QVERIFY(enabled("observation.var_rho") && !enabled("observation.point_sigma"));
     choose("observation.covariance", static_cast<int>(ObservationCovariance::points));
@@ -379,14 +379,14 @@ void ConfigurationTest::a_mistake_that_becomes_unused_is_forgotten() {
         set_field(dialog, "filter.particles", "0");
         QVERIFY(!error_at(dialog, "filter.particles").isEmpty());
         auto* algorithm = dialog.findChild<QComboBox*>("field_filter.algorithm");
-        algorithm->setCurrentIndex(static_cast<int>(SlamAlgorithm::ekf_slam));
+        algorithm->setCurrentIndex(1);
         QVERIFY(!particles->isEnabled() && error_at(dialog, "filter.particles").isEmpty());
         QCOMPARE(particles->text(), QString("10"));
         press_ok(dialog);
     });
     f.prompts.confirms = {true};
     f.trigger("action_manual");
-    QCOMPARE(f.session.configuration().filter.algorithm, SlamAlgorithm::ekf_slam);
+    QCOMPARE(f.session.configuration().filter.algorithm, std::string("ekf-slam"));
 }
 
 }  // namespace hitos::window

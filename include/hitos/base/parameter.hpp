@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "hitos/base/registry.hpp"
-#include "hitos/base/translatable.hpp"
 
 namespace hitos {
 
@@ -239,7 +238,7 @@ void heed_readers(std::vector<Parameter<Owner>>& table, std::string_view key,
                 readers.push_back(entry.word);
             }
         }
-        if (readers.empty()) continue;
+        if (readers.empty() || readers.size() == registry.entries().size()) continue;
         // In front: what another choice needs matters only after this one.
         parameter.conditions.insert(parameter.conditions.begin(),
                                     declare::where(*chooser, std::move(readers)));

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "hitos/capture/scan.hpp"
@@ -81,9 +82,6 @@ struct RansacParams {
     int iterations = 200;         ///< most hypotheses tried for one line
 };
 
-/// Which method finds the lines.
-enum class LineMethod { split_merge, ransac };
-
 /// How sure an observation is.
 enum class ObservationCovariance {
     fixed,  ///< the observation model's variances, the same for every feature [T]
@@ -95,7 +93,7 @@ enum class Detection { lines, corners, both };
 
 struct ExtractionParams {
     Detection detect = Detection::both;
-    LineMethod method = LineMethod::split_merge;
+    std::string method = "split-merge";  ///< which finds the lines: a word of line_methods()
     LineParams lines;
     SplitMergeParams split_merge;
     RansacParams ransac;
@@ -103,14 +101,6 @@ struct ExtractionParams {
     double point_sigma_m = 0.01;     ///< for `points`: standard deviation of a range
     double common_sigma_m = 0.0;     ///< and of what all points of a line share
     double corner_distance_m = 0.1;  ///< greatest distance of a corner from both its lines [es]
-};
-
-/// The strategy that finds lines [T fig 9.7].
-class MetodoExtraccionRectas {
-  public:
-    virtual ~MetodoExtraccionRectas() = default;
-    /// Appends the lines of the scan and their points to `out`, which is otherwise left alone.
-    virtual void extract_lines(const Scan& scan, Observation& out) = 0;
 };
 
 /// Finds features in a scan. Not thread-safe: it keeps working memory between calls.

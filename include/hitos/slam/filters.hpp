@@ -1,24 +1,30 @@
-// The factories of the SLAM algorithms.
+// The SLAM algorithms and their factories.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
+#include "hitos/base/registry.hpp"
 #include "hitos/slam/params.hpp"
 #include "hitos/slam/slam_filter.hpp"
 
 namespace hitos {
 
-/// The algorithm that `params.algorithm` names. `threads` 0: as many as the machine has. Throws
-/// ConfigError for values out of range.
+/// An algorithm as parameters name it.
+struct SlamAlgorithmEntry : RegistryEntry {
+    /// `threads` 0: as many as the machine has. make_filter() has checked the ranges.
+    std::function<std::unique_ptr<SlamFilter>(const FilterParams&, std::uint64_t seed, int threads)>
+        make;
+};
+
+/// Those that the program knows: "fastslam", FastSLAM 1.0 [T table 3.2]; "ekf-slam" [P 4, 5], which
+/// draws nothing at random and works on the caller's thread; and what was added.
+Registry<SlamAlgorithmEntry>& slam_algorithms();
+
+/// The algorithm that `params.algorithm` names, as its entry makes it. Throws ConfigError for
+/// values out of range or impossible together.
 std::unique_ptr<SlamFilter> make_filter(const FilterParams& params, std::uint64_t seed,
                                         int threads);
-
-/// FastSLAM 1.0 [T table 3.2].
-std::unique_ptr<SlamFilter> make_fastslam(const FilterParams& params, std::uint64_t seed,
-                                          int threads);
-
-/// EKF-SLAM [P 4, 5]; it draws nothing at random and works on the caller's thread.
-std::unique_ptr<SlamFilter> make_ekf_slam(const FilterParams& params);
 
 }  // namespace hitos

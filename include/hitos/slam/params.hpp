@@ -1,22 +1,15 @@
 // Parameters of the filters, one struct per part; SPEC §5.
 #pragma once
 
-#include <cstdint>
+#include <string>
 
 namespace hitos {
-
-/// How the robot's motion is modelled [SPEC §5].
-enum class MotionModel {
-    odometry,     ///< "Diferencial con odometría": controls plus noise of constant sigma
-    no_odometry,  ///< "Diferencial sin odometría": controls ignored, particles only spread
-    proportional  ///< controls plus noise whose variance grows with the motion
-};
 
 /// Noise is drawn once per filter step (between two scans), never at the first scan and never
 /// where the controls are zero. The thesis calls its numbers variances; read as standard
 /// deviations they give its results (docs/algorithm.md), so sigmas they are here.
 struct MotionParams {
-    MotionModel model = MotionModel::odometry;
+    std::string model = "odometry";        ///< a word of motion_models()
     double sigma_x_m = 0.008;              ///< world x, per step
     double sigma_y_m = 0.008;              ///< world y, per step
     double sigma_theta_rad = 0.008;        ///< heading, per step
@@ -59,19 +52,15 @@ enum class ResamplingRule { always, neff };
 
 struct ResamplingParams {
     ResamplingRule rule = ResamplingRule::always;
-    double neff_threshold = 50.0;  ///< effective particles below which `neff` resamples
-};
-
-/// Which algorithm builds the map.
-enum class SlamAlgorithm {
-    fastslam,  ///< FastSLAM 1.0 [T ch. 3]
-    ekf_slam   ///< one Gaussian over pose and landmarks [P 4, 5]
+    double neff_threshold = 50.0;         ///< effective particles below which `neff` resamples
+    std::string method = "low-variance";  ///< a word of resampling_methods()
 };
 
 /// Parameters of all algorithms; each one reads those that concern it.
 struct FilterParams {
-    SlamAlgorithm algorithm = SlamAlgorithm::fastslam;
+    std::string algorithm = "fastslam";  ///< a word of slam_algorithms()
     int particles = 100;
+    std::string proposal = "motion";  ///< a word of proposals(): where particles draw their poses
     MotionParams motion;
     ObservationParams observation;
     AssociationParams association;

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "hitos/base/random_stream.hpp"
+#include "hitos/base/registry.hpp"
 #include "hitos/slam/params.hpp"
 
 namespace hitos {
@@ -16,12 +19,7 @@ void normalize_log_weights(std::span<const double> log_weights, std::vector<doub
 /// Effective number of particles, 1 / sum of squares of normalised weights [T eq 6.14, table 6.4].
 double effective_particles(std::span<const double> weights);
 
-/// Low-variance (systematic) selection [T table 6.2]: which particle each of M new ones copies, in
-/// ascending order; `start` in [0, 1) is the draw r in units of 1/M. The weights sum to 1.
-void low_variance_selection(std::span<const double> weights, double start,
-                            std::vector<std::uint32_t>& selected);
-
-/// Decides when; the method is low-variance selection.
+/// Decides when [T 9.2.4].
 class Resampler {
   public:
     virtual ~Resampler() = default;
@@ -45,5 +43,25 @@ class ResamplerNeff final : public Resampler {
 };
 
 std::unique_ptr<Resampler> make_resampler(const ResamplingParams& params);
+
+/// Decides which particles are copied, and how often. A method is unbiased: of M particles one of
+/// weight w is copied M w times in the mean, and never where w is 0.
+class ResamplingMethod {
+  public:
+    virtual ~ResamplingMethod() = default;
+    /// Which particle each of M new ones copies, in ascending order; M is the number of `weights`,
+    /// which sum to 1.
+    virtual void select(std::span<const double> weights, RandomStream& random,
+                        std::vector<std::uint32_t>& selected) const = 0;
+};
+
+/// A resampling method as parameters name it.
+struct ResamplingMethodEntry : RegistryEntry {
+    std::function<std::unique_ptr<ResamplingMethod>(const ResamplingParams&)> make;
+};
+
+/// Those that the program knows: "low-variance", "stratified", "residual", "multinomial" and what
+/// was added.
+Registry<ResamplingMethodEntry>& resampling_methods();
 
 }  // namespace hitos

@@ -1,11 +1,13 @@
-// Motion model of a differential robot [T 7.4.1].
+// Motion models of a robot: one class each [T 7.4.1, 9.2.4].
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <functional>
+#include <memory>
 #include <span>
 
 #include "hitos/base/random_stream.hpp"
+#include "hitos/base/registry.hpp"
 #include "hitos/features/control.hpp"
 #include "hitos/slam/params.hpp"
 
@@ -22,33 +24,39 @@ struct MotionIncrement {
 /// Sums the controls by [T eq 7.17] (its straight-line limit included).
 MotionIncrement sum_controls(std::span<const Control> controls);
 
-/// The motion model with its noise; a const value.
+/// A motion model with its noise; a const object that gives functions, shared by all threads.
+/// Poses are of the robot in the world.
 class Robot {
   public:
-    explicit Robot(const MotionParams& params);
-
-    /// Draws the pose after the increment [T eq 7.18]. The noise is drawn once per call, and not
-    /// at all where the robot did not move (but always with `no_odometry`, whose controls mean
-    /// nothing). `odometry` noise is added in world axes, `proportional` noise along and across
-    /// the mean heading of the step.
-    Pose sample(const Pose& pose_world_robot, const MotionIncrement& increment,
-                RandomStream& random) const;
+    virtual ~Robot() = default;
 
     /// The pose after the increment without noise.
-    Pose mean(const Pose& pose_world_robot, const MotionIncrement& increment) const;
+    virtual Pose mean(const Pose& pose, const MotionIncrement& increment) const = 0;
 
-    /// d(mean)/d(x, y, theta) [P eq 13].
-    Eigen::Matrix3d jacobian(const Pose& pose_world_robot, const MotionIncrement& increment) const;
+    /// Draws the pose after the increment [T eq 7.18]. The noise is drawn once per call, and not
+    /// at all where the model says that the robot did not move.
+    virtual Pose sample(const Pose& pose, const MotionIncrement& increment,
+                        RandomStream& random) const = 0;
+
+    /// d(mean)/d(x, y, theta) [P eq 13], as it is where mean() carries the pose on by a
+    /// displacement in the robot's own frame; another mean needs another Jacobian.
+    virtual Eigen::Matrix3d jacobian(const Pose& pose, const MotionIncrement& increment) const;
 
     /// Covariance of what sample() adds to mean(), of (x, y, theta) in world axes [m, m, rad]
     /// [P eq 11, 14].
-    Eigen::Matrix3d noise_covariance(const Pose& pose_world_robot,
-                                     const MotionIncrement& increment) const;
-
-  private:
-    bool moves(const MotionIncrement& increment) const;
-
-    MotionParams params_;
+    virtual Eigen::Matrix3d noise_covariance(const Pose& pose,
+                                             const MotionIncrement& increment) const = 0;
 };
+
+/// A motion model as parameters name it.
+struct MotionModelEntry : RegistryEntry {
+    std::function<std::unique_ptr<Robot>(const MotionParams&)> make;
+};
+
+/// Those that the program knows: "odometry", "no-odometry", "proportional" and what was added.
+Registry<MotionModelEntry>& motion_models();
+
+/// The robot that `params.model` names. Throws ConfigError for a word that is not known.
+std::unique_ptr<Robot> make_robot(const MotionParams& params);
 
 }  // namespace hitos

@@ -32,13 +32,21 @@ struct FilterStatistics {
     bool resampled = false;
 };
 
-/// One algorithm, fed step by step with the controls since the last scan and what the scan shows.
+/// What a step takes: the scan, the controls from the scan before to this one, and what was found
+/// in the scan, in the robot frame.
+struct SlamInput {
+    const Scan& scan;
+    std::span<const Control> controls;
+    const Observation& observation;
+};
+
+/// One algorithm, fed step by step.
 class SlamFilter {
   public:
     virtual ~SlamFilter() = default;
 
     /// One scan. Deterministic: the result depends on the seed, not on the number of threads.
-    virtual void step(std::span<const Control> controls, const Observation& observation) = 0;
+    virtual void step(const SlamInput& input) = 0;
 
     virtual std::uint64_t steps() const = 0;
     /// The best hypothesis (greatest weight before resampling): pose in the world, map (lines
@@ -47,8 +55,7 @@ class SlamFilter {
     virtual LandmarkMap best_map() const = 0;
     virtual std::vector<Pose> best_history() const = 0;
     /// Landmarks of the best hypothesis without building its map.
-    virtual int best_lines() const = 0;
-    virtual int best_corners() const = 0;
+    virtual int best_count(FeatureKind kind) const = 0;
     /// What the best hypothesis made of the last observation.
     virtual std::span<const Association> associations() const = 0;
     /// All hypotheses, after resampling.

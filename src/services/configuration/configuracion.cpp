@@ -60,8 +60,8 @@ void check(const Configuracion& configuration) {
     check(configuration.filter);
 
     const MotionParams& motion = configuration.filter.motion;
-    if (motion.model == MotionModel::no_odometry && motion.sigma_x_m == 0.0 &&
-        motion.sigma_y_m == 0.0 && motion.sigma_theta_rad == 0.0) {
+    if (motion.model == "no-odometry" && motion.sigma_x_m == 0.0 && motion.sigma_y_m == 0.0 &&
+        motion.sigma_theta_rad == 0.0) {
         throw ConfigError("motion.model",
                           "no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta "
                           "all 0 can never move; give at least one of them a value above 0");

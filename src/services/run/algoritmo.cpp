@@ -60,7 +60,7 @@ bool Algoritmo::step() {
     scan_ = std::move(*scan);
     controls_->controls_until(scan_, step_controls_);
     extractor_->extract(scan_, observation_);
-    filter_->step(step_controls_, observation_);
+    filter_->step({scan_, step_controls_, observation_});
     line_extents_.note(*filter_, observation_);
     if (options_.uncertainty) uncertainty_.note(scan_.time_s, filter_->best_map());
 

@@ -11,6 +11,7 @@
 #include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/services/maps/picture_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
+#include "hitos/slam/filters.hpp"
 #include "version.hpp"
 
 namespace hitos {
@@ -76,10 +77,11 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
     summary.duration_s = run.duration_s();
     summary.algorithm = find_parameter("filter.algorithm").text(run.configuration());
     const FilterParams& filter = run.configuration().filter;
-    summary.particles = filter.algorithm == SlamAlgorithm::fastslam ? filter.particles : 0;
+    summary.particles =
+        slam_algorithms().reads(filter.algorithm, "filter.particles") ? filter.particles : 0;
     summary.seed = run.configuration().run.seed;
-    summary.lines = run.filter().best_lines();
-    summary.corners = run.filter().best_corners();
+    summary.lines = run.filter().best_count(FeatureKind::line);
+    summary.corners = run.filter().best_count(FeatureKind::corner);
     summary.report = run.report();
     const LandmarkMap map = run.filter().best_map();
     if (references.map) {

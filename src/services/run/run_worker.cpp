@@ -184,8 +184,8 @@ void RunWorker::note_progress() {
     progress_.fraction = run_.fuente().progress();
     progress_.time_s = run_.scan().time_s;
     progress_.duration_s = run_.duration_s();
-    progress_.lines = run_.filter().best_lines();
-    progress_.corners = run_.filter().best_corners();
+    progress_.lines = run_.filter().best_count(FeatureKind::line);
+    progress_.corners = run_.filter().best_count(FeatureKind::corner);
     progress_.statistics = run_.filter().statistics();
     progress_.skipped_lines = run_.report().skipped;
     const auto now = std::chrono::steady_clock::now();

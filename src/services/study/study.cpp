@@ -148,8 +148,8 @@ class Crew {
         write_map(map, map_file);
         record.map_digest = study::Digest().add_file(map_file).text();
         record.scans = run.steps();
-        record.lines = run.filter().best_lines();
-        record.corners = run.filter().best_corners();
+        record.lines = run.filter().best_count(FeatureKind::line);
+        record.corners = run.filter().best_count(FeatureKind::corner);
         if (const auto error = map_error(map, study.reference)) {
             record.error_m = error->mean_m;
             record.reference_found = error->reference_found;

@@ -8,7 +8,7 @@ namespace {
 
 ExtractionParams ransac_params() {
     ExtractionParams params;
-    params.method = LineMethod::ransac;
+    params.method = "ransac";
     return params;
 }
 

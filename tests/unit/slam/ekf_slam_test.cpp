@@ -17,7 +17,7 @@ using Eigen::MatrixXd;
 
 FilterParams ekf_params() {
     FilterParams params;
-    params.algorithm = SlamAlgorithm::ekf_slam;
+    params.algorithm = "ekf-slam";
     return params;
 }
 
@@ -25,7 +25,7 @@ void compare_with_slow(const FilterParams& params, const Tour& tour) {
     EkfSlam fast(params);
     SlowEkfSlam slow(params);
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-        fast.step(tour.controls[k], tour.observations[k]);
+        feed(fast, tour.controls[k], tour.observations[k]);
         slow.step(tour.controls[k], tour.observations[k]);
         const MatrixXd covariance = fast.covariance();
         ASSERT_EQ(covariance.rows(), slow.covariance().rows()) << "step " << k;
@@ -34,8 +34,8 @@ void compare_with_slow(const FilterParams& params, const Tour& tour) {
         ASSERT_NEAR(wrap_angle(fast.best_pose().theta - slow.pose().theta), 0.0, 1e-6);
         ASSERT_LT((covariance - slow.covariance()).cwiseAbs().maxCoeff(), 1e-6) << "step " << k;
     }
-    EXPECT_GE(fast.best_lines(), 3);
-    EXPECT_GE(fast.best_corners(), 3);
+    EXPECT_GE(fast.best_count(FeatureKind::line), 3);
+    EXPECT_GE(fast.best_count(FeatureKind::corner), 3);
 }
 
 TEST(EkfSlam, EqualsTheTextbook) {
@@ -44,7 +44,7 @@ TEST(EkfSlam, EqualsTheTextbook) {
 
 TEST(EkfSlam, EqualsTheTextbookWithProportionalNoise) {
     FilterParams params = ekf_params();
-    params.motion.model = MotionModel::proportional;
+    params.motion.model = "proportional";
     params.observation = {0.001, 0.0001};
     compare_with_slow(params, make_tour(120, 0.1));
 }
@@ -55,7 +55,7 @@ TEST(EkfSlam, EqualsTheTextbookWithCovariancesOfItsOwnForEveryFeature) {
 
 TEST(EkfSlam, EqualsTheTextbookWithoutOdometry) {
     FilterParams params = ekf_params();
-    params.motion = {MotionModel::no_odometry, 0.1, 0.1, 0.05};
+    params.motion = {"no-odometry", 0.1, 0.1, 0.05};
     compare_with_slow(params, make_tour(60, 0.1));
 }
 
@@ -65,12 +65,12 @@ TEST(EkfSlam, MapsTheRoom) {
     double odometry_error = 0.0;
     Pose odometry;
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-        filter.step(tour.controls[k], tour.observations[k]);
-        odometry = Robot(MotionParams{}).mean(odometry, sum_controls(tour.controls[k]));
+        feed(filter, tour.controls[k], tour.observations[k]);
+        odometry = make_robot(MotionParams{})->mean(odometry, sum_controls(tour.controls[k]));
         odometry_error = std::hypot(odometry.x - tour.truth[k].x, odometry.y - tour.truth[k].y);
     }
-    EXPECT_EQ(filter.best_lines(), 4);
-    EXPECT_EQ(filter.best_corners(), 4);
+    EXPECT_EQ(filter.best_count(FeatureKind::line), 4);
+    EXPECT_EQ(filter.best_count(FeatureKind::corner), 4);
     const double error = std::hypot(filter.best_pose().x - tour.truth.back().x,
                                     filter.best_pose().y - tour.truth.back().y);
     EXPECT_LT(error, 0.1);
@@ -88,19 +88,19 @@ TEST(EkfSlam, MapsTheRoom) {
 TEST(EkfSlam, CovarianceIsPositiveAfterTenThousandSteps) {  // symmetric it is by construction
     const Tour tour = make_tour(10000, 0.1);
     FilterParams params = ekf_params();
-    params.motion.model = MotionModel::proportional;
+    params.motion.model = "proportional";
     params.observation = {1e-4, 1e-5};
     EkfSlam filter(params);
     double least = 1e300;
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-        filter.step(tour.controls[k], tour.observations[k]);
+        feed(filter, tour.controls[k], tour.observations[k]);
         if (k % 500 != 499) continue;
         const MatrixXd covariance = filter.covariance();
         const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(covariance);
         least = std::min(least, solver.eigenvalues().minCoeff());
     }
     EXPECT_EQ(filter.steps(), 10000U);
-    EXPECT_GT(filter.best_lines() + filter.best_corners(), 7);
+    EXPECT_GT(filter.best_count(FeatureKind::line) + filter.best_count(FeatureKind::corner), 7);
     EXPECT_GT(least, 0.0);
 }
 
@@ -108,16 +108,16 @@ TEST(EkfSlam, ALandmarkIsNeverSurerThanTheStartAllows) {
     // A robot that is unsure of its place when it first sees a wall never gets to know the wall
     // better than that: the landmarks' limit covariance (Dissanayake et al., 2001).
     FilterParams params = ekf_params();
-    params.motion = {MotionModel::odometry, 0.2, 0.2, 0.0};
+    params.motion = {"odometry", 0.2, 0.2, 0.0};
     params.observation = {1e-4, 1e-6};
     params.association.ambiguity = AmbiguityRule::off;
     EkfSlam filter(params);
-    filter.step({}, {});
+    feed(filter, {}, Observation{});
     const Control control{{0.1, 0.0, 0.0}, 1.0};
-    filter.step(std::span(&control, 1), {});  // now unsure by 0.2 m
+    feed(filter, std::span(&control, 1), Observation{});  // now unsure by 0.2 m
     Observation seen;
     seen.lines.push_back({{3.0, 0.0}, 0, 0});
-    for (int k = 0; k < 200; ++k) filter.step({}, seen);
+    for (int k = 0; k < 200; ++k) feed(filter, {}, seen);
     const double var_rho = filter.best_map().at(0).covariance(0, 0);
     EXPECT_GE(var_rho, 0.04);
     EXPECT_LT(var_rho, 0.04 + 1e-4);
@@ -131,12 +131,12 @@ TEST(EkfSlam, GatesPartMatchedIgnoredAndNew) {
         Observation seen;
         seen.lines.push_back({{rho, 0.0}, 0, 0});
         EkfSlam copy = filter;
-        copy.step({}, seen);
+        feed(copy, {}, seen);
         return copy.associations()[0].outcome;
     };
     Observation seen;
     seen.lines.push_back({{3.0, 0.0}, 0, 0});
-    filter.step({}, seen);
+    feed(filter, {}, seen);
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::created);
     const double sigma = std::sqrt(0.02);
     // Square roots of the chi-square gates with 2 degrees of freedom: 2.448 and 4.292.
@@ -157,15 +157,15 @@ TEST(EkfSlam, AnAmbiguousObservationChangesNoLandmark) {
         Observation walls;
         walls.lines.push_back({{3.0, 0.0}, 0, 0});
         walls.lines.push_back({{3.4, 0.0}, 0, 0});
-        filter.step({}, walls);
-        ASSERT_EQ(filter.best_lines(), 2);
+        feed(filter, {}, walls);
+        ASSERT_EQ(filter.best_count(FeatureKind::line), 2);
         Observation between;
         between.lines.push_back({{3.21, 0.0}, 0, 0});
-        filter.step({}, between);
+        feed(filter, {}, between);
         EXPECT_EQ(filter.associations()[0].outcome, rule == AmbiguityRule::off
                                                         ? Association::Outcome::matched
                                                         : Association::Outcome::ignored);
-        EXPECT_EQ(filter.best_lines(), 2);
+        EXPECT_EQ(filter.best_count(FeatureKind::line), 2);
     }
 }
 
@@ -173,25 +173,26 @@ TEST(EkfSlam, VariancesNextToNothingBreakNothing) {
     // Far below what doubles can tell apart beside the pose's variance.
     FilterParams params = ekf_params();
     params.observation = {1e-12, 1e-12};
-    params.motion = {MotionModel::odometry, 1.0, 1.0, 0.5};
+    params.motion = {"odometry", 1.0, 1.0, 0.5};
     const Tour tour = make_tour(400, 0.1);
     EkfSlam filter(params);
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-        filter.step(tour.controls[k], tour.observations[k]);
+        feed(filter, tour.controls[k], tour.observations[k]);
     }
     EXPECT_TRUE(std::isfinite(filter.best_pose().x));
     EXPECT_TRUE(filter.covariance().allFinite());
-    EXPECT_LT(filter.best_lines() + filter.best_corners(), 2500);  // what was seen: 1,800 or so
+    EXPECT_LT(filter.best_count(FeatureKind::line) + filter.best_count(FeatureKind::corner),
+              2500);  // what was seen: 1,800 or so
 }
 
 TEST(EkfSlam, AssociationsPointIntoTheMap) {
     EkfSlam filter(ekf_params());
     Observation seen;
     seen.corners.push_back({2.0, 2.0});
-    filter.step({}, seen);
+    feed(filter, {}, seen);
     EXPECT_EQ(filter.associations()[0].landmark, 0);
     seen.lines.push_back({{4.0, 1.0}, 0, 0});  // lines come first in the map
-    filter.step({}, seen);
+    feed(filter, {}, seen);
     ASSERT_EQ(filter.associations().size(), 2U);
     const LandmarkMap map = filter.best_map();
     for (const Association& association : filter.associations()) {

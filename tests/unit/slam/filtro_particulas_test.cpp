@@ -7,6 +7,8 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/slam/filters.hpp"
+#include "hitos/slam/robot.hpp"
+#include "resampling/methods.hpp"
 #include "room_tour.hpp"
 
 namespace hitos {
@@ -25,15 +27,15 @@ class SlowFastSlam {
     SlowFastSlam(const FilterParams& params, std::uint64_t seed)
         : params_(params),
           seed_(seed),
-          robot_(params.motion),
+          robot_(make_robot(params.motion)),
           particles_(static_cast<std::size_t>(params.particles)) {}
 
     void step(const std::vector<Control>& controls, const Observation& observation) {
         const MotionIncrement increment = sum_controls(controls);
         for (std::size_t i = 0; i < particles_.size(); ++i) {
             RandomStream random(seed_, RandomPurpose::motion, step_, static_cast<std::uint32_t>(i));
-            particles_[i].pose = step_ == 0 ? robot_.mean(particles_[i].pose, increment)
-                                            : robot_.sample(particles_[i].pose, increment, random);
+            particles_[i].pose = step_ == 0 ? robot_->mean(particles_[i].pose, increment)
+                                            : robot_->sample(particles_[i].pose, increment, random);
             particles_[i].path.push_back(particles_[i].pose);
         }
         if (!observation.empty()) {
@@ -147,7 +149,7 @@ class SlowFastSlam {
 
     FilterParams params_;
     std::uint64_t seed_;
-    Robot robot_;
+    std::unique_ptr<Robot> robot_;
     std::uint64_t step_ = 0;
     std::vector<Particle> particles_;
     Particle best_;
@@ -157,13 +159,15 @@ void compare_with_slow(const FilterParams& params, const Tour& tour = make_tour(
     FiltroParticulas fast(params, 5, 1);
     SlowFastSlam slow(params, 5);
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-        fast.step(tour.controls[k], tour.observations[k]);
+        feed(fast, tour.controls[k], tour.observations[k]);
         slow.step(tour.controls[k], tour.observations[k]);
         if (tour.observations[k].empty()) continue;
         const auto& best = slow.best();
         const LandmarkMap map = fast.best_map();
-        ASSERT_EQ(static_cast<std::size_t>(fast.best_lines()), best.lines.size()) << "step " << k;
-        ASSERT_EQ(static_cast<std::size_t>(fast.best_corners()), best.corners.size());
+        ASSERT_EQ(static_cast<std::size_t>(fast.best_count(FeatureKind::line)), best.lines.size())
+            << "step " << k;
+        ASSERT_EQ(static_cast<std::size_t>(fast.best_count(FeatureKind::corner)),
+                  best.corners.size());
         ASSERT_NEAR(fast.best_pose().x, best.pose.x, 1e-6);
         ASSERT_NEAR(fast.best_pose().theta, best.pose.theta, 1e-6);
         for (std::size_t i = 0; i < best.lines.size(); ++i) {
@@ -195,7 +199,7 @@ TEST(FiltroParticulas, EqualsTheSlowAlgorithmWithNeff) {
 
 TEST(FiltroParticulas, EqualsTheSlowAlgorithmWithProportionalNoise) {
     FilterParams params = room_params(40);
-    params.motion.model = MotionModel::proportional;
+    params.motion.model = "proportional";
     params.observation = {0.001, 0.0001};
     compare_with_slow(params);
 }
@@ -210,7 +214,7 @@ TEST(FiltroParticulas, PoseCovarianceIsThatOfTheHypotheses) {
     params.resampling = {ResamplingRule::neff, 0.0};  // never: the weights stay unequal
     FiltroParticulas filter(params, 1, 1);
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-        filter.step(tour.controls[k], tour.observations[k]);
+        feed(filter, tour.controls[k], tour.observations[k]);
     }
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const WeightedPose& h : filter.hypotheses()) {
@@ -229,10 +233,10 @@ TEST(FiltroParticulas, MapsTheRoom) {
     const Tour tour = make_tour(300, 0.1);
     FiltroParticulas filter(room_params(100), 1, 1);
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-        filter.step(tour.controls[k], tour.observations[k]);
+        feed(filter, tour.controls[k], tour.observations[k]);
     }
-    EXPECT_EQ(filter.best_lines(), 4);
-    EXPECT_EQ(filter.best_corners(), 4);
+    EXPECT_EQ(filter.best_count(FeatureKind::line), 4);
+    EXPECT_EQ(filter.best_count(FeatureKind::corner), 4);
     EXPECT_NEAR(filter.best_pose().x, tour.truth.back().x, 0.2);
     EXPECT_NEAR(filter.best_pose().y, tour.truth.back().y, 0.2);
     for (const ICaracteristica& landmark : filter.best_map()) {
@@ -252,7 +256,7 @@ TEST(FiltroParticulas, SameBitsForAnyNumberOfThreads) {
     for (const int threads : {1, 2, 7}) {
         FiltroParticulas filter(params, 3, threads);
         for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-            filter.step(tour.controls[k], tour.observations[k]);
+            feed(filter, tour.controls[k], tour.observations[k]);
         }
         histories.push_back(filter.best_history());
         maps.push_back(filter.best_map());
@@ -272,8 +276,8 @@ TEST(FiltroParticulas, AnotherSeedIsAnotherRun) {
     FiltroParticulas a(room_params(50), 1, 1);
     FiltroParticulas b(room_params(50), 2, 1);
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-        a.step(tour.controls[k], tour.observations[k]);
-        b.step(tour.controls[k], tour.observations[k]);
+        feed(a, tour.controls[k], tour.observations[k]);
+        feed(b, tour.controls[k], tour.observations[k]);
     }
     EXPECT_NE(a.best_pose(), b.best_pose());
 }
@@ -282,16 +286,16 @@ TEST(FiltroParticulas, TheFirstScanAndRestDrawNoNoise) {
     FiltroParticulas filter(room_params(20), 1, 1);
     Observation seen;
     seen.lines.push_back({{3.0, 0.2}, 0, 0});
-    for (int k = 0; k < 5; ++k) filter.step({}, seen);
+    for (int k = 0; k < 5; ++k) feed(filter, {}, seen);
     for (const WeightedPose& hypothesis : filter.hypotheses()) EXPECT_EQ(hypothesis.pose, Pose{});
-    EXPECT_EQ(filter.best_lines(), 1);
+    EXPECT_EQ(filter.best_count(FeatureKind::line), 1);
 }
 
 TEST(FiltroParticulas, NothingObservedMeansNothingResampled) {
     const Tour tour = make_tour(20, 0.1);
     FiltroParticulas filter(room_params(20), 1, 1);
     for (int k = 0; k < 10; ++k)
-        filter.step(tour.controls[static_cast<std::size_t>(k)], Observation{});
+        feed(filter, tour.controls[static_cast<std::size_t>(k)], Observation{});
     EXPECT_FALSE(filter.statistics().resampled);
     EXPECT_EQ(filter.steps(), 10U);
     EXPECT_EQ(filter.best_history().size(), 10U);
@@ -306,7 +310,7 @@ TEST(FiltroParticulas, MemoryDoesNotGrowWithCopies) {
     const Tour tour = make_tour(400, 0.1);
     FiltroParticulas filter(room_params(100), 1, 1);
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-        filter.step(tour.controls[k], tour.observations[k]);
+        feed(filter, tour.controls[k], tour.observations[k]);
     }
     EXPECT_LE(filter.map_blocks(), 101U);
     EXPECT_LT(filter.history_nodes(), 400U + 100U * 60U);  // 40,000 without sharing
@@ -317,22 +321,22 @@ TEST(FiltroParticulas, AssociationsOfTheBestAreTold) {
     Observation seen;
     seen.lines.push_back({{3.0, 0.2}, 0, 0});
     seen.corners.push_back({2.0, 1.0});
-    filter.step({}, seen);
+    feed(filter, {}, seen);
     ASSERT_EQ(filter.associations().size(), 2U);
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::created);
     EXPECT_EQ(filter.associations()[1].kind, FeatureKind::corner);
     EXPECT_EQ(filter.associations()[1].landmark, 1);
-    filter.step({}, seen);
+    feed(filter, {}, seen);
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::matched);
     EXPECT_EQ(filter.associations()[0].landmark, 0);
     EXPECT_EQ(filter.associations()[1].landmark, 1);
 }
 
 TEST(FiltroParticulas, RefusesImpossibleParameters) {
-    EXPECT_THROW(make_fastslam(room_params(0), 1, 1), ConfigError);
+    EXPECT_THROW(make_filter(room_params(0), 1, 1), ConfigError);
     FilterParams params = room_params(1);
     params.association.p0 = 0.0;
-    EXPECT_THROW(make_fastslam(params, 1, 1), ConfigError);
+    EXPECT_THROW(make_filter(params, 1, 1), ConfigError);
 }
 
 }  // namespace

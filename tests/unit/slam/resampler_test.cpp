@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "resampling/methods.hpp"
+
 namespace hitos {
 namespace {
 

@@ -13,11 +13,11 @@ Pose thesis_motion(const Pose& pose, double v, double w, double dt) {
 }
 
 TEST(Robot, MeanIsTheThesissArc) {
-    const Robot robot(MotionParams{});
+    const auto robot = make_robot(MotionParams{});
     for (const double w : {0.5, -0.8, 1e-3, 3.0}) {
         const Pose start{1.0, -2.0, 2.5};
         const Control control{{0.7, 0.0, w}, 0.9};
-        const Pose end = robot.mean(start, sum_controls(std::span(&control, 1)));
+        const Pose end = robot->mean(start, sum_controls(std::span(&control, 1)));
         const Pose expected = thesis_motion(start, 0.7, w, 0.9);
         EXPECT_NEAR(end.x, expected.x, 1e-9);
         EXPECT_NEAR(end.y, expected.y, 1e-9);
@@ -26,14 +26,14 @@ TEST(Robot, MeanIsTheThesissArc) {
 }
 
 TEST(Robot, StraightLineLimit) {
-    const Robot robot(MotionParams{});
+    const auto robot = make_robot(MotionParams{});
     const Control control{{0.5, 0.0, 0.0}, 2.0};
-    const Pose end = robot.mean({0.0, 0.0, kPi / 2.0}, sum_controls(std::span(&control, 1)));
+    const Pose end = robot->mean({0.0, 0.0, kPi / 2.0}, sum_controls(std::span(&control, 1)));
     EXPECT_NEAR(end.x, 0.0, 1e-12);
     EXPECT_NEAR(end.y, 1.0, 1e-12);
     // Next to it the arc must agree.
     const Control arc{{0.5, 0.0, 1e-7}, 2.0};
-    const Pose near = robot.mean({0.0, 0.0, kPi / 2.0}, sum_controls(std::span(&arc, 1)));
+    const Pose near = robot->mean({0.0, 0.0, kPi / 2.0}, sum_controls(std::span(&arc, 1)));
     EXPECT_NEAR(near.x, end.x, 1e-6);
     EXPECT_NEAR(near.y, end.y, 1e-9);
 }
@@ -41,11 +41,11 @@ TEST(Robot, StraightLineLimit) {
 TEST(Robot, SumOfControlsIsTheirSequence) {
     const std::vector<Control> controls{
         {{0.3, 0.0, 0.2}, 0.4}, {{0.5, 0.05, -1.0}, 0.3}, {{0, 0, 1.0}, 0.5}};
-    const Robot robot(MotionParams{});
+    const auto robot = make_robot(MotionParams{});
     Pose pose{2.0, 1.0, -3.0};
-    const Pose at_once = robot.mean(pose, sum_controls(controls));
+    const Pose at_once = robot->mean(pose, sum_controls(controls));
     for (const Control& control : controls) {
-        pose = robot.mean(pose, sum_controls(std::span(&control, 1)));
+        pose = robot->mean(pose, sum_controls(std::span(&control, 1)));
     }
     EXPECT_NEAR(at_once.x, pose.x, 1e-12);
     EXPECT_NEAR(at_once.y, pose.y, 1e-12);
@@ -56,15 +56,15 @@ TEST(Robot, SumOfControlsIsTheirSequence) {
 }
 
 TEST(Robot, NoNoiseAtRest) {
-    for (const MotionModel model : {MotionModel::odometry, MotionModel::proportional}) {
+    for (const char* model : {"odometry", "proportional"}) {
         MotionParams params;
         params.model = model;
-        const Robot robot(params);
+        const auto robot = make_robot(params);
         RandomStream random(1, RandomPurpose::motion, 1, 1);
         const Pose pose{1.0, 2.0, 3.0};
         const Control rest{{0.0, 0.0, 0.0}, 1.0};
-        EXPECT_EQ(robot.sample(pose, sum_controls({}), random), pose);
-        EXPECT_EQ(robot.sample(pose, sum_controls(std::span(&rest, 1)), random), pose);
+        EXPECT_EQ(robot->sample(pose, sum_controls({}), random), pose);
+        EXPECT_EQ(robot->sample(pose, sum_controls(std::span(&rest, 1)), random), pose);
     }
 }
 
@@ -74,13 +74,13 @@ struct Moments {
 
 Moments sample_moments(const MotionParams& params, const Pose& start, const Control& control) {
     constexpr int kDraws = 100000;
-    const Robot robot(params);
+    const auto robot = make_robot(params);
     const MotionIncrement increment = sum_controls(std::span(&control, 1));
-    const Pose centre = robot.mean(start, increment);
+    const Pose centre = robot->mean(start, increment);
     Moments m;
     for (int i = 0; i < kDraws; ++i) {
         RandomStream random(9, RandomPurpose::motion, 1, static_cast<std::uint32_t>(i));
-        const Pose drawn = robot.sample(start, increment, random);
+        const Pose drawn = robot->sample(start, increment, random);
         const double dx = drawn.x - centre.x;
         const double dy = drawn.y - centre.y;
         const double dt = wrap_angle(drawn.theta - centre.theta);
@@ -113,7 +113,7 @@ TEST(Robot, ConstantNoiseHasTheStatedSigmas) {
 
 TEST(Robot, ProportionalNoiseGrowsWithTheMotion) {
     MotionParams params;
-    params.model = MotionModel::proportional;
+    params.model = "proportional";
     params.var_along_m2_per_m = 0.01;
     params.var_across_m2_per_m = 0.0025;
     params.var_theta_rad2_per_rad = 0.02;
@@ -131,10 +131,10 @@ TEST(Robot, ProportionalNoiseGrowsWithTheMotion) {
 
 TEST(Robot, WithoutOdometryParticlesOnlySpread) {
     MotionParams params;
-    params.model = MotionModel::no_odometry;
+    params.model = "no-odometry";
     const Pose start{1.0, 2.0, 0.5};
     const Control control{{0.5, 0, 0.1}, 1.0};
-    EXPECT_EQ(Robot(params).mean(start, sum_controls(std::span(&control, 1))), start);
+    EXPECT_EQ(make_robot(params)->mean(start, sum_controls(std::span(&control, 1))), start);
     const Moments m = sample_moments(params, start, {{0, 0, 0}, 0.0});
     EXPECT_NEAR(m.var_x, 6.4e-5, 6.4e-5 * kVarianceTolerance);
 }
@@ -142,19 +142,19 @@ TEST(Robot, WithoutOdometryParticlesOnlySpread) {
 TEST(Robot, JacobianIsTheSlopeOfTheMean) {
     const Control control{{0.7, 0.1, -0.9}, 0.6};
     const MotionIncrement increment = sum_controls(std::span(&control, 1));
-    for (const MotionModel model : {MotionModel::odometry, MotionModel::no_odometry}) {
+    for (const char* model : {"odometry", "no-odometry"}) {
         MotionParams params;
         params.model = model;
-        const Robot robot(params);
+        const auto robot = make_robot(params);
         for (const double theta : {0.0, 2.0, -3.0}) {
             const Pose pose{1.0, -2.0, theta};
-            const Eigen::Matrix3d f = robot.jacobian(pose, increment);
+            const Eigen::Matrix3d f = robot->jacobian(pose, increment);
             constexpr double kStep = 1e-6;
             for (int k = 0; k < 3; ++k) {
                 const auto moved = [&](double step) {
                     Pose other = pose;
                     (k == 0 ? other.x : k == 1 ? other.y : other.theta) += step;
-                    return robot.mean(other, increment);
+                    return robot->mean(other, increment);
                 };
                 const Pose plus = moved(kStep);
                 const Pose minus = moved(-kStep);
@@ -170,23 +170,22 @@ TEST(Robot, NoiseCovarianceIsThatOfTheDraws) {
     const Control control{{0.7, 0.0, -0.9}, 0.6};
     const MotionIncrement increment = sum_controls(std::span(&control, 1));
     const Pose pose{1.0, -2.0, 0.6};
-    for (const MotionModel model :
-         {MotionModel::odometry, MotionModel::no_odometry, MotionModel::proportional}) {
+    for (const char* model : {"odometry", "no-odometry", "proportional"}) {
         MotionParams params;
         params.model = model;
         params.sigma_y_m = 0.02;
-        const Robot robot(params);
-        const Pose mean = robot.mean(pose, increment);
+        const auto robot = make_robot(params);
+        const Pose mean = robot->mean(pose, increment);
         Eigen::Matrix3d sampled = Eigen::Matrix3d::Zero();
         constexpr int kDraws = 40000;
         for (int i = 0; i < kDraws; ++i) {
             RandomStream random(7, RandomPurpose::motion, static_cast<std::uint64_t>(i), 0);
-            const Pose drawn = robot.sample(pose, increment, random);
+            const Pose drawn = robot->sample(pose, increment, random);
             const Eigen::Vector3d away(drawn.x - mean.x, drawn.y - mean.y,
                                        wrap_angle(drawn.theta - mean.theta));
             sampled += away * away.transpose() / kDraws;
         }
-        const Eigen::Matrix3d q = robot.noise_covariance(pose, increment);
+        const Eigen::Matrix3d q = robot->noise_covariance(pose, increment);
         for (int i = 0; i < 3; ++i) {
             for (int j = 0; j < 3; ++j) {
                 const double scale = std::sqrt(sampled(i, i) * sampled(j, j));
@@ -195,7 +194,7 @@ TEST(Robot, NoiseCovarianceIsThatOfTheDraws) {
         }
     }
     const MotionIncrement rest;
-    EXPECT_EQ(Robot(MotionParams{}).noise_covariance(pose, rest), Eigen::Matrix3d::Zero());
+    EXPECT_EQ(make_robot(MotionParams{})->noise_covariance(pose, rest), Eigen::Matrix3d::Zero());
 }
 
 }  // namespace

@@ -3,12 +3,21 @@
 
 #include <Eigen/Core>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "hitos/features/control.hpp"
 #include "hitos/features/extractor.hpp"
+#include "hitos/slam/slam_filter.hpp"
 
 namespace hitos {
+
+/// One step of a filter that does not look at the scan itself.
+inline void feed(SlamFilter& filter, std::span<const Control> controls,
+                 const Observation& observation) {
+    const Scan scan;
+    filter.step({scan, controls, observation});
+}
 
 /// A square room driven round: exact observations of its walls and corners, noisy odometry.
 struct Tour {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -36,14 +37,15 @@ Eigen::MatrixXd slope(const F& f, const Eigen::VectorXd& at, const std::vector<i
 /// from: a flipped prediction is tried beside the plain one.
 class SlowEkfSlam {
   public:
-    explicit SlowEkfSlam(const FilterParams& params) : params_(params), robot_(params.motion) {}
+    explicit SlowEkfSlam(const FilterParams& params)
+        : params_(params), robot_(make_robot(params.motion)) {}
 
     void step(const std::vector<Control>& controls, const Observation& observation) {
         const MotionIncrement increment = sum_controls(controls);
         const Pose before = pose();
         const auto move = [&](const Eigen::VectorXd& state) {
             Eigen::VectorXd out = state;
-            const Pose after = robot_.mean({state(0), state(1), state(2)}, increment);
+            const Pose after = robot_->mean({state(0), state(1), state(2)}, increment);
             out.head<3>() << after.x, after.y, after.theta;
             return out;
         };
@@ -51,7 +53,7 @@ class SlowEkfSlam {
         x_ = move(x_);
         p_ = f * p_ * f.transpose();
         if (steps_++ > 0) {
-            p_.topLeftCorner<3, 3>() += robot_.noise_covariance(before, increment);
+            p_.topLeftCorner<3, 3>() += robot_->noise_covariance(before, increment);
         }
 
         Measurements seen;
@@ -197,7 +199,7 @@ class SlowEkfSlam {
     }
 
     FilterParams params_;
-    Robot robot_;
+    std::unique_ptr<Robot> robot_;
     int steps_ = 0;
     Eigen::VectorXd x_ = Eigen::VectorXd::Zero(3);
     Eigen::MatrixXd p_ = Eigen::MatrixXd::Zero(3, 3);

@@ -262,7 +262,7 @@ TEST(ShippedConfigurations, SimulatedIsTheTableOfTheThesis) {
     expected.extraction.lines.min_points = 9;
     expected.extraction.split_merge.dmax_m = 0.02;
     expected.extraction.lines.min_length_m = 0.4;
-    expected.filter.motion.model = MotionModel::odometry;
+    expected.filter.motion.model = "odometry";
     expected.filter.motion.sigma_x_m = expected.filter.motion.sigma_y_m = 0.01;
     expected.filter.motion.sigma_theta_rad = 0.008;
     expected.filter.observation = {0.04, 0.00122};
@@ -271,7 +271,7 @@ TEST(ShippedConfigurations, SimulatedIsTheTableOfTheThesis) {
 
 TEST(ShippedConfigurations, RecordedIsForRealRobots) {
     const Configuracion c = ArchivoConfiguracion::read(shipped("recorded.cfg"));
-    EXPECT_EQ(c.filter.motion.model, MotionModel::proportional);
+    EXPECT_EQ(c.filter.motion.model, "proportional");
     EXPECT_EQ(c.extraction.split_merge.fit, LineFit::least_squares);
     EXPECT_GT(c.extraction.split_merge.gap_m, 0.0);
 }

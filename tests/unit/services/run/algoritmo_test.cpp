@@ -80,7 +80,8 @@ TEST(Algoritmo, NotesSegmentsAndWhereAskedUncertainty) {
     for (int i = 0; i < 300; ++i) run.step();
     const LandmarkMap map = run.filter().best_map();
     const auto segments = run.line_extents().of(map, run.best_trajectory());
-    EXPECT_GE(segments.size(), static_cast<std::size_t>(run.filter().best_lines()));
+    EXPECT_GE(segments.size(),
+              static_cast<std::size_t>(run.filter().best_count(FeatureKind::line)));
     const LandmarkSigma& last = run.uncertainty().entries().back();
     EXPECT_EQ(last.scan, 299U);
     EXPECT_EQ(last.time_s, run.scan().time_s);

@@ -16,13 +16,12 @@ class ToldFilter final : public SlamFilter {
     Pose pose;
     std::vector<Association> told;
 
-    void step(std::span<const Control>, const Observation&) override {}
+    void step(const SlamInput&) override {}
     std::uint64_t steps() const override { return 0; }
     Pose best_pose() const override { return pose; }
     LandmarkMap best_map() const override { return {}; }
     std::vector<Pose> best_history() const override { return {}; }
-    int best_lines() const override { return 0; }
-    int best_corners() const override { return 0; }
+    int best_count(FeatureKind) const override { return 0; }
     std::span<const Association> associations() const override { return told; }
     std::vector<WeightedPose> hypotheses() const override { return {}; }
     FilterStatistics statistics() const override { return {}; }

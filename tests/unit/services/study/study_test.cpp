@@ -276,7 +276,7 @@ TEST_F(StudyTest, WhatNoRunCouldDoEndsTheStudyAtOnce) {
     EXPECT_THAT(message(vary("run.seed=1,2")), HasSubstr("set by the study itself"));
     EXPECT_THAT(message(vary("grid.hit=1,2")), HasSubstr("has no effect where no grid"));
     EXPECT_THAT(message([&](Study& s) {
-                    s.configuration.filter.motion.model = MotionModel::proportional;
+                    s.configuration.filter.motion.model = "proportional";
                     vary("mov=1/1/1")(s);
                 }),
                 HasSubstr("motion.sigma_x: has no effect where motion.model is proportional; set "

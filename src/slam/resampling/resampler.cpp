@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "methods.hpp"
+
 namespace hitos {
 
 void normalize_log_weights(std::span<const double> log_weights, std::vector<double>& weights) {
@@ -30,28 +32,19 @@ double effective_particles(std::span<const double> weights) {
     return 1.0 / squares;
 }
 
-void low_variance_selection(std::span<const double> weights, double start,
-                            std::vector<std::uint32_t>& selected) {
-    const std::size_t count = weights.size();
-    selected.resize(count);
-    const double spacing = 1.0 / static_cast<double>(count);
-    std::size_t last = count - 1;  // the last that weighs anything
-    while (last > 0 && weights[last] == 0.0) --last;
-    std::size_t i = 0;
-    double cumulated = weights[0];
-    for (std::size_t m = 0; m < count; ++m) {
-        const double u = (start + static_cast<double>(m)) * spacing;
-        // The bound on i: rounding may leave the last cumulated weight a little below 1.
-        while (u > cumulated && i < last) cumulated += weights[++i];
-        selected[m] = static_cast<std::uint32_t>(i);
-    }
-}
-
 std::unique_ptr<Resampler> make_resampler(const ResamplingParams& params) {
     if (params.rule == ResamplingRule::neff) {
         return std::make_unique<ResamplerNeff>(params.neff_threshold);
     }
     return std::make_unique<ResamplerNoNeff>();
+}
+
+Registry<ResamplingMethodEntry>& resampling_methods() {
+    static Registry<ResamplingMethodEntry> registry(
+        "resampling method", "resampling.method",
+        {low_variance_resampling(), stratified_resampling(), residual_resampling(),
+         multinomial_resampling()});
+    return registry;
 }
 
 }  // namespace hitos

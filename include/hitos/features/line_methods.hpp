@@ -1,0 +1,36 @@
+// The methods that find lines in a scan [T 4.4, fig 9.7].
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "hitos/base/registry.hpp"
+#include "hitos/features/extractor.hpp"
+
+namespace hitos {
+
+/// The strategy that finds lines [T fig 9.7]. It may keep working memory between scans.
+class MetodoExtraccionRectas {
+  public:
+    virtual ~MetodoExtraccionRectas() = default;
+    /// Appends the lines of the scan (robot frame, normal form) and their points to `out`, which is
+    /// otherwise left alone.
+    virtual void extract_lines(const Scan& scan, Observation& out) = 0;
+    /// Whether its lines go through the first and last of their points whatever lies between: their
+    /// covariance is then that of these two.
+    virtual bool fits_end_points() const { return false; }
+};
+
+/// A line method as parameters name it.
+struct LineMethodEntry : RegistryEntry {
+    /// A method that draws at random draws from the seed. make_extractor() has checked the ranges.
+    std::function<std::unique_ptr<MetodoExtraccionRectas>(const ExtractionParams&,
+                                                          std::uint64_t seed)>
+        make;
+};
+
+/// Those that the program knows, "split-merge" and "ransac" among them.
+Registry<LineMethodEntry>& line_methods();
+
+}  // namespace hitos

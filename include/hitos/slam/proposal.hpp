@@ -1,0 +1,43 @@
+// Where a particle filter draws its particles' new poses [T table 3.2].
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "hitos/base/random_stream.hpp"
+#include "hitos/base/registry.hpp"
+#include "hitos/slam/params.hpp"
+#include "hitos/slam/slam_filter.hpp"
+
+namespace hitos {
+
+/// A drawn pose. Where it is not drawn from the motion model, `log_weight` says what that does to
+/// the particle's weight: ln of the motion model's density over the proposal's.
+struct ProposedPose {
+    Pose pose;
+    double log_weight = 0.0;
+};
+
+/// The distribution from which particles draw.
+class Proposal {
+  public:
+    virtual ~Proposal() = default;
+
+    /// Begins a step: what is the same for all particles is done here, once. At the `first` step
+    /// there is nothing to be uncertain about, and draw() draws no noise: it would only turn the
+    /// map. `input` is valid until the step's last draw.
+    virtual void begin(const SlamInput& input, bool first) = 0;
+
+    /// Draws for one particle from its pose in the world; called from several threads at a time.
+    virtual ProposedPose draw(const Pose& before, RandomStream& random) const = 0;
+};
+
+/// A proposal as parameters name it.
+struct ProposalEntry : RegistryEntry {
+    std::function<std::unique_ptr<Proposal>(const FilterParams&)> make;
+};
+
+/// Those that the program knows: "motion" and what was added.
+Registry<ProposalEntry>& proposals();
+
+}  // namespace hitos

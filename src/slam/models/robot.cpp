@@ -1,0 +1,39 @@
+#include "hitos/slam/robot.hpp"
+
+#include <cmath>
+
+#include "robots.hpp"
+
+namespace hitos {
+
+MotionIncrement sum_controls(std::span<const Control> controls) {
+    MotionIncrement sum;
+    for (const Control& control : controls) {
+        sum.pose_start_end =
+            compose(sum.pose_start_end, displacement(control.twist, control.duration_s));
+        sum.path_m += std::hypot(control.twist.v, control.twist.v_lateral) * control.duration_s;
+        sum.turned_rad += std::abs(control.twist.w) * control.duration_s;
+    }
+    return sum;
+}
+
+Eigen::Matrix3d Robot::jacobian(const Pose& pose, const MotionIncrement& increment) const {
+    const Pose after = mean(pose, increment);
+    Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
+    f(0, 2) = pose.y - after.y;
+    f(1, 2) = after.x - pose.x;
+    return f;
+}
+
+Registry<MotionModelEntry>& motion_models() {
+    static Registry<MotionModelEntry> registry(
+        "motion model", "motion.model",
+        {robot_with_odometry(), robot_without_odometry(), robot_proportional()});
+    return registry;
+}
+
+std::unique_ptr<Robot> make_robot(const MotionParams& params) {
+    return motion_models().find(params.model).make(params);
+}
+
+}  // namespace hitos

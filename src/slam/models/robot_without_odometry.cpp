@@ -1,0 +1,42 @@
+// "Diferencial sin odometría" [T 7.4.1]: the controls are ignored, the particles only spread.
+
+#include "constant_noise.hpp"
+#include "robots.hpp"
+
+namespace hitos {
+namespace {
+
+/// Its controls mean nothing, rest included: noise is drawn in every step.
+class RobotWithoutOdometry final : public Robot {
+  public:
+    explicit RobotWithoutOdometry(const MotionParams& params) : noise_(params) {}
+
+    Pose mean(const Pose& pose, const MotionIncrement& /*increment*/) const override {
+        return pose;
+    }
+    Pose sample(const Pose& pose, const MotionIncrement& /*increment*/,
+                RandomStream& random) const override {
+        return noise_.added_to(pose, random);
+    }
+    Eigen::Matrix3d noise_covariance(const Pose& /*pose*/,
+                                     const MotionIncrement& /*increment*/) const override {
+        return noise_.covariance();
+    }
+
+  private:
+    ConstantNoise noise_;
+};
+
+}  // namespace
+
+MotionModelEntry robot_without_odometry() {
+    MotionModelEntry entry;
+    entry.word = "no-odometry";
+    entry.label = HITOS_TEXT("ParameterChoice", "Differential without odometry");
+    entry.purpose = "controls are ignored and the particles only spread";
+    entry.reads = {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"};
+    entry.make = [](const MotionParams& p) { return std::make_unique<RobotWithoutOdometry>(p); };
+    return entry;
+}
+
+}  // namespace hitos

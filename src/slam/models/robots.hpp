@@ -1,0 +1,12 @@
+// The motion models that Hitos brings along, one file each.
+#pragma once
+
+#include "hitos/slam/robot.hpp"
+
+namespace hitos {
+
+MotionModelEntry robot_with_odometry();
+MotionModelEntry robot_without_odometry();
+MotionModelEntry robot_proportional();
+
+}  // namespace hitos

@@ -1,0 +1,39 @@
+// FastSLAM 1.0's proposal: the motion model itself [T table 3.2, line 4].
+
+#include "hitos/slam/robot.hpp"
+#include "proposals.hpp"
+
+namespace hitos {
+namespace {
+
+class MotionProposal final : public Proposal {
+  public:
+    explicit MotionProposal(const MotionParams& params) : robot_(make_robot(params)) {}
+
+    void begin(const SlamInput& input, bool first) override {
+        increment_ = sum_controls(input.controls);
+        first_ = first;
+    }
+    ProposedPose draw(const Pose& before, RandomStream& random) const override {
+        return {first_ ? robot_->mean(before, increment_)
+                       : robot_->sample(before, increment_, random)};
+    }
+
+  private:
+    std::unique_ptr<Robot> robot_;
+    MotionIncrement increment_;
+    bool first_ = true;
+};
+
+}  // namespace
+
+ProposalEntry motion_proposal() {
+    ProposalEntry entry;
+    entry.word = "motion";
+    entry.label = HITOS_TEXT("ParameterChoice", "Motion model");
+    entry.purpose = "poses are drawn from the motion model alone, as in FastSLAM 1.0";
+    entry.make = [](const FilterParams& p) { return std::make_unique<MotionProposal>(p.motion); };
+    return entry;
+}
+
+}  // namespace hitos

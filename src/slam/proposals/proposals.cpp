@@ -1,0 +1,10 @@
+#include "proposals.hpp"
+
+namespace hitos {
+
+Registry<ProposalEntry>& proposals() {
+    static Registry<ProposalEntry> registry("proposal", "filter.proposal", {motion_proposal()});
+    return registry;
+}
+
+}  // namespace hitos

@@ -1,0 +1,10 @@
+// The proposals that Hitos brings along, one file each.
+#pragma once
+
+#include "hitos/slam/proposal.hpp"
+
+namespace hitos {
+
+ProposalEntry motion_proposal();
+
+}  // namespace hitos
