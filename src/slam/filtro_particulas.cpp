@@ -8,7 +8,6 @@
 #include <cmath>
 #include <string>
 
-
 namespace hitos {
 namespace {
 
