@@ -11,7 +11,8 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
                        "Configuration file (default: the thesis's recommended values)");
     command
         .add_option("--set", options.values.assignments,
-                    "Change one parameter, e.g. --set filter.particles=500; may be repeated")
+                    "Change one parameter, e.g. --set filter.particles=500; may be repeated; "
+                    "hitos-cli parameters lists them")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     command.add_option("--seed", options.values.seed, "Seed of all random numbers");

@@ -8,6 +8,7 @@
 
 #include "fan_fit.hpp"
 #include "formats/formats.hpp"
+#include "hitos/base/translatable.hpp"
 #include "range_conversor.hpp"
 #include "text_out.hpp"
 #include "tour_writer.hpp"
@@ -386,7 +387,8 @@ void LogWriterCarmen::put_odometry(std::string& out, const Odometria& odometry,
 }  // namespace
 
 LogFormat carmen_format() {
-    return {{"carmen", "CARMEN", "logs of CARMEN (.log, .clf, .gfs.log)"},
+    return {{"carmen", HITOS_TEXT("ParameterChoice", "CARMEN"),
+             "logs of CARMEN (.log, .clf, .gfs.log)"},
             claims,
             classify,
             make_range_conversor<ConversorCarmen>,

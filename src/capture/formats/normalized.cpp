@@ -4,6 +4,7 @@
 #include <string>
 
 #include "formats/formats.hpp"
+#include "hitos/base/translatable.hpp"
 #include "range_conversor.hpp"
 #include "text_out.hpp"
 #include "tour_writer.hpp"
@@ -150,7 +151,8 @@ void LogWriterNormalized::put_odometry(std::string& out, const Odometria& odomet
 }  // namespace
 
 LogFormat normalized_format() {
-    return {{"normalized", "Normalised", "points and velocities as text, exact to the last bit"},
+    return {{"normalized", HITOS_TEXT("ParameterChoice", "Normalised"),
+             "points and velocities as text, exact to the last bit"},
             claims,
             classify,
             make_plain_conversor<ConversorNormalizado>,

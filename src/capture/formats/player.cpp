@@ -8,6 +8,7 @@
 
 #include "fan_fit.hpp"
 #include "formats/formats.hpp"
+#include "hitos/base/translatable.hpp"
 #include "range_conversor.hpp"
 #include "text_out.hpp"
 #include "tour_writer.hpp"
@@ -364,7 +365,7 @@ void LogWriterPlayer::put_odometry(std::string& out, const Odometria& odometry,
 }  // namespace
 
 LogFormat player_format() {
-    return {{"player", "Player", "logs of Player and Stage"},
+    return {{"player", HITOS_TEXT("ParameterChoice", "Player"), "logs of Player and Stage"},
             claims,
             classify,
             make_range_conversor<ConversorPlayer>,

@@ -7,6 +7,7 @@
 
 #include "fan_fit.hpp"
 #include "formats/formats.hpp"
+#include "hitos/base/translatable.hpp"
 #include "range_conversor.hpp"
 #include "text_out.hpp"
 #include "tour_writer.hpp"
@@ -173,7 +174,8 @@ void LogWriterRadish::put_odometry(std::string& out, const Odometria& odometry,
 }  // namespace
 
 LogFormat radish_format() {
-    return {{"radish", "Radish", "the text format of the thesis for Radish tours"},
+    return {{"radish", HITOS_TEXT("ParameterChoice", "Radish"),
+             "the text format of the thesis for Radish tours"},
             claims,
             classify,
             make_range_conversor<ConversorRadish>,

@@ -5,7 +5,6 @@
 #include <QFontDatabase>
 #include <QMimeData>
 #include <QPushButton>
-#include <algorithm>
 #include <utility>
 
 #include "app/theme.hpp"
@@ -18,10 +17,9 @@ namespace hitos::window {
 namespace {
 
 QString format_words(const std::string& word) {
-    const Parameter& format = find_parameter("source.format");
-    const auto found = std::ranges::find(format.choices, word);
-    if (found == format.choices.end()) return SourceDialog::tr("World");
-    return choice_of(format, static_cast<std::size_t>(found - format.choices.begin()));
+    const ConfigParameter& format = find_parameter("source.format");
+    const std::optional<std::size_t> place = format.place_of(word);
+    return place ? choice_of(format, *place) : SourceDialog::tr("World");
 }
 
 }  // namespace
@@ -34,9 +32,9 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
       source_(std::move(source)) {
     ui_->setupUi(this);
     pool_.setMaxThreadCount(1);
-    const Parameter& format = find_parameter("source.format");
+    const ConfigParameter& format = find_parameter("source.format");
     for (std::size_t i = 0; i < format.choices.size(); ++i)
-        ui_->type->addItem(choice_of(format, i), to_qt(format.choices[i]));
+        ui_->type->addItem(choice_of(format, i), to_qt(format.choices[i].word));
     ui_->type->setCurrentIndex(ui_->type->findData(QString::fromStdString(source_.format)));
     ui_->lines->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     ui_->reading->hide();
@@ -97,15 +95,20 @@ void SourceDialog::begin_check() {
         QString problem;
         try {
             summary = inspect_source(wanted, [&](double part) {
-                QMetaObject::invokeMethod(this, [this, stop, part] {
-                    if (stop == stop_) ui_->reading->setValue(static_cast<int>(part * 1000.0));
-                }, Qt::QueuedConnection);
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, stop, part] {
+                        if (stop == stop_) ui_->reading->setValue(static_cast<int>(part * 1000.0));
+                    },
+                    Qt::QueuedConnection);
                 return !stop->load();
             });
         } catch (const std::exception& error) {
             problem = QString::fromUtf8(error.what());
         }
-        QMetaObject::invokeMethod(this, [this, stop, summary, problem] { end_check(stop, summary, problem); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, stop, summary, problem] { end_check(stop, summary, problem); },
+            Qt::QueuedConnection);
     });
 }
 

@@ -281,7 +281,16 @@ TEST_F(StudyTest, WhatNoRunCouldDoEndsTheStudyAtOnce) {
                     s.configuration.filter.motion.model = "proportional";
                     vary("mov=1/1/1")(s);
                 }),
-                HasSubstr("has no effect where motion.model is proportional"));
+                HasSubstr("motion.sigma_x: has no effect where motion.model is proportional; set "
+                          "it to odometry or no-odometry"));
+    EXPECT_THAT(message(vary("ransac.threshold=0.02,0.04")),
+                HasSubstr("ransac.threshold: has no effect where features.method is split-merge; "
+                          "set it to ransac"));
+    EXPECT_THAT(message([&](Study& s) {
+                    set_parameter(s.configuration, "filter.algorithm=ekf-slam");
+                    vary("resampling.neff_threshold=1,2")(s);
+                }),
+                HasSubstr("where filter.algorithm is ekf-slam; set it to fastslam"));
     EXPECT_THAT(message([](Study& s) { s.seeds = 0; }), HasSubstr("runs: found 0"));
     EXPECT_THAT(message([](Study& s) { s.first_seed = 0x7fffffffffffffff; }),
                 HasSubstr("go beyond"));
