@@ -42,6 +42,9 @@ void print(const ConfigParameter& parameter) {
         rules += fmt::format("; read where {} is {}", condition.key, condition.needed);
     }
     print_paragraph(rules);
+    for (const ParameterChoice& choice : parameter.choices) {
+        if (!choice.purpose.empty()) print_paragraph(choice.word + ": " + choice.purpose);
+    }
 }
 
 bool names(std::string_view word, const ConfigParameter& parameter) {

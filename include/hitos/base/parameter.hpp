@@ -20,8 +20,9 @@ namespace hitos {
 
 /// A word that a parameter can take, and what forms call it.
 struct ParameterChoice {
-    std::string word;        ///< as files and command lines say it: "split-merge"
-    std::string label = {};  ///< translated in the context "ParameterChoice"
+    std::string word;          ///< as files and command lines say it: "split-merge"
+    std::string label = {};    ///< translated in the context "ParameterChoice"
+    std::string purpose = {};  ///< half a sentence for help texts, or empty
 };
 
 /// What is said of a parameter, whichever struct it belongs to. Files, options, forms, help texts
@@ -200,7 +201,8 @@ auto choice(ParameterFacts facts) {
 template <class Entry>
 std::vector<ParameterChoice> choices_of(const Registry<Entry>& registry) {
     std::vector<ParameterChoice> choices;
-    for (const Entry& entry : registry.entries()) choices.push_back({entry.word, entry.label});
+    for (const Entry& entry : registry.entries())
+        choices.push_back({entry.word, entry.label, entry.purpose});
     return choices;
 }
 

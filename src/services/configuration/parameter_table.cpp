@@ -34,11 +34,7 @@ void add_source(Table& table) {
              HITOS_TEXT("Parameter", "Format of the log; auto finds it from the first lines."),
          .label = HITOS_TEXT("ParameterLabel", "Format"),
          .card = "source",
-         .choices = {{"auto", HITOS_TEXT("ParameterChoice", "Automatic")},
-                     {"player", HITOS_TEXT("ParameterChoice", "Player")},
-                     {"radish", HITOS_TEXT("ParameterChoice", "Radish")},
-                     {"normalized", HITOS_TEXT("ParameterChoice", "Normalised")},
-                     {"carmen", HITOS_TEXT("ParameterChoice", "CARMEN")}}}));
+         .choices = format_choices()}));
     table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::max_range_m>(
         {.key = "source.max_range",
          .unit = "m",

@@ -1408,6 +1408,10 @@
         <source>Logs and worlds (*.log *.clf *.gfs *.txt *.gz *.toml);;All files (*)</source>
         <translation>Registros y mundos (*.log *.clf *.gfs *.txt *.gz *.toml);;Todos los archivos (*)</translation>
     </message>
+    <message>
+        <source>World</source>
+        <translation>Mundo</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::StatusLine</name>
