@@ -1,6 +1,5 @@
 #include "hitos/capture/archivo.hpp"
 
-#include "formats.hpp"
 #include "line_reader.hpp"
 
 namespace hitos {
@@ -17,8 +16,9 @@ struct Archivo::Cursor {
     LineReader reader;
 };
 
-Archivo::Archivo(std::filesystem::path path)
+Archivo::Archivo(std::filesystem::path path, const LogFormat& format)
     : path_(std::move(path)),
+      format_(format),
       scans_(std::make_unique<Cursor>(path_)),
       odometry_(std::make_unique<Cursor>(path_)) {}
 
@@ -40,13 +40,13 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
             continue;
         }
         if (line->text.empty() || line->text.front() == '#') continue;
-        const LineKind kind = classify(line->text);
+        const LineKind kind = format_.classify(line->text);
         if (kind == wanted || kind == LineKind::both) {
             return RawLine{line->text, line->number, kind == LineKind::both};
         }
         if (kind == LineKind::damaged && tells_damage) {
             note_damage(line->number,
-                        "not a line of the format " + std::string(to_string(format())));
+                        "not a line of the format " + format_.word);
         }
     }
     return std::nullopt;
@@ -61,7 +61,7 @@ std::string Archivo::name() const {
 }
 
 std::unique_ptr<Fuente> Archivo::reopen() const {
-    return make_archivo(format(), path_);
+    return std::make_unique<Archivo>(path_, format_);
 }
 
 void Archivo::note_damage(std::uint64_t line, std::string reason) {

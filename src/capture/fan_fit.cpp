@@ -15,7 +15,7 @@ namespace {
 constexpr double kOffGrid = 0.05;
 
 double step_of(const Fan& fan) {
-    return fan.count > 1 ? (fan.max_angle_rad - fan.min_angle_rad) / (fan.count - 1) : 1.0;
+    return fan.count > 1 ? fan.step_rad() : 1.0;
 }
 
 std::vector<double> bearings_of(const Scan& scan) {

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
 
 namespace hitos {
@@ -24,13 +25,6 @@ bool is_text(std::string_view line) {
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
-    const auto blank = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
-    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-    return text;
-}
-
 bool LineReader::fill() {
     if (begin_ > 0 && buffer_.size() - end_ < kChunk) {
         std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
@@ -49,7 +43,7 @@ LineReader::Line LineReader::make_line(std::string_view raw) {
     if (!is_text(raw)) return {{}, number_, "the line is not text (it holds control characters)"};
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (number_ == 1 && raw.starts_with(kByteOrderMark)) raw.remove_prefix(kByteOrderMark.size());
-    return {trimmed(raw), number_, {}};
+    return {input::trimmed(raw), number_, {}};
 }
 
 std::optional<LineReader::Line> LineReader::next() {

@@ -47,7 +47,4 @@ class LineReader {
     bool told_damage_ = false;
 };
 
-/// The text without blanks, tabs and CR at either end.
-std::string_view trimmed(std::string_view text);
-
 }  // namespace hitos

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "formats.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "line_reader.hpp"
@@ -21,7 +21,7 @@ constexpr std::uint64_t kProbeBytes = std::uint64_t{64} << 20;
 
 /// What the beginning of a file is made of.
 struct Probe {
-    std::array<std::uint64_t, kFormats.size()> votes{};
+    std::vector<std::uint64_t> votes;  ///< of each format of the table
     std::uint64_t claimed = 0;  ///< lines that a format claims
     std::uint64_t text = 0;     ///< lines of text that are no comments
     std::uint64_t no_text = 0;  ///< lines that are not text, or too long
@@ -32,8 +32,22 @@ struct Probe {
     bool gzip = false;
 };
 
+/// The place in the table of the format whose line or comment this is; nothing where no format, or
+/// more than one, claims it.
+std::optional<std::size_t> format_of_line(std::string_view text) {
+    const std::vector<LogFormat>& formats = log_formats().entries();
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+        if (!formats[i].claims(text)) continue;
+        if (found) return std::nullopt;
+        found = i;
+    }
+    return found;
+}
+
 Probe probe(const std::filesystem::path& path) {
     Probe result;
+    result.votes.resize(log_formats().entries().size());
     {
         ByteStream bytes(path);
         std::array<char, 8> beginning{};
@@ -58,11 +72,10 @@ Probe probe(const std::filesystem::path& path) {
             constexpr std::size_t kShown = 40;
             if (result.first_line.empty()) result.first_line = line->text.substr(0, kShown);
         }
-        const std::optional<LogFormat> format = format_of_line(line->text);
+        const std::optional<std::size_t> format = format_of_line(line->text);
         if (!format) continue;
         ++result.claimed;
-        ++result.votes[static_cast<std::size_t>(
-            std::find(kFormats.begin(), kFormats.end(), *format) - kFormats.begin())];
+        ++result.votes[*format];
     }
     result.bytes = reader.consumed();
     result.damage = reader.bytes().damage();
@@ -98,7 +111,7 @@ std::string known_kind(const std::string& beginning) {
 
 [[noreturn]] void refuse(const std::string& path, const Probe& found) {
     const std::string expected =
-        ", expected a text log of Player, radish, normalized or CARMEN, plain or gzip";
+        ", expected a text log (" + log_formats().words(" or ") + "), plain or gzip";
     if (found.bytes == 0 && found.damage.empty()) {
         throw FormatError(
             path, 0, (found.gzip ? "is a gzip file that holds nothing" : "is empty") + expected);
@@ -119,22 +132,21 @@ std::string known_kind(const std::string& beginning) {
 
 }  // namespace
 
-std::unique_ptr<Archivo> open_log(const std::filesystem::path& path, LogFormat format) {
+std::unique_ptr<Archivo> open_log(const std::filesystem::path& path, std::string_view format) {
+    checked_log_format(format, "source.format");
     const Probe found = probe(path);
     if (found.claimed == 0) refuse(path.string(), found);
-    const auto most = std::max_element(found.votes.begin(), found.votes.end());
-    const LogFormat likely = kFormats[static_cast<std::size_t>(most - found.votes.begin())];
-    if (format == LogFormat::automatic) return make_archivo(likely, path);
-    const auto said = static_cast<std::size_t>(std::find(kFormats.begin(), kFormats.end(), format) -
-                                               kFormats.begin());
-    if (found.votes[said] == 0) {
-        const std::string name(to_string(likely));
+    const std::vector<LogFormat>& formats = log_formats().entries();
+    const auto most = std::ranges::max_element(found.votes) - found.votes.begin();
+    const LogFormat& likely = formats[static_cast<std::size_t>(most)];
+    if (format == kAutoFormat) return std::make_unique<Archivo>(path, likely);
+    const LogFormat& said = log_formats().find(format);
+    if (found.votes[static_cast<std::size_t>(&said - formats.data())] == 0) {
         throw FormatError(path.string(), 0,
-                          "is not in the format " + std::string(to_string(format)) +
-                              " but looks like " + name + "; choose the format " + name +
-                              " or auto");
+                          "is not in the format " + said.word + " but looks like " + likely.word +
+                              "; choose the format " + likely.word + " or auto");
     }
-    return make_archivo(format, path);
+    return std::make_unique<Archivo>(path, said);
 }
 
 }  // namespace hitos

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hitos/base/error.hpp"
+#include "hitos/capture/log_format.hpp"
 
 namespace hitos {
 namespace {
@@ -21,14 +22,15 @@ constexpr double kRepairStep = 1e-3;
 Procesador::Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options)
     : fuente_(std::move(fuente)),
       options_(options),
-      conversor_scans_(make_conversor(*fuente_, options_)),
-      conversor_odometry_(make_conversor(*fuente_, without_look_ahead(options_))) {}
+      conversor_scans_(fuente_->format().make_conversor(*fuente_, options_)),
+      conversor_odometry_(fuente_->format().make_conversor(*fuente_, without_look_ahead(options_))) {}
 
 void Procesador::restart() {
     // All that can throw comes first, so that a failure leaves the reader where it was.
     std::unique_ptr<Fuente> fresh = fuente_->reopen();
-    std::unique_ptr<Conversor> scans = make_conversor(*fresh, options_);
-    std::unique_ptr<Conversor> odometry = make_conversor(*fresh, without_look_ahead(options_));
+    std::unique_ptr<Conversor> scans = fresh->format().make_conversor(*fresh, options_);
+    std::unique_ptr<Conversor> odometry =
+        fresh->format().make_conversor(*fresh, without_look_ahead(options_));
     fuente_ = std::move(fresh);
     conversor_scans_ = std::move(scans);
     conversor_odometry_ = std::move(odometry);
@@ -36,6 +38,14 @@ void Procesador::restart() {
     last_scan_.reset();
     last_odometry_.reset();
     clock_s_ = 0.0;
+}
+
+std::unique_ptr<TourReader> Procesador::reopen() const {
+    return std::make_unique<Procesador>(fuente_->reopen(), options_);
+}
+
+std::string Procesador::format() const {
+    return fuente_->format().word;
 }
 
 void Procesador::note_damage(std::uint64_t line, std::string reason) {

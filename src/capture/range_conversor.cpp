@@ -34,8 +34,7 @@ void RangeConversor::point_along(const Fan& fan) {
     if (key == directions_fan_ && directions_.size() == fan.count) return;
     directions_fan_ = key;
     directions_.resize(fan.count);
-    const double step =
-        fan.count > 1 ? (fan.max_angle_rad - fan.min_angle_rad) / (fan.count - 1) : 0.0;
+    const double step = fan.step_rad();
     for (std::size_t i = 0; i < directions_.size(); ++i) {
         const double angle =
             fan.pose_robot_laser.theta + fan.min_angle_rad + static_cast<double>(i) * step;

@@ -62,9 +62,4 @@ Fan fan_of_bearings(const std::vector<double>& bearings_rad);
 /// repeated as no real distance would be. Nothing where there is none, or where the log states it.
 std::optional<double> find_no_return(const Fuente& fuente, RangeConversor& scratch);
 
-std::unique_ptr<RangeConversor> make_conversor_player(const ReadOptions& options);
-std::unique_ptr<RangeConversor> make_conversor_radish(const ReadOptions& options);
-std::unique_ptr<RangeConversor> make_conversor_carmen(const ReadOptions& options);
-std::unique_ptr<Conversor> make_conversor_normalizado(const ReadOptions& options);
-
 }  // namespace hitos

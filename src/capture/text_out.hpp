@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,19 @@ inline void append_fixed(std::string& out, double value, const Layout& layout) {
 
 inline void append_fixed(std::string& out, double value, int decimals) {
     append_fixed(out, value, Layout{decimals, 0, false, '0'});
+}
+
+/// Each with a blank before it.
+inline void append_all(std::string& out, std::initializer_list<double> values,
+                       const Layout& layout) {
+    for (const double value : values) {
+        out += ' ';
+        append_fixed(out, value, layout);
+    }
+}
+
+inline void append_all(std::string& out, std::initializer_list<double> values, int decimals) {
+    append_all(out, values, Layout{decimals, 0, false, '0'});
 }
 
 /// The shortest digits that read back as the same bits.

@@ -57,11 +57,6 @@ class TourWriter : public LogWriter {
     Pose pose_odom_robot_;       // at its time
 };
 
-std::unique_ptr<LogWriter> make_log_writer_player(const std::filesystem::path& path);
-std::unique_ptr<LogWriter> make_log_writer_radish(const std::filesystem::path& path);
-std::unique_ptr<LogWriter> make_log_writer_carmen(const std::filesystem::path& path);
-std::unique_ptr<LogWriter> make_log_writer_normalized(const std::filesystem::path& path);
-
 /// A reading with four decimals that neither rounds to "nothing" (0) nor to the greatest range.
 double writable_range(double range_m, double max_range_m);
 

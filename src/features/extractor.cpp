@@ -7,8 +7,8 @@
 
 #include "collinear_merge.hpp"
 #include "extractors.hpp"
+#include "hitos/features/extraction_parameters.hpp"
 #include "hitos/features/line_fit.hpp"
-#include "require.hpp"
 
 namespace hitos {
 namespace {
@@ -33,14 +33,6 @@ double distance_to_support(const Observation& observation, const DetectedLine& l
     return std::sqrt(nearest);
 }
 
-std::unique_ptr<MetodoExtraccionRectas> make_method(const ExtractionParams& params,
-                                                    std::uint64_t seed) {
-    const LineParams& lines = params.lines;
-    require(lines.min_length_m >= 0.0, "split_merge.min_length", "a length of 0 m or more");
-    require(lines.min_points >= 2, "split_merge.min_points", "2 points or more");
-    return line_methods().find(params.method).make(params, seed);
-}
-
 }  // namespace
 
 void find_corners(Observation& seen, double corner_distance_m) {
@@ -62,14 +54,10 @@ void find_corners(Observation& seen, double corner_distance_m) {
 }
 
 LineFinder::LineFinder(const ExtractionParams& params, std::uint64_t seed)
-    : method_(make_method(params, seed)),
+    : method_(line_methods().find(params.method).make(params, seed)),
       covariance_(params.covariance),
       point_sigma_m_(params.point_sigma_m),
-      common_sigma_m_(params.common_sigma_m) {
-    require(covariance_ == ObservationCovariance::fixed || point_sigma_m_ > 0.0,
-            "observation.point_sigma", "a standard deviation above 0 m");
-    require(common_sigma_m_ >= 0.0, "observation.common_sigma", "0 m or more");
-}
+      common_sigma_m_(params.common_sigma_m) {}
 
 void LineFinder::find(const Scan& scan, Observation& out) {
     out.clear();
@@ -102,7 +90,7 @@ void ExPuntos::extract(const Scan& scan, Observation& out) {
 }
 
 std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params, std::uint64_t seed) {
-    require(params.corner_distance_m >= 0.0, "features.corner_distance", "0 m or more");
+    check_all(extraction_parameters(), params);
     LineFinder lines(params, seed);
     if (params.detect == Detection::lines) return std::make_unique<ExRectas>(std::move(lines));
     return std::make_unique<ExPuntos>(std::move(lines), params.corner_distance_m,

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "hitos/features/line_fit.hpp"
-#include "require.hpp"
 
 namespace hitos {
 namespace {
@@ -229,17 +228,13 @@ bool RansacLines::long_enough(std::span<const Point2> points, const Recta& line)
 LineMethodEntry ransac_method() {
     LineMethodEntry entry;
     entry.word = "ransac";
-    entry.label = "RANSAC";
+    entry.label = HITOS_TEXT("ParameterChoice", "RANSAC");
     entry.purpose =
         "cuts the scan at edges and takes the lines that most points agree with, fitted by least "
         "squares";
     entry.reads = {"ransac.edge", "ransac.edge_per_range", "ransac.threshold", "ransac.iterations"};
     entry.make = [](const ExtractionParams& params, std::uint64_t seed) {
-        const RansacParams& r = params.ransac;
-        require(r.threshold_m > 0.0, "ransac.threshold", "a distance above 0 m");
-        require(r.iterations >= 1, "ransac.iterations", "1 or more");
-        require(r.edge_m >= 0.0 && r.edge_per_range >= 0.0, "ransac.edge", "0 or more");
-        return std::make_unique<RansacLines>(params.lines, r, seed);
+        return std::make_unique<RansacLines>(params.lines, params.ransac, seed);
     };
     return entry;
 }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "require.hpp"
-
 namespace hitos {
 namespace {
 
@@ -76,15 +74,12 @@ void SplitAndMerge::extract_lines(const Scan& scan, Observation& out) {
 LineMethodEntry split_and_merge_method() {
     LineMethodEntry entry;
     entry.word = "split-merge";
-    entry.label = "Split and Merge";
+    entry.label = HITOS_TEXT("ParameterChoice", "Split and Merge");
     entry.purpose = "divides runs of points at the farthest one";
     entry.reads = {"split_merge.dmax", "split_merge.fit", "split_merge.gap",
                    "split_merge.gap_per_range"};
     entry.make = [](const ExtractionParams& params, std::uint64_t /*seed*/) {
-        const SplitMergeParams& p = params.split_merge;
-        require(p.dmax_m > 0.0, "split_merge.dmax", "a distance above 0 m");
-        require(p.gap_m >= 0.0 && p.gap_per_range >= 0.0, "split_merge.gap", "0 or more");
-        return std::make_unique<SplitAndMerge>(params.lines, p);
+        return std::make_unique<SplitAndMerge>(params.lines, params.split_merge);
     };
     return entry;
 }

@@ -16,6 +16,7 @@ OdometryNoise::OdometryNoise(double level, OdometryNoiseKind kind, std::uint64_t
 }
 
 Odometria OdometryNoise::operator()(const Odometria& reading) {
+    if (level_ == 0.0) return reading;
     RandomStream random(seed_, RandomPurpose::odometry_noise, count_++, 0);
     const auto [n_v, n_w] = random.normal_pair();
     const auto sigma = [this](double velocity) {

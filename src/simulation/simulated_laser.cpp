@@ -49,8 +49,7 @@ void SimulatedLaser::cast(const Pose& pose_world_robot, std::vector<RayHit>& out
     const Pose pose_world_laser = compose(pose_world_robot, fan_.pose_robot_laser);
     const Pose pose_laser_world = inverse(pose_world_laser);
     const Point2 laser{pose_world_laser.x, pose_world_laser.y};
-    const double step =
-        fan_.count > 1 ? (fan_.max_angle_rad - fan_.min_angle_rad) / (fan_.count - 1) : 1.0;
+    const double step = fan_.count > 1 ? fan_.step_rad() : 1.0;
     for (std::size_t i = 0; i < walls_.size(); ++i) {
         if (distance(walls_[i], laser) > fan_.max_range_m) continue;
         const Point2 a = transform(pose_laser_world, walls_[i].a);

@@ -34,8 +34,7 @@ Scan SimulatedTour::scan(std::uint64_t k) const {
     laser_.cast(path_.pose_at(scan_time(k)), hits);
     const Fan& fan = laser_.fan();
     const Pose& mount = fan.pose_robot_laser;
-    const double step =
-        fan.count > 1 ? (fan.max_angle_rad - fan.min_angle_rad) / (fan.count - 1) : 0.0;
+    const double step = fan.step_rad();
 
     Scan scan;
     scan.time_s = scan_time(k);
@@ -66,20 +65,6 @@ Odometria SimulatedTour::true_reading(std::uint64_t k) const {
     reading.time_s = reading_time(k);
     if (k > 0) reading.twist = path_.twist_between_times(reading_time(k - 1), reading.time_s);
     return reading;
-}
-
-void write_tour(const SimulatedTour& tour, LogWriter& writer, const TourProgress& progress) {
-    const World& world = tour.world();
-    OdometryNoise noise(world.odometry.noise, world.odometry.noise_kind, world.seed);
-    std::uint64_t reading = 0;
-    for (std::uint64_t k = 0; k < tour.scans(); ++k) {
-        for (; reading < tour.readings() && tour.reading_time(reading) <= tour.scan_time(k);
-             ++reading)
-            writer.write(noise(tour.true_reading(reading)));
-        writer.write(tour.scan(k));
-        if (progress) progress(k + 1);
-    }
-    for (; reading < tour.readings(); ++reading) writer.write(noise(tour.true_reading(reading)));
 }
 
 }  // namespace hitos

@@ -91,14 +91,14 @@ class Reading {
         }
         try {
             const WorldKey& known = world_values::find(key);
-            if (const auto* word = node.as_string(); word != nullptr && !known.words.empty()) {
+            if (const auto* word = node.as_string(); word != nullptr && is_choice(known)) {
                 world_values::set_word(world_, known, word->get());
             } else if (const auto* flag = node.as_boolean(); flag != nullptr) {
                 world_values::set_word(world_, known, flag->get() ? "true" : "false");
-            } else if (const auto value = number(node); value && known.words.empty()) {
+            } else if (const auto value = number(node); value && !is_choice(known)) {
                 world_values::set_number(world_, known, *value);
             } else {
-                fail(where, fmt::format("{}: expected {}", key, known.allowed()));
+                fail(where, fmt::format("{}: expected {}", key, world_values::allowed(known)));
             }
         } catch (const ConfigError& error) {
             fail(where, error.what());
@@ -188,6 +188,8 @@ class Reading {
         }
         return {*x, *y};
     }
+
+    static bool is_choice(const WorldKey& key) { return key.type == WorldKey::Type::choice; }
 
     static bool within(double value) { return std::abs(value) <= kFarthest; }
 

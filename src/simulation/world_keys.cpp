@@ -12,265 +12,115 @@
 namespace hitos {
 namespace {
 
+using namespace declare;
+using Type = WorldKey::Type;
 using W = World;
+using Tour = TourParams;
+using Robot = RobotParams;
+using Laser = LaserParams;
+using Odometry = OdometryParams;
 
+/// Key, unit, least, greatest, meaning.
 std::vector<WorldKey> make_keys() {
-    const std::vector<std::string_view> kinds(kOdometryNoiseWords.begin(),
-                                              kOdometryNoiseWords.end());
-    const std::vector<std::string_view> yes_no = {"false", "true"};
+    const std::vector<ParameterChoice> yes_no = {{"false"}, {"true"}};
+    std::vector<ParameterChoice> kinds;
+    for (const std::string_view word : kOdometryNoiseWords) kinds.push_back({std::string(word)});
     return {
-        {"seed",
-         "",
-         "seed of the laser's and the odometry's noise",
-         0,
-         0x1p53,
-         true,
-         {},
-         [](const W& w) { return static_cast<double>(w.seed); },
-         [](W& w, double v) { w.seed = static_cast<std::uint64_t>(v); }},
-        {"tour.laps",
-         "",
-         "how often the way points are driven, end to end",
-         1,
-         1000,
-         true,
-         {},
-         [](const W& w) { return static_cast<double>(w.tour.laps); },
-         [](W& w, double v) { w.tour.laps = static_cast<int>(v); }},
-        {"tour.rest",
-         "s",
-         "time at rest before the robot leaves",
-         0,
-         3600,
-         false,
-         {},
-         [](const W& w) { return w.tour.rest_s; },
-         [](W& w, double v) { w.tour.rest_s = v; }},
-        {"tour.look_around", "", "turn once round on the spot before leaving", 0, 1, true, yes_no,
-         [](const W& w) { return w.tour.look_around ? 1.0 : 0.0; },
-         [](W& w, double v) { w.tour.look_around = v != 0.0; }},
-        {"robot.radius",
-         "m",
-         "no wall may come nearer to the robot's centre",
-         0,
-         10,
-         false,
-         {},
-         [](const W& w) { return w.robot.radius_m; },
-         [](W& w, double v) { w.robot.radius_m = v; }},
-        {"robot.max_speed",
-         "m/s",
-         "greatest speed",
-         0.01,
-         10,
-         false,
-         {},
-         [](const W& w) { return w.robot.max_speed; },
-         [](W& w, double v) { w.robot.max_speed = v; }},
-        {"robot.acceleration",
-         "m/s^2",
-         "greatest change of speed",
-         0.01,
-         100,
-         false,
-         {},
-         [](const W& w) { return w.robot.acceleration; },
-         [](W& w, double v) { w.robot.acceleration = v; }},
-        {"robot.max_turn_rate",
-         "rad/s",
-         "greatest turn rate",
-         0.01,
-         10,
-         false,
-         {},
-         [](const W& w) { return w.robot.max_turn_rate; },
-         [](W& w, double v) { w.robot.max_turn_rate = v; }},
-        {"robot.turn_acceleration",
-         "rad/s^2",
-         "greatest change of the turn rate",
-         0.01,
-         100,
-         false,
-         {},
-         [](const W& w) { return w.robot.turn_acceleration; },
-         [](W& w, double v) { w.robot.turn_acceleration = v; }},
-        {"robot.tolerance",
-         "m",
-         "every way point is passed at least this near",
-         0.01,
-         10,
-         false,
-         {},
-         [](const W& w) { return w.robot.tolerance_m; },
-         [](W& w, double v) { w.robot.tolerance_m = v; }},
-        {"robot.control_rate",
-         "Hz",
-         "how often the robot's velocities are set anew",
-         1,
-         1000,
-         false,
-         {},
-         [](const W& w) { return w.robot.control_rate_hz; },
-         [](W& w, double v) { w.robot.control_rate_hz = v; }},
-        {"laser.rays",
-         "",
-         "rays of a scan",
-         2,
-         100000,
-         true,
-         {},
-         [](const W& w) { return static_cast<double>(w.laser.rays); },
-         [](W& w, double v) { w.laser.rays = static_cast<int>(v); }},
-        {"laser.field_of_view",
-         "degrees",
-         "from the first ray to the last",
-         1,
-         360,
-         false,
-         {},
-         [](const W& w) { return w.laser.field_of_view_deg; },
-         [](W& w, double v) { w.laser.field_of_view_deg = v; }},
-        {"laser.max_range",
-         "m",
-         "walls further away give no reading",
-         0.1,
-         1000,
-         false,
-         {},
-         [](const W& w) { return w.laser.max_range_m; },
-         [](W& w, double v) { w.laser.max_range_m = v; }},
-        {"laser.sigma",
-         "m",
-         "standard deviation of a range",
-         0,
-         1,
-         false,
-         {},
-         [](const W& w) { return w.laser.sigma_m; },
-         [](W& w, double v) { w.laser.sigma_m = v; }},
-        {"laser.rate",
-         "Hz",
-         "scans per second",
-         0.01,
-         1000,
-         false,
-         {},
-         [](const W& w) { return w.laser.rate_hz; },
-         [](W& w, double v) { w.laser.rate_hz = v; }},
-        {"laser.mount_x",
-         "m",
-         "the laser's place, ahead of the robot's centre",
-         -10,
-         10,
-         false,
-         {},
-         [](const W& w) { return w.laser.mount_x_m; },
-         [](W& w, double v) { w.laser.mount_x_m = v; }},
-        {"laser.mount_y",
-         "m",
-         "the laser's place, left of the robot's centre",
-         -10,
-         10,
-         false,
-         {},
-         [](const W& w) { return w.laser.mount_y_m; },
-         [](W& w, double v) { w.laser.mount_y_m = v; }},
-        {"laser.mount_heading",
-         "degrees",
-         "the laser's heading, left of the robot's",
-         -180,
-         180,
-         false,
-         {},
-         [](const W& w) { return w.laser.mount_heading_deg; },
-         [](W& w, double v) { w.laser.mount_heading_deg = v; }},
-        {"odometry.rate",
-         "Hz",
-         "odometry readings per second",
-         0.01,
-         1000,
-         false,
-         {},
-         [](const W& w) { return w.odometry.rate_hz; },
-         [](W& w, double v) { w.odometry.rate_hz = v; }},
-        {"odometry.noise",
-         "",
-         "level of the noise on v and w of each reading",
-         0,
-         10,
-         false,
-         {},
-         [](const W& w) { return w.odometry.noise; },
-         [](W& w, double v) { w.odometry.noise = v; }},
-        {"odometry.noise_kind", "", "sigma = level |v|, or variance = level |v|", 0, 1, true, kinds,
-         [](const W& w) {
-             return w.odometry.noise_kind == OdometryNoiseKind::variance ? 1.0 : 0.0;
-         },
-         [](W& w, double v) {
-             w.odometry.noise_kind =
-                 v != 0.0 ? OdometryNoiseKind::variance : OdometryNoiseKind::relative_sigma;
-         }},
+        integer<&W::seed>({"seed", "", 0, 0x1p53, "seed of the laser's and the odometry's noise"}),
+        integer<&W::tour, &Tour::laps>(
+            {"tour.laps", "", 1, 1000, "how often the way points are driven, end to end"}),
+        real<&W::tour, &Tour::rest_s>(
+            {"tour.rest", "s", 0, 3600, "time at rest before the robot leaves"}),
+        choice<&W::tour, &Tour::look_around>(
+            {.key = "tour.look_around",
+             .description = "turn once round on the spot before leaving",
+             .choices = yes_no}),
+        real<&W::robot, &Robot::radius_m>(
+            {"robot.radius", "m", 0, 10, "no wall may come nearer to the robot's centre"}),
+        real<&W::robot, &Robot::max_speed>({"robot.max_speed", "m/s", 0.01, 10, "greatest speed"}),
+        real<&W::robot, &Robot::acceleration>(
+            {"robot.acceleration", "m/s^2", 0.01, 100, "greatest change of speed"}),
+        real<&W::robot, &Robot::max_turn_rate>(
+            {"robot.max_turn_rate", "rad/s", 0.01, 10, "greatest turn rate"}),
+        real<&W::robot, &Robot::turn_acceleration>(
+            {"robot.turn_acceleration", "rad/s^2", 0.01, 100, "greatest change of the turn rate"}),
+        real<&W::robot, &Robot::tolerance_m>(
+            {"robot.tolerance", "m", 0.01, 10, "every way point is passed at least this near"}),
+        real<&W::robot, &Robot::control_rate_hz>(
+            {"robot.control_rate", "Hz", 1, 1000, "how often the robot's velocities are set anew"}),
+        integer<&W::laser, &Laser::rays>({"laser.rays", "", 2, 100000, "rays of a scan"}),
+        real<&W::laser, &Laser::field_of_view_deg>(
+            {"laser.field_of_view", "degrees", 1, 360, "from the first ray to the last"}),
+        real<&W::laser, &Laser::max_range_m>(
+            {"laser.max_range", "m", 0.1, 1000, "walls further away give no reading"}),
+        real<&W::laser, &Laser::sigma_m>(
+            {"laser.sigma", "m", 0, 1, "standard deviation of a range"}),
+        real<&W::laser, &Laser::rate_hz>({"laser.rate", "Hz", 0.01, 1000, "scans per second"}),
+        real<&W::laser, &Laser::mount_x_m>(
+            {"laser.mount_x", "m", -10, 10, "the laser's place, ahead of the robot's centre"}),
+        real<&W::laser, &Laser::mount_y_m>(
+            {"laser.mount_y", "m", -10, 10, "the laser's place, left of the robot's centre"}),
+        real<&W::laser, &Laser::mount_heading_deg>({"laser.mount_heading", "degrees", -180, 180,
+                                                    "the laser's heading, left of the robot's"}),
+        real<&W::odometry, &Odometry::rate_hz>(
+            {"odometry.rate", "Hz", 0.01, 1000, "odometry readings per second"}),
+        real<&W::odometry, &Odometry::noise>(
+            {"odometry.noise", "", 0, 10, "level of the noise on v and w of each reading"}),
+        choice<&W::odometry, &Odometry::noise_kind>(
+            {.key = "odometry.noise_kind",
+             .description = "sigma = level |v|, or variance = level |v|",
+             .choices = kinds}),
     };
 }
 
-const std::vector<WorldKey>& keys() {
-    static const std::vector<WorldKey> table = make_keys();
-    return table;
+[[noreturn]] void refuse(const WorldKey& key, std::string_view found) {
+    throw ConfigError(std::string(key.key),
+                      fmt::format("found {}, expected {}", found, world_values::allowed(key)));
 }
 
 }  // namespace
 
-std::string WorldKey::allowed() const {
-    if (!words.empty()) return fmt::format("one of {}", fmt::join(words, ", "));
-    return fmt::format("{}{:g} to {:g}{}{}", integer ? "a whole number, " : "", minimum, maximum,
-                       unit.empty() ? "" : " ", unit);
-}
-
-std::string WorldKey::text(const World& world) const {
-    const double value = get(world);
-    if (!words.empty()) return std::string(words[static_cast<std::size_t>(value)]);
-    return fmt::format("{:.17g}", value) == fmt::format("{:g}", value) ? fmt::format("{:g}", value)
-                                                                       : fmt::format("{}", value);
-}
-
 std::span<const WorldKey> world_keys() {
-    return keys();
+    static const std::vector<WorldKey> table = make_keys();
+    return table;
 }
 
 namespace world_values {
 
+std::string allowed(const WorldKey& key) {
+    if (key.type != Type::integer) return key.allowed();
+    return fmt::format("a whole number, {:g} to {:g}", key.minimum, key.maximum);
+}
+
 const WorldKey& find(std::string_view key) {
-    const auto found = std::ranges::find(keys(), key, &WorldKey::key);
-    if (found != keys().end()) return *found;
+    if (const WorldKey* found = look_up(world_keys(), key)) return *found;
     const std::string_view group = key.substr(0, key.find('.') + 1);
     std::vector<std::string_view> near;
-    for (const WorldKey& other : keys()) {
+    for (const WorldKey& other : world_keys()) {
         if (!group.empty() && other.key.starts_with(group)) near.push_back(other.key);
     }
     if (group == "tour.") near.insert(near.end(), {"tour.start", "tour.way_points"});
     if (near.empty()) {
-        for (const WorldKey& other : keys()) near.push_back(other.key);
+        for (const WorldKey& other : world_keys()) near.push_back(other.key);
     }
     throw ConfigError(std::string(key),
                       fmt::format("no such key; expected one of {}", fmt::join(near, ", ")));
 }
 
 void set_number(World& world, const WorldKey& key, double value) {
-    const bool whole = !key.integer || value == std::floor(value);
-    if (!key.words.empty() || !(value >= key.minimum && value <= key.maximum) || !whole) {
-        throw ConfigError(std::string(key.key),
-                          fmt::format("found {}, expected {}", value, key.allowed()));
+    const bool inside = value >= key.minimum && value <= key.maximum;  // false for NaN
+    const bool whole = key.type == Type::real || value == std::floor(value);
+    if (key.type == Type::choice || !inside || !whole) refuse(key, fmt::format("{}", value));
+    if (key.type == Type::integer) {
+        key.put(world, static_cast<std::int64_t>(value));
+    } else {
+        key.put(world, value);
     }
-    key.set(world, value);
 }
 
 void set_word(World& world, const WorldKey& key, std::string_view word) {
-    const auto found = std::ranges::find(key.words, word);
-    if (found == key.words.end()) {
-        throw ConfigError(std::string(key.key),
-                          fmt::format("found \"{}\", expected {}", word, key.allowed()));
-    }
-    key.set(world, static_cast<double>(found - key.words.begin()));
+    if (key.type != Type::choice || !key.place_of(word)) refuse(key, fmt::format("\"{}\"", word));
+    key.put(world, std::string(word));
 }
 
 }  // namespace world_values
@@ -282,7 +132,7 @@ void set_world_value(World& world, std::string_view assignment) {
     }
     const WorldKey& key = world_values::find(assignment.substr(0, equals));
     const std::string_view text = assignment.substr(equals + 1);
-    if (!key.words.empty()) {
+    if (key.type == Type::choice) {
         world_values::set_word(world, key, text);
         return;
     }
@@ -290,19 +140,14 @@ void set_world_value(World& world, std::string_view assignment) {
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     if (stop != end || error != std::errc{}) {
-        throw ConfigError(std::string(key.key),
-                          fmt::format("found \"{}\", expected {}", text, key.allowed()));
+        refuse(key, fmt::format("\"{}\"", text));
     }
     world_values::set_number(world, key, value);
 }
 
 void check(const World& world) {
-    for (const WorldKey& key : keys()) {
-        const double value = key.get(world);
-        if (!(value >= key.minimum && value <= key.maximum)) {
-            throw ConfigError(std::string(key.key),
-                              fmt::format("found {}, expected {}", value, key.allowed()));
-        }
+    for (const WorldKey& key : world_keys()) {
+        if (!key.allows(key.get(world))) refuse(key, key.text(world));
     }
     if (world.walls.empty()) throw ConfigError("walls", "found none, expected one or more");
     if (world.tour.way_points.empty()) {

@@ -10,7 +10,10 @@ namespace hitos::world_values {
 /// The key's description. Throws ConfigError that names near keys where there is none.
 const WorldKey& find(std::string_view key);
 
-/// Sets the value; throws ConfigError that says what is allowed. The first for keys without words.
+/// What may stand there: "0 to 1 m", "a whole number, 1 to 1000".
+std::string allowed(const WorldKey& key);
+
+/// Sets the value; throws ConfigError that says what is allowed.
 void set_number(World& world, const WorldKey& key, double value);
 void set_word(World& world, const WorldKey& key, std::string_view word);
 

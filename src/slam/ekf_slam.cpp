@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
-
-#include "hitos/base/error.hpp"
 
 namespace hitos {
 namespace {
@@ -19,10 +16,6 @@ constexpr Likelihood kNothing{-kNever, kNever};
 Likelihood compared(const Vector2& nu, const Matrix2& s) {
     const Likelihood likelihood = likelihood_of(nu, s);
     return s.determinant() > 0.0 && likelihood.mahalanobis_squared >= 0.0 ? likelihood : kNothing;
-}
-
-bool is_probability(double value) {
-    return value > 0.0 && value < 1.0;
 }
 
 }  // namespace
@@ -177,20 +170,10 @@ LandmarkMap EkfSlam::best_map() const {
 SlamAlgorithmEntry ekf_slam_algorithm() {
     SlamAlgorithmEntry entry;
     entry.word = "ekf-slam";
-    entry.label = "EKF-SLAM";
+    entry.label = HITOS_TEXT("ParameterChoice", "EKF-SLAM");
     entry.purpose = "one extended Kalman filter over the pose and all landmarks";
     entry.reads = {"association.gate_probability", "association.new_probability"};
     entry.make = [](const FilterParams& params, std::uint64_t /*seed*/, int /*threads*/) {
-        check(params.observation);
-        const AssociationParams& a = params.association;
-        if (!is_probability(a.gate_probability) || !is_probability(a.new_probability) ||
-            a.new_probability < a.gate_probability) {
-            throw ConfigError("association.new_probability",
-                              "found " + std::to_string(a.new_probability) +
-                                  " with association.gate_probability " +
-                                  std::to_string(a.gate_probability) +
-                                  ", expected probabilities below 1, this one not the smaller");
-        }
         return std::make_unique<EkfSlam>(params);
     };
     return entry;

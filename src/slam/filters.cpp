@@ -2,6 +2,7 @@
 
 #include "ekf_slam.hpp"
 #include "filtro_particulas.hpp"
+#include "hitos/slam/filter_parameters.hpp"
 
 namespace hitos {
 
@@ -13,6 +14,7 @@ Registry<SlamAlgorithmEntry>& slam_algorithms() {
 
 std::unique_ptr<SlamFilter> make_filter(const FilterParams& params, std::uint64_t seed,
                                         int threads) {
+    check(params);
     return slam_algorithms().find(params.algorithm).make(params, seed, threads);
 }
 

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <string>
 
-#include "hitos/base/error.hpp"
-
 namespace hitos {
 namespace {
 
@@ -284,7 +282,7 @@ void FiltroParticulas::for_each(std::size_t count, std::size_t work_each, const 
 SlamAlgorithmEntry fastslam_algorithm() {
     SlamAlgorithmEntry entry;
     entry.word = "fastslam";
-    entry.label = "FastSLAM 1.0";
+    entry.label = HITOS_TEXT("ParameterChoice", "FastSLAM 1.0");
     entry.purpose = "particles with one small filter per landmark";
     entry.reads = {"filter.particles",
                    "filter.proposal",
@@ -295,12 +293,6 @@ SlamAlgorithmEntry fastslam_algorithm() {
                    "resampling.neff_threshold",
                    "resampling.method"};
     entry.make = [](const FilterParams& params, std::uint64_t seed, int threads) {
-        if (params.particles < 1) {
-            throw ConfigError("filter.particles",
-                              "found " + std::to_string(params.particles) + ", expected 1 or more");
-        }
-        if (!(params.association.p0 > 0.0)) throw ConfigError("association.p0", "expected above 0");
-        check(params.observation);
         return std::make_unique<FiltroParticulas>(params, seed, threads);
     };
     return entry;

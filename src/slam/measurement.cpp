@@ -1,17 +1,6 @@
 #include "measurement.hpp"
 
-#include <string>
-
-#include "hitos/base/error.hpp"
-
 namespace hitos {
-
-void check(const ObservationParams& params) {
-    if (params.var_rho_m2 > 0.0 && params.var_theta_rad2 > 0.0) return;
-    throw ConfigError("observation", "found var_rho " + std::to_string(params.var_rho_m2) +
-                                         " and var_theta " + std::to_string(params.var_theta_rad2) +
-                                         ", expected variances above 0");
-}
 
 void measure(const Observation& observation, const ObservationParams& params, Measurements& out) {
     Matrix2 fixed;

@@ -14,9 +14,6 @@ inline double chi_square_gate(double probability) {
     return -2.0 * std::log1p(-probability);
 }
 
-/// Throws ConfigError where a variance is not above 0.
-void check(const ObservationParams& params);
-
 /// Measurements of all features of an observation, kind by kind and in its order; R is the
 /// feature's own covariance where the observation has it, else diag(var_rho, var_theta). Reused
 /// from scan to scan.

@@ -10,26 +10,24 @@
 namespace hitos {
 namespace {
 
-/// The place in the folder that the program was built or unpacked in: seen from the program's own
-/// place upwards, then from the current folder. Empty where there is none.
-std::filesystem::path shipped(const char* built, const char* installed) {
+std::filesystem::path worlds_folder() {
+    return shipped_file("data/worlds");
+}
+
+}  // namespace
+
+std::filesystem::path shipped_file(const std::filesystem::path& relative) {
     std::error_code ignored;
     std::filesystem::path above = std::filesystem::read_symlink("/proc/self/exe", ignored);
     while (above.has_relative_path()) {
         above = above.parent_path();
-        for (const char* place : {built, installed}) {
+        for (const std::filesystem::path& place : {relative, "share/hitos" / relative}) {
             if (std::filesystem::exists(above / place, ignored)) return above / place;
         }
     }
-    if (std::filesystem::exists(built, ignored)) return built;
+    if (std::filesystem::exists(relative, ignored)) return relative;
     return {};
 }
-
-std::filesystem::path worlds_folder() {
-    return shipped("data/worlds", "share/hitos/worlds");
-}
-
-}  // namespace
 
 bool is_world_file(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
@@ -60,7 +58,7 @@ std::filesystem::path find_world(const std::string& name) {
 }
 
 std::filesystem::path find_thesis_results() {
-    std::filesystem::path path = shipped("data/results.csv", "share/hitos/results.csv");
+    std::filesystem::path path = shipped_file("data/results.csv");
     if (path.empty()) {
         throw FileError("data/results.csv",
                         "is not there; it comes with Hitos: start the program from its folder");

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "hitos/simulation/noisy_source.hpp"
+#include "hitos/simulation/noisy_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
 
 namespace hitos {
@@ -16,9 +16,7 @@ void set_study_source(Study& study, double level, OdometryNoiseKind kind) {
     study.setting = fmt::format("odometry noise {} {}",
                                 kOdometryNoiseWords.at(static_cast<std::size_t>(kind)), level);
     study.source = [level, kind](const StudyJob& job) {
-        const SourceParams& source = job.configuration.source;
-        return make_noisy_source(open_tour(source), level, kind, job.seed,
-                                 source.read.logged_velocities);
+        return make_noisy_reader(open_tour(job.configuration.source), level, kind, job.seed);
     };
 }
 

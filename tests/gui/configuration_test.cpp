@@ -262,11 +262,30 @@ void ConfigurationTest::what_the_models_do_not_use_is_grey() {
     QVERIFY(!enabled("observation.var_rho") && enabled("observation.point_sigma"));
 }
 
+void ConfigurationTest::the_cards_show_what_is_used() {
+    Fixture f;
+    const auto shown = [&](const char* key) {
+        return f.window->findChild<QLabel*>(QString("value_") + key) != nullptr;
+    };
+    QVERIFY(shown("split_merge.dmax") && !shown("ransac.threshold"));
+    QVERIFY(shown("motion.sigma_x") && !shown("motion.var_along"));
+    QVERIFY(shown("filter.particles") && !shown("association.new_probability"));
+    Configuracion configuration = f.session.configuration();
+    for (const char* assignment :
+         {"features.method=ransac", "motion.model=proportional", "filter.algorithm=ekf-slam"})
+        set_parameter(configuration, assignment);
+    f.session.set_configuration(configuration);
+    QVERIFY(!shown("split_merge.dmax") && shown("ransac.threshold"));
+    QVERIFY(!shown("motion.sigma_x") && shown("motion.var_along"));
+    QVERIFY(!shown("filter.particles") && shown("association.new_probability"));
+    QVERIFY(shown("run.seed") && shown("association.ambiguity") && !shown("grid.hit"));
+}
+
 void ConfigurationTest::the_form_has_every_parameter() {
     Fixture f;
     ConfigurationDialog dialog(f.session.configuration(), f.prompts, nullptr);
-    for (const Parameter& parameter : parameters()) {
-        if (parameter.group == ParameterGroup::source) continue;  // it has a dialog of its own
+    for (const ConfigParameter& parameter : parameters()) {
+        if (parameter.table() == "source") continue;  // it has a dialog of its own
         const QString name = "field_" + QString::fromStdString(std::string(parameter.key));
         auto* editor = dialog.findChild<QWidget*>(name);
         QVERIFY2(editor != nullptr, qPrintable(name));

@@ -341,6 +341,8 @@ void RunTest::all_results_are_those_of_the_command_line() {
     f.run_to_end();
     f.prompts.saves = {f.path("results")};
     f.trigger("action_save_results");
+    QVERIFY(!f.action("action_save_results")->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(f.action("action_save_results")->isEnabled(), 60000);
     QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join('\n')));
     const QString cli = command_line_results(f);
     for (const char* name :

@@ -41,6 +41,7 @@ class ConfigurationTest : public QObject {
     void the_form_can_be_cancelled_or_declined();
     void the_form_opens_while_the_run_goes_on();
     void what_the_models_do_not_use_is_grey();
+    void the_cards_show_what_is_used();
     void the_form_has_every_parameter();
     void the_default_is_written_and_read_at_start();
     void the_default_is_not_written_without_consent();
@@ -136,7 +137,6 @@ class WordsTest : public QObject {
 
   private slots:
     void nothing_is_left_untranslated();
-    void the_descriptions_are_those_of_the_table();
     void every_parameter_has_spanish_words();
     void the_window_speaks_spanish();
     void the_program_makes_pictures_without_a_display();

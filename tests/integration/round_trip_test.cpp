@@ -30,7 +30,7 @@ TEST_P(RoundTrip, ThroughTheNormalizedFormatToTheLastBit) {
     HITOS_SKIP_WITHOUT(source);
     const TempDir folder;
     const Log log = test::read_log(source);
-    write_merged(log, *make_log_writer(LogFormat::normalized, folder / "n.log"));
+    write_merged(log, *make_log_writer("normalized", folder / "n.log"));
     const Log again = test::read_log(folder / "n.log");
     EXPECT_EQ(again.report.skipped, 0U);
     EXPECT_EQ(again.report.stamps_backwards, 0U);
@@ -48,7 +48,7 @@ TEST_P(RoundTrip, ThroughTheNormalizedFormatToTheLastBit) {
         ASSERT_EQ(again.odometry[i].time_s, log.odometry[i].time_s) << i;
         ASSERT_EQ(again.odometry[i].twist, log.odometry[i].twist) << i;
     }
-    write_merged(again, *make_log_writer(LogFormat::normalized, folder / "n2.log"));
+    write_merged(again, *make_log_writer("normalized", folder / "n2.log"));
     EXPECT_EQ(test::content(folder / "n2.log"), test::content(folder / "n.log"));
 }
 
@@ -58,8 +58,8 @@ TEST_P(RoundTrip, ThroughTheOtherFormatsToTheirDecimals) {
     const TempDir folder;
     const Log log = test::read_log(source);
     const Pose end = test::summed(log.odometry).back();
-    for (const LogFormat format : {LogFormat::player, LogFormat::radish, LogFormat::carmen}) {
-        SCOPED_TRACE(to_string(format));
+    for (const std::string format : {"player", "radish", "carmen"}) {
+        SCOPED_TRACE(format);
         write_merged(log, *make_log_writer(format, folder / "x.log"));
         const Log again = test::read_log(folder / "x.log");
         EXPECT_EQ(again.report.skipped, 0U);

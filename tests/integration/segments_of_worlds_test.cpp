@@ -8,7 +8,6 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/workbench/open_tour.hpp"
-#include "hitos/workbench/tour_truth.hpp"
 
 namespace hitos {
 namespace {
@@ -55,9 +54,9 @@ Mapped mapped(const std::string& world) {
     Configuracion configuration = ArchivoConfiguracion::read(source / "config/simulated.cfg");
     configuration.extraction.split_merge.fit = LineFit::least_squares;
     configuration.source.file = (source / "data/worlds" / (world + ".toml")).string();
-    auto fuente = open_tour(configuration.source);
-    Mapped result{true_walls(*simulated_tour(*fuente)), {}};
-    Algoritmo run(configuration, std::move(fuente), {.step_grid = false});
+    auto reader = open_tour(configuration.source);
+    Mapped result{reader->truth()->walls, {}};
+    Algoritmo run(configuration, std::move(reader), {.step_grid = false});
     while (run.step()) {
     }
     for (const LineExtent& segment :

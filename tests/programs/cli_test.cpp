@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "support.hpp"
@@ -138,13 +139,30 @@ TEST(Cli, EvaluateMeasuresFinishedFiles) {
 }
 
 TEST(Cli, HelpEverywhere) {
-    for (const std::string command : {"", "run", "convert", "evaluate"}) {
+    for (const std::string command : {"", "run", "convert", "evaluate", "parameters"}) {
         const Outcome outcome = cli(command + " --help");
         EXPECT_EQ(outcome.status, 0);
         EXPECT_NE(outcome.output.find("--help"), std::string::npos);
     }
     EXPECT_NE(cli("--version").output.find("."), std::string::npos);
     expect_error(cli(""), {"subcommand"});
+}
+
+TEST(Cli, ListsTheParameters) {
+    const std::string all = cli("parameters").output;
+    for (const ConfigParameter& parameter : parameters()) {
+        EXPECT_NE(all.find("\n  " + std::string(parameter.key) + " = "), std::string::npos)
+            << parameter.key;
+    }
+    const Outcome some = cli("parameters ransac split_merge.dmax");
+    EXPECT_EQ(some.status, 0);
+    for (const char* words :
+         {"  ransac.threshold = 0.04\n", "1e-06 to 10 m; read where features.method is ransac",
+          "  split_merge.dmax = 0.02   Dmax in the thesis\n"}) {
+        EXPECT_NE(some.output.find(words), std::string::npos) << some.output;
+    }
+    EXPECT_EQ(some.output.find("split_merge.fit"), std::string::npos);
+    expect_error(cli("parameters ransac.treshold"), {"did you mean ransac.threshold"});
 }
 
 class BadInput : public testing::Test {

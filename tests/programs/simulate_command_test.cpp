@@ -77,7 +77,7 @@ TEST_F(Simulate, WritesLogTruthReferenceAndPicture) {
                  " --truth " + in("truth.tum") + " --reference " + in("reference.map") +
                  " --picture " + in("tour.png"));
         ASSERT_EQ(result.status, 0) << result.said;
-        EXPECT_EQ(to_string(open_log(in("tour." + format))->format()), format);
+        EXPECT_EQ(open_log(in("tour." + format))->format().word, format);
     }
     EXPECT_EQ(read_map(in("reference.map")).size(), 8U);
     const Trajectory truth = read_trajectory(in("truth.tum"));

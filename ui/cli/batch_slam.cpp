@@ -4,20 +4,16 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
-#include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "hitos/base/error.hpp"
-#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/workbench/configuration_choices.hpp"
 #include "hitos/services/run/results.hpp"
 #include "study_console.hpp"
 
 namespace hitos::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct BatchOptions {
     std::string config;
@@ -28,18 +24,6 @@ struct BatchOptions {
     std::vector<std::string> second;
     StudyRunOptions runs;
 };
-
-/// A configuration may name its log from the current folder or from its own.
-void find_log(Configuracion& configuration, const fs::path& config) {
-    std::string& file = configuration.source.file;
-    if (file.empty()) {
-        throw ConfigError("source.file", "found no file name in " + config.string() +
-                                             "; expected the path of the log to study");
-    }
-    std::error_code ignored;
-    const fs::path beside = config.parent_path() / file;
-    if (!fs::exists(file, ignored) && fs::exists(beside, ignored)) file = beside.string();
-}
 
 StudyParameter parameter(const std::string& name, const std::vector<std::string>& values) {
     StudyParameter parameter = find_thesis_parameter(name);
@@ -54,8 +38,11 @@ int batch(const BatchOptions& options) {
         study.parameters.push_back(
             parameter(options.second.front(), {options.second.begin() + 1, options.second.end()}));
     }
-    study.configuration = ArchivoConfiguracion::read(options.config);
-    find_log(study.configuration, options.config);
+    study.configuration = read_configuration(options.config);
+    if (study.configuration.source.file.empty()) {
+        throw ConfigError("source.file", "found no file name in " + options.config +
+                                             "; expected the path of the log to study");
+    }
     study.reference = read_map(options.referencia);
     study.layout = study_beside(options.salida);
     apply(options.runs, study);

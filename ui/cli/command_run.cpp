@@ -15,7 +15,6 @@
 #include "hitos/services/run/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
 #include "hitos/workbench/open_tour.hpp"
-#include "hitos/workbench/tour_truth.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
 
@@ -59,7 +58,7 @@ void run(const RunOptions& options) {
     Configuracion configuration = load(options.configuration);
     configuration.source.file = options.log;
     if (!options.format.empty()) {
-        configuration.source.format = parse_format(options.format, "--format");
+        configuration.source.format = checked_log_format(options.format, "--format");
     }
     References references;
     if (!options.reference.empty()) references.map = read_map(options.reference);
@@ -69,14 +68,11 @@ void run(const RunOptions& options) {
     if (!options.distances.empty()) references.distances = read_distances(options.distances);
     prepare_output_folder(options.out);
 
-    std::unique_ptr<Fuente> fuente = open_tour(configuration.source);
-    if (const SimulatedTour* tour = simulated_tour(*fuente)) {
-        references.walls = true_walls(*tour);
-        if (!references.trajectory) references.trajectory = true_trajectory(*tour);
-    }
+    std::unique_ptr<TourReader> reader = open_tour(configuration.source);
+    add_truth(references, reader->truth());
     AlgoritmoOptions run_options;
     run_options.uncertainty = options.uncertainty;
-    RunWorker worker(configuration, std::move(fuente), run_options);
+    RunWorker worker(configuration, std::move(reader), run_options);
     ProgressLine line("scans");
     worker.run();
     Progress progress = worker.progress();
@@ -110,7 +106,7 @@ void add_run(CLI::App& program) {
                      "Log file, plain or .gz, or a world file (.toml) to simulate")
         ->required();
     command->add_option("--format", options->format,
-                        "auto, player, radish, normalized or carmen (default: auto)");
+                        log_format_choices() + " (default: auto)");
     add_configuration_options(*command, options->configuration);
     command->add_option("--reference", options->reference,
                         "Reference map (docs/formats.md) to measure the map against");

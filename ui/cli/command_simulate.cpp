@@ -9,14 +9,13 @@
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/capture/log_writer.hpp"
+#include "hitos/capture/log_format.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/simulation/reference_map.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/simulated_tour_reader.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "hitos/workbench/tour_picture.hpp"
-#include "hitos/workbench/tour_truth.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
 
@@ -54,33 +53,28 @@ World load_world(const SimulateOptions& options) {
 }
 
 void simulate(const SimulateOptions& options) {
-    const LogFormat format = parse_format(options.format, "--format");
-    if (format == LogFormat::automatic) {
-        throw ConfigError("--format",
-                          "found \"auto\", expected player, radish, normalized or carmen");
-    }
+    const std::string format = checked_target_format(options.format, "--format");
     if (options.out.empty() && options.truth.empty() && options.reference.empty() &&
         options.picture.empty()) {
         throw ConfigError("simulate",
                           "found nothing to write; give --out, --truth, --reference or --picture");
     }
-    const SimulatedTour tour(load_world(options));
+    const auto tour = std::make_shared<const SimulatedTour>(load_world(options));
+    SimulatedTourReader reader(tour);
     // The log's place is tried first and the log put there last, so that an error in any other file
     // leaves no log behind that looks like a whole result.
     const auto writer = options.out.empty() ? nullptr : make_log_writer(format, options.out);
-    if (!options.picture.empty()) write_tour_picture(tour, options.picture);
-    if (!options.truth.empty()) write_trajectory(true_trajectory(tour), options.truth);
-    if (!options.reference.empty()) write_map(reference_map(tour.world()), options.reference);
+    if (!options.picture.empty()) write_tour_picture(*tour, options.picture);
+    if (!options.truth.empty()) write_trajectory(reader.truth()->path, options.truth);
+    if (!options.reference.empty()) write_map(reference_map(tour->world()), options.reference);
     if (writer) {
         ProgressLine line("scans");
-        write_tour(tour, *writer, [&](std::uint64_t scans) {
-            line.show(scans, static_cast<double>(scans) / static_cast<double>(tour.scans()));
-        });
+        write_tour(reader, *writer, [&] { line.show(reader.report().scans, reader.progress()); });
         writer->finish();
-        line.finish(tour.scans());
+        line.finish(tour->scans());
     }
-    fmt::print("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n", tour.world().name,
-               tour.path().length_m(), tour.path().duration_s(), tour.scans(), tour.readings());
+    fmt::print("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n", tour->world().name,
+               tour->path().length_m(), tour->path().duration_s(), tour->scans(), tour->readings());
 }
 
 std::string footer() {
@@ -106,7 +100,7 @@ void add_simulate(CLI::App& program) {
                      "World file (.toml), or the name of a world that comes with Hitos")
         ->required();
     command->add_option("--format", options->format,
-                        "player, radish, normalized or carmen (default: normalized)");
+                        log_formats().words(" or ") + " (default: normalized)");
     command->add_option("--out", options->out, "Log to write; .gz compresses it");
     command->add_option("--seed", options->seed, "Seed of the noise (default: as the world says)");
     command->add_option("--laps", options->laps, "How often the way points are driven");

@@ -44,14 +44,14 @@ int study(CommandOptions options) {
     require(options.log, "LOG", "the log file to study");
     require(options.reference, "--reference", "the map to measure against");
     require(options.out, "--out", "the folder for the results");
-    options.runs.first_seed = options.configuration.seed.value_or(1);
-    options.runs.threads = options.configuration.threads.value_or(0);
+    options.runs.first_seed = options.configuration.values.seed.value_or(1);
+    options.runs.threads = options.configuration.values.threads.value_or(0);
 
     Study study;
     study.configuration = load(options.configuration);
     study.configuration.source.file = options.log;
     if (!options.format.empty()) {
-        study.configuration.source.format = parse_format(options.format, "--format");
+        study.configuration.source.format = checked_log_format(options.format, "--format");
     }
     study.reference = read_map(options.reference);
     for (const std::string& assignment : options.vary)
@@ -96,7 +96,7 @@ void add_study(CLI::App& program) {
         "Grid Engine job array every task does its shard. See docs/studies.md, docs/cluster.md.");
     command->add_option("log", options->log, "Log file, plain or .gz");
     command->add_option("--format", options->format,
-                        "auto, player, radish, normalized or carmen (default: auto)");
+                        log_format_choices() + " (default: auto)");
     command->add_option("--reference", options->reference, "Reference map to measure against");
     command
         ->add_option("--vary", options->vary,

@@ -12,5 +12,6 @@ void add_evaluate(CLI::App& program);
 void add_study(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_reproduce(CLI::App& program);
+void add_parameters(CLI::App& program);
 
 }  // namespace hitos::cli

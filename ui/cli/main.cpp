@@ -16,13 +16,14 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     program.footer(
         "Formats and files: docs/formats.md; worlds: docs/simulation.md; every parameter: "
-        "config/init.cfg");
+        "hitos-cli parameters");
     hitos::cli::add_run(program);
     hitos::cli::add_simulate(program);
     hitos::cli::add_convert(program);
     hitos::cli::add_evaluate(program);
     hitos::cli::add_study(program);
     hitos::cli::add_reproduce(program);
+    hitos::cli::add_parameters(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

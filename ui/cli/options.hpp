@@ -9,24 +9,20 @@
 
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
+#include "hitos/workbench/configuration_choices.hpp"
 
 namespace hitos::cli {
 
 /// --config, --set, --seed and --threads.
 struct ConfigurationOptions {
     std::string file;
-    std::vector<std::string> assignments;
-    std::optional<std::uint64_t> seed;
-    std::optional<int> threads;
+    ValueChoices values;
 };
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options);
 
 /// The file's values (else the defaults), the assignments over them, then seed and threads.
 Configuracion load(const ConfigurationOptions& options);
-
-/// The format a word names; throws ConfigError that lists the words.
-LogFormat parse_format(const std::string& word, const std::string& option);
 
 /// The kind of noise a word names; throws ConfigError that lists the words.
 OdometryNoiseKind parse_noise_kind(const std::string& word);

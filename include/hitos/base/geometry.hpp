@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace hitos {
 
@@ -45,6 +47,18 @@ struct Pose {
     double theta = 0.0;
     friend bool operator==(const Pose&, const Pose&) = default;
 };
+
+/// A pose of the robot in the world at a time.
+struct StampedPose {
+    double time_s = 0.0;
+    Pose pose;  ///< world from robot
+    friend bool operator==(const StampedPose&, const StampedPose&) = default;
+};
+
+using Trajectory = std::vector<StampedPose>;
+
+/// Straight walls by their ends [m], in the frame that the owner states.
+using Walls = std::vector<std::pair<Point2, Point2>>;
 
 /// A velocity that is constant in the moving frame: forward [m/s], to the left [m/s], turn
 /// [rad/s]. A differential robot has no lateral part; logged poses that were rounded do.

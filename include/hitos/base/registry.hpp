@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/translatable.hpp"
 
 namespace hitos {
 
 /// What every entry of a registry has; help texts, forms and messages are made of it.
 struct RegistryEntry {
     std::string word;     ///< as files and command lines say it: "split-merge"
-    std::string label;    ///< as forms show it: "Split and Merge"
+    std::string label;    ///< as forms show it: HITOS_TEXT("ParameterChoice", "Split and Merge")
     std::string purpose;  ///< half a sentence for help texts
     /// Keys of the parameters that only some entries of the registry read, this one among them. A
     /// parameter that an entry names has no effect where another entry is chosen that does not.

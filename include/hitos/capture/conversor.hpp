@@ -6,6 +6,7 @@
 
 #include "hitos/capture/fuente.hpp"
 #include "hitos/capture/scan.hpp"
+#include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
 
@@ -26,19 +27,5 @@ class Conversor {
     virtual std::optional<Scan> scan(const RawLine& line) = 0;
     virtual std::optional<OdometryRecord> odometry(const RawLine& line) = 0;
 };
-
-/// What a reader may be told beside the log.
-struct ReadOptions {
-    /// Readings at or beyond it are no points [m]. 0: what the log says; where it says nothing,
-    /// the code for "no return" that its first scans repeat, less 0.1 m; else 49.9 (above it lie
-    /// the codes of SICK scanners).
-    double max_range_m = 0.0;
-    /// Use the logged v, w where there are some, instead of the twists that reproduce the poses.
-    bool logged_velocities = false;
-};
-
-/// The converter for the source's format. Reads ahead through a reopened copy of the source where
-/// the format does not state the greatest range.
-std::unique_ptr<Conversor> make_conversor(const Fuente& fuente, const ReadOptions& options);
 
 }  // namespace hitos

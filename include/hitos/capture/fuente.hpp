@@ -9,13 +9,7 @@
 
 namespace hitos {
 
-/// The text formats of SPEC §3; `automatic` asks for detection from the content.
-enum class LogFormat { automatic, player, radish, normalized, carmen };
-
-/// "auto", "player", "radish", "normalized", "carmen".
-std::string_view to_string(LogFormat format);
-/// The inverse of to_string; nothing for another word.
-std::optional<LogFormat> log_format_from(std::string_view word);
+struct LogFormat;
 
 /// One raw line of a log. `text` is valid until the next read on the same cursor.
 struct RawLine {
@@ -32,15 +26,15 @@ class Fuente {
   public:
     virtual ~Fuente() = default;
 
-    /// The format of the lines; never `automatic`.
-    virtual LogFormat format() const = 0;
+    /// The format of the lines.
+    virtual const LogFormat& format() const = 0;
     /// The next line that holds a scan, or metadata of scans; nothing at the end.
     virtual std::optional<RawLine> read_scan_line() = 0;
     /// The next line that holds odometry, or metadata of it; nothing at the end.
     virtual std::optional<RawLine> read_odometry_line() = 0;
     /// How far the scan cursor has come, 0 … 1; nothing where it cannot be known.
     virtual std::optional<double> progress() const = 0;
-    /// What to call the source in messages: a path, or a world's name.
+    /// What to call the source in messages: a path.
     virtual std::string name() const = 0;
     /// Reasons and line numbers of lines that no cursor could hand out (too long, no text); each
     /// such line is told once, to the scan cursor's owner.

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <string_view>
 
-#include "hitos/capture/fuente.hpp"
-#include "hitos/capture/scan.hpp"
+#include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
 
@@ -26,7 +27,13 @@ class LogWriter {
     virtual void finish() = 0;
 };
 
-/// A path that ends in .gz is compressed. Throws FileError where the folder cannot be written.
-std::unique_ptr<LogWriter> make_log_writer(LogFormat format, const std::filesystem::path& path);
+/// Writes a whole tour, from where the reader stands, in the order of time; odometry first where
+/// times are equal. `told` is called after every scan. The caller finishes the writer.
+void write_tour(TourReader& reader, LogWriter& writer, const std::function<void()>& told = {});
+
+/// A path that ends in .gz is compressed. Throws FileError where the folder cannot be written, and
+/// ConfigError for a word that no format has (also "auto").
+std::unique_ptr<LogWriter> make_log_writer(std::string_view format,
+                                           const std::filesystem::path& path);
 
 }  // namespace hitos

@@ -13,24 +13,7 @@
 
 namespace hitos {
 
-/// What was left out of a log and why.
-struct ReadReport {
-    struct Skip {
-        std::uint64_t line = 0;
-        std::string reason;
-    };
-    static constexpr std::size_t kExamples = 20;
-
-    std::uint64_t scans = 0;
-    std::uint64_t odometry = 0;
-    std::uint64_t duplicate_scans = 0;   ///< same stamp and same ranges as the scan before
-    std::uint64_t stamps_backwards = 0;  ///< readings whose stamp did not advance
-    std::uint64_t skipped = 0;           ///< damaged lines, each counted once
-    std::vector<Skip> examples;          ///< the first kExamples damaged lines, by line
-};
-
-/// The reader that the layers above use: set a source, then ask for scans and odometry in turn;
-/// the two sequences are independent.
+/// The reader of text logs [T fig 9.4]: raw lines of a source, through the converter of its format.
 ///
 /// * A scan that repeats the stamp and the ranges of the one before is left out and counted.
 /// * Poses become twists that reproduce them exactly (twist_between); a reading whose stamp does
@@ -40,21 +23,19 @@ struct ReadReport {
 ///   no time to hold them, so such a reading is left out and counted.
 /// * Damaged lines are left out, counted and reported with their number. A line that is scan and
 ///   odometry at once (CARMEN's FLASER) counts when the scan sequence passes over it.
-class Procesador {
+class Procesador final : public TourReader {
   public:
     explicit Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options = {});
 
-    /// The next scan; nothing at the end. Throws FileError where the medium fails (a truncated
-    /// gzip file hands out what can be read, then counts as damage).
-    std::optional<Scan> next_scan();
-    /// The next odometry reading; nothing at the end.
-    std::optional<Odometria> next_odometry();
-
-    /// Back to the beginning, with a fresh report.
-    void restart();
-
-    const ReadReport& report() const { return report_; }
-    const Fuente& fuente() const { return *fuente_; }
+    /// A truncated gzip file hands out what can be read, then counts as damage.
+    std::optional<Scan> next_scan() override;
+    std::optional<Odometria> next_odometry() override;
+    void restart() override;
+    std::unique_ptr<TourReader> reopen() const override;
+    const ReadReport& report() const override { return report_; }
+    std::optional<double> progress() const override { return fuente_->progress(); }
+    std::string name() const override { return fuente_->name(); }
+    std::string format() const override;
 
   private:
     std::optional<Odometria> from_pose(const OdometryRecord& record);

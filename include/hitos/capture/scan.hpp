@@ -1,6 +1,7 @@
 // One laser scan and one odometry reading, as every layer above sees them [T fig 9.2].
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,15 @@ struct Fan {
     std::uint32_t count = 0;
     double max_range_m = 0.0;  ///< 0 where the log does not say
     Pose pose_robot_laser;     ///< mounting of the laser; identity where the log does not say
+
+    /// From one ray to the next; 0 where there is one ray only.
+    double step_rad() const {
+        return count > 1 ? (max_angle_rad - min_angle_rad) / (count - 1) : 0.0;
+    }
+    /// Of a ray, in the laser's frame.
+    double angle_rad(std::size_t ray) const {
+        return min_angle_rad + static_cast<double>(ray) * step_rad();
+    }
     friend bool operator==(const Fan&, const Fan&) = default;
 };
 
@@ -36,6 +46,7 @@ struct Scan {
         return run + 1 < run_starts.size() ? run_starts[run + 1]
                                            : static_cast<std::uint32_t>(points.size());
     }
+    friend bool operator==(const Scan&, const Scan&) = default;
 };
 
 /// One odometry reading: the twist held since the previous reading up to this one's time
@@ -44,6 +55,7 @@ struct Odometria {
     double time_s = 0.0;  ///< strictly increasing from reading to reading
     Twist twist;          ///< m/s, m/s, rad/s
     std::uint64_t line = 0;
+    friend bool operator==(const Odometria&, const Odometria&) = default;
 };
 
 }  // namespace hitos

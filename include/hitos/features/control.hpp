@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "hitos/capture/scan.hpp"
@@ -35,6 +36,18 @@ class ControlTrack {
     std::optional<Odometria> pending_;  ///< read, not yet wholly used
     bool started_ = false;
     double used_until_s_ = 0.0;  ///< motion is accounted for up to this time
+};
+
+/// The pose by odometry alone at every scan, from (0, 0, 0) at the first reading.
+class OdometryPath {
+  public:
+    /// The scan's stamp and the controls up to it from the scan before.
+    void add(double time_s, std::span<const Control> controls);
+    const Trajectory& trajectory() const { return trajectory_; }
+
+  private:
+    Pose pose_;
+    Trajectory trajectory_;
 };
 
 }  // namespace hitos

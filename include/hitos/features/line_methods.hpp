@@ -24,8 +24,7 @@ class MetodoExtraccionRectas {
 
 /// A line method as parameters name it.
 struct LineMethodEntry : RegistryEntry {
-    /// A method that draws at random draws from the seed. Throws ConfigError for values out of
-    /// range.
+    /// A method that draws at random draws from the seed. make_extractor() has checked the ranges.
     std::function<std::unique_ptr<MetodoExtraccionRectas>(const ExtractionParams&,
                                                           std::uint64_t seed)>
         make;

@@ -5,7 +5,6 @@
 #include <functional>
 #include <vector>
 
-#include "hitos/capture/log_writer.hpp"
 #include "hitos/capture/scan.hpp"
 #include "hitos/simulation/driven_path.hpp"
 #include "hitos/simulation/simulated_laser.hpp"
@@ -46,12 +45,5 @@ class SimulatedTour {
     std::uint64_t scans_ = 0;
     std::uint64_t readings_ = 0;
 };
-
-/// Told the scans written so far.
-using TourProgress = std::function<void(std::uint64_t)>;
-
-/// Writes the whole tour, with noise, in the order of time; odometry first where times are equal.
-/// The caller finishes the writer.
-void write_tour(const SimulatedTour& tour, LogWriter& writer, const TourProgress& progress = {});
 
 }  // namespace hitos

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
+#include "hitos/base/parameter.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 
 namespace hitos {
@@ -75,23 +76,8 @@ struct World {
     std::uint64_t seed = 1;  ///< of the laser's and the odometry's noise
 };
 
-/// Describes a key of the world file that holds one value; --set takes the same keys.
-struct WorldKey {
-    std::string_view key;  ///< "laser.sigma"
-    std::string_view unit;
-    std::string_view description;
-    double minimum = 0.0;
-    double maximum = 0.0;
-    bool integer = false;
-    std::vector<std::string_view> words = {};  ///< choices; the value is the place in this list
-    double (*get)(const World&) = nullptr;
-    void (*set)(World&, double) = nullptr;
-
-    /// What may stand there: "0 to 1 m", "one of relative-sigma, variance".
-    std::string allowed() const;
-    /// The value in words.
-    std::string text(const World& world) const;
-};
+/// A key of the world file that holds one value; --set takes the same keys.
+using WorldKey = Parameter<World>;
 
 /// All of them, in the order of docs/simulation.md.
 std::span<const WorldKey> world_keys();

@@ -13,7 +13,7 @@ namespace hitos {
 
 /// An algorithm as parameters name it.
 struct SlamAlgorithmEntry : RegistryEntry {
-    /// `threads` 0: as many as the machine has. Throws ConfigError for values out of range.
+    /// `threads` 0: as many as the machine has. make_filter() has checked the ranges.
     std::function<std::unique_ptr<SlamFilter>(const FilterParams&, std::uint64_t seed, int threads)>
         make;
 };
@@ -22,7 +22,8 @@ struct SlamAlgorithmEntry : RegistryEntry {
 /// draws nothing at random and works on the caller's thread; and what was added.
 Registry<SlamAlgorithmEntry>& slam_algorithms();
 
-/// The algorithm that `params.algorithm` names, as its entry makes it.
+/// The algorithm that `params.algorithm` names, as its entry makes it. Throws ConfigError for
+/// values out of range or impossible together.
 std::unique_ptr<SlamFilter> make_filter(const FilterParams& params, std::uint64_t seed,
                                         int threads);
 

@@ -7,6 +7,11 @@
 
 namespace hitos {
 
+/// A file or folder that comes with Hitos, by its place in the source tree ("data/worlds"): looked
+/// for from the program's own place upwards, there and in share/hitos, then in the current folder.
+/// Empty where there is none.
+std::filesystem::path shipped_file(const std::filesystem::path& relative);
+
 /// Whether the name ends in .toml.
 bool is_world_file(const std::filesystem::path& path);
 

@@ -1,13 +1,20 @@
 // What a data source holds, be it a log or a world to simulate.
 #pragma once
 
-#include "hitos/capture/log_summary.hpp"
+#include <string>
+#include <vector>
+
+#include "hitos/capture/tour_summary.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 
-namespace hitos::window {
+namespace hitos {
 
-/// inspect_log() for logs; the same counts of the tour that a world describes. Throws what
-/// inspect_log() and open_tour() throw.
-LogSummary inspect_source(const SourceParams& source, const InspectProgress& progress);
+struct SourceInspection {
+    TourSummary tour;
+    std::vector<std::string> first_lines;  ///< of its file
+};
 
-}  // namespace hitos::window
+/// Reads the whole source. Throws what open_tour() and inspect_tour() throw.
+SourceInspection inspect_source(const SourceParams& source, const InspectProgress& progress = {});
+
+}  // namespace hitos

@@ -24,9 +24,6 @@ std::uint64_t line_of(const toml::source_region& source) {
     return source.begin.line;
 }
 
-std::string_view group_of(std::string_view key) {
-    return key.substr(0, key.find('.'));
-}
 std::string_view name_of(std::string_view key) {
     return key.substr(key.find('.') + 1);
 }
@@ -50,22 +47,23 @@ std::string_view type_name(const toml::node& node) {
     }
 }
 
-std::string_view expected_name(Parameter::Type type) {
+std::string_view expected_name(ConfigParameter::Type type) {
     switch (type) {
-        case Parameter::Type::real:
+        case ConfigParameter::Type::real:
             return "a number";
-        case Parameter::Type::integer:
+        case ConfigParameter::Type::integer:
             return "an integer";
         default:
             return "a string in quotes";
     }
 }
 
-/// The node's value as the text that Parameter::set takes; nothing for a wrong type.
-std::optional<std::string> value_text(const toml::node& node, Parameter::Type type) {
-    const bool number = type == Parameter::Type::real || type == Parameter::Type::integer;
+/// The node's value as the text that ConfigParameter::set takes; nothing for a wrong type.
+std::optional<std::string> value_text(const toml::node& node, ConfigParameter::Type type) {
+    const bool number =
+        type == ConfigParameter::Type::real || type == ConfigParameter::Type::integer;
     if (node.is_integer() && number) return fmt::format("{}", node.as_integer()->get());
-    if (node.is_floating_point() && type == Parameter::Type::real) {
+    if (node.is_floating_point() && type == ConfigParameter::Type::real) {
         return fmt::format("{}", node.as_floating_point()->get());
     }
     if (node.is_string() && !number) return node.as_string()->get();
@@ -82,7 +80,7 @@ class Reading {
         for (const auto& [key, node] : document) {
             const std::string_view group = key.str();
             const auto known = std::ranges::any_of(
-                parameters(), [&](const Parameter& p) { return group_of(p.key) == group; });
+                parameters(), [&](const ConfigParameter& p) { return p.table() == group; });
             if (const toml::table* table = node.as_table()) {
                 // The mistakes inside an unknown group name near keys; an empty one is told here.
                 if (!known && table->empty()) {
@@ -109,7 +107,7 @@ class Reading {
 
     void read(const std::string& key, std::uint64_t line, const toml::node& node) {
         try {
-            const Parameter& parameter = find_parameter(key);
+            const ConfigParameter& parameter = find_parameter(key);
             if (const auto text = value_text(node, parameter.type)) {
                 parameter.set(configuration, *text);
                 lines_.emplace_back(key, line);
@@ -173,7 +171,7 @@ std::size_t end_of_utf8(std::string_view text) {
     return i;
 }
 
-std::string toml_string(const Parameter& parameter, std::string_view text) {
+std::string toml_string(const ConfigParameter& parameter, std::string_view text) {
     if (end_of_utf8(text) != text.size()) {
         throw ConfigError(
             std::string(parameter.key),
@@ -194,12 +192,12 @@ std::string toml_string(const Parameter& parameter, std::string_view text) {
     return out + '"';
 }
 
-std::string toml_value(const Parameter& parameter, const Configuracion& configuration) {
+std::string toml_value(const ConfigParameter& parameter, const Configuracion& configuration) {
     std::string text = parameter.text(configuration);
     switch (parameter.type) {
-        case Parameter::Type::integer:
+        case ConfigParameter::Type::integer:
             return text;
-        case Parameter::Type::real:
+        case ConfigParameter::Type::real:
             // A point makes it a float of TOML, which keeps the sign of -0.
             return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
         default:
@@ -254,9 +252,9 @@ std::string ArchivoConfiguracion::to_text(const Configuracion& configuration) {
     std::string out =
         "# Configuration of Hitos (TOML). A parameter that is left out has its default value.\n";
     std::string_view group;
-    for (const Parameter& parameter : parameters()) {
-        if (group_of(parameter.key) != group) {
-            group = group_of(parameter.key);
+    for (const ConfigParameter& parameter : parameters()) {
+        if (parameter.table() != group) {
+            group = parameter.table();
             out += fmt::format("\n[{}]\n", group);
         }
         out += '\n';

@@ -8,6 +8,6 @@
 namespace hitos {
 
 /// Every parameter of Configuracion, group by group; keys of one TOML table stand together.
-std::vector<Parameter> make_parameter_table();
+std::vector<ConfigParameter> make_parameter_table();
 
 }  // namespace hitos

@@ -1,11 +1,9 @@
 #include "hitos/services/run/grid.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "hitos/base/error.hpp"
+#include "run/grid_parameters.hpp"
 
 namespace hitos {
 namespace {
@@ -21,11 +19,6 @@ constexpr std::int64_t kSmallStorage = std::int64_t{1} << 16;
 
 /// Fixed-point 1 of the numbers that a ray is followed with.
 constexpr std::int64_t kOne = std::int64_t{1} << 32;
-
-void require(bool good, const char* key, double value, const char* allowed) {
-    if (!good)
-        throw ConfigError(key, fmt::format("{} is not possible; allowed: {}", value, allowed));
-}
 
 bool in_reach(double u, double v) {
     return std::abs(u) < kFarthestCell && std::abs(v) < kFarthestCell;  // false for NaN
@@ -109,17 +102,7 @@ class RayEraser {
 }  // namespace
 
 Grid::Grid(const GridParams& params) : params_(params) {
-    const auto finite = [](double value) { return std::isfinite(value); };
-    require(finite(params.resolution_m) && params.resolution_m > 0.0, "grid.resolution",
-            params.resolution_m, "above 0 m");
-    require(finite(params.log_odds_hit) && params.log_odds_hit >= 0.0, "grid.hit",
-            params.log_odds_hit, "0 and above");
-    require(finite(params.log_odds_miss) && params.log_odds_miss <= 0.0, "grid.miss",
-            params.log_odds_miss, "0 and below");
-    require(finite(params.log_odds_limit) && params.log_odds_limit > 0.0, "grid.limit",
-            params.log_odds_limit, "above 0");
-    require(finite(params.max_range_m) && params.max_range_m >= 0.0, "grid.max_range",
-            params.max_range_m, "0 m and above");
+    check_all(grid_parameters(), params);
 }
 
 void Grid::add(const Scan& scan, const Pose& pose_world_robot) {

@@ -10,6 +10,7 @@
 #include "hitos/services/evaluation/uncertainty.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/services/maps/picture_file.hpp"
+#include "hitos/services/run/grid_builder.hpp"
 #include "hitos/services/maps/segment_file.hpp"
 #include "hitos/slam/filters.hpp"
 #include "version.hpp"
@@ -71,8 +72,8 @@ std::string version() {
 
 RunSummary summarize(const Algoritmo& run, const References& references) {
     RunSummary summary;
-    summary.source = run.fuente().name();
-    summary.format = run.fuente().format();
+    summary.source = run.reader().name();
+    summary.format = run.reader().format();
     summary.scans = run.steps();
     summary.duration_s = run.duration_s();
     summary.algorithm = find_parameter("filter.algorithm").text(run.configuration());
@@ -105,7 +106,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
     ordered_json json{
         {"hitos_version", version()},
         {"source", summary.source},
-        {"format", to_string(summary.format)},
+        {"format", summary.format},
         {"seed", summary.seed},
         {"algorithm", summary.algorithm},
         {"scans", summary.scans},
@@ -155,8 +156,8 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     write_trajectory(best, folder / "trajectory.tum");
     write_trajectory(run.odometry_trajectory(), folder / "odometry.tum");
     write_grid(run.step_grid(), best, folder / "grid_best_steps");
-    write_grid(build_grid(run.configuration(), run.fuente(), best), best, folder / "grid_best");
-    write_grid(build_grid(run.configuration(), run.fuente(), run.odometry_trajectory()),
+    write_grid(build_grid(run.configuration().grid, run.reader(), best), best, folder / "grid_best");
+    write_grid(build_grid(run.configuration().grid, run.reader(), run.odometry_trajectory()),
                run.odometry_trajectory(), folder / "grid_odometry");
     // What an earlier run left would not belong to this map.
     for (const char* name : {"distances.csv", "paths.png", "paths.gp", "uncertainty.csv",

@@ -16,9 +16,9 @@ double thread_seconds() {
 
 }  // namespace
 
-RunWorker::RunWorker(const Configuracion& configuration, std::unique_ptr<Fuente> fuente,
+RunWorker::RunWorker(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
                      const AlgoritmoOptions& options)
-    : run_(configuration, std::move(fuente), options),
+    : run_(configuration, std::move(reader), options),
       worker_([this](const std::stop_token& stop) { work(stop); }) {}
 
 RunWorker::~RunWorker() {
@@ -45,7 +45,10 @@ void RunWorker::run(std::uint64_t steps) {
 void RunWorker::pause() {
     const std::scoped_lock lock(mutex_);
     budget_ = 0;
-    if (progress_.state == Progress::State::running) progress_.state = Progress::State::paused;
+    // A step under way says itself that it was the last one.
+    if (progress_.state == Progress::State::running && !stepping_) {
+        progress_.state = Progress::State::paused;
+    }
     wake_.notify_one();
 }
 
@@ -115,6 +118,7 @@ void RunWorker::work(const std::stop_token& stop) {
             lock.lock();
         } else if (budget_ > 0) {
             --budget_;
+            stepping_ = true;
             lock.unlock();
             do_step();
             lock.lock();
@@ -163,6 +167,7 @@ void RunWorker::do_step() {
     if (more) tiler_.note_change(run_.step_grid().last_change());
 
     const std::scoped_lock lock(mutex_);
+    stepping_ = false;
     if (restart_wanted_) return;  // this step's outcome no longer matters
     progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
     note_progress();
@@ -181,7 +186,7 @@ void RunWorker::do_step() {
 
 void RunWorker::note_progress() {
     progress_.steps = run_.steps();
-    progress_.fraction = run_.fuente().progress();
+    progress_.fraction = run_.reader().progress();
     progress_.time_s = run_.scan().time_s;
     progress_.duration_s = run_.duration_s();
     progress_.lines = run_.filter().best_count(FeatureKind::line);

@@ -16,6 +16,7 @@
 #include "hitos/base/text_input.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/run/algoritmo.hpp"
+#include "hitos/services/run/open_source.hpp"
 #include "study_files.hpp"
 
 namespace hitos {
@@ -29,6 +30,10 @@ struct Task {
     std::size_t run = 0;
 };
 
+std::unique_ptr<TourReader> open(const Study& study, const StudyJob& job) {
+    return study.source ? study.source(job) : open_source(job.configuration.source);
+}
+
 StudyJob make_job(const Study& study, const StudyPlan& plan, std::size_t run) {
     StudyJob job{run, plan.seed_of(run), study.configuration};
     const std::vector<std::string> keys = plan.keys();
@@ -39,10 +44,6 @@ StudyJob make_job(const Study& study, const StudyPlan& plan, std::size_t run) {
     job.configuration.run.threads = 1;  // the runs themselves are spread over the threads
     check(job.configuration);
     return job;
-}
-
-std::unique_ptr<Fuente> open(const Study& study, const StudyJob& job) {
-    return study.source ? study.source(job) : open_source(job.configuration.source);
 }
 
 /// A log that cannot be opened ends the study at its start, not run by run; where the log is what
@@ -139,7 +140,7 @@ class Crew {
         while (run.step()) {
             if (stop_.stop_requested()) return std::nullopt;
             if (run.steps() % kTellEvery == 0) {
-                tell(place, run.fuente().progress().value_or(0.0), nullptr);
+                tell(place, run.reader().progress().value_or(0.0), nullptr);
             }
         }
         StudyRecord record;

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 StudyValue canonical(const std::vector<std::string>& keys, const StudyValue& value) {
     StudyValue texts;
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        const Parameter& parameter = find_parameter(keys[i]);
+        const ConfigParameter& parameter = find_parameter(keys[i]);
         Configuracion scratch;
         try {
             parameter.set(scratch, value[i]);
@@ -60,27 +60,41 @@ StudyPlan::Axis axis_of(const StudyParameter& parameter) {
     return axis;
 }
 
-/// A key that the configuration leaves without effect would make a study of equal runs.
-void check_effect(const Configuracion& configuration, const StudyPlan& plan) {
-    const std::vector<std::string> keys = plan.keys();
-    const auto varied = [&](std::string_view key) {
-        return std::find(keys.begin(), keys.end(), key) != keys.end();
-    };
-    const auto without = [&](std::string_view prefix, std::string_view because) {
-        for (const std::string& key : keys) {
-            if (key.starts_with(prefix)) {
-                throw ConfigError(key, fmt::format("has no effect where {}", because));
-            }
-        }
-    };
-    if (!varied("motion.model")) {
-        if (configuration.filter.motion.model == "proportional") {
-            without("motion.sigma_", "motion.model is proportional; set it to odometry");
-        } else {
-            without("motion.var_", "motion.model is not proportional");
+/// The configuration of a cell; a value that its key cannot take is left out (its runs will fail
+/// and say why).
+Configuracion configuration_of(const Configuracion& base, const std::vector<std::string>& keys,
+                               const std::vector<std::string>& texts) {
+    Configuracion configuration = base;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        try {
+            find_parameter(keys[i]).set(configuration, texts[i]);
+        } catch (const ConfigError&) {
+            continue;
         }
     }
-    without("grid.", "no grid is drawn, as in studies");
+    return configuration;
+}
+
+/// A key without effect in all cells would make a study of equal runs.
+void check_effect(const Configuracion& base, const StudyPlan& plan) {
+    const std::vector<std::string> keys = plan.keys();
+    std::vector<const ConfigParameter*> idle;
+    for (const std::string& key : keys) {
+        if (key.starts_with("grid.")) {
+            throw ConfigError(key, "has no effect where no grid is drawn, as in studies");
+        }
+        idle.push_back(&find_parameter(key));
+    }
+    for (std::size_t cell = 0; cell < plan.cells() && !idle.empty(); ++cell) {
+        const Configuracion configuration = configuration_of(base, keys, plan.texts(cell));
+        std::erase_if(idle, [&](const auto* key) { return key->used_by(configuration); });
+    }
+    if (idle.empty()) return;
+    const Configuracion first = configuration_of(base, keys, plan.texts(0));
+    const ConfigParameter::Condition& unmet = *idle.front()->unmet(first);
+    throw ConfigError(std::string(idle.front()->key),
+                      fmt::format("has no effect where {} is {}; set it to {}", unmet.key,
+                                  find_parameter(unmet.key).text(first), unmet.needed));
 }
 
 /// All that decides a result, but for values and seeds: program, parameters, log, reference.

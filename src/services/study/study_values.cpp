@@ -54,8 +54,8 @@ int decimals(std::string_view word) {
 
 bool is_range(const StudyParameter& parameter, std::string_view word) {
     if (parameter.keys.size() != 1 || word.find(':') == std::string_view::npos) return false;
-    const Parameter::Type type = find_parameter(parameter.keys.front()).type;
-    return type == Parameter::Type::real || type == Parameter::Type::integer;
+    const ConfigParameter::Type type = find_parameter(parameter.keys.front()).type;
+    return type == ConfigParameter::Type::real || type == ConfigParameter::Type::integer;
 }
 
 void append_word(StudyParameter& parameter, std::string_view word) {

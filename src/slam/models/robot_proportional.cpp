@@ -67,7 +67,7 @@ class RobotProportional final : public Robot {
 MotionModelEntry robot_proportional() {
     MotionModelEntry entry;
     entry.word = "proportional";
-    entry.label = "Proportional";
+    entry.label = HITOS_TEXT("ParameterChoice", "Proportional");
     entry.purpose = "controls and noise that grows with the motion";
     entry.reads = {"motion.var_along", "motion.var_across", "motion.var_theta_per_rad",
                    "motion.var_theta_per_m"};

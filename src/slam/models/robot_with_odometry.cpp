@@ -33,7 +33,7 @@ class RobotWithOdometry final : public Robot {
 MotionModelEntry robot_with_odometry() {
     MotionModelEntry entry;
     entry.word = "odometry";
-    entry.label = "Differential with odometry";
+    entry.label = HITOS_TEXT("ParameterChoice", "Differential with odometry");
     entry.purpose = "controls and noise of constant sigma";
     entry.reads = {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"};
     entry.make = [](const MotionParams& p) { return std::make_unique<RobotWithOdometry>(p); };

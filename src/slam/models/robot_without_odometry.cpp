@@ -32,7 +32,7 @@ class RobotWithoutOdometry final : public Robot {
 MotionModelEntry robot_without_odometry() {
     MotionModelEntry entry;
     entry.word = "no-odometry";
-    entry.label = "Differential without odometry";
+    entry.label = HITOS_TEXT("ParameterChoice", "Differential without odometry");
     entry.purpose = "controls are ignored and the particles only spread";
     entry.reads = {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"};
     entry.make = [](const MotionParams& p) { return std::make_unique<RobotWithoutOdometry>(p); };

@@ -30,7 +30,7 @@ class MotionProposal final : public Proposal {
 ProposalEntry motion_proposal() {
     ProposalEntry entry;
     entry.word = "motion";
-    entry.label = "Motion model";
+    entry.label = HITOS_TEXT("ParameterChoice", "Motion model");
     entry.purpose = "poses are drawn from the motion model alone, as in FastSLAM 1.0";
     entry.make = [](const FilterParams& p) { return std::make_unique<MotionProposal>(p.motion); };
     return entry;

@@ -32,7 +32,7 @@ class LowVariance final : public ResamplingMethod {
 ResamplingMethodEntry low_variance_resampling() {
     ResamplingMethodEntry entry;
     entry.word = "low-variance";
-    entry.label = "Low variance";
+    entry.label = HITOS_TEXT("ParameterChoice", "Low variance");
     entry.purpose = "one draw for all particles at equal distances; the fewest random differences";
     entry.make = [](const ResamplingParams&) { return std::make_unique<LowVariance>(); };
     return entry;

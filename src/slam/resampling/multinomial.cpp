@@ -24,7 +24,7 @@ class Multinomial final : public ResamplingMethod {
 ResamplingMethodEntry multinomial_resampling() {
     ResamplingMethodEntry entry;
     entry.word = "multinomial";
-    entry.label = "Multinomial";
+    entry.label = HITOS_TEXT("ParameterChoice", "Multinomial");
     entry.purpose = "every particle drawn by itself; the most random differences, for comparison";
     entry.make = [](const ResamplingParams&) { return std::make_unique<Multinomial>(); };
     return entry;

@@ -47,7 +47,7 @@ class Residual final : public ResamplingMethod {
 ResamplingMethodEntry residual_resampling() {
     ResamplingMethodEntry entry;
     entry.word = "residual";
-    entry.label = "Residual";
+    entry.label = HITOS_TEXT("ParameterChoice", "Residual");
     entry.purpose = "as many whole copies as the weight says, the rest drawn by what is left of it";
     entry.make = [](const ResamplingParams&) { return std::make_unique<Residual>(); };
     return entry;

@@ -26,7 +26,7 @@ class Stratified final : public ResamplingMethod {
 ResamplingMethodEntry stratified_resampling() {
     ResamplingMethodEntry entry;
     entry.word = "stratified";
-    entry.label = "Stratified";
+    entry.label = HITOS_TEXT("ParameterChoice", "Stratified");
     entry.purpose = "one draw for each M-th part of the weights";
     entry.make = [](const ResamplingParams&) { return std::make_unique<Stratified>(); };
     return entry;

@@ -14,9 +14,9 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/simulation/fuente_simulada.hpp"
 #include "hitos/simulation/reference_map.hpp"
-#include "hitos/workbench/recorded_lines.hpp"
+#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/workbench/recorded_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 
 namespace hitos {
@@ -39,9 +39,9 @@ class Tours {
   public:
     explicit Tours(std::size_t kept) : kept_(kept) {}
 
-    FuenteGrabada::Lines get(const World& world, std::uint64_t seed) {
-        std::promise<FuenteGrabada::Lines> promise;
-        std::shared_future<FuenteGrabada::Lines> lines;
+    RecordedReader::Tour get(const World& world, std::uint64_t seed) {
+        std::promise<RecordedReader::Tour> promise;
+        std::shared_future<RecordedReader::Tour> tour;
         bool mine = false;
         {
             const std::scoped_lock lock(mutex_);
@@ -49,11 +49,11 @@ class Tours {
                 return entry.world == world.name && entry.seed == seed;
             });
             if (known != entries_.end()) {
-                lines = known->lines;
+                tour = known->tour;
             } else {
                 mine = true;
-                lines = promise.get_future().share();
-                entries_.push_back({world.name, seed, lines});
+                tour = promise.get_future().share();
+                entries_.push_back({world.name, seed, tour});
                 if (entries_.size() > kept_) entries_.pop_front();
             }
         }
@@ -61,20 +61,20 @@ class Tours {
             try {
                 World noisy = world;
                 noisy.seed = seed;
-                FuenteSimulada source(std::make_shared<SimulatedTour>(std::move(noisy)));
-                promise.set_value(std::make_shared<RecordedLines>(source));
+                SimulatedTourReader reader(std::make_shared<SimulatedTour>(std::move(noisy)));
+                promise.set_value(std::make_shared<RecordedTour>(reader));
             } catch (...) {
                 promise.set_exception(std::current_exception());
             }
         }
-        return lines.get();
+        return tour.get();
     }
 
   private:
     struct Entry {
         std::string world;
         std::uint64_t seed = 0;
-        std::shared_future<FuenteGrabada::Lines> lines;
+        std::shared_future<RecordedReader::Tour> tour;
     };
     std::size_t kept_;
     std::mutex mutex_;
@@ -124,9 +124,9 @@ Study study_of(const ThesisFigure& figure, const World& world, const Part& part,
     study.setting =
         fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}",
                     kReproductionLaserSigma, kReproductionOdometryNoise, content(world.file));
-    study.source = [&world, &tours](const StudyJob& job) -> std::unique_ptr<Fuente> {
-        return std::make_unique<FuenteGrabada>(
-            world.file, [&world, &tours, seed = job.seed] { return tours.get(world, seed); });
+    study.source = [&world, &tours](const StudyJob& job) -> std::unique_ptr<TourReader> {
+        return std::make_unique<RecordedReader>(
+            world.file, "world", [&world, &tours, seed = job.seed] { return tours.get(world, seed); });
     };
     study.layout = {out / "runs" / figure.stem(), fmt::format("s{}-", part.seed), "quality.csv"};
     return study;

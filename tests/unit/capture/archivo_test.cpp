@@ -10,7 +10,7 @@ namespace hitos {
 namespace {
 
 using test::TempDir;
-using Kind = Archivo::LineKind;
+using Kind = LineKind;
 
 class ArchivoTest : public ::testing::Test {
   protected:
@@ -19,7 +19,7 @@ class ArchivoTest : public ::testing::Test {
 };
 
 TEST_F(ArchivoTest, ClassifiesPlayerLines) {
-    const ArchivoPlayer player(path_);
+    const LogFormat& player = log_formats().find("player");
     const std::string head = "1.0 16777343 6665 ";
     const auto kind = [&](const std::string& rest) { return player.classify(head + rest); };
     EXPECT_EQ(kind("laser 00 001 001 0000 -1 1"), Kind::scan);
@@ -46,17 +46,17 @@ TEST_F(ArchivoTest, ClassifiesPlayerLines) {
 }
 
 TEST_F(ArchivoTest, ClassifiesTheOtherFormats) {
-    const ArchivoRadish radish(path_);
+    const LogFormat& radish = log_formats().find("radish");
     EXPECT_EQ(radish.classify("laser 0 1"), Kind::scan);
     EXPECT_EQ(radish.classify("position 0 1"), Kind::odometry);
     EXPECT_EQ(radish.classify("sonar 0 1"), Kind::other);
     EXPECT_EQ(radish.classify("0.5 0.5"), Kind::damaged);
-    const ArchivoNormalizado normalized(path_);
+    const LogFormat& normalized = log_formats().find("normalized");
     EXPECT_EQ(normalized.classify("LASER 1 0"), Kind::scan);
     EXPECT_EQ(normalized.classify("ODOM 1 0 0"), Kind::odometry);
     EXPECT_EQ(normalized.classify("NOTE x"), Kind::other);
     EXPECT_EQ(normalized.classify("%"), Kind::damaged);
-    const ArchivoCarmen carmen(path_);
+    const LogFormat& carmen = log_formats().find("carmen");
     EXPECT_EQ(carmen.classify("ODOM 1"), Kind::odometry);
     EXPECT_EQ(carmen.classify("FLASER 1"), Kind::both);
     EXPECT_EQ(carmen.classify("ROBOTLASER1 0"), Kind::both);
@@ -71,7 +71,7 @@ TEST_F(ArchivoTest, ClassifiesTheOtherFormats) {
 TEST_F(ArchivoTest, CursorsAreIndependent) {
     const auto path =
         folder_.put("both.log", "ODOM 1 0 0\nLASER 1 1 1 1\n\n# note\nODOM 2 0 0\nLASER 2 1 1 1\n");
-    ArchivoNormalizado log(path);
+    Archivo log(path, log_formats().find("normalized"));
     EXPECT_EQ(log.read_scan_line()->number, 2U);
     EXPECT_EQ(log.read_scan_line()->number, 6U);
     EXPECT_FALSE(log.read_scan_line());
@@ -84,12 +84,12 @@ TEST_F(ArchivoTest, CursorsAreIndependent) {
     EXPECT_EQ(log.progress(), 1.0);
     EXPECT_EQ(log.name(), path.string());
     const std::unique_ptr<Fuente> again = log.reopen();
-    EXPECT_EQ(again->format(), LogFormat::normalized);
+    EXPECT_EQ(again->format().word, "normalized");
     EXPECT_EQ(again->read_scan_line()->number, 2U);
 }
 
 TEST_F(ArchivoTest, SharedLinesAreMarked) {
-    ArchivoCarmen log(folder_.put("c.log", "FLASER 1\nODOM 1\n"));
+    Archivo log(folder_.put("c.log", "FLASER 1\nODOM 1\n"), log_formats().find("carmen"));
     EXPECT_TRUE(log.read_scan_line()->shared);
     EXPECT_TRUE(log.read_odometry_line()->shared);
     EXPECT_FALSE(log.read_odometry_line()->shared);
@@ -98,7 +98,7 @@ TEST_F(ArchivoTest, SharedLinesAreMarked) {
 TEST_F(ArchivoTest, DamageIsToldOnceAndInBoundedMemory) {
     std::string text = "ODOM 1 0 0\n";
     for (int i = 0; i < 1000; ++i) text += "?\n";
-    ArchivoNormalizado log(folder_.put("d.log", text));
+    Archivo log(folder_.put("d.log", text), log_formats().find("normalized"));
     while (log.read_odometry_line()) {
     }
     EXPECT_FALSE(log.take_damage());

@@ -12,7 +12,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 Log carmen(const std::string& text, ReadOptions options = {}) {
-    return test::read_text(LogFormat::carmen, text, options);
+    return test::read_text("carmen", text, options);
 }
 
 std::string ones(int count) {

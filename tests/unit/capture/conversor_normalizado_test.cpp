@@ -10,7 +10,7 @@ using test::Log;
 using ::testing::ElementsAre;
 
 Log normalized(const std::string& text, ReadOptions options = {}) {
-    return test::read_text(LogFormat::normalized, text, options);
+    return test::read_text("normalized", text, options);
 }
 
 TEST(ConversorNormalizado, ReadsPointsAndVelocities) {

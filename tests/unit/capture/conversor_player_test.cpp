@@ -16,7 +16,7 @@ const std::string position_head = " 16777343 6665 position2d 00 001 001 ";
 const std::string two_rays = " -1.5708 +1.5708 +0.01735687 +8.0000 0002 1.000  1 2.000  1";
 
 Log player(const std::string& text, ReadOptions options = {}) {
-    return test::read_text(LogFormat::player, text, options);
+    return test::read_text("player", text, options);
 }
 
 /// The reason for which the one damaged line was skipped.

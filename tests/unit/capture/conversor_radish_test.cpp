@@ -12,7 +12,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 Log radish(const std::string& text, ReadOptions options = {}) {
-    return test::read_text(LogFormat::radish, text, options);
+    return test::read_text("radish", text, options);
 }
 
 TEST(ConversorRadish, ReadsBothLines) {

@@ -15,8 +15,8 @@ using test::TempDir;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr std::array kAll = {LogFormat::player, LogFormat::radish, LogFormat::normalized,
-                             LogFormat::carmen};
+const std::array<std::string, 4> kAll = {"player", "radish", "normalized",
+                             "carmen"};
 
 /// A scan with the given ranges; 0 is no return.
 Scan scan_of(double time_s, Fan fan, const std::vector<double>& ranges) {
@@ -63,7 +63,7 @@ Tour tour_with(const Fan& fan, std::size_t rays) {
     return tour;
 }
 
-std::filesystem::path write_tour(LogFormat format, const std::filesystem::path& path,
+std::filesystem::path write_tour(std::string_view format, const std::filesystem::path& path,
                                  const Tour& tour) {
     const std::unique_ptr<LogWriter> writer = make_log_writer(format, path);
     std::size_t next = 0;
@@ -99,13 +99,13 @@ void expect_same(const Tour& tour, const Log& log, double tolerance) {
 TEST(LogWriter, WhatIsWrittenIsRead) {
     const TempDir folder;
     const Tour tour = tour_with(kHalf, 181);
-    for (const LogFormat format : kAll) {
-        const auto path = write_tour(format, folder / std::string(to_string(format)), tour);
-        EXPECT_EQ(open_log(path)->format(), format);
+    for (const std::string& format : kAll) {
+        const auto path = write_tour(format, folder / format, tour);
+        EXPECT_EQ(open_log(path)->format().word, format);
         const Log log = test::read_log(path);
-        SCOPED_TRACE(to_string(format));
+        SCOPED_TRACE(format);
         expect_same(tour, log, 1e-4);
-        if (format == LogFormat::player || format == LogFormat::carmen) {
+        if (format == "player" || format == "carmen") {
             EXPECT_EQ(log.scans[0].fan.count, 181U);
             EXPECT_EQ(log.scans[0].fan.max_range_m, 8.0);
             EXPECT_NEAR(log.scans[0].fan.max_angle_rad, kPi / 2, 1e-8);
@@ -118,15 +118,15 @@ TEST(LogWriter, MountedLaserAndUnusualFan) {
     const TempDir folder;
     const Fan fan{-2.0, 1.9, 0, 30.0, {0.2, -0.1, 0.3}};
     const Tour tour = tour_with(fan, 97);
-    for (const LogFormat format : kAll) {
-        const auto path = write_tour(format, folder / std::string(to_string(format)), tour);
+    for (const std::string& format : kAll) {
+        const auto path = write_tour(format, folder / format, tour);
         const Log log = test::read_log(path);
-        SCOPED_TRACE(to_string(format));
+        SCOPED_TRACE(format);
         expect_same(tour, log, 2e-4);
-        if (format == LogFormat::carmen) {
+        if (format == "carmen") {
             EXPECT_THAT(content(path), HasSubstr("ROBOTLASER1"));
         }
-        if (format != LogFormat::player && format != LogFormat::carmen) continue;
+        if (format != "player" && format != "carmen") continue;
         expect_near(log.scans[0].fan.pose_robot_laser, fan.pose_robot_laser, 1e-5);
         EXPECT_EQ(log.scans[0].fan.count, 97U);
     }
@@ -135,9 +135,9 @@ TEST(LogWriter, MountedLaserAndUnusualFan) {
 TEST(LogWriter, GzipByName) {
     const TempDir folder;
     const Tour tour = tour_with(kHalf, 181);
-    for (const LogFormat format : kAll) {
+    for (const std::string& format : kAll) {
         const auto path =
-            write_tour(format, folder / (std::string(to_string(format)) + ".log.gz"), tour);
+            write_tour(format, folder / (format + ".log.gz"), tour);
         EXPECT_EQ(content(path).substr(0, 2), "\x1f\x8b");
         EXPECT_EQ(test::read_log(path).scans.size(), tour.scans.size());
     }
@@ -145,7 +145,7 @@ TEST(LogWriter, GzipByName) {
 
 TEST(LogWriter, PlayerLinesAreLaidOutAsWritelogDoes) {
     const TempDir folder;
-    const auto writer = make_log_writer(LogFormat::player, folder / "a");
+    const auto writer = make_log_writer("player", folder / "a");
     writer->write(Odometria{0.1, {}, 0});
     writer->write(Odometria{0.2, {1, 0, 0}, 0});
     writer->write(scan_of(0.2, {-1.0, 1.0, 0, 8.0, {}}, {1.0, 0.0}));
@@ -162,7 +162,7 @@ TEST(LogWriter, PlayerLinesAreLaidOutAsWritelogDoes) {
 TEST(LogWriter, CarmenPosesAreThoseAtTheScansTime) {
     const TempDir folder;
     const Tour tour = tour_with(kHalf, 181);
-    const Log log = test::read_log(write_tour(LogFormat::carmen, folder / "a", tour));
+    const Log log = test::read_log(write_tour("carmen", folder / "a", tour));
     // The scan between two readings brought a reading of its own.
     ASSERT_EQ(log.odometry.size(), tour.odometry.size() + 1);
     const std::vector<Pose> poses = test::summed(log.odometry);
@@ -174,7 +174,7 @@ TEST(LogWriter, CarmenPosesAreThoseAtTheScansTime) {
 
 TEST(LogWriter, ScanBeforeEveryReadingAndAfterTheLast) {
     const TempDir folder;
-    for (const LogFormat format : kAll) {
+    for (const std::string& format : kAll) {
         const auto writer = make_log_writer(format, folder / "a");
         writer->write(scan_of(0.5, kHalf, std::vector<double>(181, 2.0)));
         writer->write(Odometria{1.0, {}, 0});
@@ -195,9 +195,9 @@ TEST(LogWriter, ScanOvertakenByItsOwnReadingTakesItsTime) {
         "ODOM 3 0 0 0 0 0 1.6 h 0\nFLASER 2 2 2 0 0 0 3 0 0 1.6 h 0\nODOM 4 0 0 0 0 0 3.0 h 0\n"
         "FLASER 2 3 3 0 0 0 5 0 0 4.0 h 0\n";
     const TempDir folder;
-    const Log log = test::read_text(LogFormat::carmen, text);
+    const Log log = test::read_text("carmen", text);
     ASSERT_EQ(log.odometry.size(), 6U);
-    const auto writer = make_log_writer(LogFormat::normalized, folder / "a");
+    const auto writer = make_log_writer("normalized", folder / "a");
     for (const Scan& scan : log.scans) writer->write(scan);
     for (const Odometria& reading : log.odometry) writer->write(reading);
     writer->finish();
@@ -211,11 +211,11 @@ TEST(LogWriter, ScanOvertakenByItsOwnReadingTakesItsTime) {
 
 TEST(LogWriter, ReadingsThatRoundingWouldLose) {
     const TempDir folder;
-    for (const LogFormat format : kAll) {
+    for (const std::string& format : kAll) {
         const auto writer = make_log_writer(format, folder / "a");
         writer->write(scan_of(1.0, kHalf, {7.99999, 0.00001, 2.0}));
         writer->finish();
-        EXPECT_EQ(test::read_log(folder / "a").scans.at(0).points.size(), 3U) << to_string(format);
+        EXPECT_EQ(test::read_log(folder / "a").scans.at(0).points.size(), 3U) << format;
     }
 }
 
@@ -228,8 +228,8 @@ TEST(LogWriter, FanFromPointsAlone) {
             scan.fan = {};
             scan.rays.clear();
         }
-        for (const LogFormat format : kAll) {
-            SCOPED_TRACE(std::string(to_string(format)) + " " + std::to_string(rays));
+        for (const std::string& format : kAll) {
+            SCOPED_TRACE(format + " " + std::to_string(rays));
             expect_same(tour, test::read_log(write_tour(format, folder / "a", tour)), 2e-4);
         }
     }
@@ -244,12 +244,12 @@ TEST(LogWriter, PointsOnNoFanAreRefused) {
     }
     scan.points.push_back({2 * std::cos(0.4247), 2 * std::sin(0.4247)});
     scan.run_starts = {0};
-    for (const LogFormat format : {LogFormat::player, LogFormat::carmen}) {
+    for (const char* format : {"player", "carmen"}) {
         const auto writer = make_log_writer(format, folder / "a");
         EXPECT_THAT(test::message_of<FormatError>([&] { writer->write(scan); }),
                     HasSubstr("regular rays"));
     }
-    const auto writer = make_log_writer(LogFormat::radish, folder / "a");
+    const auto writer = make_log_writer("radish", folder / "a");
     writer->write(scan);
     writer->finish();
     EXPECT_EQ(test::read_log(folder / "a").scans.at(0).points.size(), 5U);
@@ -258,7 +258,7 @@ TEST(LogWriter, PointsOnNoFanAreRefused) {
 
 TEST(LogWriter, ScansWithoutPoints) {
     const TempDir folder;
-    for (const LogFormat format : kAll) {
+    for (const std::string& format : kAll) {
         for (const bool with_fan : {true, false}) {
             const auto writer = make_log_writer(format, folder / "a");
             Scan scan = scan_of(1.0, kHalf, std::vector<double>(181, 0.0));
@@ -266,21 +266,21 @@ TEST(LogWriter, ScansWithoutPoints) {
             writer->write(scan);
             writer->finish();
             const Log log = test::read_log(folder / "a");
-            ASSERT_EQ(log.scans.size(), 1U) << to_string(format);
-            EXPECT_TRUE(log.scans[0].points.empty()) << to_string(format);
+            ASSERT_EQ(log.scans.size(), 1U) << format;
+            EXPECT_TRUE(log.scans[0].points.empty()) << format;
         }
     }
 }
 
 TEST(LogWriter, PointBeyondTheGreatestRangeIsRefused) {
     const TempDir folder;
-    const auto writer = make_log_writer(LogFormat::player, folder / "a");
+    const auto writer = make_log_writer("player", folder / "a");
     EXPECT_THROW(writer->write(scan_of(1.0, kHalf, {9.0, 1.0})), FormatError);
 }
 
 TEST(LogWriter, WithoutFinishNothingIsLeft) {
     const TempDir folder;
-    for (const LogFormat format : kAll) {
+    for (const std::string& format : kAll) {
         const auto writer = make_log_writer(format, folder / "a");
         writer->write(Odometria{1.0, {}, 0});
     }
@@ -290,18 +290,18 @@ TEST(LogWriter, WithoutFinishNothingIsLeft) {
 TEST(LogWriter, WhereNothingCanBeWritten) {
     const TempDir folder;
     const auto file = folder.put("file", "x");
-    for (const LogFormat format : kAll) {
+    for (const std::string& format : kAll) {
         EXPECT_THROW(make_log_writer(format, file / "a.log"), FileError);
         EXPECT_THROW(make_log_writer(format, folder.path()), FileError);
         EXPECT_THROW(make_log_writer(format, "/proc/a.log"), FileError);
     }
-    EXPECT_THROW(make_log_writer(LogFormat::automatic, folder / "a"), FormatError);
+    EXPECT_THROW(make_log_writer(kAutoFormat, folder / "a"), ConfigError);
     EXPECT_EQ(folder.files(), 1U);
 }
 
 TEST(LogWriter, NormalizedBreaksAreCounted) {
     const TempDir folder;
-    const auto writer = make_log_writer(LogFormat::normalized, folder / "a");
+    const auto writer = make_log_writer("normalized", folder / "a");
     Scan scan;
     scan.time_s = 0.1;
     scan.points = {{1, 2}, {0, 0}, {5, 6}};

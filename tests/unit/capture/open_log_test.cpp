@@ -17,7 +17,7 @@ constexpr const char* kRadish = "position 0 7.420 0.0 0.0 0.0 0.0 0.0 0.0\n";
 constexpr const char* kNormalized = "ODOM 1.0 0.5 0.1\n";
 constexpr const char* kCarmen = "ODOM 0 0 0 0 0 0 7.4 h 7.4\n";
 
-std::string error_of(const std::filesystem::path& path, LogFormat format = LogFormat::automatic) {
+std::string error_of(const std::filesystem::path& path, std::string_view format = kAutoFormat) {
     std::string message = test::message_of<Error>([&] { open_log(path, format); });
     EXPECT_THAT(message, HasSubstr(path.string()));
     return message;
@@ -25,31 +25,31 @@ std::string error_of(const std::filesystem::path& path, LogFormat format = LogFo
 
 TEST(OpenLog, FindsEachFormat) {
     const TempDir folder;
-    EXPECT_EQ(open_log(folder.put("a", kPlayer))->format(), LogFormat::player);
-    EXPECT_EQ(open_log(folder.put("b", kOldPlayer))->format(), LogFormat::player);
-    EXPECT_EQ(open_log(folder.put("c", kRadish))->format(), LogFormat::radish);
-    EXPECT_EQ(open_log(folder.put("d", kNormalized))->format(), LogFormat::normalized);
-    EXPECT_EQ(open_log(folder.put("e", kCarmen))->format(), LogFormat::carmen);
-    EXPECT_EQ(open_log(folder.put("f", "LASER 1.0 1 2 3\n"))->format(), LogFormat::normalized);
-    EXPECT_EQ(open_log(folder.put("g", "# CARMEN Logfile\n"))->format(), LogFormat::carmen);
-    EXPECT_EQ(open_log(folder.put("h", "laser 0 1.0 2.0 0.1 0\n"))->format(), LogFormat::radish);
-    EXPECT_EQ(open_log(folder.put_gz("i", kCarmen))->format(), LogFormat::carmen);
+    EXPECT_EQ(open_log(folder.put("a", kPlayer))->format().word, "player");
+    EXPECT_EQ(open_log(folder.put("b", kOldPlayer))->format().word, "player");
+    EXPECT_EQ(open_log(folder.put("c", kRadish))->format().word, "radish");
+    EXPECT_EQ(open_log(folder.put("d", kNormalized))->format().word, "normalized");
+    EXPECT_EQ(open_log(folder.put("e", kCarmen))->format().word, "carmen");
+    EXPECT_EQ(open_log(folder.put("f", "LASER 1.0 1 2 3\n"))->format().word, "normalized");
+    EXPECT_EQ(open_log(folder.put("g", "# CARMEN Logfile\n"))->format().word, "carmen");
+    EXPECT_EQ(open_log(folder.put("h", "laser 0 1.0 2.0 0.1 0\n"))->format().word, "radish");
+    EXPECT_EQ(open_log(folder.put_gz("i", kCarmen))->format().word, "carmen");
 }
 
 TEST(OpenLog, TheMajorityDecides) {
     const TempDir folder;
     // A CARMEN line cut short looks like one of the normalised format.
     const std::string text = std::string("ODOM 0 0 0\n") + kCarmen + kCarmen;
-    EXPECT_EQ(open_log(folder.put("a", text))->format(), LogFormat::carmen);
-    EXPECT_EQ(open_log(folder.put("b", text), LogFormat::normalized)->format(),
-              LogFormat::normalized);
+    EXPECT_EQ(open_log(folder.put("a", text))->format().word, "carmen");
+    EXPECT_EQ(open_log(folder.put("b", text), "normalized")->format().word,
+              "normalized");
 }
 
 TEST(OpenLog, GarbageBeforeTheLogDoesNotHideIt) {
     const TempDir folder;
     std::string text = std::string(3U << 20U, 'x') + "\n";
     for (int i = 0; i < 500; ++i) text += "?? noise\n# note\n\n";
-    EXPECT_EQ(open_log(folder.put("a", text + kRadish))->format(), LogFormat::radish);
+    EXPECT_EQ(open_log(folder.put("a", text + kRadish))->format().word, "radish");
 }
 
 TEST(OpenLog, MissingFile) {
@@ -91,28 +91,33 @@ TEST(OpenLog, BinaryFile) {
 TEST(OpenLog, TextOfNoFormat) {
     const TempDir folder;
     EXPECT_THAT(error_of(folder.put("a", "rho: 1.0 theta: 90\n")),
-                AllOf(HasSubstr("rho: 1.0"), HasSubstr("expected a text log of Player")));
+                AllOf(HasSubstr("rho: 1.0"), HasSubstr("expected a text log (player")));
 }
 
 TEST(OpenLog, WrongExplicitFormat) {
     const TempDir folder;
     const auto path = folder.put("a", kCarmen);
-    for (const LogFormat format : {LogFormat::player, LogFormat::radish, LogFormat::normalized}) {
+    for (const char* format : {"player", "radish", "normalized"}) {
         EXPECT_THROW(open_log(path, format), FormatError);
         EXPECT_THAT(error_of(path, format),
-                    AllOf(HasSubstr(std::string(to_string(format))), HasSubstr("looks like carmen"),
+                    AllOf(HasSubstr(format), HasSubstr("looks like carmen"),
                           HasSubstr("choose the format carmen or auto")));
     }
-    EXPECT_NO_THROW(open_log(path, LogFormat::carmen));
+    EXPECT_NO_THROW(open_log(path, "carmen"));
 }
 
-TEST(LogFormat, WordsGoBothWays) {
-    for (const LogFormat format : {LogFormat::automatic, LogFormat::player, LogFormat::radish,
-                                   LogFormat::normalized, LogFormat::carmen}) {
-        EXPECT_EQ(log_format_from(to_string(format)), format);
+TEST(LogFormats, AreListedWhereOneIsAskedFor) {
+    EXPECT_EQ(log_formats().words(), "player, radish, normalized, carmen");
+    EXPECT_EQ(log_format_choices(), "auto, player, radish, normalized or carmen");
+    for (const char* word : {"auto", "player", "radish", "normalized", "carmen"}) {
+        EXPECT_EQ(checked_log_format(word, "--format"), word);
     }
-    EXPECT_FALSE(log_format_from("Player"));
-    EXPECT_FALSE(log_format_from(""));
+    EXPECT_THAT(test::message_of<ConfigError>([] { checked_log_format("Player", "--format"); }),
+                AllOf(HasSubstr("--format: found \"Player\""), HasSubstr(log_format_choices())));
+    EXPECT_THAT(test::message_of<ConfigError>([] { checked_target_format("auto", "--to"); }),
+                AllOf(HasSubstr("--to: found \"auto\""), HasSubstr("one of player, radish")));
+    const TempDir folder;
+    EXPECT_THROW(open_log(folder.put("a", kCarmen), "carmin"), ConfigError);
 }
 
 }  // namespace

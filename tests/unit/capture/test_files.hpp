@@ -40,23 +40,23 @@ struct Log {
     ReadReport report;
 };
 
-inline Log read_all(Procesador& procesador) {
+inline Log read_all(TourReader& reader) {
     Log log;
-    while (std::optional<Scan> scan = procesador.next_scan()) log.scans.push_back(std::move(*scan));
-    while (const std::optional<Odometria> reading = procesador.next_odometry()) {
+    while (std::optional<Scan> scan = reader.next_scan()) log.scans.push_back(std::move(*scan));
+    while (const std::optional<Odometria> reading = reader.next_odometry()) {
         log.odometry.push_back(*reading);
     }
-    log.report = procesador.report();
+    log.report = reader.report();
     return log;
 }
 
-inline Log read_log(const std::filesystem::path& path, LogFormat format = LogFormat::automatic,
+inline Log read_log(const std::filesystem::path& path, std::string_view format = kAutoFormat,
                     ReadOptions options = {}) {
     Procesador procesador(open_log(path, format), options);
     return read_all(procesador);
 }
 
-inline Log read_text(LogFormat format, std::string_view text, ReadOptions options = {}) {
+inline Log read_text(std::string_view format, std::string_view text, ReadOptions options = {}) {
     const TempDir folder;
     return read_log(folder.put("some.log", text), format, options);
 }

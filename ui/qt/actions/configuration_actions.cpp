@@ -89,7 +89,7 @@ void ConfigurationActions::select_source(const QString& path) {
         const QString file = QString::fromStdString(next.source.file);
         files_.note_folder("log", file);
         files_.note_recent(file);
-        const LogSummary summary = dialog.summary().value_or(LogSummary{});
+        const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
         emit notice(tr("Source loaded: %1, %2 scans")
                         .arg(QFileInfo(file).fileName())
                         .arg(summary.report.scans));
@@ -100,7 +100,7 @@ void ConfigurationActions::select_source(const QString& path) {
 bool ConfigurationActions::use_log(const QString& path) {
     Configuracion next = session_.configuration();
     next.source.file = path.toStdString();
-    next.source.format = LogFormat::automatic;
+    next.source.format = kAutoFormat;
     try {
         session_.set_configuration(next);
     } catch (const std::exception& error) {
@@ -120,7 +120,7 @@ bool ConfigurationActions::open(const QString& path, bool confirmed) {
 bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
     Configuracion next;
     try {
-        next = read_configuration(path);
+        next = read_configuration(path.toStdString());
     } catch (const std::exception& error) {
         prompts_.warn(window_, tr("The configuration was not loaded"), words_of(error));
         return false;

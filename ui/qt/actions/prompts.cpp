@@ -79,6 +79,15 @@ bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path) {
          translated(QT_TRANSLATE_NOOP("Prompts", "Replace")), true});
 }
 
+QString ask_where_to_save(Prompts& prompts, QWidget* parent, Prompts::FileQuestion question) {
+    for (;;) {
+        QString path = prompts.save_file(parent, question);
+        if (path.isEmpty()) return {};
+        if (!QFileInfo::exists(path) || may_overwrite(prompts, parent, path)) return path;
+        question.start = path;
+    }
+}
+
 void tell_not_written(Prompts& prompts, QWidget* parent, const QString& reason) {
     prompts.warn(parent, translated(QT_TRANSLATE_NOOP("Prompts", "The file was not written")),
                  reason);

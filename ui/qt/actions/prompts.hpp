@@ -61,6 +61,10 @@ inline QString words_of(const std::exception& error) {
 bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path);
 void tell_not_written(Prompts& prompts, QWidget* parent, const QString& reason);
 
+/// Asks where to write until the user names a new file, lets the old one be replaced, or gives up
+/// (empty).
+QString ask_where_to_save(Prompts& prompts, QWidget* parent, Prompts::FileQuestion question);
+
 /// Asks for a file to write until it is written or the user gives up: asks before it overwrites,
 /// and where `write` throws hitos::Error it says why and asks again [T 8.2.2.3, 8.2.2.9, 8.2.2.10].
 /// Returns the path written, empty where the user gave up.
@@ -68,10 +72,9 @@ template <class Write>
 QString save_until_done(Prompts& prompts, QWidget* parent, Prompts::FileQuestion question,
                         Write write) {
     for (;;) {
-        QString path = prompts.save_file(parent, question);
+        QString path = ask_where_to_save(prompts, parent, question);
         if (path.isEmpty()) return {};
         question.start = path;
-        if (QFileInfo::exists(path) && !may_overwrite(prompts, parent, path)) continue;
         try {
             write(path);
             return path;

@@ -1,8 +1,6 @@
 #include "result_actions.hpp"
 
-#include <QCoreApplication>
 #include <QDir>
-#include <QEventLoop>
 #include <QFileInfo>
 #include <QWidget>
 #include <chrono>
@@ -17,6 +15,10 @@ namespace hitos::window {
 
 ResultActions::ResultActions(Session& session, UserFiles& files, Prompts& prompts, QWidget* window)
     : QObject(window), session_(session), files_(files), prompts_(prompts), window_(window) {}
+
+ResultActions::~ResultActions() {
+    if (writing_.valid()) writing_.wait();  // it calls back here
+}
 
 MapWindow* ResultActions::open_window(QPointer<MapWindow>& place, const QString& title,
                                       MapWindow::Show show) {
@@ -48,7 +50,7 @@ void ResultActions::view_odometry() {
     if (!session_.has_source()) return;
     MapWindow* map =
         open_window(odometry_, tr("Grid map based on odometry"), MapWindow::Show::growth);
-    map->builder().build_from_odometry(session_.configuration());
+    map->builder().build(session_.configuration(), std::nullopt);
 }
 
 void ResultActions::save_map() {
@@ -87,29 +89,55 @@ void ResultActions::save_map() {
     emit notice(tr("Map saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
+/// What was asked of a run that has ended since is over too.
+bool ResultActions::writing() const {
+    return writing_.valid() &&
+           writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+}
+
 void ResultActions::save_results() {
-    if (!session_.has_source() || session_.progress().steps == 0) return;
-    const QString path = save_until_done(
+    if (!session_.has_source() || session_.progress().steps == 0 || writing()) return;
+    const QString folder = ask_where_to_save(
         prompts_, window_,
         {tr("Save all results: name of a new folder"),
-         files_.last_folder("map") + "/results",
+         results_folder_.isEmpty() ? files_.last_folder("map") + "/results" : results_folder_,
          tr("Folders (*)"),
-         {}},
-        [this](const QString& target) {
-            prepare_output_folder(target.toStdString());
-            RunWorker& worker = *session_.worker();
-            auto written = worker.with_run([&](const Algoritmo& run) {
-                double seconds = 0.0;
-                for (const StepFigures& step : worker.figures_since(0))
-                    seconds += step.step_seconds;
-                return write_results(run, session_.references(), seconds, target.toStdString());
-            });
-            // Pictures of a great map take a second; the window goes on painting meanwhile.
-            while (written.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready)
-                QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
-            written.get();
-        });
-    if (!path.isEmpty()) emit notice(tr("Results saved: %1").arg(QDir::toNativeSeparators(path)));
+         {}});
+    results_folder_ = folder;
+    if (!folder.isEmpty()) write_results_to(folder);
+}
+
+/// Pictures of a great map take a second: they are written on the run's thread, and the window is
+/// told when it is done.
+void ResultActions::write_results_to(const QString& folder) {
+    RunWorker& worker = *session_.worker();
+    double seconds = 0.0;
+    for (const StepFigures& step : worker.figures_since(0)) seconds += step.step_seconds;
+    writing_ = worker.with_run([this, folder, seconds,
+                                references = session_.references()](const Algoritmo& run) {
+        QString problem;
+        try {
+            prepare_output_folder(folder.toStdString());
+            write_results(run, references, seconds, folder.toStdString());
+        } catch (const std::exception& error) {
+            problem = words_of(error);
+        }
+        QMetaObject::invokeMethod(
+            this, [this, folder, problem] { end_writing(folder, problem); }, Qt::QueuedConnection);
+    });
+    emit writing_changed();
+}
+
+void ResultActions::end_writing(const QString& folder, const QString& problem) {
+    writing_ = {};
+    emit writing_changed();
+    if (!problem.isEmpty()) {
+        tell_not_written(prompts_, window_, problem);
+        save_results();
+        return;
+    }
+    results_folder_.clear();
+    emit notice(tr("Results saved: %1").arg(QDir::toNativeSeparators(folder)));
 }
 
 void ResultActions::save_picture(const CanvasView& view) {

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <future>
 
 #include "app/session.hpp"
 #include "prompts.hpp"
@@ -18,6 +19,7 @@ class ResultActions final : public QObject {
 
   public:
     ResultActions(Session& session, UserFiles& files, Prompts& prompts, QWidget* window);
+    ~ResultActions() override;
 
     MapWindow* best_window() const { return best_; }
     MapWindow* odometry_window() const { return odometry_; }
@@ -26,13 +28,19 @@ class ResultActions final : public QObject {
     void view_odometry();
     void save_map();
     void save_results();
+    /// All results are being written; until the end no others can be.
+    bool writing() const;
     void save_picture(const hitos::window::CanvasView& view);
 
   signals:
     void notice(QString text);
+    void writing_changed();
 
   private:
     MapWindow* open_window(QPointer<MapWindow>& place, const QString& title, MapWindow::Show show);
+
+    void write_results_to(const QString& folder);
+    void end_writing(const QString& folder, const QString& problem);
 
     Session& session_;
     UserFiles& files_;
@@ -40,6 +48,8 @@ class ResultActions final : public QObject {
     QWidget* window_;
     QPointer<MapWindow> best_;
     QPointer<MapWindow> odometry_;
+    std::future<void> writing_;  ///< valid while results are written
+    QString results_folder_;     ///< that could not be written
 };
 
 }  // namespace hitos::window

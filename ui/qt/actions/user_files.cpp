@@ -1,11 +1,8 @@
 #include "user_files.hpp"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
-
-#include "hitos/services/configuration/archivo_configuracion.hpp"
 
 namespace hitos::window {
 namespace {
@@ -62,28 +59,8 @@ void UserFiles::note_folder(const QString& kind, const QString& path) {
     settings_.setValue("folders/" + kind, QFileInfo(path).absolutePath());
 }
 
-Configuracion read_configuration(const QString& path) {
-    Configuracion configuration = ArchivoConfiguracion::read(path.toStdString());
-    const QString source = QString::fromStdString(configuration.source.file);
-    if (!source.isEmpty() && QFileInfo(source).isRelative() && !QFileInfo::exists(source)) {
-        const QString beside = QFileInfo(path).absoluteDir().filePath(source);
-        if (QFileInfo::exists(beside)) configuration.source.file = beside.toStdString();
-    }
-    return configuration;
-}
-
 FileKind kind_of(const QString& path) {
     return QFileInfo(path).suffix().toLower() == "cfg" ? FileKind::configuration : FileKind::source;
-}
-
-QString shipped_file(const QString& relative) {
-    const QString here = QCoreApplication::applicationDirPath();
-    for (const QString& folder : {here, here + "/..", here + "/../../..", here + "/../share/hitos",
-                                  QStringLiteral("/usr/share/hitos")}) {
-        const QFileInfo file(folder + '/' + relative);
-        if (file.exists()) return file.canonicalFilePath();
-    }
-    return {};
 }
 
 }  // namespace hitos::window

@@ -40,19 +40,11 @@ class UserFiles final : public QObject {
     QSettings settings_;
 };
 
-/// Reads a configuration; a relative source that is not found where the program runs is looked for
-/// beside the file. Throws hitos::Error.
-Configuracion read_configuration(const QString& path);
-
 /// What the user may name on the command line or drop on the window.
 enum class FileKind {
     configuration,  ///< .cfg
     source          ///< a log, or a world (.toml)
 };
 FileKind kind_of(const QString& path);
-
-/// A file that comes with Hitos ("data/bigloop.log.gz"): beside the executable, in the source tree
-/// that it was built in, or installed; empty where it is nowhere.
-QString shipped_file(const QString& relative);
 
 }  // namespace hitos::window

@@ -19,7 +19,6 @@
 #include "views/grid_view.hpp"
 #include "views/scan_view.hpp"
 #include "workers/background.hpp"
-#include "workers/thread_call.hpp"
 #include "workers/thread_clock.hpp"
 
 namespace hitos::window {
@@ -59,7 +58,9 @@ class Probe {
               constexpr auto kPause = std::chrono::milliseconds(5);
               while (!stop.stop_requested()) {
                   const auto asked = Clock::now();
-                  in_window_([this, asked] { answers_ms_.push_back(seconds_since(asked) * 1e3); });
+                  QMetaObject::invokeMethod(
+                      &window_, [this, asked] { answers_ms_.push_back(seconds_since(asked) * 1e3); },
+                      Qt::QueuedConnection);
                   std::this_thread::sleep_for(kPause);
               }
           }) {}
@@ -72,7 +73,7 @@ class Probe {
     }
 
   private:
-    ThreadCall in_window_;
+    QObject window_;  // lives in the window's thread
     std::vector<double> answers_ms_;  // only touched by the window's thread until it is over
     std::jthread thread_;
 };
@@ -92,7 +93,6 @@ Slice shown_slice(Session& session, Figures& figures) {
     RunWorker& worker = *session.worker();
     const quint64 before = session.progress().steps;
     QEventLoop loop;
-    ThreadCall in_window;
     double seconds = 0.0;
     double work_seconds = 0.0;
     Probe probe;
@@ -103,7 +103,7 @@ Slice shown_slice(Session& session, Figures& figures) {
         worker.wait();
         seconds = seconds_since(begin);
         work_seconds = process_seconds() - work;
-        in_window([&loop] { loop.quit(); });
+        QMetaObject::invokeMethod(&loop, &QEventLoop::quit, Qt::QueuedConnection);
     });
     loop.exec();
     const std::vector<double> answers = probe.finish();

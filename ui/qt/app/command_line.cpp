@@ -30,11 +30,11 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         "Log (plain or .gz), configuration (.cfg), or world (.toml, or the name of one "
         "that comes with Hitos)");
     program.add_option("--config", out.config, "Configuration file");
-    program.add_option("--set", out.assignments, "Change one parameter; may be repeated")
+    program.add_option("--set", out.values.assignments, "Change one parameter; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    program.add_option("--seed", out.seed, "Seed of all random numbers");
-    program.add_option("--threads", out.threads, "Threads (default: all)");
+    program.add_option("--seed", out.values.seed, "Seed of all random numbers");
+    program.add_option("--threads", out.values.threads, "Threads (default: all)");
     program.add_option("--reference", out.reference, "Reference map to measure the map against");
     program.add_option("--reference-trajectory", out.reference_trajectory,
                        "Reference trajectory (TUM) to measure the path against");
@@ -77,38 +77,31 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     const QString named = QString::fromStdString(line.open);
     const bool named_configuration = !named.isEmpty() && kind_of(named) == FileKind::configuration;
     if (!line.config.empty()) {
-        configuration = read_configuration(QString::fromStdString(line.config));
+        configuration = read_configuration(line.config);
     } else if (named_configuration) {
-        configuration = read_configuration(named);
+        configuration = read_configuration(line.open);
     } else if (init == Init::read && files.has_init()) {
-        configuration = read_configuration(files.init_path());
+        configuration = read_configuration(files.init_path().toStdString());
     } else if (named.isEmpty()) {
-        const QString ready = shipped_file("config/simulated.cfg");
-        if (!ready.isEmpty()) configuration = read_configuration(ready);
+        const std::filesystem::path ready = shipped_file("config/simulated.cfg");
+        if (!ready.empty()) configuration = read_configuration(ready);
     }
     if (!named.isEmpty() && !named_configuration) {
         configuration.source.file = source_named(line.open);
-        configuration.source.format = LogFormat::automatic;
+        configuration.source.format = kAutoFormat;
     }
     if (configuration.source.file.empty()) {
-        configuration.source.file = shipped_file(kReadyTour).toStdString();
+        configuration.source.file = shipped_file(kReadyTour).string();
     }
-    for (const std::string& assignment : line.assignments) set_parameter(configuration, assignment);
-    if (line.seed) {
-        find_parameter("run.seed").set(configuration, std::to_string(*line.seed));
-    }
-    if (line.threads) {
-        find_parameter("run.threads").set(configuration, std::to_string(*line.threads));
-    }
-    check(configuration);
+    choose_values(configuration, line.values);
     return configuration;
 }
 
 std::string starting_reference_map(const CommandLine& line, const Configuracion& configuration) {
     if (!line.reference.empty()) return line.reference;
     const std::string& log = configuration.source.file;
-    if (log.empty() || log != shipped_file(kReadyTour).toStdString()) return {};
-    return shipped_file("data/maps/bigloop.map").toStdString();
+    if (log.empty() || log != shipped_file(kReadyTour).string()) return {};
+    return shipped_file("data/maps/bigloop.map").string();
 }
 
 References starting_references(const CommandLine& line, const Configuracion& configuration) {

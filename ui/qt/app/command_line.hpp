@@ -7,6 +7,7 @@
 
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/run/results.hpp"
+#include "hitos/workbench/configuration_choices.hpp"
 
 namespace hitos::window {
 
@@ -15,9 +16,7 @@ class UserFiles;
 struct CommandLine {
     std::string open;  ///< log, world or configuration
     std::string config;
-    std::vector<std::string> assignments;
-    std::optional<std::uint64_t> seed;
-    std::optional<int> threads;
+    ValueChoices values;
     std::string reference;
     std::string reference_trajectory;
     std::string language;

@@ -5,6 +5,7 @@
 #include <QUrl>
 
 #include "hitos/services/run/results.hpp"
+#include "hitos/workbench/shipped_data.hpp"
 #include "icons.hpp"
 #include "main_window.hpp"
 #include "ui_main_window.h"
@@ -62,7 +63,8 @@ void MainWindow::show_keys() {
 }
 
 void MainWindow::show_guide() {
-    const QString guide = shipped_file("docs/user-guide.md");
+    const QString guide =
+        QString::fromStdString(shipped_file("docs/user-guide.md").string());
     if (guide.isEmpty()) {
         prompts_.warn(this, tr("User's guide"), tr("docs/user-guide.md is not installed."));
         return;

@@ -40,15 +40,19 @@ void Session::retire() {
 void Session::set_configuration(const Configuracion& configuration) {
     check(configuration);
     std::unique_ptr<RunWorker> next;
+    std::optional<Truth> truth;
     if (!configuration.source.file.empty()) {
         next = in_background([&] {
-            return std::make_unique<RunWorker>(configuration, open_tour(configuration.source));
+            std::unique_ptr<TourReader> reader = open_tour(configuration.source);
+            truth = reader->truth();
+            return std::make_unique<RunWorker>(configuration, std::move(reader));
         });
     }
     retire();
     const bool another_log = configuration.source.file != configuration_.source.file;
     configuration_ = configuration;
     worker_ = std::move(next);
+    truth_ = std::move(truth);
     if (another_log) set_references({});
     begin_anew();
     emit configuration_changed();
@@ -66,6 +70,7 @@ void Session::begin_anew() {
 
 void Session::set_references(const References& references, const QString& map_file) {
     references_ = references;
+    add_truth(references_, truth_);
     reference_map_file_ = map_file;
     emit references_changed();
 }

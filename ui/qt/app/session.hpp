@@ -37,8 +37,9 @@ class Session final : public QObject {
     std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
     Progress progress() const;
 
+    /// What the user named, and the truth that the tour itself knows where the user named nothing.
     const References& references() const { return references_; }
-    /// `map_file` is where the map was read; empty where it is not known.
+    /// Of the user's. `map_file` is where the map was read; empty where it is not known.
     void set_references(const References& references, const QString& map_file = {});
     const QString& reference_map_file() const { return reference_map_file_; }
 
@@ -67,6 +68,7 @@ class Session final : public QObject {
 
     Configuracion configuration_;
     References references_;
+    std::optional<Truth> truth_;  ///< of the tour
     QString reference_map_file_;
     std::unique_ptr<RunWorker> worker_;
     std::shared_ptr<const Snapshot> snapshot_;

@@ -17,52 +17,25 @@
 namespace hitos::window {
 namespace {
 
-struct Card {
-    ParameterGroup group;
-    std::vector<const char*> keys;
-};
+constexpr std::array kCards{ParameterGroup::source, ParameterGroup::motion,
+                            ParameterGroup::particle_filter, ParameterGroup::observation,
+                            ParameterGroup::split_merge};
 
-/// What each card shows; the models that a choice leaves unused are not shown.
-std::vector<Card> cards_of(const Configuracion& c) {
-    std::vector<const char*> motion{"motion.model"};
-    if (c.filter.motion.model == "proportional") {
-        motion.insert(motion.end(), {"motion.var_along", "motion.var_across",
-                                     "motion.var_theta_per_rad", "motion.var_theta_per_m"});
-    } else {
-        motion.insert(motion.end(), {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"});
-    }
-    std::vector<const char*> filter{"filter.algorithm"};
-    if (c.filter.algorithm == "ekf-slam") {
-        filter.insert(filter.end(),
-                      {"association.gate_probability", "association.new_probability"});
-    } else {
-        filter.insert(filter.end(), {"filter.particles", "association.p0", "resampling.rule"});
-        if (c.filter.resampling.rule == ResamplingRule::neff) {
-            filter.push_back("resampling.neff_threshold");
+/// What the card of a group shows: its own parameters, then those of other groups that stand on it;
+/// what has no effect is left out.
+std::vector<const ConfigParameter*> rows_of(ParameterGroup card,
+                                            const Configuracion& configuration) {
+    std::vector<const ConfigParameter*> rows;
+    const auto add = [&](bool own) {
+        for (const ConfigParameter& parameter : parameters()) {
+            if (parameter.card.empty() || group_of(parameter.card).group != card) continue;
+            if ((group_of(parameter.table()).group == card) != own) continue;
+            if (parameter.used_by(configuration)) rows.push_back(&parameter);
         }
-    }
-    filter.push_back("run.seed");
-    std::vector<const char*> observation{"observation.covariance"};
-    if (c.extraction.covariance == ObservationCovariance::points) {
-        observation.insert(observation.end(),
-                           {"observation.point_sigma", "observation.common_sigma"});
-    } else {
-        observation.insert(observation.end(), {"observation.var_rho", "observation.var_theta"});
-    }
-    if (c.filter.algorithm == "fastslam") observation.push_back("association.method");
-    observation.push_back("association.ambiguity");
-    std::vector<const char*> lines{"features.detect", "features.method"};
-    if (c.extraction.method == "ransac") {
-        lines.insert(lines.end(), {"ransac.threshold"});
-    } else {
-        lines.insert(lines.end(), {"split_merge.dmax", "split_merge.fit"});
-    }
-    lines.insert(lines.end(), {"split_merge.min_length", "split_merge.min_points"});
-    return {{ParameterGroup::source, {"source.file", "source.format", "source.odometry"}},
-            {ParameterGroup::motion, motion},
-            {ParameterGroup::particle_filter, filter},
-            {ParameterGroup::observation, observation},
-            {ParameterGroup::split_merge, lines}};
+    };
+    add(true);
+    add(false);
+    return rows;
 }
 
 /// Of the keys that press a button.
@@ -90,7 +63,8 @@ class ElidedLabel final : public QLabel {
     }
 };
 
-void add_row(QGridLayout* rows, const Parameter& parameter, const Configuracion& configuration) {
+void add_row(QGridLayout* rows, const ConfigParameter& parameter,
+             const Configuracion& configuration) {
     auto* name = new QLabel(label_of(parameter));
     set_role(name, "muted");
     QString text = value_with_unit(parameter, configuration);
@@ -100,10 +74,10 @@ void add_row(QGridLayout* rows, const Parameter& parameter, const Configuracion&
     value->setTextFormat(Qt::PlainText);
     value->setMinimumWidth(20);
     const bool changed =
-        parameter.type != Parameter::Type::text && !is_default(parameter, configuration);
+        parameter.type != ConfigParameter::Type::text && !is_default(parameter, configuration);
     set_role(value, changed ? "changed" : "value");
     QString tip = description_of(parameter);
-    if (parameter.type == Parameter::Type::text) {
+    if (parameter.type == ConfigParameter::Type::text) {
         tip = QDir::toNativeSeparators(QString::fromStdString(parameter.text(configuration)));
     } else if (changed) {
         static const Configuracion defaults;
@@ -137,25 +111,27 @@ void SummaryBar::set_configuration(const Configuracion& configuration) {
         delete item;
     }
     auto* row = qobject_cast<QHBoxLayout*>(layout());
-    for (const Card& card : cards_of(configuration)) {
+    for (const ParameterGroup card : kCards) {
         auto* frame = new QFrame(this);
         set_role(frame, "card");
-        frame->setProperty("group", static_cast<int>(card.group));
+        frame->setProperty("group", static_cast<int>(card));
         frame->setCursor(Qt::PointingHandCursor);
         frame->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
         frame->setFocusPolicy(Qt::TabFocus);  // after a click the space bar runs and stops
-        frame->setAccessibleName(title_of(card.group));
+        frame->setAccessibleName(title_of(card));
         frame->installEventFilter(this);
         auto* rows = new QGridLayout(frame);
         rows->setContentsMargins(12, 8, 12, 8);
         rows->setHorizontalSpacing(10);
         rows->setVerticalSpacing(1);
         rows->setColumnStretch(1, 1);
-        auto* title = new ElidedLabel(title_of(card.group));
+        auto* title = new ElidedLabel(title_of(card));
         title->setMinimumWidth(20);
         set_role(title, "title");
         rows->addWidget(title, 0, 0, 1, 2);
-        for (const char* key : card.keys) add_row(rows, find_parameter(key), configuration);
+        for (const ConfigParameter* parameter : rows_of(card, configuration)) {
+            add_row(rows, *parameter, configuration);
+        }
         rows->setRowStretch(rows->rowCount(), 1);
         row->addWidget(frame, 1);
         if (focused != frame->property("group")) continue;

@@ -8,7 +8,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 
 #include "app/theme.hpp"
 #include "hitos/base/error.hpp"
@@ -30,8 +29,8 @@ const std::array<std::vector<Group>, 2> column_groups{{
 int label_width() {
     const QFontMetrics metrics(QApplication::font());
     int width = 0;
-    for (const Parameter& parameter : parameters()) {
-        if (parameter.group == Group::source) continue;
+    for (const ConfigParameter& parameter : parameters()) {
+        if (group_of(parameter.table()).group == Group::source) continue;
         width = std::max(width, metrics.horizontalAdvance(label_of(parameter)));
     }
     return width + 8;
@@ -83,8 +82,8 @@ void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box
     auto* title = new QLabel(title_of(group), box);
     title->setProperty("role", "title");
     rows->addWidget(title, 0, 0, 1, 3);
-    for (const Parameter& parameter : parameters()) {
-        if (parameter.group != group) continue;
+    for (const ConfigParameter& parameter : parameters()) {
+        if (group_of(parameter.table()).group != group) continue;
         auto* field = new ParameterField(parameter, rows, box);
         fields_.push_back(field);
         connect(field, &ParameterField::edited, this, [this, field] {
@@ -109,32 +108,11 @@ ParameterField* ConfigurationDialog::field(std::string_view key) const {
     return found == fields_.end() ? nullptr : *found;
 }
 
-/// Greys out what the chosen models do not read; the values stay.
+/// Greys out what has no effect beside the other values; the values stay.
 void ConfigurationDialog::mark_unused() {
-    const auto chosen = [this](const char* key, const char* word) {
-        return field(key)->text() == word;
-    };
-    const auto use = [this](bool used, std::initializer_list<const char*> keys) {
-        for (const char* key : keys) field(key)->set_used(used);
-    };
-    const bool proportional = chosen("motion.model", "proportional");
-    use(!proportional, {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"});
-    use(proportional, {"motion.var_along", "motion.var_across", "motion.var_theta_per_rad",
-                       "motion.var_theta_per_m"});
-    const bool ekf = chosen("filter.algorithm", "ekf-slam");
-    use(!ekf, {"filter.particles", "association.method", "association.p0", "resampling.rule",
-               "resampling.method", "filter.proposal"});
-    use(ekf, {"association.new_probability"});
-    use(ekf || chosen("association.method", "gnn"), {"association.gate_probability"});
-    use(!chosen("association.ambiguity", "off"), {"association.ambiguity_ratio"});
-    use(!ekf && chosen("resampling.rule", "neff"), {"resampling.neff_threshold"});
-    const bool points = chosen("observation.covariance", "points");
-    use(!points, {"observation.var_rho", "observation.var_theta"});
-    use(points, {"observation.point_sigma", "observation.common_sigma"});
-    const bool ransac = chosen("features.method", "ransac");
-    use(!ransac,
-        {"split_merge.dmax", "split_merge.fit", "split_merge.gap", "split_merge.gap_per_range"});
-    use(ransac, {"ransac.edge", "ransac.edge_per_range", "ransac.threshold", "ransac.iterations"});
+    Configuracion edited = original_;
+    for (const ParameterField* field : fields_) field->give(edited);
+    for (ParameterField* field : fields_) field->set_used(field->parameter().used_by(edited));
 }
 
 void ConfigurationDialog::show_verdict() {
@@ -169,7 +147,7 @@ bool ConfigurationDialog::read(Configuracion& out) {
 QString ConfigurationDialog::changes(const Configuracion& next) const {
     constexpr int kMostLines = 12;
     QStringList lines;
-    for (const Parameter& parameter : parameters()) {
+    for (const ConfigParameter& parameter : parameters()) {
         if (parameter.text(original_) == parameter.text(next)) continue;
         lines << QString("%1: %2 → %3")
                      .arg(label_of(parameter), value_of(parameter, original_),
@@ -204,7 +182,7 @@ void ConfigurationDialog::accept() {
 
 void ConfigurationDialog::show_group(ParameterGroup group) {
     const auto found = std::find_if(fields_.begin(), fields_.end(), [group](const auto* candidate) {
-        return candidate->parameter().group == group;
+        return group_of(candidate->parameter().table()).group == group;
     });
     if (found != fields_.end()) (*found)->focus();
     if (auto* box = findChild<QWidget*>(QString("group_%1").arg(static_cast<int>(group)))) {

@@ -12,27 +12,30 @@
 namespace hitos::window {
 namespace {
 
-QString tip_of(const Parameter& parameter) {
+QString tip_of(const ConfigParameter& parameter) {
     static const Configuracion defaults;
     QString tip =
         "<p style='white-space:pre-wrap'>" + description_of(parameter).toHtmlEscaped() + "</p><p>";
-    if (parameter.type == Parameter::Type::real || parameter.type == Parameter::Type::integer) {
+    if (parameter.type == ConfigParameter::Type::real ||
+        parameter.type == ConfigParameter::Type::integer) {
         tip += ParameterField::tr("Allowed: %1").arg(allowed_of(parameter)) + "<br/>";
     }
-    if (parameter.type != Parameter::Type::text) {
+    if (parameter.type != ConfigParameter::Type::text) {
         tip += ParameterField::tr("Default: %1").arg(value_of(parameter, defaults)) + "<br/>";
     }
-    return tip + "<code>" + QString::fromStdString(std::string(parameter.key)) + "</code></p>";
+    tip += "<code>" + to_qt(parameter.key) + "</code>";
+    if (!parameter.symbol.empty()) tip += " · " + to_qt(parameter.symbol);
+    return tip + "</p>";
 }
 
 }  // namespace
 
-ParameterField::ParameterField(const Parameter& parameter, QGridLayout* rows, QWidget* parent)
+ParameterField::ParameterField(const ConfigParameter& parameter, QGridLayout* rows, QWidget* parent)
     : QObject(parent), parameter_(parameter) {
-    const QString key = QString::fromStdString(std::string(parameter.key));
+    const QString key = to_qt(parameter.key);
     const int row = rows->rowCount();
     label_ = new QLabel(label_of(parameter), parent);
-    if (parameter.type == Parameter::Type::choice) {
+    if (parameter.type == ConfigParameter::Type::choice) {
         choice_ = new QComboBox(parent);
         choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         choice_->setFocusPolicy(Qt::StrongFocus);
@@ -69,14 +72,15 @@ QWidget* ParameterField::editor() const {
 QString ParameterField::text() const {
     if (choice_ == nullptr) return line_->text();
     return QString::fromStdString(
-        std::string(parameter_.choices.at(static_cast<std::size_t>(choice_->currentIndex()))));
+        parameter_.choices.at(static_cast<std::size_t>(choice_->currentIndex())).word);
 }
 
 void ParameterField::set_value(const Configuracion& configuration) {
+    const std::string value = parameter_.text(configuration);
     if (choice_ != nullptr) {
-        choice_->setCurrentIndex(static_cast<int>(parameter_.get_integer(configuration)));
+        choice_->setCurrentIndex(static_cast<int>(parameter_.place_of(value).value_or(0)));
     } else {
-        line_->setText(QString::fromStdString(parameter_.text(configuration)));
+        line_->setText(QString::fromStdString(value));
     }
     good_ = text();
     set_error({});
@@ -91,10 +95,18 @@ bool ParameterField::apply(Configuracion& configuration) {
         return true;
     } catch (const Error&) {
         // The library's words name the key; here the field itself says what is meant.
-        set_error(parameter_.type == Parameter::Type::integer
+        set_error(parameter_.type == ConfigParameter::Type::integer
                       ? tr("Whole numbers: %1").arg(allowed_of(parameter_))
                       : tr("Allowed: %1").arg(allowed_of(parameter_)));
         return false;
+    }
+}
+
+void ParameterField::give(Configuracion& configuration) const {
+    try {
+        parameter_.set(configuration, good_.toStdString());
+    } catch (const Error&) {
+        return;  // so impossible was what the form was opened with
     }
 }
 

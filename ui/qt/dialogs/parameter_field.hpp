@@ -18,14 +18,16 @@ class ParameterField final : public QObject {
 
   public:
     /// Adds its widgets as new rows of the grid (columns: label, editor, unit).
-    ParameterField(const Parameter& parameter, QGridLayout* rows, QWidget* parent);
+    ParameterField(const ConfigParameter& parameter, QGridLayout* rows, QWidget* parent);
 
-    const Parameter& parameter() const { return parameter_; }
+    const ConfigParameter& parameter() const { return parameter_; }
     QString text() const;
     void set_value(const Configuracion& configuration);
     /// Gives the value to the configuration. Where it cannot be, says so at the field and returns
     /// false.
     bool apply(Configuracion& configuration);
+    /// Gives its last possible value, and says nothing.
+    void give(Configuracion& configuration) const;
     void set_error(const QString& error);
     bool has_error() const;
     /// What is not used is grey, and has its last possible value.
@@ -39,7 +41,7 @@ class ParameterField final : public QObject {
     void mark_changed();
     QWidget* editor() const;
 
-    const Parameter& parameter_;
+    const ConfigParameter& parameter_;
     QLabel* label_ = nullptr;
     QComboBox* choice_ = nullptr;
     QLineEdit* line_ = nullptr;

@@ -9,21 +9,21 @@
 namespace hitos::window {
 
 QString to_qt(std::string_view text);
-/// "D max"; the key where the table below knows no label.
-QString label_of(const Parameter& parameter);
+/// "D max"
+QString label_of(const ConfigParameter& parameter);
 /// The sentence of the parameter table, translated.
-QString description_of(const Parameter& parameter);
+QString description_of(const ConfigParameter& parameter);
 /// "m²", "rad²/m", or empty.
-QString unit_of(const Parameter& parameter);
+QString unit_of(const ConfigParameter& parameter);
 /// A word of a choice as the user reads it: "Differential with odometry".
-QString choice_of(const Parameter& parameter, std::size_t place);
+QString choice_of(const ConfigParameter& parameter, std::size_t place);
 QString title_of(ParameterGroup group);
 /// The value as the user reads it, without unit; file names without their folder.
-QString value_of(const Parameter& parameter, const Configuracion& configuration);
+QString value_of(const ConfigParameter& parameter, const Configuracion& configuration);
 /// "0.02 m"
-QString value_with_unit(const Parameter& parameter, const Configuracion& configuration);
+QString value_with_unit(const ConfigParameter& parameter, const Configuracion& configuration);
 /// "0 to 10 m", translated.
-QString allowed_of(const Parameter& parameter);
-bool is_default(const Parameter& parameter, const Configuracion& configuration);
+QString allowed_of(const ConfigParameter& parameter);
+bool is_default(const ConfigParameter& parameter, const Configuracion& configuration);
 
 }  // namespace hitos::window

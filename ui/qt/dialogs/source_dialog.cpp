@@ -9,12 +9,20 @@
 
 #include "app/theme.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/workbench/source_inspection.hpp"
 #include "parameter_text.hpp"
 #include "ui_source_dialog.h"
 #include "workers/background.hpp"
 
 namespace hitos::window {
+namespace {
+
+QString format_words(const std::string& word) {
+    const ConfigParameter& format = find_parameter("source.format");
+    const std::optional<std::size_t> place = format.place_of(word);
+    return place ? choice_of(format, *place) : SourceDialog::tr("World");
+}
+
+}  // namespace
 
 SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder, QWidget* parent)
     : QDialog(parent),
@@ -24,10 +32,10 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
       source_(std::move(source)) {
     ui_->setupUi(this);
     pool_.setMaxThreadCount(1);
-    const Parameter& format = find_parameter("source.format");
+    const ConfigParameter& format = find_parameter("source.format");
     for (std::size_t i = 0; i < format.choices.size(); ++i)
-        ui_->type->addItem(choice_of(format, i));
-    ui_->type->setCurrentIndex(static_cast<int>(source_.format));
+        ui_->type->addItem(choice_of(format, i), to_qt(format.choices[i].word));
+    ui_->type->setCurrentIndex(ui_->type->findData(QString::fromStdString(source_.format)));
     ui_->lines->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     ui_->reading->hide();
     ui_->path->setText(QString::fromStdString(source_.file));
@@ -47,7 +55,7 @@ SourceDialog::~SourceDialog() {
 SourceParams SourceDialog::source() const {
     SourceParams chosen = source_;
     chosen.file = ui_->path->text().trimmed().toStdString();
-    chosen.format = static_cast<LogFormat>(ui_->type->currentIndex());
+    chosen.format = ui_->type->currentData().toString().toStdString();
     return chosen;
 }
 
@@ -83,23 +91,28 @@ void SourceDialog::begin_check() {
     stop_ = std::make_shared<std::atomic<bool>>(false);
     pool_.start([this, wanted, stop = stop_] {
         begin_background_work();
-        std::optional<LogSummary> summary;
+        std::optional<SourceInspection> summary;
         QString problem;
         try {
             summary = inspect_source(wanted, [&](double part) {
-                in_window_([this, stop, part] {
-                    if (stop == stop_) ui_->reading->setValue(static_cast<int>(part * 1000.0));
-                });
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, stop, part] {
+                        if (stop == stop_) ui_->reading->setValue(static_cast<int>(part * 1000.0));
+                    },
+                    Qt::QueuedConnection);
                 return !stop->load();
             });
         } catch (const std::exception& error) {
             problem = QString::fromUtf8(error.what());
         }
-        in_window_([this, stop, summary, problem] { end_check(stop, summary, problem); });
+        QMetaObject::invokeMethod(
+            this, [this, stop, summary, problem] { end_check(stop, summary, problem); },
+            Qt::QueuedConnection);
     });
 }
 
-void SourceDialog::end_check(const Stop& stop, const std::optional<LogSummary>& summary,
+void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspection>& summary,
                              const QString& problem) {
     if (stop != stop_ || *stop) return;  // a later check is under way
     ui_->reading->hide();
@@ -112,18 +125,17 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<LogSummary>& 
     QStringList lines;
     for (const std::string& line : summary->first_lines) lines << QString::fromStdString(line);
     ui_->lines->setPlainText(lines.join('\n'));
-    const bool scans = summary->report.scans > 0;
+    const bool scans = summary->tour.report.scans > 0;
     show_verdict(
-        scans ? words_of(*summary) : tr("The file holds odometry but not one readable scan."),
+        scans ? words_of(summary->tour) : tr("The file holds odometry but not one readable scan."),
         scans ? "good" : "error");
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans);
     emit checked(scans);
 }
 
-QString SourceDialog::words_of(const LogSummary& summary) const {
-    const Parameter& format = find_parameter("source.format");
+QString SourceDialog::words_of(const TourSummary& summary) const {
     QString words = tr("%1: %2 scans, %3 odometry readings, %4 s, %5 m.")
-                        .arg(choice_of(format, static_cast<std::size_t>(summary.format)))
+                        .arg(format_words(summary.format))
                         .arg(summary.report.scans)
                         .arg(summary.report.odometry)
                         .arg(summary.duration_s, 0, 'f', 1)

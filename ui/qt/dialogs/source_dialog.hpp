@@ -8,9 +8,8 @@
 #include <optional>
 
 #include "actions/prompts.hpp"
-#include "hitos/capture/log_summary.hpp"
+#include "hitos/workbench/source_inspection.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
-#include "workers/thread_call.hpp"
 
 namespace hitos::window {
 
@@ -30,7 +29,7 @@ class SourceDialog final : public QDialog {
     /// What the user chose.
     SourceParams source() const;
     /// What the chosen log holds.
-    const std::optional<LogSummary>& summary() const { return summary_; }
+    const std::optional<SourceInspection>& summary() const { return summary_; }
 
     void set_path(const QString& path);
 
@@ -47,18 +46,17 @@ class SourceDialog final : public QDialog {
 
     void browse();
     void begin_check();
-    void end_check(const Stop& stop, const std::optional<LogSummary>& summary,
+    void end_check(const Stop& stop, const std::optional<SourceInspection>& summary,
                    const QString& problem);
     void show_verdict(const QString& text, const char* role);
-    QString words_of(const LogSummary& summary) const;
+    QString words_of(const TourSummary& summary) const;
 
     std::unique_ptr<Ui::SourceDialog> ui_;
     Prompts& prompts_;
     QString folder_;
     SourceParams source_;
-    std::optional<LogSummary> summary_;
+    std::optional<SourceInspection> summary_;
     Stop stop_;  ///< of the check under way
-    ThreadCall in_window_{this};
     QThreadPool pool_;
 };
 

@@ -19,9 +19,9 @@ namespace {
 constexpr const char* kDash = " — ";
 
 /// A study leaves these as they are, or sets them itself.
-bool can_be_studied(const Parameter& parameter) {
-    return parameter.group != ParameterGroup::run && parameter.group != ParameterGroup::grid &&
-           parameter.type != Parameter::Type::text;
+bool can_be_studied(const ConfigParameter& parameter) {
+    return parameter.table() != "run" && parameter.table() != "grid" &&
+           parameter.type != ConfigParameter::Type::text;
 }
 
 /// "dmax — D max": the name to use, then what it stands for.
@@ -85,7 +85,7 @@ void StudyForm::fill() {
                                    Qt::ToolTipRole);
     }
     ui_.parameter->insertSeparator(ui_.parameter->count());
-    for (const Parameter& parameter : parameters()) {
+    for (const ConfigParameter& parameter : parameters()) {
         if (!can_be_studied(parameter)) continue;
         ui_.parameter->addItem(item_of(parameter.key, {parameter.key}));
         ui_.parameter->setItemData(ui_.parameter->count() - 1, description_of(parameter),
@@ -165,7 +165,7 @@ void StudyForm::explain_parameter() {
     QStringList lines;
     try {
         for (const std::string& key : find_study_parameter(parameter().toStdString()).keys) {
-            const Parameter& known = find_parameter(key);
+            const ConfigParameter& known = find_parameter(key);
             lines << tr("%1 Allowed: %2. Now: %3.")
                          .arg(description_of(known), allowed_of(known),
                               value_with_unit(known, session_.configuration()));

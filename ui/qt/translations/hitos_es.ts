@@ -273,6 +273,14 @@
         <source>%1 to %2 %3</source>
         <translation>de %1 a %2 %3</translation>
     </message>
+    <message>
+        <source>Where particles draw their new poses from: motion takes the motion model alone, as FastSLAM 1.0 does.</source>
+        <translation>De dónde sacan las partículas sus nuevas posturas: motion usa solo el modelo de movimiento, como FastSLAM 1.0.</translation>
+    </message>
+    <message>
+        <source>How particles are drawn anew; all methods give a particle as many copies in the mean as its weight says and differ in how much chance adds, low-variance least.</source>
+        <translation>Cómo se vuelven a sortear las partículas; todos los métodos dan a una partícula, en promedio, tantas copias como dice su peso y difieren en cuánto añade el azar, low-variance el que menos.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -391,6 +399,26 @@
     <message>
         <source>Neff threshold</source>
         <translation>Umbral Neff</translation>
+    </message>
+    <message>
+        <source>Motion model</source>
+        <translation>Modelo de movimiento</translation>
+    </message>
+    <message>
+        <source>Low variance</source>
+        <translation>Baja varianza</translation>
+    </message>
+    <message>
+        <source>Multinomial</source>
+        <translation>Multinomial</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Residual</translation>
+    </message>
+    <message>
+        <source>Stratified</source>
+        <translation>Estratificado</translation>
     </message>
 </context>
 <context>
@@ -629,6 +657,14 @@
     <message>
         <source>Threads</source>
         <translation>Hilos</translation>
+    </message>
+    <message>
+        <source>Proposal</source>
+        <translation>Propuesta</translation>
+    </message>
+    <message>
+        <source>Resampling method</source>
+        <translation>Método de remuestreo</translation>
     </message>
 </context>
 <context>
@@ -1371,6 +1407,10 @@
     <message>
         <source>Logs and worlds (*.log *.clf *.gfs *.txt *.gz *.toml);;All files (*)</source>
         <translation>Registros y mundos (*.log *.clf *.gfs *.txt *.gz *.toml);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>Mundo</translation>
     </message>
 </context>
 <context>

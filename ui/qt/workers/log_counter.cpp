@@ -30,15 +30,15 @@ void LogCounter::begin() {
         begin_background_work();
         std::optional<quint64> scans;
         try {
-            const LogSummary summary =
-                inspect_source(wanted, [&](double) { return !stop->load(); });
+            const TourSummary summary =
+                inspect_source(wanted, [&](double) { return !stop->load(); }).tour;
             if (summary.complete) scans = summary.report.scans;
         } catch (const std::exception&) {
             scans.reset();  // the run itself tells what is wrong with the log
         }
-        in_window_([this, stop, scans] {
+        QMetaObject::invokeMethod(this, [this, stop, scans] {
             if (stop == stop_ && !*stop) emit counted(scans);
-        });
+        }, Qt::QueuedConnection);
     });
 }
 

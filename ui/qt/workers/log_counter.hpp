@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "app/session.hpp"
-#include "thread_call.hpp"
 
 namespace hitos::window {
 
@@ -29,7 +28,6 @@ class LogCounter final : public QObject {
     Session& session_;
     SourceParams source_;
     std::shared_ptr<std::atomic<bool>> stop_;
-    ThreadCall in_window_{this};
     QThreadPool pool_;
 };
 

@@ -5,10 +5,15 @@
 #include <QTimer>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
-#include "hitos/services/run/algoritmo.hpp"
+#include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/run/grid_tiles.hpp"
+
+namespace hitos {
+class GridBuilder;
+}
 
 namespace hitos::window {
 
@@ -19,10 +24,8 @@ class MapBuilder final : public QObject {
     explicit MapBuilder(QObject* parent = nullptr);
     ~MapBuilder() override;
 
-    /// Builds the map along the path.
-    void build(const Configuracion& configuration, Trajectory path);
-    /// Builds the map of the whole log along the odometry, which is read as it goes.
-    void build_from_odometry(const Configuracion& configuration);
+    /// Builds the map along the path; without one, of the whole tour along its odometry.
+    void build(const Configuracion& configuration, std::optional<Trajectory> path);
     void stop();
 
     struct State {
@@ -40,9 +43,9 @@ class MapBuilder final : public QObject {
     void finished();
 
   private:
-    template <class Work>
-    void start(Work work);
-    void publish(const Grid& grid, const Trajectory& path, double progress, bool last);
+    void work(const Configuracion& configuration, std::optional<Trajectory> path,
+              const std::stop_token& stop);
+    void publish(const GridBuilder& builder, bool last);
     void poll();
 
     QTimer timer_;

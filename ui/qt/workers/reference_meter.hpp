@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "app/session.hpp"
-#include "thread_call.hpp"
 
 namespace hitos::window {
 
@@ -36,7 +35,6 @@ class ReferenceMeter final : public QObject {
     void take(const std::shared_ptr<const Measured>& figures, quint64 steps, int generation);
 
     Session& session_;
-    ThreadCall in_window_{this};
     QThreadPool pool_;
     QElapsedTimer clock_;
     bool busy_ = false;

@@ -62,24 +62,24 @@ void StudyRunner::work(const Study& study, int threads, Number number,
     };
     try {
         StudyOutcome outcome = std::move(run_studies({&study, 1}, options).front());
-        in_window_([this, number, outcome = std::move(outcome)] {
+        QMetaObject::invokeMethod(this, [this, number, outcome = std::move(outcome)] {
             end(number, [&] {
                 plan_ = std::make_shared<const StudyPlan>(outcome.plan);
                 records_ = outcome.records;
                 emit finished(outcome);
             });
-        });
+        }, Qt::QueuedConnection);
     } catch (const std::exception& error) {
-        in_window_([this, number, problem = problem_of(error)] {
+        QMetaObject::invokeMethod(this, [this, number, problem = problem_of(error)] {
             end(number, [&] { emit failed(problem); });
-        });
+        }, Qt::QueuedConnection);
     }
 }
 
 /// With the mutex held. However fast the news come, the window is told once for all that wait.
 void StudyRunner::tell(Number number) {
     if (!std::exchange(told_, false)) return;
-    in_window_([this, number] {
+    QMetaObject::invokeMethod(this, [this, number] {
         if (number != number_) return;
         StudyProgress progress;
         bool more = false;
@@ -97,7 +97,7 @@ void StudyRunner::tell(Number number) {
         if (!running_) return;
         emit progressed(progress);
         if (more) emit results_changed();
-    });
+    }, Qt::QueuedConnection);
 }
 
 void StudyRunner::end(Number number, const std::function<void()>& last_words) {

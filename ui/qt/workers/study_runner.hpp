@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "hitos/services/study/study.hpp"
-#include "thread_call.hpp"
 
 namespace hitos::window {
 
@@ -66,7 +65,6 @@ class StudyRunner final : public QObject {
     std::shared_ptr<const StudyPlan> latest_plan_;
     std::vector<std::pair<std::size_t, StudyRecord>> fresh_;
 
-    ThreadCall in_window_{this};
     std::jthread worker_;  // last: it uses everything above
 };
 

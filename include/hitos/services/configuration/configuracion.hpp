@@ -7,8 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "hitos/capture/conversor.hpp"
-#include "hitos/capture/fuente.hpp"
+#include "hitos/base/parameter.hpp"
+#include "hitos/capture/log_format.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "hitos/features/extractor.hpp"
 #include "hitos/services/run/grid.hpp"
 #include "hitos/slam/params.hpp"
@@ -17,8 +18,8 @@ namespace hitos {
 
 /// Where the data come from [T 9.2.6.1].
 struct SourceParams {
-    std::string file;  ///< path of the log; empty: none chosen
-    LogFormat format = LogFormat::automatic;
+    std::string file;                 ///< path of the log; empty: none chosen
+    std::string format{kAutoFormat};  ///< word of log_formats(), or "auto"
     ReadOptions read;
 };
 
@@ -49,44 +50,29 @@ enum class ParameterGroup {
     run
 };
 
-/// Describes one parameter; the table of all of them drives files, options, forms and studies.
-struct Parameter {
-    enum class Type { real, integer, choice, text };
-
-    std::string_view key;  ///< "split_merge.dmax"
-    ParameterGroup group = ParameterGroup::source;
-    Type type = Type::real;
-    std::string_view unit;                       ///< "m", "rad", "m^2", … or empty
-    std::string_view description;                ///< one sentence
-    double minimum = 0.0;                        ///< numbers: smallest value allowed
-    double maximum = 0.0;                        ///< numbers: greatest value allowed
-    std::vector<std::string_view> choices = {};  ///< choice: the words, in the enum's order
-
-    /// The value as text, exact: reading it back gives the same bits.
-    std::string text(const Configuracion& configuration) const;
-    /// Sets the value from text. Throws ConfigError that names key, value found and what is
-    /// allowed; the configuration is then unchanged.
-    void set(Configuracion& configuration, std::string_view value) const;
-    /// What is allowed, in words: "0 to 10 m", "one of ml, gnn", "any text".
-    std::string allowed() const;
-    /// Throws ConfigError where the configuration's value is not allowed.
-    void check(const Configuracion& configuration) const;
-
-    // How the value is reached; the pair that `type` names is set, the others are null. A choice is
-    // reached as the integer that is its place in `choices`.
-    double& (*real)(Configuracion&) = nullptr;
-    double (*get_real)(const Configuracion&) = nullptr;
-    std::int64_t (*get_integer)(const Configuracion&) = nullptr;
-    void (*set_integer)(Configuracion&, std::int64_t) = nullptr;
-    std::string& (*words)(Configuracion&) = nullptr;
-    const std::string& (*get_words)(const Configuracion&) = nullptr;
+/// What a group is called, and the tables of a configuration file whose parameters it shows.
+struct ParameterGroupFacts {
+    ParameterGroup group;
+    std::string_view title;  ///< translated in the context "ParameterGroup"
+    std::vector<std::string_view> tables;
 };
 
+/// All groups, in the order of their tables in a configuration file.
+std::span<const ParameterGroupFacts> parameter_groups();
+
+/// The group of a table of a configuration file: "split_merge". Throws ConfigError where no group
+/// has it.
+const ParameterGroupFacts& group_of(std::string_view table);
+
+/// One entry for each parameter; files, options, forms, help texts, checks and studies are made of
+/// the table of all of them.
+using ConfigParameter = Parameter<Configuracion>;
+
 /// All parameters, group by group.
-std::span<const Parameter> parameters();
+std::span<const ConfigParameter> parameters();
 
 /// The parameter of that key. Throws ConfigError that names near keys where there is none.
-const Parameter& find_parameter(std::string_view key);
+const ConfigParameter& find_parameter(std::string_view key);
 
 /// Sets one parameter from "key=value". Throws ConfigError.
 void set_parameter(Configuracion& configuration, std::string_view assignment);

@@ -11,9 +11,6 @@
 
 namespace hitos {
 
-/// Straight walls by their ends, in the frame that the owner states [m].
-using Walls = std::vector<std::pair<Point2, Point2>>;
-
 /// What the picture shows, all in the map's frame.
 struct PathsPicture {
     Trajectory truth;

@@ -10,14 +10,6 @@
 
 namespace hitos {
 
-struct StampedPose {
-    double time_s = 0.0;
-    Pose pose;  ///< world from robot
-    friend bool operator==(const StampedPose&, const StampedPose&) = default;
-};
-
-using Trajectory = std::vector<StampedPose>;
-
 /// Reads plain or gzip TUM files, in the file's order; `#` comments and empty lines are passed
 /// over. The heading is the yaw of the quaternion; z is not used. Throws FileError or FormatError
 /// with the line; a file without any pose is an error.

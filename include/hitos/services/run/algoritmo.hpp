@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "hitos/capture/procesador.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "hitos/features/control.hpp"
 #include "hitos/features/extractor.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
@@ -25,11 +25,11 @@ struct AlgoritmoOptions {
     bool uncertainty = false;
 };
 
-/// Owns the whole chain source → scans and controls → features → filter. Not thread-safe; RunWorker
-/// runs it on a worker.
+/// Owns the whole chain reader → scans and controls → features → filter. Not thread-safe; RunWorker
+/// runs it on a thread of its own.
 class Algoritmo {
   public:
-    Algoritmo(const Configuracion& configuration, std::unique_ptr<Fuente> fuente,
+    Algoritmo(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
               const AlgoritmoOptions& options = {});
     ~Algoritmo();
     Algoritmo(Algoritmo&&) noexcept;
@@ -39,16 +39,16 @@ class Algoritmo {
     /// log. Throws FormatError where the log ends without a single scan.
     bool step();
     bool finished() const { return finished_; }
-    /// From the beginning of the source, as if nothing had been done.
+    /// From the beginning of the tour, as if nothing had been done.
     void restart();
 
     const Configuracion& configuration() const { return configuration_; }
     const AlgoritmoOptions& options() const { return options_; }
-    const Fuente& fuente() const { return procesador_->fuente(); }
+    const TourReader& reader() const { return *reader_; }
     const SlamFilter& filter() const { return *filter_; }
     const Scan& scan() const { return scan_; }                       ///< the last one
     const Observation& observation() const { return observation_; }  ///< its features
-    const ReadReport& report() const { return procesador_->report(); }
+    const ReadReport& report() const { return reader_->report(); }
     const Grid& step_grid() const { return step_grid_; }
     /// Where lines were seen at every scan so far.
     const LineExtents& line_extents() const { return line_extents_; }
@@ -56,20 +56,20 @@ class Algoritmo {
     const UncertaintyRecord& uncertainty() const { return uncertainty_; }
 
     /// Scans so far.
-    std::uint64_t steps() const { return odometry_.size(); }
+    std::uint64_t steps() const { return odometry_trajectory().size(); }
     /// Between the stamps of the first and the last scan so far [s].
     double duration_s() const;
     /// The best hypothesis' pose at every scan so far.
     Trajectory best_trajectory() const;
     /// The pose by odometry alone at every scan so far, from (0, 0, 0) at the first reading.
-    const Trajectory& odometry_trajectory() const { return odometry_; }
+    const Trajectory& odometry_trajectory() const { return odometry_.trajectory(); }
 
   private:
-    void assemble(std::unique_ptr<Fuente> fuente);
+    void begin();
 
     Configuracion configuration_;
     AlgoritmoOptions options_;
-    std::unique_ptr<Procesador> procesador_;
+    std::unique_ptr<TourReader> reader_;
     std::unique_ptr<ControlTrack> controls_;
     std::unique_ptr<Extractor> extractor_;
     std::unique_ptr<SlamFilter> filter_;
@@ -79,35 +79,8 @@ class Algoritmo {
     Scan scan_;
     Observation observation_;
     std::vector<Control> step_controls_;
-    Pose odometry_pose_;
-    Trajectory odometry_;
+    OdometryPath odometry_;
     bool finished_ = false;
 };
-
-/// Builds a grid from the scans of a source and one pose for each of them, scan by scan; poses and
-/// scans are paired in order. Reads the source anew, so memory does not grow with the log.
-class GridBuilder {
-  public:
-    GridBuilder(const Configuracion& configuration, std::unique_ptr<Fuente> fuente,
-                Trajectory trajectory);
-    ~GridBuilder();
-
-    /// Adds the next scan; false when poses or scans are at their end.
-    bool step();
-    const Grid& grid() const { return grid_; }
-    double progress() const;
-
-  private:
-    std::unique_ptr<Procesador> procesador_;
-    Trajectory trajectory_;
-    std::size_t next_ = 0;
-    Grid grid_;
-};
-
-/// The whole grid at once.
-Grid build_grid(const Configuracion& configuration, const Fuente& fuente, Trajectory trajectory);
-
-/// The source that the configuration names. Throws as open_log does.
-std::unique_ptr<Fuente> open_source(const SourceParams& source);
 
 }  // namespace hitos

@@ -27,7 +27,7 @@ struct References {
 /// The figures of a run, as summary.json states them.
 struct RunSummary {
     std::string source;
-    LogFormat format = LogFormat::automatic;
+    std::string format;  ///< as TourReader::format()
     std::uint64_t scans = 0;
     double duration_s = 0.0;
     std::string algorithm;  ///< as in the configuration: "fastslam", "ekf-slam"

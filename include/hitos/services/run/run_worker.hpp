@@ -65,7 +65,7 @@ struct Progress {
 /// for a step, except wait(), and futures that the caller chooses to wait for.
 class RunWorker {
   public:
-    RunWorker(const Configuracion& configuration, std::unique_ptr<Fuente> fuente,
+    RunWorker(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
               const AlgoritmoOptions& options = {});
     /// Ends the worker after the step under way.
     ~RunWorker();
@@ -75,7 +75,7 @@ class RunWorker {
     /// Runs to the end of the source, or `steps` further steps.
     void run();
     void run(std::uint64_t steps);
-    /// Stops after the step under way.
+    /// Stops after the step under way; until its end the run counts as running.
     void pause();
     /// Stops and goes back to the beginning.
     void restart();
@@ -125,6 +125,7 @@ class RunWorker {
     bool restart_wanted_ = false;
     bool snapshot_wanted_ = false;
     bool busy_ = false;
+    bool stepping_ = false;  // a step is under way
     std::vector<std::function<void(const Algoritmo&)>> tasks_;
     Progress progress_;
     std::shared_ptr<const Snapshot> snapshot_;

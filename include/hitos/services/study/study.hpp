@@ -26,8 +26,8 @@ struct StudyJob {
     Configuracion configuration;
 };
 
-/// Gives a run its source; called on several threads at once.
-using StudySource = std::function<std::unique_ptr<Fuente>(const StudyJob&)>;
+/// Gives a run its tour; called on several threads at once.
+using StudySource = std::function<std::unique_ptr<TourReader>(const StudyJob&)>;
 
 /// What to do. A study is a value; several of them can be run at one go.
 struct Study {

@@ -16,13 +16,13 @@ namespace {
 using test::message_of;
 using test::TempFolder;
 using ::testing::HasSubstr;
-using Type = Parameter::Type;
+using Type = ConfigParameter::Type;
 
 void expect_equal(const Configuracion& a, const Configuracion& b) {
-    for (const Parameter& p : parameters()) {
+    for (const ConfigParameter& p : parameters()) {
         if (p.type == Type::real) {
-            EXPECT_EQ(std::bit_cast<std::uint64_t>(p.get_real(a)),
-                      std::bit_cast<std::uint64_t>(p.get_real(b)))
+            EXPECT_EQ(std::bit_cast<std::uint64_t>(std::get<double>(p.get(a))),
+                      std::bit_cast<std::uint64_t>(std::get<double>(p.get(b))))
                 << p.key;
         } else {
             EXPECT_EQ(p.text(a), p.text(b)) << p.key;
@@ -32,25 +32,24 @@ void expect_equal(const Configuracion& a, const Configuracion& b) {
 
 Configuracion random_configuration(std::mt19937_64& random) {
     Configuracion c;
-    for (const Parameter& p : parameters()) {
+    for (const ConfigParameter& p : parameters()) {
         switch (p.type) {
             case Type::real:
-                p.real(c) = std::uniform_real_distribution(p.minimum, p.maximum)(random);
+                p.put(c, std::uniform_real_distribution(p.minimum, p.maximum)(random));
                 break;
             case Type::integer:
-                p.set_integer(c,
-                              std::uniform_int_distribution<std::int64_t>(
-                                  static_cast<std::int64_t>(p.minimum),
-                                  p.maximum > 1e18 ? INT64_MAX
-                                                   : static_cast<std::int64_t>(p.maximum))(random));
+                p.put(c, std::uniform_int_distribution<std::int64_t>(
+                             static_cast<std::int64_t>(p.minimum),
+                             p.maximum > 1e18 ? INT64_MAX
+                                              : static_cast<std::int64_t>(p.maximum))(random));
                 break;
             case Type::choice:
-                p.set_integer(c, static_cast<std::int64_t>(random() % p.choices.size()));
+                p.put(c, p.choices[random() % p.choices.size()].word);
                 break;
             case Type::text: {
-                p.words(c).clear();
-                for (int i = 0; i < 30; ++i) p.words(c) += static_cast<char>(random() % 0x80);
-                p.words(c) += "ñ→𝄞";
+                std::string text;
+                for (int i = 0; i < 30; ++i) text += static_cast<char>(random() % 0x80);
+                p.put(c, text + "ñ→𝄞");
                 break;
             }
         }
@@ -84,7 +83,7 @@ TEST(ArchivoConfiguracion, ReadsEveryTypeOverTheDefaults) {
     expected.grid.resolution_m = 1.0;
     expected.grid.log_odds_miss = -0.25;
     expected.source.file = "C:\\a";
-    expected.source.format = LogFormat::radish;
+    expected.source.format = "radish";
     expect_equal(c, expected);
 }
 
@@ -282,7 +281,8 @@ TEST(ShippedConfigurations, HoldNothingThatIsADefault) {
     for (const char* name : {"simulated.cfg", "recorded.cfg"}) {
         const Configuracion c = ArchivoConfiguracion::read(shipped(name));
         std::size_t differing = 0;
-        for (const Parameter& p : parameters()) differing += p.text(c) != p.text({}) ? 1U : 0U;
+        for (const ConfigParameter& p : parameters())
+            differing += p.text(c) != p.text({}) ? 1U : 0U;
         const std::string text = test::content(shipped(name));
         std::size_t set = 0;
         for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {

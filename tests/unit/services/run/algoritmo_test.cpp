@@ -1,5 +1,8 @@
 #include "hitos/services/run/algoritmo.hpp"
 
+#include "hitos/services/run/grid_builder.hpp"
+#include "hitos/services/run/open_source.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -109,7 +112,7 @@ TEST(Algoritmo, GridOfTheWholePathIsTheStepGridWhereTheBestNeverChanges) {
         1;  // one particle: the best at each step is the best at the end
     Algoritmo run(configuration, open_source(configuration.source));
     for (int i = 0; i < 300; ++i) run.step();
-    const Grid grid = build_grid(configuration, run.fuente(), run.best_trajectory());
+    const Grid grid = build_grid(configuration.grid, run.reader(), run.best_trajectory());
     EXPECT_EQ(grid.picture().grey, run.step_grid().picture().grey);
 }
 

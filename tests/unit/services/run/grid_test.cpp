@@ -299,7 +299,7 @@ TEST(Grid, RefusesParametersThatNoGridCanHave) {
         return message_of<ConfigError>([&] { const Grid grid(params); });
     };
     EXPECT_EQ(refusal(&GridParams::resolution_m, 0.0),
-              "grid.resolution: 0 is not possible; allowed: above 0 m");
+              "grid.resolution: 0 is out of range; allowed: 0.001 to 10 m");
     EXPECT_THAT(refusal(&GridParams::resolution_m, kNan), HasSubstr("grid.resolution: nan"));
     EXPECT_THAT(refusal(&GridParams::log_odds_hit, -0.1), HasSubstr("grid.hit: -0.1"));
     EXPECT_THAT(refusal(&GridParams::log_odds_miss, 0.1), HasSubstr("grid.miss: 0.1"));

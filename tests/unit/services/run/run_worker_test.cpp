@@ -1,5 +1,7 @@
 #include "hitos/services/run/run_worker.hpp"
 
+#include "hitos/services/run/open_source.hpp"
+
 #include <gtest/gtest.h>
 
 #include "hitos/services/configuration/archivo_configuracion.hpp"

@@ -1,5 +1,7 @@
 #include "hitos/services/study/study.hpp"
 
+#include "hitos/services/run/open_source.hpp"
+
 #include <gmock/gmock.h>
 
 #include <atomic>
@@ -214,7 +216,7 @@ TEST_F(StudyTest, ASourceThatFailsForOneSeedFailsThatRun) {
     Study study = this->study("out");
     study.parameters.clear();
     std::atomic<int> opened = 0;
-    study.source = [&](const StudyJob& job) -> std::unique_ptr<Fuente> {
+    study.source = [&](const StudyJob& job) -> std::unique_ptr<TourReader> {
         ++opened;
         if (job.seed == 2) throw FileError("tape", "torn");
         return open_source(job.configuration.source);
@@ -279,7 +281,16 @@ TEST_F(StudyTest, WhatNoRunCouldDoEndsTheStudyAtOnce) {
                     s.configuration.filter.motion.model = "proportional";
                     vary("mov=1/1/1")(s);
                 }),
-                HasSubstr("has no effect where motion.model is proportional"));
+                HasSubstr("motion.sigma_x: has no effect where motion.model is proportional; set "
+                          "it to odometry or no-odometry"));
+    EXPECT_THAT(message(vary("ransac.threshold=0.02,0.04")),
+                HasSubstr("ransac.threshold: has no effect where features.method is split-merge; "
+                          "set it to ransac"));
+    EXPECT_THAT(message([&](Study& s) {
+                    set_parameter(s.configuration, "filter.algorithm=ekf-slam");
+                    vary("resampling.neff_threshold=1,2")(s);
+                }),
+                HasSubstr("where filter.algorithm is ekf-slam; set it to fastslam"));
     EXPECT_THAT(message([](Study& s) { s.seeds = 0; }), HasSubstr("runs: found 0"));
     EXPECT_THAT(message([](Study& s) { s.first_seed = 0x7fffffffffffffff; }),
                 HasSubstr("go beyond"));

@@ -1,0 +1,49 @@
+// The table of log formats: all that tells one text format from another.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include "hitos/base/registry.hpp"
+#include "hitos/capture/conversor.hpp"
+#include "hitos/capture/fuente.hpp"
+#include "hitos/capture/log_writer.hpp"
+
+namespace hitos {
+
+/// What a line is to the two cursors. `other` is a line of the format that neither needs; `damaged`
+/// is none that the format knows.
+enum class LineKind { scan, odometry, both, other, damaged };
+
+/// One text format. Lines come trimmed and are not empty; comments begin with `#`.
+struct LogFormat : RegistryEntry {
+    /// Whether a line, or a comment, is one of this format: the signature by which a log's format
+    /// is found. What other formats write must not be claimed.
+    bool (*claims)(std::string_view text) = nullptr;
+    /// Which cursors want the line; told no comments. Pure text look-up, no parsing of numbers.
+    LineKind (*classify)(std::string_view text) = nullptr;
+    /// The converter of the format's lines. May read ahead through fuente.reopen().
+    std::unique_ptr<Conversor> (*make_conversor)(const Fuente& fuente,
+                                                 const ReadOptions& options) = nullptr;
+    /// The writer; null: Hitos only reads the format.
+    std::unique_ptr<LogWriter> (*make_writer)(const std::filesystem::path& path) = nullptr;
+};
+
+/// The word that asks for detection from the content.
+inline constexpr std::string_view kAutoFormat = "auto";
+
+/// The formats that this program knows; `source.format` chooses one, or "auto".
+Registry<LogFormat>& log_formats();
+
+/// "auto, player, radish, normalized or carmen"
+std::string log_format_choices();
+
+/// The word itself where it is "auto" or a format's. Throws ConfigError, under the name of the
+/// option, that lists what it can be.
+std::string checked_log_format(std::string_view word, const std::string& option);
+
+/// The same for formats that can be written; "auto" is none.
+std::string checked_target_format(std::string_view word, const std::string& option);
+
+}  // namespace hitos

@@ -1,0 +1,77 @@
+// What every layer above asks for scans and odometry, wherever they come from.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitos/capture/scan.hpp"
+
+namespace hitos {
+
+/// What was read, and what was left out of a log and why.
+struct ReadReport {
+    struct Skip {
+        std::uint64_t line = 0;
+        std::string reason;
+    };
+    static constexpr std::size_t kExamples = 20;
+
+    std::uint64_t scans = 0;
+    std::uint64_t odometry = 0;
+    std::uint64_t duplicate_scans = 0;   ///< same stamp and same ranges as the scan before
+    std::uint64_t stamps_backwards = 0;  ///< readings whose stamp did not advance
+    std::uint64_t skipped = 0;           ///< damaged lines, each counted once
+    std::vector<Skip> examples;          ///< the first kExamples damaged lines, by line
+};
+
+/// What a reader may be told beside where to read.
+struct ReadOptions {
+    /// Readings at or beyond it are no points [m]. 0: what the log says; where it says nothing,
+    /// the code for "no return" that its first scans repeat, less 0.1 m; else 49.9 (above it lie
+    /// the codes of SICK scanners).
+    double max_range_m = 0.0;
+    /// Use the logged v, w where there are some, instead of the twists that reproduce the poses.
+    bool logged_velocities = false;
+};
+
+/// What is known to be true of a tour, in the frame of its start: the robot's pose at the first
+/// scan is (0, 0, 0).
+struct Truth {
+    Trajectory path;  ///< the pose at every scan
+    Walls walls;
+};
+
+/// A tour that is read once, from its beginning to its end: scans and odometry in two sequences
+/// that are independent of each other. Log files are read by Procesador, worlds by
+/// SimulatedTourReader; other readers change what a reader gives (odometry noise).
+class TourReader {
+  public:
+    virtual ~TourReader() = default;
+
+    /// The next scan; nothing at the end. Throws FileError where the medium fails.
+    virtual std::optional<Scan> next_scan() = 0;
+    /// The next odometry reading; nothing at the end.
+    virtual std::optional<Odometria> next_odometry() = 0;
+
+    /// Back to the beginning, with a fresh report. A failure leaves the reader where it was.
+    virtual void restart() = 0;
+    /// An equal reader at its beginning, independent of this one.
+    virtual std::unique_ptr<TourReader> reopen() const = 0;
+
+    /// What was read so far.
+    virtual const ReadReport& report() const = 0;
+    /// How far the scans have come, 0 … 1; nothing where it cannot be known.
+    virtual std::optional<double> progress() const = 0;
+    /// What to call the tour in messages: a path.
+    virtual std::string name() const = 0;
+    /// The word of the log's format, or "world".
+    virtual std::string format() const = 0;
+    /// The truth, where the tour knows it: a simulated one does.
+    virtual std::optional<Truth> truth() const { return std::nullopt; }
+};
+
+}  // namespace hitos

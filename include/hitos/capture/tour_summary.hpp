@@ -1,0 +1,35 @@
+// Reads a whole tour once and says what it holds.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hitos/capture/tour_reader.hpp"
+
+namespace hitos {
+
+/// Counts of a whole tour, for dialogs and summaries.
+struct TourSummary {
+    std::string format;  ///< as TourReader::format()
+    ReadReport report;
+    double first_stamp_s = 0.0;
+    double duration_s = 0.0;  ///< from the earliest stamp to the latest
+    double distance_m = 0.0;  ///< length of the odometry's path
+    Fan fan;                  ///< of the first scan
+    bool complete = true;     ///< false where the caller stopped the reading
+};
+
+/// Told now and then how far the reading is, 0 … 1; false stops it.
+using InspectProgress = std::function<bool(double)>;
+
+/// Reads the tour from where it stands to its end. Throws FormatError where not one scan or odometry
+/// reading can be read.
+TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress = {});
+
+/// The first lines of a text file, plain or gzip, each cut to 200 bytes; what is no text is said in
+/// words. Throws FileError.
+std::vector<std::string> first_lines_of(const std::filesystem::path& path);
+
+}  // namespace hitos

@@ -1,0 +1,39 @@
+// A simulated tour as a reader: no file, no text in between.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "hitos/capture/tour_reader.hpp"
+#include "hitos/simulation/odometry_noise.hpp"
+#include "hitos/simulation/simulated_tour.hpp"
+
+namespace hitos {
+
+/// Makes scans and odometry, noise and all, as they are asked for; the numbers of their lines are
+/// those that a log of the tour would have. Copies and reopened readers share the driven tour.
+class SimulatedTourReader final : public TourReader {
+  public:
+    explicit SimulatedTourReader(std::shared_ptr<const SimulatedTour> tour,
+                                 const ReadOptions& options = {});
+
+    std::optional<Scan> next_scan() override;
+    std::optional<Odometria> next_odometry() override;
+    void restart() override;
+    std::unique_ptr<TourReader> reopen() const override;
+    const ReadReport& report() const override { return report_; }
+    std::optional<double> progress() const override;
+    std::string name() const override { return tour_->world().file; }
+    std::string format() const override { return "world"; }
+    std::optional<Truth> truth() const override;
+
+  private:
+    std::shared_ptr<const SimulatedTour> tour_;
+    ReadOptions options_;
+    OdometryNoise noise_;
+    ReadReport report_;
+    std::uint64_t readings_before_ = 0;  // readings that stand before the next scan's line
+    std::uint64_t scans_before_ = 0;     // scans that stand before the next reading's line
+};
+
+}  // namespace hitos

@@ -1,0 +1,29 @@
+// The configuration that a user asks for: a file, and single values over it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitos/services/configuration/configuracion.hpp"
+
+namespace hitos {
+
+/// --set, --seed and --threads.
+struct ValueChoices {
+    std::vector<std::string> assignments;  ///< "key=value"
+    std::optional<std::uint64_t> seed;
+    std::optional<int> threads;
+};
+
+/// The assignments over the configuration, in order, then seed and threads; all checked. Throws
+/// ConfigError.
+void choose_values(Configuracion& configuration, const ValueChoices& choices);
+
+/// The configuration of a file. A log that it names by a relative path, and that is not there, is
+/// looked for beside the file. Throws as ArchivoConfiguracion::read().
+Configuracion read_configuration(const std::filesystem::path& file);
+
+}  // namespace hitos

@@ -1,0 +1,51 @@
+// The entries of the table of log formats, one file each, and what they share.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "fields.hpp"
+#include "hitos/capture/log_format.hpp"
+#include "range_conversor.hpp"
+
+namespace hitos {
+
+LogFormat player_format();
+LogFormat radish_format();
+LogFormat normalized_format();
+LogFormat carmen_format();
+
+inline bool begins_with_letter(std::string_view text) {
+    if (text.empty()) return false;
+    const char c = text.front();
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// A line that begins with a word is some message that is not needed; anything else is damage.
+inline LineKind other_or_damaged(std::string_view text) {
+    return begins_with_letter(text) ? LineKind::other : LineKind::damaged;
+}
+
+/// A converter of ranges, told by which value the log says "no return" where nothing states it.
+template <class Made>
+std::unique_ptr<Conversor> make_range_conversor(const Fuente& fuente, const ReadOptions& options) {
+    auto conversor = std::make_unique<Made>(options);
+    if (!(options.max_range_m > 0.0)) {
+        Made scratch(options);  // looking ahead leaves metadata in it
+        conversor->set_no_return(find_no_return(fuente, scratch));
+    }
+    return conversor;
+}
+
+template <class Made>
+std::unique_ptr<Conversor> make_plain_conversor(const Fuente& /*fuente*/,
+                                                const ReadOptions& options) {
+    return std::make_unique<Made>(options);
+}
+
+template <class Made>
+std::unique_ptr<LogWriter> make_writer(const std::filesystem::path& path) {
+    return std::make_unique<Made>(path);
+}
+
+}  // namespace hitos

@@ -1,0 +1,99 @@
+#include "hitos/capture/tour_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hitos/base/error.hpp"
+#include "line_reader.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr std::uint64_t kWholeTour = std::numeric_limits<std::uint64_t>::max();
+
+/// Collects what a summary says beyond the counts.
+class Stamps {
+  public:
+    void add(double time_s) {
+        first_ = std::min(first_, time_s);
+        last_ = std::max(last_, time_s);
+    }
+    bool any() const { return first_ <= last_; }
+    double first() const { return first_; }
+    double duration() const { return last_ - first_; }
+
+  private:
+    double first_ = std::numeric_limits<double>::infinity();
+    double last_ = -std::numeric_limits<double>::infinity();
+};
+
+[[noreturn]] void refuse(const TourReader& reader) {
+    const ReadReport& report = reader.report();
+    const bool damaged = !report.examples.empty();
+    throw FormatError(reader.name(), damaged ? report.examples.front().line : 0,
+                      "nothing in it can be read as " + reader.format() +
+                          (damaged ? ": " + report.examples.front().reason
+                                   : "; it holds neither scans nor odometry"));
+}
+
+}  // namespace
+
+std::vector<std::string> first_lines_of(const std::filesystem::path& path) {
+    constexpr std::size_t kLines = 30;
+    constexpr std::size_t kShown = 200;
+    std::vector<std::string> lines;
+    LineReader reader(path);
+    while (lines.size() < kLines) {
+        const std::optional<LineReader::Line> line = reader.next();
+        if (!line) break;
+        lines.emplace_back(line->damage.empty() ? line->text.substr(0, kShown)
+                                                : std::string_view(line->damage));
+    }
+    return lines;
+}
+
+TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
+    TourSummary summary;
+    summary.format = reader.format();
+    Stamps stamps;
+    std::optional<double> clock_s;
+    std::uint64_t odometry_line = 0;
+    const auto read_odometry_to = [&](std::uint64_t line) {
+        while (odometry_line < line) {
+            const std::optional<Odometria> reading = reader.next_odometry();
+            if (!reading) {
+                odometry_line = kWholeTour;
+                return;
+            }
+            odometry_line = reading->line;
+            stamps.add(reading->time_s);
+            const double seconds = reading->time_s - clock_s.value_or(reading->time_s);
+            summary.distance_m += std::hypot(reading->twist.v, reading->twist.v_lateral) * seconds;
+            clock_s = reading->time_s;
+        }
+    };
+    while (const std::optional<Scan> scan = reader.next_scan()) {
+        if (reader.report().scans == 1) summary.fan = scan->fan;
+        stamps.add(scan->time_s);
+        // Both sequences keep together, so that progress means both.
+        read_odometry_to(scan->line);
+        if (progress && !progress(reader.progress().value_or(0.0))) {
+            summary.complete = false;
+            break;
+        }
+    }
+    if (summary.complete) {
+        read_odometry_to(kWholeTour);
+        if (progress) progress(1.0);
+        if (!stamps.any()) refuse(reader);
+    }
+    summary.report = reader.report();
+    if (stamps.any()) {
+        summary.first_stamp_s = stamps.first();
+        summary.duration_s = stamps.duration();
+    }
+    return summary;
+}
+
+}  // namespace hitos

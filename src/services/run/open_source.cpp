@@ -1,0 +1,16 @@
+#include "hitos/services/run/open_source.hpp"
+
+#include "hitos/base/error.hpp"
+#include "hitos/capture/archivo.hpp"
+#include "hitos/capture/procesador.hpp"
+
+namespace hitos {
+
+std::unique_ptr<TourReader> open_source(const SourceParams& source) {
+    if (source.file.empty()) {
+        throw ConfigError("source.file", "found no file name; expected the path of a log");
+    }
+    return std::make_unique<Procesador>(open_log(source.file, source.format), source.read);
+}
+
+}  // namespace hitos

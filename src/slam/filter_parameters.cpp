@@ -1,0 +1,307 @@
+#include "hitos/slam/filter_parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "hitos/base/error.hpp"
+#include "hitos/slam/filters.hpp"
+#include "hitos/slam/proposal.hpp"
+#include "hitos/slam/resampler.hpp"
+#include "hitos/slam/robot.hpp"
+
+namespace hitos {
+namespace {
+
+using namespace declare;
+using Table = std::vector<Parameter<FilterParams>>;
+using Filter = FilterParams;
+
+void add_filter(Table& table) {
+    table.push_back(choice<&Filter::algorithm>(
+        {.key = "filter.algorithm",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "What builds the map: fastslam, particles with one small filter per landmark; "
+             "ekf-slam, one extended Kalman filter over the pose and all landmarks."),
+         .label = HITOS_TEXT("ParameterLabel", "Algorithm"),
+         .card = "filter",
+         .choices = choices_of(slam_algorithms())}));
+    table.push_back(integer<&Filter::particles>(
+        {.key = "filter.particles",
+         .minimum = 1.0,
+         .maximum = 1e6,
+         .description = HITOS_TEXT("Parameter",
+                                   "Number of particles M; more of them follow more hypotheses, "
+                                   "and time and memory grow in proportion."),
+         .label = HITOS_TEXT("ParameterLabel", "Particles"),
+         .symbol = "M",
+         .card = "filter"}));
+    table.push_back(choice<&Filter::proposal>(
+        {.key = "filter.proposal",
+         .description = HITOS_TEXT("Parameter",
+                                   "Where particles draw their new poses from: motion takes the "
+                                   "motion model alone, as FastSLAM 1.0 does."),
+         .label = HITOS_TEXT("ParameterLabel", "Proposal"),
+         .choices = choices_of(proposals())}));
+}
+
+void add_association(Table& table) {
+    table.push_back(choice<&Filter::association, &AssociationParams::method>(
+        {.key = "association.method",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "How an observation finds its landmark: ml takes the maximum likelihood, with p0 for "
+             "a new landmark; gnn the nearest one inside a chi-square gate."),
+         .label = HITOS_TEXT("ParameterLabel", "Association"),
+         .card = "observation",
+         .choices = {{"ml", HITOS_TEXT("ParameterChoice", "Maximum likelihood")},
+                     {"gnn", HITOS_TEXT("ParameterChoice", "Gated nearest neighbour")}}}));
+    table.push_back(real<&Filter::association, &AssociationParams::p0>(
+        {.key = "association.p0",
+         .minimum = 1e-30,
+         .maximum = 1000.0,
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Likelihood P0 of a new landmark; a higher value makes new landmarks more readily."),
+         .label = HITOS_TEXT("ParameterLabel", "P0"),
+         .symbol = "P0",
+         .card = "filter"}));
+    auto gate = real<&Filter::association, &AssociationParams::gate_probability>(
+        {.key = "association.gate_probability",
+         .minimum = 0.5,
+         .maximum = 0.999999,
+         .description = HITOS_TEXT("Parameter",
+                                   "Probability of the chi-square gate of gnn; a higher value "
+                                   "accepts observations that lie further from their landmark."),
+         .label = HITOS_TEXT("ParameterLabel", "Gate probability"),
+         .card = "filter"});
+    // What has no choice of association associates by gnn.
+    gate.conditions.push_back({"association.method", "gnn", [](const Filter& f) {
+                                   return !slam_algorithms().reads(f.algorithm,
+                                                                   "association.method") ||
+                                          f.association.method == AssociationMethod::gated_nearest;
+                               }});
+    table.push_back(std::move(gate));
+    table.push_back(real<&Filter::association, &AssociationParams::new_probability>(
+        {.key = "association.new_probability",
+         .minimum = 0.5,
+         .maximum = 0.999999999999,
+         .description =
+             HITOS_TEXT("Parameter",
+                        "ekf-slam, which always associates by gnn: probability of the chi-square "
+                        "gate outside which an observation is a new landmark, and between the two "
+                        "gates nothing; a higher value makes fewer new landmarks."),
+         .label = HITOS_TEXT("ParameterLabel", "New landmark gate"),
+         .card = "filter"}));
+    const auto ambiguity = choice<&Filter::association, &AssociationParams::ambiguity>(
+        {.key = "association.ambiguity",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "What an observation that fits several landmarks, and is kept out of the map, does to "
+             "the weight: keep-likelihood multiplies it with the best likelihood, neutral leaves "
+             "it, new-landmark multiplies it with p0; off updates the best landmark instead."),
+         .label = HITOS_TEXT("ParameterLabel", "Ambiguous"),
+         .card = "observation",
+         .choices = {{"keep-likelihood", HITOS_TEXT("ParameterChoice", "Keep the likelihood")},
+                     {"neutral", HITOS_TEXT("ParameterChoice", "Neutral")},
+                     {"new-landmark", HITOS_TEXT("ParameterChoice", "As a new landmark")},
+                     {"off", HITOS_TEXT("ParameterChoice", "Off")}}});
+    table.push_back(ambiguity);
+    table.push_back(used(
+        real<&Filter::association, &AssociationParams::ambiguity_ratio>(
+            {.key = "association.ambiguity_ratio",
+             .minimum = 0.0,
+             .maximum = 1.0,
+             .description =
+                 HITOS_TEXT("Parameter",
+                            "Second best likelihood over the best from which an observation is "
+                            "ambiguous; a higher value calls fewer observations ambiguous."),
+             .label = HITOS_TEXT("ParameterLabel", "Ambiguity ratio")}),
+        {where(ambiguity, {"keep-likelihood", "neutral", "new-landmark"})}));
+}
+
+void add_motion(Table& table) {
+    table.push_back(choice<&Filter::motion, &MotionParams::model>(
+        {.key = "motion.model",
+         .description = HITOS_TEXT("Parameter",
+                                   "odometry: controls and noise of constant sigma; no-odometry: "
+                                   "controls are ignored and the particles only spread; "
+                                   "proportional: controls and noise that grows with the motion."),
+         .label = HITOS_TEXT("ParameterLabel", "Model"),
+         .card = "motion",
+         .choices = {
+             {"odometry", HITOS_TEXT("ParameterChoice", "Differential with odometry")},
+             {"no-odometry", HITOS_TEXT("ParameterChoice", "Differential without odometry")},
+             {"proportional", HITOS_TEXT("ParameterChoice", "Proportional")}}}));
+    table.push_back(real<&Filter::motion, &MotionParams::sigma_x_m>(
+        {.key = "motion.sigma_x",
+         .unit = "m",
+         .minimum = 0.0,
+         .maximum = 10.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "Standard deviation of the motion noise in x per step with "
+                                   "constant noise; a higher value spreads the particles more."),
+         .label = HITOS_TEXT("ParameterLabel", "σ x"),
+         .symbol = "σ²x",
+         .card = "motion"}));
+    table.push_back(real<&Filter::motion, &MotionParams::sigma_y_m>(
+        {.key = "motion.sigma_y",
+         .unit = "m",
+         .minimum = 0.0,
+         .maximum = 10.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "Standard deviation of the motion noise in y per step with "
+                                   "constant noise; a higher value spreads the particles more."),
+         .label = HITOS_TEXT("ParameterLabel", "σ y"),
+         .symbol = "σ²y",
+         .card = "motion"}));
+    table.push_back(real<&Filter::motion, &MotionParams::sigma_theta_rad>(
+        {.key = "motion.sigma_theta",
+         .unit = "rad",
+         .minimum = 0.0,
+         .maximum = 10.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "Standard deviation of the heading noise per step with constant "
+                                   "noise; a higher value spreads the headings more."),
+         .label = HITOS_TEXT("ParameterLabel", "σ θ"),
+         .symbol = "σ²θ",
+         .card = "motion"}));
+    table.push_back(real<&Filter::motion, &MotionParams::var_along_m2_per_m>(
+        {.key = "motion.var_along",
+         .unit = "m^2/m",
+         .minimum = 0.0,
+         .maximum = 10.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "Proportional noise: variance along the motion per metre; a "
+                                   "higher value trusts the measured distance less."),
+         .label = HITOS_TEXT("ParameterLabel", "Var. along"),
+         .card = "motion"}));
+    table.push_back(real<&Filter::motion, &MotionParams::var_across_m2_per_m>(
+        {.key = "motion.var_across",
+         .unit = "m^2/m",
+         .minimum = 0.0,
+         .maximum = 10.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "Proportional noise: variance across the motion per metre; a "
+                                   "higher value allows more sideways slip."),
+         .label = HITOS_TEXT("ParameterLabel", "Var. across"),
+         .card = "motion"}));
+    table.push_back(real<&Filter::motion, &MotionParams::var_theta_rad2_per_rad>(
+        {.key = "motion.var_theta_per_rad",
+         .unit = "rad^2/rad",
+         .minimum = 0.0,
+         .maximum = 10.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "Proportional noise: variance of the heading per radian turned; "
+                                   "a higher value trusts measured turns less."),
+         .label = HITOS_TEXT("ParameterLabel", "Var. θ per rad"),
+         .card = "motion"}));
+    table.push_back(real<&Filter::motion, &MotionParams::var_theta_rad2_per_m>(
+        {.key = "motion.var_theta_per_m",
+         .unit = "rad^2/m",
+         .minimum = 0.0,
+         .maximum = 10.0,
+         .description =
+             HITOS_TEXT("Parameter",
+                        "Proportional noise: variance of the heading per metre driven; a higher "
+                        "value allows more drift of the heading on straight ways."),
+         .label = HITOS_TEXT("ParameterLabel", "Var. θ per m"),
+         .card = "motion"}));
+}
+
+void add_observation(Table& table) {
+    table.push_back(real<&Filter::observation, &ObservationParams::var_rho_m2>(
+        {.key = "observation.var_rho",
+         .unit = "m^2",
+         .minimum = 1e-12,
+         .maximum = 1000.0,
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Variance sigma^2 of the observed rho of a line or range of a corner; a higher value "
+             "trusts the laser less and accepts greater differences from a landmark."),
+         .label = HITOS_TEXT("ParameterLabel", "σ² ρ"),
+         .symbol = "σ²ρ",
+         .card = "observation"}));
+    table.push_back(real<&Filter::observation, &ObservationParams::var_theta_rad2>(
+        {.key = "observation.var_theta",
+         .unit = "rad^2",
+         .minimum = 1e-12,
+         .maximum = 10.0,
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Variance sigma^2 of the observed theta of a line or bearing of a corner; a higher "
+             "value trusts the laser less and accepts greater differences from a landmark."),
+         .label = HITOS_TEXT("ParameterLabel", "σ² θ"),
+         .symbol = "σ²θ",
+         .card = "observation"}));
+}
+
+void add_resampling(Table& table) {
+    const auto rule = choice<&Filter::resampling, &ResamplingParams::rule>(
+        {.key = "resampling.rule",
+         .description = HITOS_TEXT("Parameter",
+                                   "When particles are drawn anew: after every step that observed "
+                                   "something, or only where Neff has fallen below its threshold."),
+         .label = HITOS_TEXT("ParameterLabel", "Resampling"),
+         .card = "filter",
+         .choices = {{"always", HITOS_TEXT("ParameterChoice", "Without threshold")},
+                     {"neff", HITOS_TEXT("ParameterChoice", "Neff threshold")}}});
+    table.push_back(rule);
+    table.push_back(used(
+        real<&Filter::resampling, &ResamplingParams::neff_threshold>(
+            {.key = "resampling.neff_threshold",
+             .unit = "particles",
+             .minimum = 0.0,
+             .maximum = 1e6,
+             .description = HITOS_TEXT("Parameter",
+                                       "Effective number of particles Neff below which the rule "
+                                       "neff resamples; a higher value resamples more often."),
+             .label = HITOS_TEXT("ParameterLabel", "Neff threshold"),
+             .symbol = "Neff",
+             .card = "filter"}),
+        {where(rule, {"neff"})}));
+    table.push_back(choice<&Filter::resampling, &ResamplingParams::method>(
+        {.key = "resampling.method",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "How particles are drawn anew; all methods give a particle as many copies in the mean "
+             "as its weight says and differ in how much chance adds, low-variance least."),
+         .label = HITOS_TEXT("ParameterLabel", "Resampling method"),
+         .choices = choices_of(resampling_methods())}));
+}
+
+Table make_table() {
+    Table table;
+    add_filter(table);
+    add_association(table);
+    add_motion(table);
+    add_observation(table);
+    add_resampling(table);
+    heed_readers(table, "filter.algorithm", slam_algorithms());
+    heed_readers(table, "filter.proposal", proposals());
+    heed_readers(table, "motion.model", motion_models());
+    heed_readers(table, "resampling.method", resampling_methods());
+    return table;
+}
+
+}  // namespace
+
+std::span<const Parameter<FilterParams>> filter_parameters() {
+    static const Table table = make_table();
+    return table;
+}
+
+void check(const FilterParams& params) {
+    check_all(filter_parameters(), params);
+    const AssociationParams& association = params.association;
+    if (slam_algorithms().reads(params.algorithm, "association.new_probability") &&
+        association.new_probability < association.gate_probability) {
+        throw ConfigError("association.new_probability",
+                          fmt::format("{} is less than association.gate_probability {}; an "
+                                      "observation inside that gate cannot be new",
+                                      association.new_probability, association.gate_probability));
+    }
+}
+
+}  // namespace hitos
