@@ -117,8 +117,8 @@ TEST(SplitAndMerge, GapsEndARunWhereAsked) {
 }
 
 TEST(SplitAndMerge, TheNearerOfTwoNeighboursSaysHowWideAGapMayBe) {
-    // A wall along the line of sight with 2 m missing between 2 m and 4 m: more than 0.6 * 2 m,
-    // less than 0.6 * 4 m.
+    // A wall along the line of sight with 1.9 m missing from 2 m to 3.9 m: more than 0.6 * 2 m,
+    // less than 0.6 * 3.9 m.
     const Scan scan = scan_of(
         {joined({{1.0, 0.0}}, joined(wall({1.0, 0.0}, {2.0, 0.0}, 20),
                                      joined({{2.0, 0.0}}, wall({3.9, 0.0}, {5.0, 0.0}, 23))))});
@@ -127,7 +127,7 @@ TEST(SplitAndMerge, TheNearerOfTwoNeighboursSaysHowWideAGapMayBe) {
     EXPECT_EQ(extract(params, scan).lines.size(), 1U);
     params.split_merge.gap_per_range = 0.6;
     EXPECT_EQ(extract(params, scan).lines.size(), 2U);
-    params.split_merge.gap_per_range = 1.1;
+    params.split_merge.gap_per_range = 1.0;
     EXPECT_EQ(extract(params, scan).lines.size(), 1U);
 }
 
