@@ -1,7 +1,7 @@
 // A log format of one's own: an entry in the table of formats, and every part of Hitos reads it.
 //
-// The format: `P time x y theta` is a pose of the robot by odometry, `S time r0 r1 … r180` a scan of
-// 181 ranges in centimetres over the half circle ahead; a range of 0 is no return.
+// The format: `P time x y theta` is a pose of the robot by odometry, `S time r0 r1 … r180` a scan
+// of 181 ranges in centimetres over the half circle ahead; a range of 0 is no return.
 //
 // usage: own_format LOG
 #include <cmath>
@@ -31,8 +31,8 @@ class CentimetreConversor final : public hitos::Conversor {
                 throw hitos::FormatError("", line.number, "expected 181 ranges");
             }
             const double range = centimetres / 100.0;
-            const bool hit = range > 0.0 && (options_.max_range_m == 0.0 ||
-                                             range < options_.max_range_m);
+            const bool hit =
+                range > 0.0 && (options_.max_range_m == 0.0 || range < options_.max_range_m);
             if (hit) {
                 if (!run_open) {
                     scan.run_starts.push_back(static_cast<std::uint32_t>(scan.points.size()));
@@ -71,8 +71,9 @@ hitos::LogFormat centimetres() {
         if (line.starts_with("S ")) return hitos::LineKind::scan;
         return line.starts_with("P ") ? hitos::LineKind::odometry : hitos::LineKind::damaged;
     };
-    format.make_conversor = [](const hitos::Fuente&, const hitos::ReadOptions& options)
-        -> std::unique_ptr<hitos::Conversor> {
+    format.make_conversor =
+        [](const hitos::Fuente&,
+           const hitos::ReadOptions& options) -> std::unique_ptr<hitos::Conversor> {
         return std::make_unique<CentimetreConversor>(options);
     };
     return format;

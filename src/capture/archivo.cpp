@@ -45,8 +45,7 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
             return RawLine{line->text, line->number, kind == LineKind::both};
         }
         if (kind == LineKind::damaged && tells_damage) {
-            note_damage(line->number,
-                        "not a line of the format " + format_.word);
+            note_damage(line->number, "not a line of the format " + format_.word);
         }
     }
     return std::nullopt;

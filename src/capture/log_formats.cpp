@@ -18,8 +18,8 @@ std::string log_format_choices() {
 
 std::string checked_log_format(std::string_view word, const std::string& option) {
     if (word == kAutoFormat || log_formats().knows(word)) return std::string(word);
-    throw ConfigError(
-        option, "found \"" + std::string(word) + "\", expected " + log_format_choices());
+    throw ConfigError(option,
+                      "found \"" + std::string(word) + "\", expected " + log_format_choices());
 }
 
 std::string checked_target_format(std::string_view word, const std::string& option) {

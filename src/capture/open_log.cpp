@@ -22,9 +22,9 @@ constexpr std::uint64_t kProbeBytes = std::uint64_t{64} << 20;
 /// What the beginning of a file is made of.
 struct Probe {
     std::vector<std::uint64_t> votes;  ///< of each format of the table
-    std::uint64_t claimed = 0;  ///< lines that a format claims
-    std::uint64_t text = 0;     ///< lines of text that are no comments
-    std::uint64_t no_text = 0;  ///< lines that are not text, or too long
+    std::uint64_t claimed = 0;         ///< lines that a format claims
+    std::uint64_t text = 0;            ///< lines of text that are no comments
+    std::uint64_t no_text = 0;         ///< lines that are not text, or too long
     std::uint64_t bytes = 0;
     std::string first_line;     ///< cut, for messages
     std::string raw_beginning;  ///< the first bytes of the file on disk or of what it unpacks to

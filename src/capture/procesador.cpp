@@ -23,7 +23,8 @@ Procesador::Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options)
     : fuente_(std::move(fuente)),
       options_(options),
       conversor_scans_(fuente_->format().make_conversor(*fuente_, options_)),
-      conversor_odometry_(fuente_->format().make_conversor(*fuente_, without_look_ahead(options_))) {}
+      conversor_odometry_(
+          fuente_->format().make_conversor(*fuente_, without_look_ahead(options_))) {}
 
 void Procesador::restart() {
     // All that can throw comes first, so that a failure leaves the reader where it was.

@@ -1,34 +1,74 @@
 // Which landmark an observation belongs to [T ch. 5].
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
 
 #include "hitos/slam/params.hpp"
 #include "hitos/slam/slam_filter.hpp"
-#include "map_store.hpp"
 #include "measurement.hpp"
+#include "models/ekf.hpp"
 
 namespace hitos {
+
+/// The two candidates that matter for an observation: the best by the method's score, and the
+/// greatest likelihood among all others.
+class BestTwo {
+  public:
+    static constexpr double kNothing = -std::numeric_limits<double>::infinity();
+
+    /// Takes a landmark in; true where it is the best so far. Of two that score the same the first
+    /// stays.
+    bool offer(std::uint32_t landmark, double score, double log_likelihood) {
+        if (!(score > score_)) {
+            second_log_ = std::max(second_log_, log_likelihood);
+            return false;
+        }
+        second_log_ = std::max(second_log_, best_log_);
+        best_ = landmark;
+        score_ = score;
+        best_log_ = log_likelihood;
+        return true;
+    }
+    bool none() const { return score_ == kNothing; }
+    std::uint32_t best() const { return best_; }
+    double best_log() const { return best_log_; }      ///< ln likelihood of the best
+    double second_log() const { return second_log_; }  ///< -infinity where there is no other
+
+  private:
+    std::uint32_t best_ = 0;
+    double score_ = kNothing;
+    double best_log_ = kNothing;
+    double second_log_ = kNothing;
+};
+
+/// What is the same in every filter: the gate of [T 5.3] and what is ambiguous [T 5.4.2, SPEC 5].
+class AssociationRule {
+  public:
+    explicit AssociationRule(const AssociationParams& params);
+
+    /// Squared Mahalanobis distance of the chi-square gate.
+    double gate() const { return gate_; }
+    /// Whether both candidates are plausible: the second likelihood is above a share of the best,
+    /// and above that of a new landmark where the filter has one (`least_log` is its logarithm).
+    bool ambiguous(const BestTwo& candidates, double least_log = BestTwo::kNothing) const {
+        return enabled_ && candidates.second_log() > least_log &&
+               candidates.second_log() > candidates.best_log() + log_ratio_;
+    }
+
+  private:
+    double gate_;
+    double log_ratio_;
+    bool enabled_;
+};
 
 /// The decision for one observation in one particle.
 struct Decision {
     Association::Outcome outcome = Association::Outcome::created;
     std::uint32_t landmark = 0;   ///< where matched
     double log_likelihood = 0.0;  ///< factor of the particle's weight, in logarithm
-};
-
-/// An observation, the same for all particles.
-struct SeenFeature {
-    Measurement measured;
-    double slack = 0.0;  ///< squared Mahalanobis distance from which no landmark can be it
-};
-
-/// An observation prepared for a particle: with its direction in the world, for the quick
-/// rejection.
-struct PreparedObservation {
-    const SeenFeature& seen;
-    double cos_world = 1.0;  ///< of the line's normal, or of the corner's bearing, in the world
-    double sin_world = 0.0;
 };
 
 /// Decides by maximum likelihood [T table 5.1] or by the nearest landmark in a chi-square gate
@@ -39,21 +79,56 @@ class Associator {
 
     SeenFeature seen(const Measurement& measured) const;
 
-    Decision decide(const LineColumns& lines, const Pose& pose,
-                    const PreparedObservation& observed) const;
-    Decision decide(const CornerColumns& corners, const Pose& pose,
+    template <Sensor S>
+    Decision decide(const typename S::Columns& landmarks, const Pose& pose,
                     const PreparedObservation& observed) const;
 
   private:
-    template <class Filter, class Columns>
-    Decision decide_among(const Columns& landmarks, const Pose& pose,
-                          const PreparedObservation& observed) const;
-    Decision resolve(std::uint32_t best, double best_log, double second_log) const;
+    Decision resolve(const BestTwo& candidates) const;
 
     AssociationParams params_;
+    AssociationRule rule_;
     double log_p0_;
-    double log_ratio_;
-    double gate_;  ///< squared Mahalanobis distance of the chi-square gate
 };
+
+inline Decision Associator::resolve(const BestTwo& candidates) const {
+    using Outcome = Association::Outcome;
+    if (candidates.none()) return {Outcome::created, 0, log_p0_};
+    if (!rule_.ambiguous(candidates, log_p0_)) {
+        return {Outcome::matched, candidates.best(), candidates.best_log()};
+    }
+    switch (params_.ambiguity) {
+        case AmbiguityRule::neutral:
+            return {Outcome::ignored, 0, 0.0};
+        case AmbiguityRule::new_landmark:
+            return {Outcome::ignored, 0, log_p0_};
+        default:
+            return {Outcome::ignored, 0, std::max(candidates.best_log(), candidates.second_log())};
+    }
+}
+
+template <Sensor S>
+Decision Associator::decide(const typename S::Columns& landmarks, const Pose& pose,
+                            const PreparedObservation& observed) const {
+    constexpr std::size_t kChunk = 64;
+    const EKF<S> ekf(observed.seen.measured.r);
+    const bool by_likelihood = params_.method == AssociationMethod::maximum_likelihood;
+    const double gate = rule_.gate();
+    BestTwo candidates;
+    std::array<unsigned char, kChunk> near{};
+    for (std::size_t begin = 0; begin < landmarks.size(); begin += kChunk) {
+        const std::size_t end = std::min(begin + kChunk, landmarks.size());
+        landmarks.mark_near(begin, end, pose, observed, near.data());
+        for (std::size_t i = begin; i < end; ++i) {
+            if (near[i - begin] == 0) continue;
+            const auto [log_likelihood, mahalanobis2] = ekf.likelihood(
+                landmarks.innovation(i, observed.seen.measured.z, pose), landmarks.covariance(i));
+            if (by_likelihood ? log_likelihood <= log_p0_ : mahalanobis2 > gate) continue;
+            candidates.offer(static_cast<std::uint32_t>(i),
+                             by_likelihood ? log_likelihood : -mahalanobis2, log_likelihood);
+        }
+    }
+    return resolve(candidates);
+}
 
 }  // namespace hitos

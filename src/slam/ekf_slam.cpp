@@ -5,8 +5,6 @@
 #include <limits>
 #include <string>
 
-#include "hitos/slam/ekf.hpp"
-
 namespace hitos {
 namespace {
 
@@ -18,8 +16,7 @@ constexpr Likelihood kNothing{-kNever, kNever};
 /// Rounding can cost S its positivity where variances are next to nothing: no comparison then.
 Likelihood compared(const Vector2& nu, const Matrix2& s) {
     const Likelihood likelihood = likelihood_of(nu, s);
-    const double det = s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0);
-    return det > 0.0 && likelihood.mahalanobis_squared >= 0.0 ? likelihood : kNothing;
+    return s.determinant() > 0.0 && likelihood.mahalanobis_squared >= 0.0 ? likelihood : kNothing;
 }
 
 }  // namespace
@@ -27,28 +24,21 @@ Likelihood compared(const Vector2& nu, const Matrix2& s) {
 EkfSlam::EkfSlam(const FilterParams& params)
     : params_(params),
       robot_(make_robot(params.motion)),
-      gate_(chi_square_gate(params.association.gate_probability)),
+      rule_(params.association),
       new_gate_(chi_square_gate(params.association.new_probability)) {
     statistics_.neff = 1.0;
 }
 
 void EkfSlam::step(const SlamInput& input) {
     predict(sum_controls(input.controls));
-    measurements_.take(input.observation, params_.observation);
+    measure(input.observation, params_.observation, measurements_);
     associations_.clear();
     rows_.clear();
-    associate<SensorRecta>(measurements_.lines, lines_);
-    associate<SensorEsquina>(measurements_.corners, corners_);
+    for_each_kind([&]<class S>() { associate<S>(); });
     update();
-    add_new<SensorRecta>(measurements_.lines, lines_);
-    add_new<SensorEsquina>(measurements_.corners, corners_);
+    for_each_kind([&]<class S>() { add_new<S>(); });
     normalize();
-    // Places in the map are counted lines first, and lines may just have been added.
-    for (Association& association : associations_) {
-        if (association.kind == FeatureKind::corner && association.landmark >= 0) {
-            association.landmark += best_count(FeatureKind::line);
-        }
-    }
+    point_into_map();
     history_.push_back(state_.pose());
 }
 
@@ -60,105 +50,121 @@ void EkfSlam::predict(const MotionIncrement& increment) {
     state_.move(robot_->mean(before, increment), robot_->jacobian(before, increment), noise);
 }
 
-template <class S>
-void EkfSlam::associate(std::span<const Measurement> measured, const std::vector<Mark>& marks) {
+template <Sensor S>
+void EkfSlam::associate() {
+    std::uint32_t observed = 0;
+    for (const Measurement& measured : measurements_.of<S>()) associate<S>(measured, observed++);
+}
+
+template <Sensor S>
+void EkfSlam::associate(const Measurement& measured, std::uint32_t observed) {
     const Pose pose = state_.pose();
     const Matrix3 pose_covariance = state_.pose_covariance();
-    const bool may_be_ambiguous = params_.association.ambiguity != AmbiguityRule::off;
-    const double log_ratio = std::log(params_.association.ambiguity_ratio);
-    for (std::size_t k = 0; k < measured.size(); ++k) {
-        Likelihood nearest = kNothing;
-        Likelihood second = kNothing;
-        JointState::Row row;
-        std::size_t which = 0;
-        bool comparable = marks.empty();
-        for (std::size_t i = 0; i < marks.size(); ++i) {
-            const Eigen::Index at = marks[i].at;
-            const auto landmark = S::from_state(state_.landmark(at));
-            const JointInnovation seen = joint_innovation<S>(measured[k].z, pose, landmark);
-            const Matrix23 cross = state_.cross_covariance(at);
-            const Matrix23 hp = seen.by_pose * pose_covariance + seen.by_landmark * cross;
-            const Matrix2 s = hp * seen.by_pose.transpose() +
-                              (seen.by_pose * cross.transpose() +
-                               seen.by_landmark * state_.landmark_covariance(at)) *
-                                  seen.by_landmark.transpose() +
-                              measured[k].r;
-            const Likelihood close = compared(seen.nu, s);
-            comparable = comparable || close.mahalanobis_squared < kNever;
-            if (close.mahalanobis_squared < nearest.mahalanobis_squared) {
-                second = nearest;
-                nearest = close;
-                which = i;
-                row = {at, seen.nu, seen.by_pose, seen.by_landmark, measured[k].r};
-            } else if (close.mahalanobis_squared < second.mahalanobis_squared) {
-                second = close;
-            }
+    BestTwo inside;  // of the landmarks whose gate it lies in, by distance
+    double nearest = kNever;
+    JointState::Row row;
+    for (std::size_t i = 0; i < marks<S>().size(); ++i) {
+        const Eigen::Index at = marks<S>()[i].at;
+        const JointInnovation seen =
+            S::joint_innovation(measured.z, pose, S::from_state(state_.landmark(at)));
+        const Matrix23 cross = state_.cross_covariance(at);
+        const Matrix23 hp = seen.by_pose * pose_covariance + seen.by_landmark * cross;
+        const Matrix2 s =
+            hp * seen.by_pose.transpose() +
+            (seen.by_pose * cross.transpose() + seen.by_landmark * state_.landmark_covariance(at)) *
+                seen.by_landmark.transpose() +
+            measured.r;
+        const Likelihood close = compared(seen.nu, s);
+        const double distance = close.mahalanobis_squared;
+        nearest = std::min(nearest, distance);
+        if (distance <= rule_.gate() &&
+            inside.offer(static_cast<std::uint32_t>(i), -distance, close.log_likelihood)) {
+            row = {at, seen.nu, seen.by_pose, seen.by_landmark, measured.r};
         }
-        Association association;
-        association.kind = S::kKind;
-        association.observed = static_cast<std::uint32_t>(k);
-        const bool ambiguous = may_be_ambiguous && second.mahalanobis_squared <= gate_ &&
-                               second.log_likelihood > nearest.log_likelihood + log_ratio;
-        if (nearest.mahalanobis_squared <= gate_ && !ambiguous) {
-            association.outcome = Association::Outcome::matched;
-            association.landmark = static_cast<std::int32_t>(which);
-            rows_.push_back(row);
-            statistics_.best_log_weight += nearest.log_likelihood;
-        } else if (comparable && nearest.mahalanobis_squared > new_gate_) {
-            association.outcome = Association::Outcome::created;
-        }
-        associations_.push_back(association);
     }
+    Association association{S::kKind, observed};
+    // Where no comparison was possible nothing is known, and so nothing is new.
+    const bool comparable = marks<S>().empty() || nearest < kNever;
+    if (!inside.none() && !rule_.ambiguous(inside)) {
+        association.outcome = Association::Outcome::matched;
+        association.landmark = static_cast<std::int32_t>(inside.best());
+        rows_.push_back(row);
+        statistics_.best_log_weight += inside.best_log();
+    } else if (comparable && nearest > new_gate_) {
+        association.outcome = Association::Outcome::created;
+    }
+    associations_.push_back(association);
 }
 
 void EkfSlam::update() {
     state_.update(rows_);
-    for (const Association& association : associations_) {
-        if (association.outcome != Association::Outcome::matched) continue;
-        auto& marks = association.kind == FeatureKind::line ? lines_ : corners_;
-        ++marks[static_cast<std::size_t>(association.landmark)].observations;
-    }
+    for_each_kind([&]<class S>() {
+        for (const Association& association : associations_) {
+            if (association.kind == S::kKind &&
+                association.outcome == Association::Outcome::matched) {
+                ++marks<S>()[static_cast<std::size_t>(association.landmark)].observations;
+            }
+        }
+    });
     normalize();
 }
 
-template <class S>
-void EkfSlam::add_new(std::span<const Measurement> measured, std::vector<Mark>& marks) {
+template <Sensor S>
+void EkfSlam::add_new() {
     const Pose pose = state_.pose();
     for (Association& association : associations_) {
         if (association.kind != S::kKind || association.outcome != Association::Outcome::created) {
             continue;
         }
-        const Measurement& seen = measured[association.observed];
+        const Measurement& seen = measurements_.of<S>()[association.observed];
         const Matrix2 by_z = S::inverse_jacobian(pose, seen.z);
         const Eigen::Index at =
             state_.append(S::to_state(S::inverse(pose, seen.z)),
                           S::inverse_pose_jacobian(pose, seen.z), by_z * seen.r * by_z.transpose());
-        association.landmark = static_cast<std::int32_t>(marks.size());
-        marks.push_back({at, 1});
+        association.landmark = static_cast<std::int32_t>(marks<S>().size());
+        marks<S>().push_back({at, 1});
     }
 }
 
 void EkfSlam::normalize() {
     state_.set_heading(wrap_angle(state_.pose().theta));
-    for (const Mark& mark : lines_) {
-        const Recta line = SensorRecta::from_state(state_.landmark(mark.at));
-        if (line.rho < 0.0) state_.negate(mark.at);
-        state_.set_landmark(mark.at, SensorRecta::to_state(normalized(line)));
-    }
+    for_each_kind([&]<class S>() {
+        for (const Mark& mark : marks<S>()) {
+            auto landmark = S::from_state(state_.landmark(mark.at));
+            if (S::normalize(landmark) < 0.0) state_.negate(mark.at);
+            state_.set_landmark(mark.at, S::to_state(landmark));
+        }
+    });
+}
+
+void EkfSlam::point_into_map() {
+    std::int32_t before = 0;  // landmarks of the kinds before, which come first in the map
+    for_each_kind([&]<class S>() {
+        for (Association& association : associations_) {
+            if (association.kind == S::kKind && association.landmark >= 0) {
+                association.landmark += before;
+            }
+        }
+        before += static_cast<std::int32_t>(marks<S>().size());
+    });
+}
+
+int EkfSlam::best_count(FeatureKind kind) const {
+    std::size_t count = 0;
+    for_each_kind([&]<class S>() {
+        if (S::kKind == kind) count += marks<S>().size();
+    });
+    return static_cast<int>(count);
 }
 
 LandmarkMap EkfSlam::best_map() const {
     LandmarkMap map;
-    map.reserve(lines_.size() + corners_.size());
-    const auto add = [&](const Mark& mark, const auto& value) {
-        map.push_back({value, state_.landmark_covariance(mark.at), mark.observations});
-    };
-    for (const Mark& mark : lines_) {
-        add(mark, SensorRecta::from_state(state_.landmark(mark.at)));
-    }
-    for (const Mark& mark : corners_) {
-        add(mark, SensorEsquina::from_state(state_.landmark(mark.at)));
-    }
+    for_each_kind([&]<class S>() {
+        for (const Mark& mark : marks<S>()) {
+            map.push_back({S::from_state(state_.landmark(mark.at)),
+                           state_.landmark_covariance(mark.at), mark.observations});
+        }
+    });
     return map;
 }
 

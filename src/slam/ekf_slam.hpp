@@ -1,11 +1,13 @@
 // EKF-SLAM: one Gaussian over the pose and all landmarks [P 3-5].
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "association.hpp"
 #include "hitos/slam/filters.hpp"
 #include "hitos/slam/robot.hpp"
 #include "joint_state.hpp"
@@ -24,9 +26,7 @@ class EkfSlam final : public SlamFilter {
     Pose best_pose() const override { return state_.pose(); }
     LandmarkMap best_map() const override;
     std::vector<Pose> best_history() const override { return history_; }
-    int best_count(FeatureKind kind) const override {
-        return static_cast<int>(kind == FeatureKind::line ? lines_.size() : corners_.size());
-    }
+    int best_count(FeatureKind kind) const override;
     std::span<const Association> associations() const override { return associations_; }
     std::vector<WeightedPose> hypotheses() const override { return {{state_.pose(), 1.0}}; }
     FilterStatistics statistics() const override { return statistics_; }
@@ -42,23 +42,38 @@ class EkfSlam final : public SlamFilter {
         int observations = 0;
     };
 
+    using Marks = std::vector<Mark>;
+
     void predict(const MotionIncrement& increment);
     /// Appends to associations_ and, where matched, to rows_.
-    template <class S>
-    void associate(std::span<const Measurement> measured, const std::vector<Mark>& marks);
+    template <Sensor S>
+    void associate();
+    template <Sensor S>
+    void associate(const Measurement& measured, std::uint32_t observed);
     void update();
-    template <class S>
-    void add_new(std::span<const Measurement> measured, std::vector<Mark>& marks);
+    template <Sensor S>
+    void add_new();
     /// Brings headings, angles and the signs of lines to normal form.
     void normalize();
+    /// Makes the landmarks of associations places in the map instead of places in their kind.
+    void point_into_map();
+
+    template <Sensor S>
+    Marks& marks() {
+        return marks_[LandmarkKinds::place<S>()];
+    }
+    template <Sensor S>
+    const Marks& marks() const {
+        return marks_[LandmarkKinds::place<S>()];
+    }
 
     FilterParams params_;
     std::shared_ptr<const Robot> robot_;
-    double gate_;      ///< squared Mahalanobis distance within which an observation is a landmark's
-    double new_gate_;  ///< and beyond which it is of none
+    AssociationRule rule_;
+    double
+        new_gate_;  ///< squared Mahalanobis distance beyond which an observation is of no landmark
     JointState state_;
-    std::vector<Mark> lines_;
-    std::vector<Mark> corners_;
+    std::array<Marks, LandmarkKinds::kSize> marks_;
     std::vector<Pose> history_;
     std::vector<Association> associations_;
     FilterStatistics statistics_;

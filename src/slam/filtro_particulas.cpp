@@ -21,16 +21,17 @@ PreparedObservation prepare(const SeenFeature& seen, const Pose& pose) {
     return {seen, std::cos(angle_world), std::sin(angle_world)};
 }
 
-template <class Filter, class Columns>
-void apply(const Decision& decision, Columns& landmarks, const Pose& pose,
+template <Sensor S>
+void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
            const Measurement& measured) {
     if (decision.outcome == Association::Outcome::ignored) return;
-    const Filter ekf(measured.r);
+    const EKF<S> ekf(measured.r);
     const Vector2& z = measured.z;
     if (decision.outcome == Association::Outcome::created) {
         const std::size_t index = landmarks.append();
         landmarks.set(index, ekf.first(pose, z));
         landmarks.observations(index) = 1;
+        decision.landmark = static_cast<std::uint32_t>(index);
         return;
     }
     auto estimate = landmarks.get(decision.landmark);
@@ -64,53 +65,46 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
 }
 
 void FiltroParticulas::step(const SlamInput& input) {
-    const Observation& observation = input.observation;
     propose(input);
-    associations_.clear();
-    statistics_.resampled = false;
-    if (observation.empty()) {
-        remember_poses();  // nothing was observed: weights and particles stay as they are
-        ++steps_;
-        return;
+    observe(input.observation);
+    if (!seen_.empty()) {  // else nothing is weighed or resampled
+        detach_maps();
+        for_each(particles_.size(), seen_.size() * (maps_.size(particles_[best_].map) + 8),
+                 [&](std::size_t i) {
+                     const std::span decisions(&decisions_[i * seen_.size()], seen_.size());
+                     associate(particles_[i], decisions);
+                     update(particles_[i], decisions);
+                     weigh(particles_[i], decisions);
+                 });
+        choose_best();
     }
-
-    measurements_.take(observation, params_.observation);
-    lines_seen_.clear();
-    corners_seen_.clear();
-    for (const Measurement& line : measurements_.lines) {
-        lines_seen_.push_back(associator_.seen(line));
-    }
-    for (const Measurement& corner : measurements_.corners) {
-        corners_seen_.push_back(associator_.seen(corner));
-    }
-    const std::size_t seen = measurements_.size();
-    decisions_.resize(seen * particles_.size());
-
-    detach_maps();
-    const auto landmarks =
-        static_cast<std::size_t>(best_count(FeatureKind::line) + best_count(FeatureKind::corner));
-    for_each(particles_.size(), seen * (landmarks + 8), [&](std::size_t i) {
-        const std::span<Decision> decisions(&decisions_[i * seen], seen);
-        associate(particles_[i], decisions);
-        update(particles_[i], decisions);
-        weigh(particles_[i], decisions);
-    });
-
-    choose_best();
     note_associations();
     remember_poses();
-    resample();
+    if (!seen_.empty()) resample();
     ++steps_;
 }
 
 void FiltroParticulas::propose(const SlamInput& input) {
     proposal_->begin(input, steps_ == 0);
     for_each(particles_.size(), 10, [&](std::size_t i) {
+        Particula& particle = particles_[i];
         RandomStream random(seed_, RandomPurpose::motion, steps_, static_cast<std::uint32_t>(i));
-        const ProposedPose drawn = proposal_->draw(particles_[i].pose, random);
-        particles_[i].pose = drawn.pose;
-        particles_[i].log_weight += drawn.log_weight;
+        const ParticleMap map(maps_, particle.map);
+        const ProposedPose drawn = proposal_->draw({particle.pose, map}, random);
+        particle.pose = drawn.pose;
+        particle.log_weight += drawn.log_weight;
     });
+}
+
+void FiltroParticulas::observe(const Observation& observation) {
+    measure(observation, params_.observation, measurements_);
+    seen_.clear();
+    for_each_kind([&]<class S>() {
+        for (const Measurement& measured : measurements_.of<S>()) {
+            seen_.add<S>(associator_.seen(measured));
+        }
+    });
+    decisions_.resize(seen_.size() * particles_.size());
 }
 
 void FiltroParticulas::detach_maps() {
@@ -119,42 +113,30 @@ void FiltroParticulas::detach_maps() {
         const MapStore::Handle source = maps_.detach(particle.map);
         if (source != particle.map) copies_.emplace_back(source, particle.map);
     }
-    maps_.reserve_more(lines_seen_.size(), corners_seen_.size());
+    for_each_kind([&]<class S>() { maps_.reserve_more<S>(seen_.of<S>().size()); });
     for_each(copies_.size(), 20,
              [&](std::size_t i) { maps_.copy(copies_[i].first, copies_[i].second); });
 }
 
 void FiltroParticulas::associate(const Particula& particle, std::span<Decision> decisions) const {
-    const auto& lines = maps_.lines(particle.map);
-    const auto& corners = maps_.corners(particle.map);
-    std::size_t next = 0;
-    for (const SeenFeature& line : lines_seen_) {
-        decisions[next++] = associator_.decide(lines, particle.pose, prepare(line, particle.pose));
-    }
-    for (const SeenFeature& corner : corners_seen_) {
-        decisions[next++] =
-            associator_.decide(corners, particle.pose, prepare(corner, particle.pose));
-    }
+    for_each_kind([&]<class S>() {
+        const auto landmarks = maps_.landmarks<S>(particle.map);
+        std::size_t next = seen_.first<S>();
+        for (const SeenFeature& seen : seen_.of<S>()) {
+            decisions[next++] =
+                associator_.decide<S>(landmarks, particle.pose, prepare(seen, particle.pose));
+        }
+    });
 }
 
 void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions) {
-    auto lines = maps_.lines(particle.map);
-    auto corners = maps_.corners(particle.map);
-    std::size_t next = 0;
-    for (const SeenFeature& line : lines_seen_) {
-        Decision& decision = decisions[next++];
-        if (decision.outcome == Association::Outcome::created) {
-            decision.landmark = static_cast<std::uint32_t>(lines.size());
+    for_each_kind([&]<class S>() {
+        auto landmarks = maps_.landmarks<S>(particle.map);
+        std::size_t next = seen_.first<S>();
+        for (const SeenFeature& seen : seen_.of<S>()) {
+            apply<S>(decisions[next++], landmarks, particle.pose, seen.measured);
         }
-        apply<EKF<SensorRecta>>(decision, lines, particle.pose, line.measured);
-    }
-    for (const SeenFeature& corner : corners_seen_) {
-        Decision& decision = decisions[next++];
-        if (decision.outcome == Association::Outcome::created) {
-            decision.landmark = static_cast<std::uint32_t>(corners.size());
-        }
-        apply<EKF<SensorEsquina>>(decision, corners, particle.pose, corner.measured);
-    }
+    });
 }
 
 void FiltroParticulas::weigh(Particula& particle, std::span<const Decision> decisions) {
@@ -174,21 +156,19 @@ void FiltroParticulas::choose_best() {
 }
 
 void FiltroParticulas::note_associations() {
-    const std::size_t seen = lines_seen_.size() + corners_seen_.size();
-    const auto lines = static_cast<std::int32_t>(maps_.lines(particles_[best_].map).size());
-    for (std::size_t k = 0; k < seen; ++k) {
-        const Decision& decision = decisions_[best_ * seen + k];
-        const bool is_line = k < lines_seen_.size();
-        Association association;
-        association.kind = is_line ? FeatureKind::line : FeatureKind::corner;
-        association.observed = static_cast<std::uint32_t>(is_line ? k : k - lines_seen_.size());
-        association.outcome = decision.outcome;
-        if (decision.outcome != Association::Outcome::ignored) {
-            association.landmark =
-                static_cast<std::int32_t>(decision.landmark) + (is_line ? 0 : lines);
+    associations_.clear();
+    std::size_t before = 0;  // landmarks of the kinds before, which come first in the map
+    for_each_kind([&]<class S>() {
+        for (std::size_t i = 0; i < seen_.of<S>().size(); ++i) {
+            const Decision& decision = decisions_[best_ * seen_.size() + seen_.first<S>() + i];
+            Association association{S::kKind, static_cast<std::uint32_t>(i), decision.outcome};
+            if (decision.outcome != Association::Outcome::ignored) {
+                association.landmark = static_cast<std::int32_t>(before + decision.landmark);
+            }
+            associations_.push_back(association);
         }
-        associations_.push_back(association);
-    }
+        before += best_count<S>();
+    });
 }
 
 void FiltroParticulas::remember_poses() {
@@ -227,21 +207,17 @@ void FiltroParticulas::resample() {
     }
     particles_.swap(resampled_);
     best_ = new_best;
-    statistics_.resampled = true;
 }
 
 LandmarkMap FiltroParticulas::best_map() const {
     LandmarkMap map;
-    map.reserve(
-        static_cast<std::size_t>(best_count(FeatureKind::line) + best_count(FeatureKind::corner)));
-    const auto add = [&map](const auto& landmarks) {
+    map.reserve(maps_.size(particles_[best_].map));
+    for_each_kind([&]<class S>() {
+        const auto landmarks = maps_.landmarks<S>(particles_[best_].map);
         for (std::size_t i = 0; i < landmarks.size(); ++i) {
-            const auto estimate = landmarks.get(i);
-            map.push_back({estimate.mean, estimate.covariance, landmarks.observations(i)});
+            map.push_back({landmarks.mean(i), landmarks.covariance(i), landmarks.observations(i)});
         }
-    };
-    add(maps_.lines(particles_[best_].map));
-    add(maps_.corners(particles_[best_].map));
+    });
     return map;
 }
 
@@ -249,10 +225,17 @@ std::vector<Pose> FiltroParticulas::best_history() const {
     return history_.path(particles_[best_].history);
 }
 
+template <Sensor S>
+std::size_t FiltroParticulas::best_count() const {
+    return maps_.landmarks<S>(particles_[best_].map).size();
+}
+
 int FiltroParticulas::best_count(FeatureKind kind) const {
-    const MapStore::Handle map = particles_[best_].map;
-    return static_cast<int>(kind == FeatureKind::line ? maps_.lines(map).size()
-                                                      : maps_.corners(map).size());
+    std::size_t count = 0;
+    for_each_kind([&]<class S>() {
+        if (S::kKind == kind) count += best_count<S>();
+    });
+    return static_cast<int>(count);
 }
 
 std::vector<WeightedPose> FiltroParticulas::hypotheses() const {

@@ -50,15 +50,22 @@ class FiltroParticulas final : public SlamFilter {
     std::size_t history_nodes() const { return history_.size(); }
 
   private:
+    // A step, in the order of [T tables 3.2, 6.3].
     void propose(const SlamInput& input);
-    void detach_maps();
+    void observe(const Observation& observation);
     void associate(const Particula& particle, std::span<Decision> decisions) const;
     void update(Particula& particle, std::span<Decision> decisions);
     static void weigh(Particula& particle, std::span<const Decision> decisions);
     void choose_best();
+    void resample();
+
+    // What a step needs besides.
+    /// Gives every particle a map of its own with room for what is seen.
+    void detach_maps();
     void note_associations();
     void remember_poses();
-    void resample();
+    template <Sensor S>
+    std::size_t best_count() const;
 
     /// Calls body(0 … count - 1), in parallel where the work is worth it.
     template <class Body>
@@ -83,8 +90,7 @@ class FiltroParticulas final : public SlamFilter {
 
     // Working memory of a step.
     Measurements measurements_;
-    std::vector<SeenFeature> lines_seen_;
-    std::vector<SeenFeature> corners_seen_;
+    KindRow<SeenFeature> seen_;
     std::vector<Decision> decisions_;  // observations of particle 0, of particle 1, …
     std::vector<double> log_weights_;
     std::vector<double> weights_;

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "hitos/features/caracteristica.hpp"
-#include "hitos/slam/sensor.hpp"
+#include "models/sensor.hpp"
 
 namespace hitos {
 

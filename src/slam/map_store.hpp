@@ -3,109 +3,22 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "hitos/slam/ekf.hpp"
+#include "models/landmark_kinds.hpp"
 
 namespace hitos {
-
-/// The landmarks of one kind in one map: a column of doubles for each quantity, so that loops over
-/// landmarks run on contiguous memory. A view of a block of LandmarkTable.
-template <int Columns>
-class LandmarkColumns {
-  public:
-    static constexpr std::size_t kColumns = Columns;
-
-    LandmarkColumns(double* values, std::int32_t* observations, std::uint32_t* size,
-                    std::size_t capacity)
-        : values_(values), observations_(observations), size_(size), capacity_(capacity) {}
-
-    std::size_t size() const { return *size_; }
-    double* column(int index) { return values_ + static_cast<std::size_t>(index) * capacity_; }
-    const double* column(int index) const {
-        return values_ + static_cast<std::size_t>(index) * capacity_;
-    }
-    std::int32_t& observations(std::size_t i) { return observations_[i]; }
-    std::int32_t observations(std::size_t i) const { return observations_[i]; }
-
-    /// Adds a landmark without values; returns its index. The table must have the room.
-    std::size_t append() {
-        observations_[*size_] = 0;
-        return (*size_)++;
-    }
-
-  private:
-    double* values_;
-    std::int32_t* observations_;
-    std::uint32_t* size_;
-    std::size_t capacity_;
-};
-
-/// Lines of one map. Cosine and sine of theta are kept beside it: the filter asks for them at
-/// every step, and they change only when the landmark does.
-class LineColumns : public LandmarkColumns<7> {
-  public:
-    enum Column { rho, theta, cosine, sine, p00, p01, p11 };
-    using LandmarkColumns::LandmarkColumns;
-
-    LandmarkEstimate<SensorRecta> get(std::size_t i) const {
-        LandmarkEstimate<SensorRecta> estimate{{column(rho)[i], column(theta)[i]}, covariance(i)};
-        return estimate;
-    }
-    Matrix2 covariance(std::size_t i) const {
-        Matrix2 p;
-        p << column(p00)[i], column(p01)[i], column(p01)[i], column(p11)[i];
-        return p;
-    }
-    void set(std::size_t i, const LandmarkEstimate<SensorRecta>& estimate) {
-        column(rho)[i] = estimate.mean.rho;
-        column(theta)[i] = estimate.mean.theta;
-        column(cosine)[i] = std::cos(estimate.mean.theta);
-        column(sine)[i] = std::sin(estimate.mean.theta);
-        column(p00)[i] = estimate.covariance(0, 0);
-        column(p01)[i] = estimate.covariance(0, 1);
-        column(p11)[i] = estimate.covariance(1, 1);
-    }
-    Innovation innovation(std::size_t i, const Vector2& z, const Pose& pose) const {
-        return SensorRecta::innovation(z, pose, {column(rho)[i], column(theta)[i]},
-                                       column(cosine)[i], column(sine)[i]);
-    }
-};
-
-/// Corners of one map.
-class CornerColumns : public LandmarkColumns<5> {
-  public:
-    enum Column { x, y, p00, p01, p11 };
-    using LandmarkColumns::LandmarkColumns;
-
-    LandmarkEstimate<SensorEsquina> get(std::size_t i) const {
-        LandmarkEstimate<SensorEsquina> estimate{{column(x)[i], column(y)[i]}, covariance(i)};
-        return estimate;
-    }
-    Matrix2 covariance(std::size_t i) const {
-        Matrix2 p;
-        p << column(p00)[i], column(p01)[i], column(p01)[i], column(p11)[i];
-        return p;
-    }
-    void set(std::size_t i, const LandmarkEstimate<SensorEsquina>& estimate) {
-        column(x)[i] = estimate.mean.x;
-        column(y)[i] = estimate.mean.y;
-        column(p00)[i] = estimate.covariance(0, 0);
-        column(p01)[i] = estimate.covariance(0, 1);
-        column(p11)[i] = estimate.covariance(1, 1);
-    }
-    Innovation innovation(std::size_t i, const Vector2& z, const Pose& pose) const {
-        return SensorEsquina::innovation(z, pose, {column(x)[i], column(y)[i]});
-    }
-};
 
 /// The landmarks of one kind in all maps, one block of equal capacity after the other in a single
 /// piece of memory: thousands of small maps in memory of their own cost more in cache and page
 /// misses than in arithmetic.
-template <class View>
+template <class S>
 class LandmarkTable {
   public:
+    using View = typename S::Columns;
+
     View operator[](std::size_t block) {
         return {values_.data() + block * View::kColumns * capacity_,
                 observations_.data() + block * capacity_, &sizes_[block], capacity_};
@@ -178,8 +91,7 @@ class MapStore {
     /// A new, empty map.
     Handle create() {
         const Handle handle = take();
-        lines_.clear(handle);
-        corners_.clear(handle);
+        for_each_table([&](auto& table) { table.clear(handle); });
         return handle;
     }
     void share(Handle handle) { ++references_[handle]; }
@@ -198,31 +110,36 @@ class MapStore {
         return source;
     }
     void copy(Handle from, Handle to) {
-        lines_.copy(from, to);
-        corners_.copy(from, to);
+        for_each_table([&](auto& table) { table.copy(from, to); });
     }
 
-    /// Room for that many more landmarks in every map, so that parallel writers need none.
-    void reserve_more(std::size_t lines, std::size_t corners) {
-        lines_.reserve_more(lines);
-        corners_.reserve_more(corners);
+    /// Room for that many more landmarks of a kind in every map, so that parallel writers need
+    /// none.
+    template <Sensor S>
+    void reserve_more(std::size_t extra) {
+        table<S>().reserve_more(extra);
     }
 
-    LineColumns lines(Handle handle) { return lines_[handle]; }
-    CornerColumns corners(Handle handle) { return corners_[handle]; }
-    const LineColumns lines(Handle handle) const {  // NOLINT(readability-const-return-type)
-        return lines_[handle];
+    template <Sensor S>
+    typename S::Columns landmarks(Handle handle) {
+        return table<S>()[handle];
     }
-    const CornerColumns corners(Handle handle) const {  // NOLINT(readability-const-return-type)
-        return corners_[handle];
+    template <Sensor S>
+    const typename S::Columns landmarks(Handle handle) const {  // NOLINT(*-const-return-type)
+        return std::get<LandmarkTable<S>>(tables_)[handle];
+    }
+    /// Landmarks of all kinds in a map.
+    std::size_t size(Handle handle) const {
+        std::size_t sum = 0;
+        for_each_kind([&]<class S>() { sum += landmarks<S>(handle).size(); });
+        return sum;
     }
     std::size_t blocks() const { return references_.size(); }
 
   private:
     Handle take() {
         if (free_.empty()) {
-            lines_.add_block();
-            corners_.add_block();
+            for_each_table([](auto& table) { table.add_block(); });
             references_.push_back(1);
             return static_cast<Handle>(references_.size() - 1);
         }
@@ -232,10 +149,32 @@ class MapStore {
         return handle;
     }
 
-    LandmarkTable<LineColumns> lines_;
-    LandmarkTable<CornerColumns> corners_;
+    template <Sensor S>
+    LandmarkTable<S>& table() {
+        return std::get<LandmarkTable<S>>(tables_);
+    }
+    template <class Body>
+    void for_each_table(const Body& body) {
+        for_each_kind([&]<class S>() { body(table<S>()); });
+    }
+
+    LandmarkKinds::Tuple<LandmarkTable> tables_;
     std::vector<std::uint32_t> references_;
     std::vector<Handle> free_;
+};
+
+/// One particle's map, for reading.
+class ParticleMap {
+  public:
+    ParticleMap(const MapStore& maps, MapStore::Handle handle) : maps_(maps), handle_(handle) {}
+    template <Sensor S>
+    const typename S::Columns landmarks() const {  // NOLINT(*-const-return-type)
+        return maps_.landmarks<S>(handle_);
+    }
+
+  private:
+    const MapStore& maps_;
+    MapStore::Handle handle_;
 };
 
 }  // namespace hitos

@@ -222,9 +222,8 @@ TEST_P(Fuzz, DamagedGzipNeverFails) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Fuzz, ::testing::ValuesIn(samples()), [](const auto& value) {
-    return std::string(value.param.format);
-});
+INSTANTIATE_TEST_SUITE_P(Formats, Fuzz, ::testing::ValuesIn(samples()),
+                         [](const auto& value) { return std::string(value.param.format); });
 
 }  // namespace
 }  // namespace hitos

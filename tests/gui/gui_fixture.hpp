@@ -18,8 +18,8 @@
 
 #include "actions/configuration_actions.hpp"
 #include "actions/result_actions.hpp"
-#include "hitos/workbench/configuration_choices.hpp"
 #include "app/main_window.hpp"
+#include "hitos/workbench/configuration_choices.hpp"
 #include "views/grid_view.hpp"
 #include "views/map_window.hpp"
 #include "views/scan_view.hpp"
@@ -95,7 +95,8 @@ struct Fixture {
     }
 
     static Configuracion tour(int particles) {
-        Configuracion configuration = read_configuration(source_file("config/simulated.cfg").toStdString());
+        Configuracion configuration =
+            read_configuration(source_file("config/simulated.cfg").toStdString());
         configuration.source.file = source_file("data/bigloop.log.gz").toStdString();
         configuration.filter.particles = particles;
         return configuration;

@@ -71,11 +71,13 @@ void SourceTest::another_type_than_said_is_told_in_the_form() {
     Fixture f;
     in_dialog<SourceDialog>([](SourceDialog& dialog) {
         wait_for_check(dialog);
-        dialog.findChild<QComboBox*>("type")->setCurrentIndex(dialog.findChild<QComboBox*>("type")->findData("carmen"));
+        dialog.findChild<QComboBox*>("type")->setCurrentIndex(
+            dialog.findChild<QComboBox*>("type")->findData("carmen"));
         wait_for_check(dialog);
         QVERIFY(!ok(dialog)->isEnabled());
         QVERIFY2(verdict(dialog).contains("carmen"), qPrintable(verdict(dialog)));
-        dialog.findChild<QComboBox*>("type")->setCurrentIndex(dialog.findChild<QComboBox*>("type")->findData("player"));
+        dialog.findChild<QComboBox*>("type")->setCurrentIndex(
+            dialog.findChild<QComboBox*>("type")->findData("player"));
         wait_for_check(dialog);
         QVERIFY(ok(dialog)->isEnabled());
         ok(dialog)->click();

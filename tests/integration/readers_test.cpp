@@ -144,10 +144,10 @@ INSTANTIATE_TEST_SUITE_P(Tours, EveryReader,
 // A limit above the one that the log states keeps readings beyond it, under noise too.
 TEST(ReadOptions, AGreaterLimitThanTheLogsKeepsMore) {
     const test::TempFolder folder;
-    const auto log = folder.put(
-        "a.log",
-        "PARAM robot_front_laser_max 5.0 1 h 1\nODOM 0 0 0 0 0 0 1 h 1\n"
-        "FLASER 4 1.0 2.0 6.0 7.0 0 0 0 0 0 0 1 h 1\nODOM 1 0 0 0 0 0 2 h 2\n");
+    const auto log =
+        folder.put("a.log",
+                   "PARAM robot_front_laser_max 5.0 1 h 1\nODOM 0 0 0 0 0 0 1 h 1\n"
+                   "FLASER 4 1.0 2.0 6.0 7.0 0 0 0 0 0 0 1 h 1\nODOM 1 0 0 0 0 0 2 h 2\n");
     const auto points = [&](double greatest, double noise) {
         SourceParams source{log.string(), "auto", {greatest, false}};
         return make_noisy_reader(open_tour(source), noise, OdometryNoiseKind::variance, 1)

@@ -110,15 +110,14 @@ TEST_P(RealLog, StampsOfReadingsIncrease) {
 
 INSTANTIATE_TEST_SUITE_P(
     Recorded, RealLog,
-    ::testing::Values(
-        Golden{"player/recinto.log.gz", "player", 1054, 421, 2108, 181, 210.8},
-        Golden{"player/bigloop.log.gz", "player", 1050, 291, 2102, 181, 210.2},
-        Golden{"player/bigloop2.log.gz", "player", 1357, 426, 2714, 181, 271.4},
-        Golden{"radish/intel.log.gz", "carmen", 910, 0, 14541, 180, 2673.62},
-        Golden{"radish/aces.log.gz", "carmen", 440, 0, 7814, 180, 1350.46},
-        Golden{"radish/aces.a2.log.gz", "radish", 440, 0, 7374, 180, 1350.46},
-        Golden{"radish/freiburg-079.log.gz", "carmen", 4791, 0, 9725, 360, 1061.37},
-        Golden{"radish/freiburg-101.log.gz", "carmen", 292, 0, 4569, 360, 921.04}),
+    ::testing::Values(Golden{"player/recinto.log.gz", "player", 1054, 421, 2108, 181, 210.8},
+                      Golden{"player/bigloop.log.gz", "player", 1050, 291, 2102, 181, 210.2},
+                      Golden{"player/bigloop2.log.gz", "player", 1357, 426, 2714, 181, 271.4},
+                      Golden{"radish/intel.log.gz", "carmen", 910, 0, 14541, 180, 2673.62},
+                      Golden{"radish/aces.log.gz", "carmen", 440, 0, 7814, 180, 1350.46},
+                      Golden{"radish/aces.a2.log.gz", "radish", 440, 0, 7374, 180, 1350.46},
+                      Golden{"radish/freiburg-079.log.gz", "carmen", 4791, 0, 9725, 360, 1061.37},
+                      Golden{"radish/freiburg-101.log.gz", "carmen", 292, 0, 4569, 360, 921.04}),
     [](const auto& value) { return "log" + std::to_string(value.index); });
 
 TEST(RealLogs, NoReturnCodesAreNoPoints) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
-#include "hitos/workbench/configuration_choices.hpp"
 #include "hitos/services/run/results.hpp"
+#include "hitos/workbench/configuration_choices.hpp"
 #include "study_console.hpp"
 
 namespace hitos::cli {

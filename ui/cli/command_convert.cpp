@@ -55,8 +55,7 @@ void add_convert(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "convert", "Write a log in another format, with noise on its odometry if wished");
     command->add_option("log", options->log, "Log file, plain or .gz")->required();
-    command->add_option("--format", options->format,
-                        log_format_choices() + " (default: auto)");
+    command->add_option("--format", options->format, log_format_choices() + " (default: auto)");
     command->add_option("--to", options->to, log_formats().words(" or "))->required();
     command->add_option("--out", options->out, "File to write; .gz compresses it")->required();
     command->add_option("--odometry-noise", options->noise,

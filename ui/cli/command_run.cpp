@@ -105,8 +105,7 @@ void add_run(CLI::App& program) {
         ->add_option("log", options->log,
                      "Log file, plain or .gz, or a world file (.toml) to simulate")
         ->required();
-    command->add_option("--format", options->format,
-                        log_format_choices() + " (default: auto)");
+    command->add_option("--format", options->format, log_format_choices() + " (default: auto)");
     add_configuration_options(*command, options->configuration);
     command->add_option("--reference", options->reference,
                         "Reference map (docs/formats.md) to measure the map against");

@@ -95,8 +95,7 @@ void add_study(CLI::App& program) {
         "A study that was stopped goes on where it was when it is started again. In a Slurm or\n"
         "Grid Engine job array every task does its shard. See docs/studies.md, docs/cluster.md.");
     command->add_option("log", options->log, "Log file, plain or .gz");
-    command->add_option("--format", options->format,
-                        log_format_choices() + " (default: auto)");
+    command->add_option("--format", options->format, log_format_choices() + " (default: auto)");
     command->add_option("--reference", options->reference, "Reference map to measure against");
     command
         ->add_option("--vary", options->vary,

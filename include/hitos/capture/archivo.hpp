@@ -50,9 +50,9 @@ class Archivo final : public Fuente {
 };
 
 /// Opens a log. With "auto" the format is found from the first lines; another word is held against
-/// them. Throws ConfigError for a word that no format has, FileError (missing, directory, unreadable) or FormatError (empty, not
-/// text, of another format than said, of none that Hitos reads), naming what was found and
-/// expected.
+/// them. Throws ConfigError for a word that no format has, FileError (missing, directory,
+/// unreadable) or FormatError (empty, not text, of another format than said, of none that Hitos
+/// reads), naming what was found and expected.
 std::unique_ptr<Archivo> open_log(const std::filesystem::path& path,
                                   std::string_view format = kAutoFormat);
 

@@ -24,8 +24,8 @@ struct TourSummary {
 /// Told now and then how far the reading is, 0 … 1; false stops it.
 using InspectProgress = std::function<bool(double)>;
 
-/// Reads the tour from where it stands to its end. Throws FormatError where not one scan or odometry
-/// reading can be read.
+/// Reads the tour from where it stands to its end. Throws FormatError where not one scan or
+/// odometry reading can be read.
 TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress = {});
 
 /// The first lines of a text file, plain or gzip, each cut to 200 bytes; what is no text is said in

@@ -11,6 +11,15 @@
 
 namespace hitos {
 
+/// A particle's map, for the proposals of Hitos that heed landmarks (src/slam/map_store.hpp).
+class ParticleMap;
+
+/// A particle before it moves.
+struct Hypothesis {
+    Pose pose;  ///< of the robot in the world
+    const ParticleMap& map;
+};
+
 /// A drawn pose. Where it is not drawn from the motion model, `log_weight` says what that does to
 /// the particle's weight: ln of the motion model's density over the proposal's.
 struct ProposedPose {
@@ -28,8 +37,8 @@ class Proposal {
     /// map. `input` is valid until the step's last draw.
     virtual void begin(const SlamInput& input, bool first) = 0;
 
-    /// Draws for one particle from its pose in the world; called from several threads at a time.
-    virtual ProposedPose draw(const Pose& before, RandomStream& random) const = 0;
+    /// Draws for one particle; called from several threads at a time.
+    virtual ProposedPose draw(const Hypothesis& before, RandomStream& random) const = 0;
 };
 
 /// A proposal as parameters name it.

@@ -29,7 +29,6 @@ struct WeightedPose {
 struct FilterStatistics {
     double neff = 0.0;             ///< effective particles before resampling [T eq 6.14]
     double best_log_weight = 0.0;  ///< ln of the best weight before resampling, not normalised
-    bool resampled = false;
 };
 
 /// What a step takes: the scan, the controls from the scan before to this one, and what was found

@@ -1,4 +1,5 @@
-// The one place that decides what a source is, a log or a world to simulate, and what is known of it.
+// The one place that decides what a source is, a log or a world to simulate, and what is known of
+// it.
 #pragma once
 
 #include <memory>

@@ -10,8 +10,8 @@
 #include "hitos/services/evaluation/uncertainty.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/services/maps/picture_file.hpp"
-#include "hitos/services/run/grid_builder.hpp"
 #include "hitos/services/maps/segment_file.hpp"
+#include "hitos/services/run/grid_builder.hpp"
 #include "hitos/slam/filters.hpp"
 #include "version.hpp"
 
@@ -156,7 +156,8 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     write_trajectory(best, folder / "trajectory.tum");
     write_trajectory(run.odometry_trajectory(), folder / "odometry.tum");
     write_grid(run.step_grid(), best, folder / "grid_best_steps");
-    write_grid(build_grid(run.configuration().grid, run.reader(), best), best, folder / "grid_best");
+    write_grid(build_grid(run.configuration().grid, run.reader(), best), best,
+               folder / "grid_best");
     write_grid(build_grid(run.configuration().grid, run.reader(), run.odometry_trajectory()),
                run.odometry_trajectory(), folder / "grid_odometry");
     // What an earlier run left would not belong to this map.

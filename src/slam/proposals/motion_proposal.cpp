@@ -14,9 +14,9 @@ class MotionProposal final : public Proposal {
         increment_ = sum_controls(input.controls);
         first_ = first;
     }
-    ProposedPose draw(const Pose& before, RandomStream& random) const override {
-        return {first_ ? robot_->mean(before, increment_)
-                       : robot_->sample(before, increment_, random)};
+    ProposedPose draw(const Hypothesis& before, RandomStream& random) const override {
+        return {first_ ? robot_->mean(before.pose, increment_)
+                       : robot_->sample(before.pose, increment_, random)};
     }
 
   private:

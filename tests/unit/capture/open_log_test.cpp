@@ -41,8 +41,7 @@ TEST(OpenLog, TheMajorityDecides) {
     // A CARMEN line cut short looks like one of the normalised format.
     const std::string text = std::string("ODOM 0 0 0\n") + kCarmen + kCarmen;
     EXPECT_EQ(open_log(folder.put("a", text))->format().word, "carmen");
-    EXPECT_EQ(open_log(folder.put("b", text), "normalized")->format().word,
-              "normalized");
+    EXPECT_EQ(open_log(folder.put("b", text), "normalized")->format().word, "normalized");
 }
 
 TEST(OpenLog, GarbageBeforeTheLogDoesNotHideIt) {
@@ -99,9 +98,8 @@ TEST(OpenLog, WrongExplicitFormat) {
     const auto path = folder.put("a", kCarmen);
     for (const char* format : {"player", "radish", "normalized"}) {
         EXPECT_THROW(open_log(path, format), FormatError);
-        EXPECT_THAT(error_of(path, format),
-                    AllOf(HasSubstr(format), HasSubstr("looks like carmen"),
-                          HasSubstr("choose the format carmen or auto")));
+        EXPECT_THAT(error_of(path, format), AllOf(HasSubstr(format), HasSubstr("looks like carmen"),
+                                                  HasSubstr("choose the format carmen or auto")));
     }
     EXPECT_NO_THROW(open_log(path, "carmen"));
 }

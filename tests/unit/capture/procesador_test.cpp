@@ -61,9 +61,8 @@ TEST(Procesador, RepeatedReadingIsDroppedSilently) {
 }
 
 TEST(Procesador, StampsThatDoNotAdvanceArePutAMillisecondLater) {
-    const Log log =
-        read_text("radish", position(1, 0) + position(1, 1) + position(0.5, 2) +
-                                         position(0.5, 2) + position(1.5, 3));
+    const Log log = read_text("radish", position(1, 0) + position(1, 1) + position(0.5, 2) +
+                                            position(0.5, 2) + position(1.5, 3));
     ASSERT_EQ(log.odometry.size(), 4U);
     EXPECT_EQ(log.odometry[1].time_s, 1.0 + 1e-3);
     EXPECT_EQ(log.odometry[2].time_s, 1.0 + 1e-3 + 1e-3);
@@ -94,8 +93,7 @@ TEST(Procesador, DuplicateScansAreOne) {
     const std::string a = "laser 0 1 1 0 0 2 0.1 0\n";
     const std::string same_time = "laser 0 1 1 0 0 2.5 0.1 0\n";
     const std::string same_ranges = "laser 0 2 1 0 0 2.5 0.1 0\n";
-    const Log log =
-        read_text("radish", a + position(1, 0) + a + a + same_time + same_ranges + a);
+    const Log log = read_text("radish", a + position(1, 0) + a + a + same_time + same_ranges + a);
     EXPECT_EQ(log.scans.size(), 4U);
     EXPECT_EQ(log.report.scans, 4U);
     EXPECT_EQ(log.report.duplicate_scans, 2U);

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "hitos/base/error.hpp"
+#include "hitos/features/line_methods.hpp"
 #include "wall_scan.hpp"
 
 namespace hitos {
@@ -115,6 +116,21 @@ TEST(SplitAndMerge, GapsEndARunWhereAsked) {
     EXPECT_EQ(extract(params, scan).lines.size(), 1U);
 }
 
+TEST(SplitAndMerge, TheNearerOfTwoNeighboursSaysHowWideAGapMayBe) {
+    // A wall along the line of sight with 2 m missing between 2 m and 4 m: more than 0.6 * 2 m,
+    // less than 0.6 * 4 m.
+    const Scan scan = scan_of(
+        {joined({{1.0, 0.0}}, joined(wall({1.0, 0.0}, {2.0, 0.0}, 20),
+                                     joined({{2.0, 0.0}}, wall({3.9, 0.0}, {5.0, 0.0}, 23))))});
+    ExtractionParams params;
+    params.lines.collinear.gap_m = 0.5;  // the pieces stay two
+    EXPECT_EQ(extract(params, scan).lines.size(), 1U);
+    params.split_merge.gap_per_range = 0.6;
+    EXPECT_EQ(extract(params, scan).lines.size(), 2U);
+    params.split_merge.gap_per_range = 1.1;
+    EXPECT_EQ(extract(params, scan).lines.size(), 1U);
+}
+
 TEST(SplitAndMerge, LeastSquaresBeatsEndPointsOnNoisyWalls) {
     ExtractionParams ends;
     ends.split_merge.dmax_m = 0.05;
@@ -142,6 +158,35 @@ TEST(Extractor, CornerNeedsSupportOfBothLines) {
     EXPECT_TRUE(extract(params, scan).corners.empty());
     params.corner_distance_m = 0.51;
     EXPECT_EQ(extract(params, scan).corners.size(), 1U);
+}
+
+TEST(Extractor, WallsThatMeetAtAFlatAngleHaveACornerAndParallelOnesNone) {
+    const Point2 bend{2.0, 0.0};
+    const auto walls = [&](double angle) {
+        const Point2 end{2.0 - 2.0 * std::sin(angle), 2.0 * std::cos(angle)};
+        return scan_of({wall({2.0, -2.0}, bend, 40), wall(bend, end, 40)});
+    };
+    const Observation flat = extract({}, walls(0.15));
+    ASSERT_EQ(flat.lines.size(), 2U);
+    ASSERT_EQ(flat.corners.size(), 1U);
+    EXPECT_NEAR(flat.corners[0].x, 2.0, 1e-6);
+    EXPECT_NEAR(flat.corners[0].y, 0.0, 1e-6);
+    ExtractionParams unmerged;
+    unmerged.lines.collinear.rho_m = 0.0;
+    const Observation parallel = extract(unmerged, walls(0.0));
+    EXPECT_EQ(parallel.lines.size(), 2U);
+    EXPECT_TRUE(parallel.corners.empty());
+}
+
+TEST(LineMethods, AreRegisteredWithWhatOnlyTheyRead) {
+    EXPECT_EQ(line_methods().words(), "split-merge, ransac");
+    EXPECT_TRUE(line_methods().reads("split-merge", "split_merge.dmax"));
+    EXPECT_FALSE(line_methods().reads("ransac", "split_merge.dmax"));
+    EXPECT_FALSE(line_methods().reads("split-merge", "ransac.threshold"));
+    EXPECT_TRUE(line_methods().reads("ransac", "split_merge.min_points"));  // both read it
+    ExtractionParams params;
+    params.method = "hough";
+    EXPECT_THROW(make_extractor(params), ConfigError);
 }
 
 TEST(Extractor, DetectsWhatIsAskedFor) {

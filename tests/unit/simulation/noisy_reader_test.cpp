@@ -58,8 +58,7 @@ TEST(NoisyReader, TellsOfTheDamageInTheLog) {
     const auto path = folder.put("damaged.log",
                                  "ODOM 0 0 0\nLASER 0 1 1 1\nLASER 1 2 broken\nODOM x\nODOM 2 1 0\n"
                                  "LASER 2 1 1 1\n");
-    const Log log =
-        read_all(*make_noisy_reader(plain(path), 0.1, OdometryNoiseKind::variance, 1));
+    const Log log = read_all(*make_noisy_reader(plain(path), 0.1, OdometryNoiseKind::variance, 1));
     EXPECT_EQ(log.report.scans, 2U);
     EXPECT_EQ(log.report.skipped, 2U);
     ASSERT_EQ(log.report.examples.size(), 2U);

@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "map_store.hpp"
+
 namespace hitos {
 namespace {
 
@@ -12,9 +14,9 @@ using Outcome = Association::Outcome;
 
 /// [T table 5.1] and the rule of SPEC §5 for ambiguity, word by word over all landmarks: no
 /// rejection, plain likelihoods.
-template <class S, class Columns>
-Decision slow_decision(const Columns& landmarks, const AssociationParams& params, const Matrix2& r,
-                       const Pose& pose, const Vector2& z) {
+template <class S>
+Decision slow_decision(const typename S::Columns& landmarks, const AssociationParams& params,
+                       const Matrix2& r, const Pose& pose, const Vector2& z) {
     double best_score = -1.0;
     double best = 0.0;
     double second = 0.0;
@@ -52,7 +54,7 @@ Decision slow_decision(const Columns& landmarks, const AssociationParams& params
     return {Outcome::ignored, 0, std::log(factor)};
 }
 
-template <class S, class Columns>
+template <class S>
 void compare_with_oracle(int landmarks, bool crowded) {
     std::mt19937 engine(47);
     std::uniform_real_distribution<double> value(-10.0, 10.0);
@@ -73,10 +75,10 @@ void compare_with_oracle(int landmarks, bool crowded) {
         r << var0, both, both, var1;
         const Pose pose{value(engine), value(engine), angle(engine)};
 
-        LandmarkTable<Columns> table;
+        LandmarkTable<S> table;
         table.add_block();
         table.reserve_more(static_cast<std::size_t>(landmarks));
-        Columns columns = table[0];
+        typename S::Columns columns = table[0];
         for (int i = 0; i < landmarks; ++i) {
             const double a = 1e-3 + 0.2 * unit(engine);
             const double b = 1e-4 + 0.02 * unit(engine);
@@ -106,7 +108,7 @@ void compare_with_oracle(int landmarks, bool crowded) {
         const SeenFeature seen = associator.seen({z, r});
         const PreparedObservation prepared{seen, std::cos(z(1) + pose.theta),
                                            std::sin(z(1) + pose.theta)};
-        const Decision fast = associator.decide(columns, pose, prepared);
+        const Decision fast = associator.decide<S>(columns, pose, prepared);
         const Decision slow = slow_decision<S>(columns, params, r, pose, z);
         ++outcomes[static_cast<int>(slow.outcome)];
         ASSERT_EQ(fast.outcome, slow.outcome) << "round " << round;
@@ -124,36 +126,74 @@ void compare_with_oracle(int landmarks, bool crowded) {
 }
 
 TEST(Association, EqualsTheOracleOnLines) {
-    compare_with_oracle<SensorRecta, LineColumns>(20, false);
+    compare_with_oracle<SensorRecta>(20, false);
 }
 TEST(Association, EqualsTheOracleOnParallelWalls) {
-    compare_with_oracle<SensorRecta, LineColumns>(12, true);
+    compare_with_oracle<SensorRecta>(12, true);
 }
 TEST(Association, EqualsTheOracleOnManyLines) {
-    compare_with_oracle<SensorRecta, LineColumns>(150, false);
+    compare_with_oracle<SensorRecta>(150, false);
 }
 TEST(Association, EqualsTheOracleOnCorners) {
-    compare_with_oracle<SensorEsquina, CornerColumns>(20, false);
+    compare_with_oracle<SensorEsquina>(20, false);
 }
 TEST(Association, EqualsTheOracleOnCrowdedCorners) {
-    compare_with_oracle<SensorEsquina, CornerColumns>(70, true);
+    compare_with_oracle<SensorEsquina>(70, true);
 }
 TEST(Association, AnEmptyMapGivesANewLandmark) {
-    compare_with_oracle<SensorRecta, LineColumns>(0, false);
-    compare_with_oracle<SensorEsquina, CornerColumns>(0, false);
+    compare_with_oracle<SensorRecta>(0, false);
+    compare_with_oracle<SensorEsquina>(0, false);
+}
+
+TEST(BestTwo, TheSecondLikelihoodIsTheGreatestOfAllOthers) {
+    BestTwo candidates;
+    EXPECT_TRUE(candidates.none());
+    EXPECT_TRUE(candidates.offer(4, -2.0, -5.0));  // near, but unlikely: its covariance is large
+    EXPECT_EQ(candidates.second_log(), BestTwo::kNothing);
+    EXPECT_TRUE(candidates.offer(5, -1.0, 0.5));
+    EXPECT_FALSE(candidates.offer(6, -3.0, -1.0));  // farther than the first, yet more likely
+    EXPECT_FALSE(candidates.offer(7, -1.0, -9.0));  // as near as the best: the first stays
+    EXPECT_FALSE(candidates.none());
+    EXPECT_EQ(candidates.best(), 5U);
+    EXPECT_EQ(candidates.best_log(), 0.5);
+    EXPECT_EQ(candidates.second_log(), -1.0);
+    BestTwo overtaken;
+    overtaken.offer(0, 1.0, 1.0);
+    overtaken.offer(1, 2.0, 2.0);
+    EXPECT_EQ(overtaken.second_log(), 1.0);
+}
+
+TEST(AssociationRule, IsAmbiguousFromTheRatioOnAndAboveALeastLikelihood) {
+    AssociationParams params;
+    params.ambiguity_ratio = 0.1;
+    const AssociationRule rule(params);
+    const auto pair = [](double second) {
+        BestTwo candidates;
+        candidates.offer(0, 0.0, std::log(1.0));
+        candidates.offer(1, -1.0, std::log(second));
+        return candidates;
+    };
+    EXPECT_TRUE(rule.ambiguous(pair(0.11)));
+    EXPECT_FALSE(rule.ambiguous(pair(0.09)));
+    EXPECT_TRUE(rule.ambiguous(pair(0.11), std::log(0.10)));
+    EXPECT_FALSE(rule.ambiguous(pair(0.11), std::log(0.12)));
+    params.ambiguity = AmbiguityRule::off;
+    EXPECT_FALSE(AssociationRule(params).ambiguous(pair(0.9)));
+    EXPECT_NEAR(rule.gate(), 5.991, 1e-3);  // chi-square, 2 degrees of freedom, 95 %
 }
 
 TEST(Association, AHighP0MakesEverythingNew) {
     AssociationParams params;
     params.p0 = 1000.0;  // above the greatest likelihood there is
-    LandmarkTable<LineColumns> table;
+    LandmarkTable<SensorRecta> table;
     table.add_block();
     table.reserve_more(1);
     LineColumns lines = table[0];
     lines.set(lines.append(), {{2.0, 0.0}, Matrix2::Zero()});
     const Associator associator(params);
     const SeenFeature seen = associator.seen({{2.0, 0.0}, Matrix2::Identity()});
-    EXPECT_EQ(associator.decide(lines, Pose{}, {seen, 1.0, 0.0}).outcome, Outcome::created);
+    EXPECT_EQ(associator.decide<SensorRecta>(lines, Pose{}, {seen, 1.0, 0.0}).outcome,
+              Outcome::created);
 }
 
 }  // namespace

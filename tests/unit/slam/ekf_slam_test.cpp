@@ -165,6 +165,7 @@ TEST(EkfSlam, AnAmbiguousObservationChangesNoLandmark) {
         EXPECT_EQ(filter.associations()[0].outcome, rule == AmbiguityRule::off
                                                         ? Association::Outcome::matched
                                                         : Association::Outcome::ignored);
+        EXPECT_EQ(filter.associations()[0].landmark, rule == AmbiguityRule::off ? 1 : -1);
         EXPECT_EQ(filter.best_count(FeatureKind::line), 2);
     }
 }
@@ -202,6 +203,35 @@ TEST(EkfSlam, AssociationsPointIntoTheMap) {
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::created);
     EXPECT_EQ(filter.associations()[1].outcome, Association::Outcome::matched);
     EXPECT_EQ(map[1].observations, 2);
+}
+
+TEST(EkfSlam, TheWeightIsTheProductOfTheLikelihoods) {
+    FilterParams params = ekf_params();
+    params.observation = {0.01, 0.01};
+    EkfSlam filter(params);
+    Observation seen;
+    seen.lines.push_back({{3.0, 0.0}, 0, 0});
+    feed(filter, {}, seen);
+    EXPECT_EQ(filter.statistics().best_log_weight, 0.0);  // a new landmark says nothing
+    seen.lines[0].recta.rho = 3.05;
+    feed(filter, {}, seen);
+    // S = P + R = 0.02 I, nu = (0.05, 0).
+    const double first = -std::log(2.0 * kPi * 0.02) - 0.5 * 0.05 * 0.05 / 0.02;
+    EXPECT_NEAR(filter.statistics().best_log_weight, first, 1e-9);
+    seen.lines[0].recta.rho = 3.025;  // where the landmark now is: P = 0.005 I
+    feed(filter, {}, seen);
+    EXPECT_NEAR(filter.statistics().best_log_weight, first - std::log(2.0 * kPi * 0.015), 1e-9);
+}
+
+TEST(EkfSlam, ReadsWhatItsEntrySays) {
+    EXPECT_EQ(slam_algorithms().words(), "fastslam, ekf-slam");
+    EXPECT_TRUE(slam_algorithms().reads("ekf-slam", "association.new_probability"));
+    EXPECT_FALSE(slam_algorithms().reads("fastslam", "association.new_probability"));
+    EXPECT_FALSE(slam_algorithms().reads("ekf-slam", "filter.particles"));
+    for (const char* algorithm : {"fastslam", "ekf-slam"}) {
+        EXPECT_TRUE(slam_algorithms().reads(algorithm, "association.gate_probability"));
+        EXPECT_TRUE(slam_algorithms().reads(algorithm, "motion.model"));  // nobody's own
+    }
 }
 
 TEST(EkfSlam, FactoryRefusesImpossibleValues) {

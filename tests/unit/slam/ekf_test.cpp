@@ -1,4 +1,4 @@
-#include "hitos/slam/ekf.hpp"
+#include "models/ekf.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <random>
 
 #include "hitos/base/random_stream.hpp"
+#include "models/landmark_kinds.hpp"
 
 namespace hitos {
 namespace {

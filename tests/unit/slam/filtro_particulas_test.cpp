@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <random>
+#include <set>
 
 #include "hitos/base/error.hpp"
 #include "hitos/slam/filters.hpp"
@@ -95,7 +96,7 @@ class SlowFastSlam {
             if (at < 0) {
                 const Matrix2 g = S::inverse_jacobian(pose, z);
                 LandmarkEstimate<S> fresh{S::inverse(pose, z), g * r * g.transpose()};
-                S::normalize(fresh.mean, fresh.covariance);
+                normalize(fresh);
                 map.push_back(fresh);
                 continue;
             }
@@ -106,7 +107,7 @@ class SlowFastSlam {
             const Matrix2 k = landmark.covariance * h.transpose() * q.inverse();
             landmark.mean = S::from_state(S::to_state(landmark.mean) + k * nu.nu);
             landmark.covariance = ((Matrix2::Identity() - k * h) * landmark.covariance).eval();
-            S::normalize(landmark.mean, landmark.covariance);
+            normalize(landmark);
         }
     }
 
@@ -114,12 +115,12 @@ class SlowFastSlam {
         std::vector<std::pair<int, Measurement>> lines;
         std::vector<std::pair<int, Measurement>> corners;
         Measurements seen;
-        seen.take(observation, params_.observation);
-        for (const Measurement& line : seen.lines) {
+        measure(observation, params_.observation, seen);
+        for (const Measurement& line : seen.of<SensorRecta>()) {
             particle.weight *= observe_one<SensorRecta>(particle.lines, particle.lines.size(),
                                                         particle.pose, line, lines);
         }
-        for (const Measurement& corner : seen.corners) {
+        for (const Measurement& corner : seen.of<SensorEsquina>()) {
             particle.weight *= observe_one<SensorEsquina>(particle.corners, particle.corners.size(),
                                                           particle.pose, corner, corners);
         }
@@ -296,7 +297,6 @@ TEST(FiltroParticulas, NothingObservedMeansNothingResampled) {
     FiltroParticulas filter(room_params(20), 1, 1);
     for (int k = 0; k < 10; ++k)
         feed(filter, tour.controls[static_cast<std::size_t>(k)], Observation{});
-    EXPECT_FALSE(filter.statistics().resampled);
     EXPECT_EQ(filter.steps(), 10U);
     EXPECT_EQ(filter.best_history().size(), 10U);
     // All poses still differ: nobody was copied.
@@ -304,6 +304,53 @@ TEST(FiltroParticulas, NothingObservedMeansNothingResampled) {
     for (std::size_t i = 1; i < hypotheses.size(); ++i) {
         EXPECT_NE(hypotheses[i].pose, hypotheses[0].pose);
     }
+}
+
+TEST(FiltroParticulas, OfEqualWeightsTheFirstIsTheBest) {
+    FilterParams params = room_params(20);
+    params.resampling = {ResamplingRule::neff, 0.0};  // never: particles keep their places
+    FiltroParticulas filter(params, 1, 1);
+    Observation seen;
+    seen.lines.push_back({{3.0, 0.2}, 0, 0});
+    feed(filter, {}, seen);  // all weigh p0
+    const Control control{{0.4, 0.0, 0.1}, 0.2};
+    feed(filter, std::span(&control, 1), Observation{});  // all part
+    ASSERT_NE(filter.hypotheses().front().pose, filter.hypotheses().back().pose);
+    EXPECT_EQ(filter.best_pose(), filter.hypotheses().front().pose);
+}
+
+TEST(FiltroParticulas, AnIgnoredObservationNamesNoLandmark) {
+    FilterParams params = room_params(10);
+    FiltroParticulas filter(params, 1, 1);
+    Observation walls;
+    walls.lines.push_back({{3.0, 0.0}, 0, 0});
+    walls.lines.push_back({{3.4, 0.0}, 0, 0});
+    feed(filter, {}, walls);
+    Observation between;
+    between.lines.push_back({{3.21, 0.0}, 0, 0});
+    feed(filter, {}, between);
+    ASSERT_EQ(filter.associations().size(), 1U);
+    EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::ignored);
+    EXPECT_EQ(filter.associations()[0].landmark, -1);
+    EXPECT_EQ(filter.best_count(FeatureKind::line), 2);
+}
+
+TEST(FiltroParticulas, EveryResamplingMethodMapsTheRoom) {
+    const Tour tour = make_tour(150, 0.1);
+    std::set<double> ends;
+    for (const ResamplingMethodEntry& entry : resampling_methods().entries()) {
+        FilterParams params = room_params(100);
+        params.resampling.method = entry.word;
+        FiltroParticulas filter(params, 1, 1);
+        for (std::size_t k = 0; k < tour.controls.size(); ++k) {
+            feed(filter, tour.controls[k], tour.observations[k]);
+        }
+        EXPECT_EQ(filter.best_count(FeatureKind::line), 4) << entry.word;
+        EXPECT_EQ(filter.best_count(FeatureKind::corner), 4) << entry.word;
+        EXPECT_NEAR(filter.best_pose().x, tour.truth.back().x, 0.3) << entry.word;
+        ends.insert(filter.best_pose().x);
+    }
+    EXPECT_EQ(ends.size(), 4U);  // each draws in its own way
 }
 
 TEST(FiltroParticulas, MemoryDoesNotGrowWithCopies) {

@@ -13,15 +13,15 @@ TEST(Measurements, TakeTheFixedVariancesWhereTheFeaturesHaveNone) {
     seen.lines.push_back({{2.0, 0.3}, 0, 0});
     seen.corners.push_back({3.0, 4.0});
     Measurements measurements;
-    measurements.take(seen, {0.04, 0.00122});
+    measure(seen, {0.04, 0.00122}, measurements);
     ASSERT_EQ(measurements.size(), 2U);
-    for (const Measurement& m : {measurements.lines[0], measurements.corners[0]}) {
+    for (const Measurement& m : {measurements[0], measurements[1]}) {
         EXPECT_EQ(m.r(0, 0), 0.04);
         EXPECT_EQ(m.r(1, 1), 0.00122);
         EXPECT_EQ(m.r(0, 1), 0.0);
     }
-    EXPECT_EQ(measurements.lines[0].z, Vector2(2.0, 0.3));
-    EXPECT_NEAR(measurements.corners[0].z(0), 5.0, 1e-12);
+    EXPECT_EQ(measurements.of<SensorRecta>()[0].z, Vector2(2.0, 0.3));
+    EXPECT_NEAR(measurements.of<SensorEsquina>()[0].z(0), 5.0, 1e-12);
 }
 
 TEST(Measurements, ACornersCovarianceIsThatOfRangeAndBearing) {
@@ -31,7 +31,7 @@ TEST(Measurements, ACornersCovarianceIsThatOfRangeAndBearing) {
     seen.corners.push_back({3.0, -4.0});
     seen.corner_covariances.push_back(covariance);
     Measurements measurements;
-    measurements.take(seen, {});
+    measure(seen, {}, measurements);
     // Against draws.
     const Matrix2 root = covariance.llt().matrixL();
     std::mt19937 engine(61);
@@ -40,15 +40,16 @@ TEST(Measurements, ACornersCovarianceIsThatOfRangeAndBearing) {
     constexpr int kDraws = 40000;
     for (int i = 0; i < kDraws; ++i) {
         const Vector2 p = Vector2(3.0, -4.0) + root * Vector2(normal(engine), normal(engine));
-        const Vector2 away = SensorEsquina::measurement({p(0), p(1)}) - measurements.corners[0].z;
+        const Vector2 away =
+            SensorEsquina::measurement({p(0), p(1)}) - measurements.of<SensorEsquina>()[0].z;
         sampled += away * away.transpose() / kDraws;
     }
     // The standard error of a sampled variance is sqrt(2 / n), 0.7 %.
     const double scale0 = std::sqrt(sampled(0, 0));
     const double scale1 = std::sqrt(sampled(1, 1));
-    EXPECT_NEAR(measurements.corners[0].r(0, 0) / sampled(0, 0), 1.0, 0.04);
-    EXPECT_NEAR(measurements.corners[0].r(1, 1) / sampled(1, 1), 1.0, 0.04);
-    EXPECT_NEAR(measurements.corners[0].r(0, 1) / (scale0 * scale1),
+    EXPECT_NEAR(measurements.of<SensorEsquina>()[0].r(0, 0) / sampled(0, 0), 1.0, 0.04);
+    EXPECT_NEAR(measurements.of<SensorEsquina>()[0].r(1, 1) / sampled(1, 1), 1.0, 0.04);
+    EXPECT_NEAR(measurements.of<SensorEsquina>()[0].r(0, 1) / (scale0 * scale1),
                 sampled(0, 1) / (scale0 * scale1), 0.03);
 }
 

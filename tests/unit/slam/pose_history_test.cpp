@@ -52,8 +52,8 @@ TEST(PoseHistory, NothingHasNoPoses) {
 TEST(MapStore, WritingASharedMapLeavesTheOtherAlone) {
     MapStore store;
     auto a = store.create();
-    store.reserve_more(2, 0);
-    auto first = store.lines(a);
+    store.reserve_more<SensorRecta>(2);
+    auto first = store.landmarks<SensorRecta>(a);
     first.set(first.append(), {{1.0, 0.5}, Matrix2::Identity()});
     store.share(a);
     auto b = a;
@@ -62,20 +62,20 @@ TEST(MapStore, WritingASharedMapLeavesTheOtherAlone) {
     EXPECT_EQ(source, a);
     store.copy(source, b);
     EXPECT_EQ(store.detach(a), a);  // alone again: no copy is due
-    store.lines(b).set(0, {{2.0, 0.5}, Matrix2::Identity()});
-    store.lines(b).append();
-    EXPECT_EQ(store.lines(a).size(), 1U);
-    EXPECT_EQ(store.lines(b).size(), 2U);
-    EXPECT_EQ(store.lines(a).get(0).mean.rho, 1.0);
-    EXPECT_EQ(store.lines(b).get(0).mean.rho, 2.0);
+    store.landmarks<SensorRecta>(b).set(0, {{2.0, 0.5}, Matrix2::Identity()});
+    store.landmarks<SensorRecta>(b).append();
+    EXPECT_EQ(store.landmarks<SensorRecta>(a).size(), 1U);
+    EXPECT_EQ(store.landmarks<SensorRecta>(b).size(), 2U);
+    EXPECT_EQ(store.landmarks<SensorRecta>(a).get(0).mean.rho, 1.0);
+    EXPECT_EQ(store.landmarks<SensorRecta>(b).get(0).mean.rho, 2.0);
     store.release(b);
     EXPECT_EQ(store.create(), b);  // its block is used again, empty
-    EXPECT_EQ(store.lines(b).size(), 0U);
+    EXPECT_EQ(store.landmarks<SensorRecta>(b).size(), 0U);
     EXPECT_EQ(store.blocks(), 2U);
 }
 
 TEST(LandmarkTable, KeepsValuesWhileItGrows) {
-    LandmarkTable<LineColumns> table;
+    LandmarkTable<SensorRecta> table;
     for (int block = 0; block < 3; ++block) table.add_block();
     for (int i = 0; i < 100; ++i) {
         table.reserve_more(1);
@@ -96,7 +96,7 @@ TEST(LandmarkTable, KeepsValuesWhileItGrows) {
         EXPECT_EQ(table[0].get(i).mean.rho, static_cast<double>(i));
         EXPECT_EQ(copy.get(i).mean.rho, static_cast<double>(i) + 2.0);
         EXPECT_EQ(copy.get(i).covariance(1, 1), 2.0 * static_cast<double>(i));
-        EXPECT_EQ(copy.column(LineColumns::sine)[i], std::sin(0.01 * static_cast<double>(i)));
+        EXPECT_EQ(copy.column(LineColumns::kSine)[i], std::sin(0.01 * static_cast<double>(i)));
         EXPECT_EQ(copy.observations(i), static_cast<int>(i));
     }
 }

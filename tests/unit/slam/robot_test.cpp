@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "hitos/base/error.hpp"
+
 namespace hitos {
 namespace {
 
@@ -195,6 +197,42 @@ TEST(Robot, NoiseCovarianceIsThatOfTheDraws) {
     }
     const MotionIncrement rest;
     EXPECT_EQ(make_robot(MotionParams{})->noise_covariance(pose, rest), Eigen::Matrix3d::Zero());
+}
+
+TEST(Robot, ProportionalNoiseLiesAlongTheMeanHeading) {
+    MotionParams params;
+    params.model = "proportional";
+    params.var_along_m2_per_m = 0.01;
+    params.var_across_m2_per_m = 0.0;
+    const auto robot = make_robot(params);
+    const Control turning{{1.0, 0.0, 0.8}, 1.0};
+    const MotionIncrement increment = sum_controls(std::span(&turning, 1));
+    const Pose start{1.0, 2.0, 0.3};
+    const double heading = 0.3 + 0.4;  // half of the turn
+    const Eigen::Vector2d along(std::cos(heading), std::sin(heading));
+
+    const Pose mean = robot->mean(start, increment);
+    RandomStream random(1, RandomPurpose::motion, 1, 1);
+    const Pose drawn = robot->sample(start, increment, random);
+    const Eigen::Vector2d away(drawn.x - mean.x, drawn.y - mean.y);
+    EXPECT_GT(away.norm(), 1e-3);
+    EXPECT_NEAR(away.x() * along.y() - away.y() * along.x(), 0.0, 1e-12);
+
+    const Eigen::Matrix2d q = robot->noise_covariance(start, increment).topLeftCorner<2, 2>();
+    EXPECT_LT((q - 0.01 * along * along.transpose()).norm(), 1e-12);
+}
+
+TEST(Robot, MotionModelsAreRegistered) {
+    EXPECT_EQ(motion_models().words(), "odometry, no-odometry, proportional");
+    for (const MotionModelEntry& entry : motion_models().entries()) {
+        EXPECT_NE(entry.make({}), nullptr);
+        EXPECT_FALSE(entry.label.empty() || entry.purpose.empty());
+    }
+    EXPECT_TRUE(motion_models().reads("no-odometry", "motion.sigma_x"));
+    EXPECT_FALSE(motion_models().reads("proportional", "motion.sigma_x"));
+    MotionParams params;
+    params.model = "legs";
+    EXPECT_THROW(make_robot(params), ConfigError);
 }
 
 }  // namespace

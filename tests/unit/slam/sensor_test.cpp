@@ -1,8 +1,9 @@
-#include "hitos/slam/sensor.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "models/ekf.hpp"
+#include "models/landmark_kinds.hpp"
 
 namespace hitos {
 namespace {
@@ -140,13 +141,13 @@ TYPED_TEST(SensorLaws, JointInnovationsJacobiansFitItsSide) {
         const Pose pose = this->pose();
         const auto landmark = this->landmark();
         const Vector2 z = this->measurement();
-        const JointInnovation joint = joint_innovation<S>(z, pose, landmark);
+        const JointInnovation joint = S::joint_innovation(z, pose, landmark);
         flipped += joint.by_landmark(0, 0) < 0.0 ? 1 : 0;
         for (int k = 0; k < 3; ++k) {
             const auto moved = [&](double step) {
                 Pose other = pose;
                 (k == 0 ? other.x : k == 1 ? other.y : other.theta) += step;
-                return joint_innovation<S>(z, other, landmark).nu;
+                return S::joint_innovation(z, other, landmark).nu;
             };
             const Vector2 slope = (moved(-kStep) - moved(kStep)) / (2.0 * kStep);
             if (slope.norm() > 1e3) continue;  // the side or the wrap changed between the two
@@ -169,15 +170,41 @@ TEST(SensorRecta, AWallSeenFromItsOtherSideIsTheSameLine) {
 }
 
 TEST(SensorRecta, NormalFormKeepsTheCovarianceOfTheSameLine) {
-    Recta line{-2.0, 0.5};
-    Matrix2 covariance;
+    LandmarkEstimate<SensorRecta> estimate{{-2.0, 0.5}, {}};
+    auto& [line, covariance] = estimate;
     covariance << 0.04, 0.01, 0.01, 0.02;
-    EXPECT_EQ(SensorRecta::normalize(line, covariance), -1.0);
+    normalize(estimate);
     EXPECT_DOUBLE_EQ(line.rho, 2.0);
     EXPECT_DOUBLE_EQ(line.theta, 0.5 - kPi);
     EXPECT_DOUBLE_EQ(covariance(0, 1), -0.01);
     EXPECT_DOUBLE_EQ(covariance(1, 0), -0.01);
     EXPECT_DOUBLE_EQ(covariance(0, 0), 0.04);
+}
+
+TEST(SensorRecta, NormalFormTellsTheSignThatRhoTook) {
+    Recta flipped{-2.0, 0.5};
+    EXPECT_EQ(SensorRecta::normalize(flipped), -1.0);
+    Recta kept{2.0, 7.0};
+    EXPECT_EQ(SensorRecta::normalize(kept), 1.0);
+    EXPECT_DOUBLE_EQ(kept.theta, 7.0 - 2.0 * kPi);
+}
+
+TEST(KindRow, KeepsItsValuesByKindAndInOrder) {
+    KindRow<int> row;
+    EXPECT_TRUE(row.empty());
+    row.add<SensorEsquina>(7);
+    EXPECT_EQ(row.first<SensorEsquina>(), 0U);
+    EXPECT_TRUE(row.of<SensorRecta>().empty());
+    row.clear();
+    EXPECT_TRUE(row.of<SensorEsquina>().empty());
+    row.add<SensorRecta>(1);
+    row.add<SensorRecta>(2);
+    row.add<SensorEsquina>(3);
+    EXPECT_EQ(row.size(), 3U);
+    EXPECT_EQ(row.first<SensorEsquina>(), 2U);
+    EXPECT_EQ(row.of<SensorRecta>()[1], 2);
+    ASSERT_EQ(row.of<SensorEsquina>().size(), 1U);
+    EXPECT_EQ(row.of<SensorEsquina>()[0], 3);
 }
 
 TEST(SensorEsquina, ACornerUnderTheRobotStaysFinite) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <span>
@@ -57,21 +58,22 @@ class SlowEkfSlam {
         }
 
         Measurements seen;
-        seen.take(observation, params_.observation);
+        measure(observation, params_.observation, seen);
         struct Match {
             std::size_t landmark;
             Vector2 nu;
             Eigen::MatrixXd h;
             Matrix2 r;
         };
+        const double gate = -2.0 * std::log(1.0 - params_.association.gate_probability);
         std::vector<Match> matches;
         std::vector<std::pair<bool, Measurement>> fresh;  // is it a line?
         for (int kind = 0; kind < 2; ++kind) {
-            for (const Measurement& m : kind == 0 ? seen.lines : seen.corners) {
+            for (const Measurement& m :
+                 kind == 0 ? seen.of<SensorRecta>() : seen.of<SensorEsquina>()) {
                 double nearest = 1e300;
                 double nearest_log = -1e300;
-                double second = 1e300;
-                double second_log = -1e300;
+                std::vector<double> plausible;  // ln likelihoods of those inside the gate
                 Match match{};
                 for (std::size_t i = 0; i < is_line_.size(); ++i) {
                     if (is_line_[i] != (kind == 0)) continue;
@@ -93,21 +95,19 @@ class SlowEkfSlam {
                     const Matrix2 s = h * p_ * h.transpose() + m.r;
                     const double d2 = nu.dot(s.inverse() * nu);
                     const double log_likelihood = -0.5 * d2 - 0.5 * std::log(s.determinant());
+                    if (d2 <= gate) plausible.push_back(log_likelihood);
                     if (d2 < nearest) {
-                        second = nearest;
-                        second_log = nearest_log;
                         nearest = d2;
                         nearest_log = log_likelihood;
                         match = {i, nu, h, m.r};
-                    } else if (d2 < second) {
-                        second = d2;
-                        second_log = log_likelihood;
                     }
                 }
-                const double gate = -2.0 * std::log(1.0 - params_.association.gate_probability);
                 const double far = -2.0 * std::log(1.0 - params_.association.new_probability);
-                const bool ambiguous = second <= gate && std::exp(second_log - nearest_log) >
-                                                             params_.association.ambiguity_ratio;
+                // Any other than the nearest whose likelihood is near its own.
+                const auto rivals = std::ranges::count_if(plausible, [&](double log) {
+                    return std::exp(log - nearest_log) > params_.association.ambiguity_ratio;
+                });
+                const bool ambiguous = rivals > 1;
                 if (nearest <= gate && !ambiguous) matches.push_back(match);
                 if (nearest > far) fresh.emplace_back(kind == 0, m);
             }

@@ -59,7 +59,8 @@ class Probe {
               while (!stop.stop_requested()) {
                   const auto asked = Clock::now();
                   QMetaObject::invokeMethod(
-                      &window_, [this, asked] { answers_ms_.push_back(seconds_since(asked) * 1e3); },
+                      &window_,
+                      [this, asked] { answers_ms_.push_back(seconds_since(asked) * 1e3); },
                       Qt::QueuedConnection);
                   std::this_thread::sleep_for(kPause);
               }
@@ -73,7 +74,7 @@ class Probe {
     }
 
   private:
-    QObject window_;  // lives in the window's thread
+    QObject window_;                  // lives in the window's thread
     std::vector<double> answers_ms_;  // only touched by the window's thread until it is over
     std::jthread thread_;
 };

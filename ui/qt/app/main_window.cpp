@@ -169,8 +169,7 @@ void MainWindow::connect_run() {
     connect(ui_->action_exit, &QAction::triggered, this, &QWidget::close);
     connect(results_, &ResultActions::notice, status_, &StatusLine::notice);
     const auto enable = [this] {
-        ui_->action_save_results->setEnabled(session_.progress().steps > 0 &&
-                                            !results_->writing());
+        ui_->action_save_results->setEnabled(session_.progress().steps > 0 && !results_->writing());
         ui_->action_study->setEnabled(session_.has_source());
     };
     connect(&session_, &Session::progress_changed, this, enable);

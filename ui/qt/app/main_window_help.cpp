@@ -63,8 +63,7 @@ void MainWindow::show_keys() {
 }
 
 void MainWindow::show_guide() {
-    const QString guide =
-        QString::fromStdString(shipped_file("docs/user-guide.md").string());
+    const QString guide = QString::fromStdString(shipped_file("docs/user-guide.md").string());
     if (guide.isEmpty()) {
         prompts_.warn(this, tr("User's guide"), tr("docs/user-guide.md is not installed."));
         return;

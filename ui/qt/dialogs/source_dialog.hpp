@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "actions/prompts.hpp"
-#include "hitos/workbench/source_inspection.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/workbench/source_inspection.hpp"
 
 namespace hitos::window {
 

@@ -36,9 +36,12 @@ void LogCounter::begin() {
         } catch (const std::exception&) {
             scans.reset();  // the run itself tells what is wrong with the log
         }
-        QMetaObject::invokeMethod(this, [this, stop, scans] {
-            if (stop == stop_ && !*stop) emit counted(scans);
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this,
+            [this, stop, scans] {
+                if (stop == stop_ && !*stop) emit counted(scans);
+            },
+            Qt::QueuedConnection);
     });
 }
 

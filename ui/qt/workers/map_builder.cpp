@@ -33,30 +33,30 @@ void MapBuilder::build(const Configuracion& configuration, std::optional<Traject
     shared_ = {};
     shared_.running = true;
     state_ = shared_;
-    worker_ = std::jthread([this, configuration, path = std::move(path)](
-                               const std::stop_token& stop) mutable {
-        begin_background_work();
-        QString error;
-        try {
-            work(configuration, std::move(path), stop);
-        } catch (const std::exception& failure) {
-            error = QString::fromUtf8(failure.what());
-        }
-        const std::scoped_lock lock(mutex_);
-        shared_.running = false;
-        shared_.stopped = stop.stop_requested();
-        shared_.error = error;
-        fresh_ = true;
-    });
+    worker_ = std::jthread(
+        [this, configuration, path = std::move(path)](const std::stop_token& stop) mutable {
+            begin_background_work();
+            QString error;
+            try {
+                work(configuration, std::move(path), stop);
+            } catch (const std::exception& failure) {
+                error = QString::fromUtf8(failure.what());
+            }
+            const std::scoped_lock lock(mutex_);
+            shared_.running = false;
+            shared_.stopped = stop.stop_requested();
+            shared_.error = error;
+            fresh_ = true;
+        });
     timer_.start();
 }
 
 void MapBuilder::work(const Configuracion& configuration, std::optional<Trajectory> path,
                       const std::stop_token& stop) {
     std::unique_ptr<TourReader> reader = open_tour(configuration.source);
-    GridBuilder builder =
-        path ? GridBuilder(configuration.grid, std::move(reader), *std::move(path))
-             : GridBuilder(configuration.grid, std::move(reader));
+    GridBuilder builder = path
+                              ? GridBuilder(configuration.grid, std::move(reader), *std::move(path))
+                              : GridBuilder(configuration.grid, std::move(reader));
     while (!stop.stop_requested() && builder.step()) publish(builder, false);
     publish(builder, true);
 }

@@ -73,9 +73,12 @@ void ReferenceMeter::consider() {
     pool_.start([this, snapshot, references, generation = generation_] {
         begin_background_work();
         auto figures = std::make_shared<const Measured>(measure(*snapshot, references));
-        QMetaObject::invokeMethod(this, [this, figures, steps = snapshot->steps, generation] {
-            take(figures, steps, generation);
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this,
+            [this, figures, steps = snapshot->steps, generation] {
+                take(figures, steps, generation);
+            },
+            Qt::QueuedConnection);
     });
 }
 

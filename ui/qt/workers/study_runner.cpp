@@ -62,42 +62,51 @@ void StudyRunner::work(const Study& study, int threads, Number number,
     };
     try {
         StudyOutcome outcome = std::move(run_studies({&study, 1}, options).front());
-        QMetaObject::invokeMethod(this, [this, number, outcome = std::move(outcome)] {
-            end(number, [&] {
-                plan_ = std::make_shared<const StudyPlan>(outcome.plan);
-                records_ = outcome.records;
-                emit finished(outcome);
-            });
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this,
+            [this, number, outcome = std::move(outcome)] {
+                end(number, [&] {
+                    plan_ = std::make_shared<const StudyPlan>(outcome.plan);
+                    records_ = outcome.records;
+                    emit finished(outcome);
+                });
+            },
+            Qt::QueuedConnection);
     } catch (const std::exception& error) {
-        QMetaObject::invokeMethod(this, [this, number, problem = problem_of(error)] {
-            end(number, [&] { emit failed(problem); });
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this,
+            [this, number, problem = problem_of(error)] {
+                end(number, [&] { emit failed(problem); });
+            },
+            Qt::QueuedConnection);
     }
 }
 
 /// With the mutex held. However fast the news come, the window is told once for all that wait.
 void StudyRunner::tell(Number number) {
     if (!std::exchange(told_, false)) return;
-    QMetaObject::invokeMethod(this, [this, number] {
-        if (number != number_) return;
-        StudyProgress progress;
-        bool more = false;
-        {
-            const std::scoped_lock lock(mutex_);
-            told_ = true;
-            progress = latest_;
-            more = !fresh_.empty();
-            if (more && !plan_) {
-                plan_ = latest_plan_;
-                records_.resize(plan_->runs());
+    QMetaObject::invokeMethod(
+        this,
+        [this, number] {
+            if (number != number_) return;
+            StudyProgress progress;
+            bool more = false;
+            {
+                const std::scoped_lock lock(mutex_);
+                told_ = true;
+                progress = latest_;
+                more = !fresh_.empty();
+                if (more && !plan_) {
+                    plan_ = latest_plan_;
+                    records_.resize(plan_->runs());
+                }
+                for (const auto& [run, record] : std::exchange(fresh_, {})) records_[run] = record;
             }
-            for (const auto& [run, record] : std::exchange(fresh_, {})) records_[run] = record;
-        }
-        if (!running_) return;
-        emit progressed(progress);
-        if (more) emit results_changed();
-    }, Qt::QueuedConnection);
+            if (!running_) return;
+            emit progressed(progress);
+            if (more) emit results_changed();
+        },
+        Qt::QueuedConnection);
 }
 
 void StudyRunner::end(Number number, const std::function<void()>& last_words) {

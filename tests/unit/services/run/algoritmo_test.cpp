@@ -1,8 +1,5 @@
 #include "hitos/services/run/algoritmo.hpp"
 
-#include "hitos/services/run/grid_builder.hpp"
-#include "hitos/services/run/open_source.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,6 +9,8 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/evaluation/measures.hpp"
+#include "hitos/services/run/grid_builder.hpp"
+#include "hitos/services/run/open_source.hpp"
 #include "support.hpp"
 
 namespace hitos {

@@ -1,10 +1,9 @@
 #include "hitos/services/run/run_worker.hpp"
 
-#include "hitos/services/run/open_source.hpp"
-
 #include <gtest/gtest.h>
 
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/open_source.hpp"
 #include "support.hpp"
 
 namespace hitos {

@@ -1,7 +1,5 @@
 #include "hitos/services/study/study.hpp"
 
-#include "hitos/services/run/open_source.hpp"
-
 #include <gmock/gmock.h>
 
 #include <atomic>
@@ -10,6 +8,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/run/algoritmo.hpp"
+#include "hitos/services/run/open_source.hpp"
 #include "support.hpp"
 
 namespace hitos {

@@ -1,19 +1,13 @@
 // The extended Kalman filter of one landmark under a known pose [T 7.3, table 3.2].
 #pragma once
 
+#include <Eigen/LU>
 #include <cmath>
 #include <utility>
 
-#include "hitos/slam/sensor.hpp"
+#include "sensor.hpp"
 
 namespace hitos {
-
-/// A landmark's estimate: mean and covariance, in world coordinates.
-template <Sensor S>
-struct LandmarkEstimate {
-    typename S::Landmark mean;
-    Matrix2 covariance;
-};
 
 /// ln N(nu; 0, Q) [T table 3.1, line 6] and the squared Mahalanobis distance of nu [P eq 2].
 struct Likelihood {
@@ -22,11 +16,20 @@ struct Likelihood {
 };
 
 inline Likelihood likelihood_of(const Vector2& nu, const Matrix2& q) {
-    const double det = q(0, 0) * q(1, 1) - q(0, 1) * q(1, 0);
+    const double det = q.determinant();
+    // nu' adj(Q) nu / det: with Q^-1 the filter's innermost line would be slower and of other bits.
     const double n0 = nu(0);
     const double n1 = nu(1);
     const double d2 = (q(1, 1) * n0 * n0 - (q(0, 1) + q(1, 0)) * n0 * n1 + q(0, 0) * n1 * n1) / det;
     return {-std::log(2.0 * kPi) - 0.5 * std::log(det) - 0.5 * d2, d2};
+}
+
+/// Brings an estimate to its kind's normal form.
+template <Sensor S>
+void normalize(LandmarkEstimate<S>& estimate) {
+    const double sign = S::normalize(estimate.mean);
+    estimate.covariance(0, 1) *= sign;
+    estimate.covariance(1, 0) *= sign;
 }
 
 /// The filter for one kind of landmark with observation covariance R.
@@ -50,7 +53,7 @@ class EKF {
     LandmarkEstimate<S> first(const Pose& pose, const Vector2& z) const {
         const Matrix2 g = S::inverse_jacobian(pose, z);
         LandmarkEstimate<S> estimate{S::inverse(pose, z), g * r_ * g.transpose()};
-        S::normalize(estimate.mean, estimate.covariance);
+        normalize(estimate);
         return estimate;
     }
 
@@ -58,8 +61,8 @@ class EKF {
     /// [T table 3.2] but symmetric to the last bit).
     void update(LandmarkEstimate<S>& estimate, const Innovation& innovation) const {
         const Matrix2 q = innovation_covariance(innovation.jacobian, estimate.covariance);
-        const double det = q(0, 0) * q(1, 1) - q(0, 1) * q(1, 0);
-        Matrix2 q_inverse;
+        const double det = q.determinant();
+        Matrix2 q_inverse;  // symmetric to the last bit, as Eigen's inverse of a rounded Q is not
         q_inverse << q(1, 1) / det, -q(0, 1) / det, -q(0, 1) / det, q(0, 0) / det;
         const Matrix2 ph = estimate.covariance * innovation.jacobian.transpose();
         estimate.mean =
@@ -67,7 +70,7 @@ class EKF {
         Matrix2 reduced = estimate.covariance - ph * q_inverse * ph.transpose();
         reduced(1, 0) = reduced(0, 1) = 0.5 * (reduced(0, 1) + reduced(1, 0));
         estimate.covariance = reduced;
-        S::normalize(estimate.mean, estimate.covariance);
+        normalize(estimate);
     }
 
   private:

@@ -1,0 +1,62 @@
+// Landmarks of one kind in columns.
+#pragma once
+
+#include <cstdint>
+
+#include "sensor.hpp"
+
+namespace hitos {
+
+/// The landmarks of one kind in one map: a column of doubles for each quantity, so that loops over
+/// landmarks run on contiguous memory. A view of a block of LandmarkTable. A kind may keep `Extra`
+/// quantities beside state and covariance.
+template <class S, int Extra>
+class LandmarkColumns {
+  public:
+    enum Column { kState0, kState1, kP00, kP01, kP11, kExtra };
+    static constexpr std::size_t kColumns = kExtra + Extra;
+
+    LandmarkColumns(double* values, std::int32_t* observations, std::uint32_t* size,
+                    std::size_t capacity)
+        : values_(values), observations_(observations), size_(size), capacity_(capacity) {}
+
+    std::size_t size() const { return *size_; }
+    double* column(int index) { return values_ + static_cast<std::size_t>(index) * capacity_; }
+    const double* column(int index) const {
+        return values_ + static_cast<std::size_t>(index) * capacity_;
+    }
+    std::int32_t& observations(std::size_t i) { return observations_[i]; }
+    std::int32_t observations(std::size_t i) const { return observations_[i]; }
+
+    typename S::Landmark mean(std::size_t i) const {
+        return S::from_state({column(kState0)[i], column(kState1)[i]});
+    }
+    Matrix2 covariance(std::size_t i) const {
+        Matrix2 p;
+        p << column(kP00)[i], column(kP01)[i], column(kP01)[i], column(kP11)[i];
+        return p;
+    }
+    LandmarkEstimate<S> get(std::size_t i) const { return {mean(i), covariance(i)}; }
+    void set(std::size_t i, const LandmarkEstimate<S>& estimate) {
+        const Vector2 state = S::to_state(estimate.mean);
+        column(kState0)[i] = state(0);
+        column(kState1)[i] = state(1);
+        column(kP00)[i] = estimate.covariance(0, 0);
+        column(kP01)[i] = estimate.covariance(0, 1);
+        column(kP11)[i] = estimate.covariance(1, 1);
+    }
+
+    /// Adds a landmark without values; returns its index. The table must have the room.
+    std::size_t append() {
+        observations_[*size_] = 0;
+        return (*size_)++;
+    }
+
+  private:
+    double* values_;
+    std::int32_t* observations_;
+    std::uint32_t* size_;
+    std::size_t capacity_;
+};
+
+}  // namespace hitos

@@ -1,0 +1,85 @@
+// What the kinds of landmarks have in common [T 7.4.2, 9.2.4].
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+#include <cstddef>
+
+#include "hitos/features/caracteristica.hpp"
+#include "hitos/features/extractor.hpp"
+
+namespace hitos {
+
+using Vector2 = Eigen::Vector2d;
+using Matrix2 = Eigen::Matrix2d;
+using Matrix23 = Eigen::Matrix<double, 2, 3>;
+using Matrix3 = Eigen::Matrix3d;
+
+/// An observed feature: z and its covariance R, (rho, theta) [m, rad] of a line, (range, bearing)
+/// [m, rad] of a corner, in the robot frame.
+struct Measurement {
+    Vector2 z;
+    Matrix2 r;
+};
+
+/// What an observation says against the prediction: z - h, with the angle wrapped, and
+/// dh/d(landmark).
+struct Innovation {
+    Vector2 nu;
+    Matrix2 jacobian;
+};
+
+/// z - h with both Jacobians of h, by the pose (x, y, theta) and by the landmark, on the side from
+/// which the landmark was seen.
+struct JointInnovation {
+    Vector2 nu;
+    Matrix23 by_pose;
+    Matrix2 by_landmark;
+};
+
+/// A landmark's estimate: mean and covariance, in world coordinates.
+template <class S>
+struct LandmarkEstimate {
+    typename S::Landmark mean;
+    Matrix2 covariance;
+};
+
+/// A measurement, the same for all particles.
+struct SeenFeature {
+    Measurement measured;
+    double slack = 0.0;  ///< squared Mahalanobis distance from which no landmark can be it
+};
+
+/// A measurement prepared for a particle: with its direction in the world, for the quick rejection.
+struct PreparedObservation {
+    const SeenFeature& seen;
+    double cos_world = 1.0;  ///< of the line's normal, or of the corner's bearing, in the world
+    double sin_world = 0.0;
+};
+
+/// A kind of landmark of two dimensions: its observation model, what an Observation holds of it,
+/// and the columns in which FastSLAM's maps keep it. A new kind is one such type and an entry in
+/// LandmarkKinds.
+template <class S>
+concept Sensor = requires(const Pose& pose, const Vector2& z, const typename S::Landmark& landmark,
+                          typename S::Landmark& writable, const Observation& observation,
+                          const Matrix2& fixed, std::size_t i) {
+    { S::kKind } -> std::convertible_to<FeatureKind>;
+    { S::measurement(landmark) } -> std::convertible_to<Vector2>;
+    { S::count(observation) } -> std::same_as<std::size_t>;
+    { S::observed(observation, i, fixed) } -> std::same_as<Measurement>;
+    { S::predict(pose, landmark) } -> std::convertible_to<Vector2>;
+    { S::jacobian(pose, landmark) } -> std::convertible_to<Matrix2>;
+    { S::pose_jacobian(pose, landmark) } -> std::convertible_to<Matrix23>;
+    { S::innovation(z, pose, landmark) } -> std::same_as<Innovation>;
+    { S::joint_innovation(z, pose, landmark) } -> std::same_as<JointInnovation>;
+    { S::inverse(pose, z) } -> std::same_as<typename S::Landmark>;
+    { S::inverse_jacobian(pose, z) } -> std::convertible_to<Matrix2>;
+    { S::inverse_pose_jacobian(pose, z) } -> std::convertible_to<Matrix23>;
+    { S::normalize(writable) } -> std::same_as<double>;
+    { S::from_state(z) } -> std::same_as<typename S::Landmark>;
+    { S::to_state(landmark) } -> std::convertible_to<Vector2>;
+    typename S::Columns;
+};
+
+}  // namespace hitos

@@ -1,0 +1,149 @@
+// Corners as the robot sees them [T 7.4.2].
+//
+// The printed Jacobian [T eq 7.22] and inverse [T eq 7.23] contain errors; the ones here are
+// derived in docs/algorithm.md and tested against numerical differentiation.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "landmark_columns.hpp"
+
+namespace hitos {
+
+class CornerColumns;
+
+/// Corners: z = (range [m], bearing [rad]) [T eq 7.21]. A corner nearer than 1 mm to the robot
+/// counts as 1 mm away: its bearing means nothing.
+struct SensorEsquina {
+    using Landmark = Esquina;
+    using Columns = CornerColumns;
+    static constexpr FeatureKind kKind = FeatureKind::corner;
+    static constexpr double kNearest = 1e-3;
+
+    static Vector2 measurement(const Esquina& observed) {
+        return {std::hypot(observed.x, observed.y), std::atan2(observed.y, observed.x)};
+    }
+
+    static std::size_t count(const Observation& observation) { return observation.corners.size(); }
+    /// R is that of the corner's own covariance where the observation has it, else `fixed`.
+    static Measurement observed(const Observation& observation, std::size_t i,
+                                const Matrix2& fixed) {
+        const Esquina& corner = observation.corners[i];
+        Measurement measured{measurement(corner), fixed};
+        // The bearing of a corner right at the robot means nothing.
+        if (!observation.corner_covariances.empty() && measured.z(0) >= kNearest) {
+            const Matrix2 j = jacobian({}, corner);  // of (range, bearing) by (x, y)
+            measured.r = j * observation.corner_covariances[i] * j.transpose();
+        }
+        return measured;
+    }
+
+    static Vector2 predict(const Pose& pose, const Esquina& landmark) {
+        const double dx = landmark.x - pose.x;
+        const double dy = landmark.y - pose.y;
+        return {std::sqrt(dx * dx + dy * dy), std::atan2(dy, dx) - pose.theta};
+    }
+
+    /// dh/d(mx, my) = [dx/r, dy/r; -dy/r^2, dx/r^2].
+    static Matrix2 jacobian(const Pose& pose, const Esquina& landmark) {
+        const double dx = landmark.x - pose.x;
+        const double dy = landmark.y - pose.y;
+        const double r = std::max(std::sqrt(dx * dx + dy * dy), kNearest);
+        Matrix2 h;
+        h << dx / r, dy / r, -dy / (r * r), dx / (r * r);
+        return h;
+    }
+
+    static Matrix23 pose_jacobian(const Pose& pose, const Esquina& landmark) {
+        const Matrix2 h = jacobian(pose, landmark);
+        Matrix23 full;
+        full << -h(0, 0), -h(0, 1), 0.0, -h(1, 0), -h(1, 1), -1.0;
+        return full;
+    }
+
+    static Innovation innovation(const Vector2& z, const Pose& pose, const Esquina& landmark) {
+        const Vector2 h = predict(pose, landmark);
+        return {{z(0) - h(0), wrap_angle(z(1) - h(1))}, jacobian(pose, landmark)};
+    }
+
+    static JointInnovation joint_innovation(const Vector2& z, const Pose& pose,
+                                            const Esquina& landmark) {
+        const Innovation seen = innovation(z, pose, landmark);
+        return {seen.nu, pose_jacobian(pose, landmark), seen.jacobian};
+    }
+
+    static Esquina inverse(const Pose& pose, const Vector2& z) {
+        return {pose.x + z(0) * std::cos(z(1) + pose.theta),
+                pose.y + z(0) * std::sin(z(1) + pose.theta)};
+    }
+
+    static Matrix2 inverse_jacobian(const Pose& pose, const Vector2& z) {
+        const double c = std::cos(z(1) + pose.theta);
+        const double s = std::sin(z(1) + pose.theta);
+        Matrix2 g;
+        g << c, -z(0) * s, s, z(0) * c;
+        return g;
+    }
+
+    static Matrix23 inverse_pose_jacobian(const Pose& pose, const Vector2& z) {
+        Matrix23 g;
+        g << 1.0, 0.0, -z(0) * std::sin(z(1) + pose.theta), 0.0, 1.0,
+            z(0) * std::cos(z(1) + pose.theta);
+        return g;
+    }
+
+    static double normalize(Esquina& /*landmark*/) { return 1.0; }
+    static Esquina from_state(const Vector2& state) { return {state(0), state(1)}; }
+    static Vector2 to_state(const Esquina& landmark) { return {landmark.x, landmark.y}; }
+};
+
+/// Corners of one map.
+class CornerColumns : public LandmarkColumns<SensorEsquina, 0> {
+  public:
+    using LandmarkColumns::LandmarkColumns;
+
+    Innovation innovation(std::size_t i, const Vector2& z, const Pose& pose) const {
+        return SensorEsquina::innovation(z, pose, mean(i));
+    }
+
+    /// As LineColumns'.
+    void mark_near(std::size_t begin, std::size_t end, const Pose& pose,
+                   const PreparedObservation& observed, unsigned char* near) const {
+        const double* x = column(kState0);
+        const double* y = column(kState1);
+        const double* p00 = column(kP00);
+        const double* p01 = column(kP01);
+        const double* p11 = column(kP11);
+        const double cw = observed.cos_world;
+        const double sw = observed.sin_world;
+        const double z0 = observed.seen.measured.z(0);
+        const double r0 = observed.seen.measured.r(0, 0);
+        const double r1 = observed.seen.measured.r(1, 1);
+        const double slack = observed.seen.slack;
+        constexpr double kNearest2 = SensorEsquina::kNearest * SensorEsquina::kNearest;
+        for (std::size_t i = begin; i < end; ++i) {
+            const double dx = x[i] - pose.x;
+            const double dy = y[i] - pose.y;
+            const double range2 = dx * dx + dy * dy;
+            const double clamped2 = std::max(range2, kNearest2);
+            const double nu = z0 - std::sqrt(range2);
+            const double q00 =
+                (dx * dx * p00[i] + 2.0 * dx * dy * p01[i] + dy * dy * p11[i]) / clamped2 + r0;
+            const double q11 = (dy * dy * p00[i] - 2.0 * dx * dy * p01[i] + dx * dx * p11[i]) /
+                                   (clamped2 * clamped2) +
+                               r1;
+            const double cross = dy * cw - dx * sw;
+            const double dot = dx * cw + dy * sw;
+            // Behind the ray the angle is over pi/2: its square is above 1, the greatest of the
+            // sine.
+            const double sine2 = dot < 0.0 ? range2 : cross * cross;
+            near[i - begin] = static_cast<unsigned char>((nu * nu < slack * q00) &
+                                                         (sine2 < slack * q11 * clamped2));
+        }
+    }
+};
+
+static_assert(Sensor<SensorEsquina>);
+
+}  // namespace hitos

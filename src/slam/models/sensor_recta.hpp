@@ -1,0 +1,176 @@
+// Lines as the robot sees them [T 7.4.2].
+//
+// The printed Jacobian [T eq 7.26] and inverse [T eq 7.27] contain errors; the ones here are
+// derived in docs/algorithm.md and tested against numerical differentiation.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "landmark_columns.hpp"
+
+namespace hitos {
+
+class LineColumns;
+
+/// Lines: z = (rho' [m], theta' [rad]) in the robot frame,
+/// h = (rho - x cos theta - y sin theta, theta - theta_r) [T eq 7.25].
+struct SensorRecta {
+    using Landmark = Recta;
+    using Columns = LineColumns;
+    static constexpr FeatureKind kKind = FeatureKind::line;
+
+    static Vector2 measurement(const Recta& observed) { return {observed.rho, observed.theta}; }
+
+    static std::size_t count(const Observation& observation) { return observation.lines.size(); }
+    /// R is the line's own covariance where the observation has it, else `fixed`.
+    static Measurement observed(const Observation& observation, std::size_t i,
+                                const Matrix2& fixed) {
+        return {measurement(observation.lines[i].recta),
+                observation.line_covariances.empty() ? fixed : observation.line_covariances[i]};
+    }
+
+    /// h, as it comes: rho may be negative and the angle unwrapped.
+    static Vector2 predict(const Pose& pose, const Recta& landmark) {
+        return {
+            landmark.rho - pose.x * std::cos(landmark.theta) - pose.y * std::sin(landmark.theta),
+            landmark.theta - pose.theta};
+    }
+
+    /// dh/d(rho, theta) = [1, x sin theta - y cos theta; 0, 1].
+    static Matrix2 jacobian(const Pose& pose, const Recta& landmark) {
+        Matrix2 h;
+        h << 1.0, pose.x * std::sin(landmark.theta) - pose.y * std::cos(landmark.theta), 0.0, 1.0;
+        return h;
+    }
+
+    /// dh/d(x, y, theta_r).
+    static Matrix23 pose_jacobian(const Pose& /*pose*/, const Recta& landmark) {
+        Matrix23 h;
+        h << -std::cos(landmark.theta), -std::sin(landmark.theta), 0.0, 0.0, 0.0, -1.0;
+        return h;
+    }
+
+    /// Where observed and predicted normal differ by more than pi/2 the prediction is flipped,
+    /// (rho, theta) -> (-rho, theta + pi), and its Jacobian's first row with it: a wall seen from
+    /// its other side is the same line.
+    static Innovation innovation(const Vector2& z, const Pose& pose, const Recta& landmark) {
+        return innovation(z, pose, landmark, std::cos(landmark.theta), std::sin(landmark.theta));
+    }
+
+    /// The same with the cosine and sine of the landmark's theta at hand.
+    static Innovation innovation(const Vector2& z, const Pose& pose, const Recta& landmark,
+                                 double c, double s) {
+        const double h_rho = landmark.rho - pose.x * c - pose.y * s;
+        const double lever = pose.x * s - pose.y * c;
+        const double turn = wrap_angle(z(1) - landmark.theta + pose.theta);
+        Innovation result;
+        if (std::abs(turn) > kPi / 2.0) {
+            result.nu << z(0) + h_rho, turn - std::copysign(kPi, turn);
+            result.jacobian << -1.0, -lever, 0.0, 1.0;
+        } else {
+            result.nu << z(0) - h_rho, turn;
+            result.jacobian << 1.0, lever, 0.0, 1.0;
+        }
+        return result;
+    }
+
+    /// Where the prediction is flipped the first row of the pose's Jacobian turns its sign too.
+    static JointInnovation joint_innovation(const Vector2& z, const Pose& pose,
+                                            const Recta& landmark) {
+        const Innovation seen = innovation(z, pose, landmark);
+        JointInnovation joint{seen.nu, pose_jacobian(pose, landmark), seen.jacobian};
+        if (seen.jacobian(0, 0) < 0.0) joint.by_pose.row(0) *= -1.0;
+        return joint;
+    }
+
+    /// The landmark that gives z from the pose, theta = theta' + theta_r,
+    /// rho = rho' + x cos theta + y sin theta, before it is brought to normal form.
+    static Recta inverse(const Pose& pose, const Vector2& z) {
+        const double theta = z(1) + pose.theta;
+        return {z(0) + pose.x * std::cos(theta) + pose.y * std::sin(theta), theta};
+    }
+
+    /// d(inverse)/dz.
+    static Matrix2 inverse_jacobian(const Pose& pose, const Vector2& z) {
+        const double theta = z(1) + pose.theta;
+        Matrix2 g;
+        g << 1.0, pose.y * std::cos(theta) - pose.x * std::sin(theta), 0.0, 1.0;
+        return g;
+    }
+
+    /// d(inverse)/d(x, y, theta_r).
+    static Matrix23 inverse_pose_jacobian(const Pose& pose, const Vector2& z) {
+        const double theta = z(1) + pose.theta;
+        Matrix23 g;
+        g << std::cos(theta), std::sin(theta), pose.y * std::cos(theta) - pose.x * std::sin(theta),
+            0.0, 0.0, 1.0;
+        return g;
+    }
+
+    /// Brings a line to normal form; returns the sign that rho took (-1 where the line was
+    /// flipped), which its row and column of every covariance take too.
+    static double normalize(Recta& landmark) {
+        const double sign = landmark.rho < 0.0 ? -1.0 : 1.0;
+        landmark = normalized(landmark);
+        return sign;
+    }
+
+    static Recta from_state(const Vector2& state) { return {state(0), state(1)}; }
+    static Vector2 to_state(const Recta& landmark) { return {landmark.rho, landmark.theta}; }
+};
+
+/// Lines of one map. Cosine and sine of theta are kept beside it: the filter asks for them at every
+/// step, and they change only when the landmark does.
+class LineColumns : public LandmarkColumns<SensorRecta, 2> {
+  public:
+    enum ExtraColumn { kCosine = kExtra, kSine };
+    using LandmarkColumns::LandmarkColumns;
+
+    void set(std::size_t i, const LandmarkEstimate<SensorRecta>& estimate) {
+        LandmarkColumns::set(i, estimate);
+        column(kCosine)[i] = std::cos(estimate.mean.theta);
+        column(kSine)[i] = std::sin(estimate.mean.theta);
+    }
+    Innovation innovation(std::size_t i, const Vector2& z, const Pose& pose) const {
+        return SensorRecta::innovation(z, pose, mean(i), column(kCosine)[i], column(kSine)[i]);
+    }
+
+    /// Quick rejection: near[i - begin] is 0 where landmark i cannot be what was observed. The
+    /// squared Mahalanobis distance of both components is at least that of either alone,
+    /// nu_i^2 / Q_ii, and |sin a| <= |a|; so a landmark that fails here cannot pass the exact test.
+    /// A loop without branches over columns: the compiler vectorises it.
+    void mark_near(std::size_t begin, std::size_t end, const Pose& pose,
+                   const PreparedObservation& observed, unsigned char* near) const {
+        const double* rho = column(kState0);
+        const double* cosine = column(kCosine);
+        const double* sine = column(kSine);
+        const double* p00 = column(kP00);
+        const double* p01 = column(kP01);
+        const double* p11 = column(kP11);
+        const double cw = observed.cos_world;
+        const double sw = observed.sin_world;
+        const double z0 = observed.seen.measured.z(0);
+        const double r0 = observed.seen.measured.r(0, 0);
+        const double r1 = observed.seen.measured.r(1, 1);
+        const double slack = observed.seen.slack;
+        for (std::size_t i = begin; i < end; ++i) {
+            const double sin_turn = sine[i] * cw - cosine[i] * sw;
+            const double cos_turn = cosine[i] * cw + sine[i] * sw;
+            const double h_rho = rho[i] - pose.x * cosine[i] - pose.y * sine[i];
+            const double nu = cos_turn < 0.0 ? z0 + h_rho : z0 - h_rho;
+            const double lever = pose.x * sine[i] - pose.y * cosine[i];
+            const double q00 = p00[i] + lever * (2.0 * p01[i] + lever * p11[i]) + r0;
+            const double q11 = p11[i] + r1;
+            // At a right angle rounding may choose the other side than the exact test: let it
+            // through.
+            const bool rho_near = (nu * nu < slack * q00) | (cos_turn * cos_turn < 1e-18);
+            near[i - begin] =
+                static_cast<unsigned char>(rho_near & (sin_turn * sin_turn < slack * q11));
+        }
+    }
+};
+
+static_assert(Sensor<SensorRecta>);
+
+}  // namespace hitos
