@@ -25,8 +25,7 @@ int main(int argc, char** argv) {
         }
         hitos::write_map(run.filter().best_map(), argv[2]);
         hitos::write_trajectory(run.best_trajectory(), argv[3]);
-        std::printf("%zu landmarks in %llu scans\n", run.filter().best_map().size(),
-                    static_cast<unsigned long long>(run.steps()));
+        std::printf("%zu landmarks in %zu scans\n", run.filter().best_map().size(), run.steps());
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "map_a_log: %s\n", error.what());

@@ -6,6 +6,7 @@
 // usage: own_format LOG
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <sstream>
 
 #include "hitos/base/error.hpp"
@@ -82,18 +83,17 @@ hitos::LogFormat centimetres() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) return 2;
-    hitos::log_formats().add(centimetres());
+    if (argc != 2) return std::fputs("usage: own_format LOG\n", stderr), 2;
     try {
+        hitos::log_formats().add(centimetres());
         hitos::Configuracion configuration;
         configuration.source.file = argv[1];
         hitos::Algoritmo run(configuration, hitos::open_tour(configuration.source));
         while (run.step()) {
         }
-        std::printf("%s: %zu landmarks in %llu scans, %llu damaged lines\n",
-                    run.reader().format().c_str(), run.filter().best_map().size(),
-                    static_cast<unsigned long long>(run.steps()),
-                    static_cast<unsigned long long>(run.report().skipped));
+        std::printf("%s: %zu landmarks in %zu scans, %zu damaged lines\n",
+                    run.reader().format().c_str(), run.filter().best_map().size(), run.steps(),
+                    run.report().skipped);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "own_format: %s\n", error.what());

@@ -6,13 +6,8 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/services/configuration/archivo_configuracion.hpp"
-#include "hitos/services/evaluation/uncertainty.hpp"
-#include "hitos/services/maps/dxf_file.hpp"
-#include "hitos/services/maps/picture_file.hpp"
-#include "hitos/services/maps/segment_file.hpp"
-#include "hitos/services/run/grid_builder.hpp"
 #include "hitos/slam/filters.hpp"
+#include "run_outputs.hpp"
 #include "version.hpp"
 
 namespace hitos {
@@ -46,22 +41,6 @@ ordered_json json_of(const MeasuredDistance& measured) {
         json["missing"] = measured.missing;
     }
     return json;
-}
-
-/// Small grids are enlarged so that a picture can be looked at without tools.
-int picture_scale(const Grid& grid) {
-    constexpr int kWishedPixels = 1200;
-    return std::clamp(kWishedPixels / std::max({grid.columns(), grid.rows(), 1}), 1, 4);
-}
-
-void write_grid(const Grid& grid, const Trajectory& path, const std::filesystem::path& stem) {
-    PictureStyle style;
-    style.scale = picture_scale(grid);
-    style.scale_bar = true;
-    for (const StampedPose& stamped : path) style.path.push_back({stamped.pose.x, stamped.pose.y});
-    for (const char* extension : {".png", ".jpg"}) {
-        write_picture(grid, style, std::filesystem::path(stem).concat(extension));
-    }
 }
 
 }  // namespace
@@ -148,41 +127,22 @@ void prepare_output_folder(const std::filesystem::path& folder) {
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          const std::filesystem::path& folder) {
     RunSummary summary = summarize(run, references);
-    const Trajectory best = run.best_trajectory();
-    const LandmarkMap map = run.filter().best_map();
-    const std::vector<LineExtent> segments = run.line_extents().of(map, best);
-    write_map(map, folder / "map.txt");
-    write_segments(map, segments, folder / "segments.txt");
-    write_trajectory(best, folder / "trajectory.tum");
-    write_trajectory(run.odometry_trajectory(), folder / "odometry.tum");
-    write_grid(run.step_grid(), best, folder / "grid_best_steps");
-    write_grid(build_grid(run.configuration().grid, run.reader(), best), best,
-               folder / "grid_best");
-    write_grid(build_grid(run.configuration().grid, run.reader(), run.odometry_trajectory()),
-               run.odometry_trajectory(), folder / "grid_odometry");
-    // What an earlier run left would not belong to this map.
-    for (const char* name : {"distances.csv", "paths.png", "paths.gp", "uncertainty.csv",
-                             "uncertainty.png", "uncertainty.dat", "uncertainty.gp"}) {
-        std::error_code ignored;
-        std::filesystem::remove(folder / name, ignored);
+    FinishedRun finished{run, references, summary, run.best_trajectory(), run.filter().best_map(),
+                         {}};
+    finished.segments = run.line_extents().of(finished.map, finished.best);
+    std::vector<std::string> not_drawn;
+    for (const RunOutput& output : run_outputs()) {
+        if (output.wanted && !output.wanted(finished)) {
+            for (const std::string& file : output.files) {
+                std::error_code ignored;
+                std::filesystem::remove(folder / file, ignored);
+            }
+            continue;
+        }
+        const std::string missing = output.write(finished, folder);
+        if (!missing.empty()) not_drawn.push_back(output.files.front() + ": " + missing);
     }
-    if (!summary.distances.empty()) {
-        write_file(folder / "distances.csv", distances_csv(summary.distances));
-    }
-    const auto drawn = [&](const char* picture, const std::string& failure) {
-        if (!failure.empty()) summary.not_drawn.push_back(std::string(picture) + ": " + failure);
-    };
-    if (references.trajectory) {
-        drawn("paths.png", write_paths_picture(
-                               {in_frame_of_run(*references.trajectory, best),
-                                run.odometry_trajectory(), best, map, segments, references.walls},
-                               folder));
-    }
-    if (run.options().uncertainty) {
-        drawn("uncertainty.png", write_uncertainty(run.uncertainty(), folder));
-    }
-    write_dxf(map, segments, best, folder / "map.dxf");
-    ArchivoConfiguracion::write(run.configuration(), folder / "config.cfg");
+    summary.not_drawn = std::move(not_drawn);
     write_file(folder / "summary.json", to_json(summary, seconds));
     return summary;
 }

@@ -54,54 +54,62 @@ Decision slow_decision(const typename S::Columns& landmarks, const AssociationPa
     return {Outcome::ignored, 0, std::log(factor)};
 }
 
+struct Draws {
+    std::mt19937 engine{47};
+    double unit() { return std::uniform_real_distribution<double>(0.0, 1.0)(engine); }
+    double value() { return std::uniform_real_distribution<double>(-10.0, 10.0)(engine); }
+    double angle() { return std::uniform_real_distribution<double>(-kPi, kPi)(engine); }
+};
+
+template <class S>
+void add_landmark(typename S::Columns& columns, int i, bool crowded, int round, Draws& draws) {
+    const double a = 1e-3 + 0.2 * draws.unit();
+    const double b = 1e-4 + 0.02 * draws.unit();
+    Matrix2 covariance;
+    covariance << a, 0.5 * std::sqrt(a * b), 0.5 * std::sqrt(a * b), b;
+    const std::size_t index = columns.append();
+    if constexpr (std::is_same_v<S, SensorRecta>) {
+        // Crowded: parallel walls a few decimetres apart, so that several are plausible.
+        const double theta = crowded ? 0.5 * (round % 5) : draws.angle();
+        const double rho = crowded ? 0.3 * i : std::abs(draws.value());
+        columns.set(index, {{rho, wrap_angle(theta)}, covariance});
+    } else {
+        const double spread = crowded ? 0.1 : 1.0;
+        const double x = spread * draws.value();
+        columns.set(index, {{x, spread * draws.value()}, covariance});
+    }
+}
+
 template <class S>
 void compare_with_oracle(int landmarks, bool crowded) {
-    std::mt19937 engine(47);
-    std::uniform_real_distribution<double> value(-10.0, 10.0);
-    std::uniform_real_distribution<double> angle(-kPi, kPi);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    Draws draws;
     int outcomes[3] = {0, 0, 0};
     for (int round = 0; round < 3000; ++round) {
         AssociationParams params;
         params.method = round % 3 == 0 ? AssociationMethod::gated_nearest
                                        : AssociationMethod::maximum_likelihood;
-        params.p0 = std::pow(10.0, -9.0 + 10.0 * unit(engine));
+        params.p0 = std::pow(10.0, -9.0 + 10.0 * draws.unit());
         params.ambiguity = static_cast<AmbiguityRule>(round % 4);
-        const double var0 = 0.001 + 0.08 * unit(engine);
-        const double var1 = 1e-4 + 3e-3 * unit(engine);
+        const double var0 = 0.001 + 0.08 * draws.unit();
+        const double var1 = 1e-4 + 3e-3 * draws.unit();
         const double both =
-            round % 2 == 0 ? 0.0 : (1.6 * unit(engine) - 0.8) * std::sqrt(var0 * var1);
+            round % 2 == 0 ? 0.0 : (1.6 * draws.unit() - 0.8) * std::sqrt(var0 * var1);
         Matrix2 r;
         r << var0, both, both, var1;
-        const Pose pose{value(engine), value(engine), angle(engine)};
+        const Pose pose{draws.value(), draws.value(), draws.angle()};
 
         LandmarkTable<S> table;
         table.add_block();
         table.reserve_more(static_cast<std::size_t>(landmarks));
         typename S::Columns columns = table[0];
-        for (int i = 0; i < landmarks; ++i) {
-            const double a = 1e-3 + 0.2 * unit(engine);
-            const double b = 1e-4 + 0.02 * unit(engine);
-            Matrix2 covariance;
-            covariance << a, 0.5 * std::sqrt(a * b), 0.5 * std::sqrt(a * b), b;
-            const std::size_t index = columns.append();
-            if constexpr (std::is_same_v<S, SensorRecta>) {
-                // Crowded: parallel walls a few decimetres apart, so that several are plausible.
-                const double theta = crowded ? 0.5 * (round % 5) : angle(engine);
-                const double rho = crowded ? 0.3 * i : std::abs(value(engine));
-                columns.set(index, {{rho, wrap_angle(theta)}, covariance});
-            } else {
-                const double spread = crowded ? 0.1 : 1.0;
-                columns.set(index, {{spread * value(engine), spread * value(engine)}, covariance});
-            }
-        }
+        for (int i = 0; i < landmarks; ++i) add_landmark<S>(columns, i, crowded, round, draws);
         // Mostly an observation of one of them, with an error.
-        Vector2 z{std::abs(value(engine)), angle(engine)};
+        Vector2 z{std::abs(draws.value()), draws.angle()};
         if (landmarks > 0 && round % 5 != 0) {
             const auto observed = columns.get(static_cast<std::size_t>(round % landmarks)).mean;
             z = S::predict(pose, observed);
             if (z(0) < 0.0) z << -z(0), z(1) + kPi;
-            z += Vector2{0.3 * (unit(engine) - 0.5), 0.1 * (unit(engine) - 0.5)};
+            z += Vector2{0.3 * (draws.unit() - 0.5), 0.1 * (draws.unit() - 0.5)};
             z << std::abs(z(0)), wrap_angle(z(1));
         }
         const Associator associator(params);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QtGlobal>
 #include <array>
 #include <bitset>
 #include <cstddef>
@@ -22,7 +23,31 @@ enum class Layer : std::size_t {
     reference,
     names
 };
-inline constexpr std::size_t kLayers = 12;
+
+struct LayerInfo {
+    Layer layer = Layer::scan;
+    const char* key = "";   ///< in the settings
+    const char* name = "";  ///< source text of layer_name()
+    bool on = true;         ///< by default
+};
+
+/// One entry a layer, in the order of the menu.
+inline constexpr auto kLayerTable = std::to_array<LayerInfo>({
+    {Layer::scan, "scan", QT_TRANSLATE_NOOP("Layers", "Scan points"), true},
+    {Layer::detected, "detected", QT_TRANSLATE_NOOP("Layers", "Detected features"), true},
+    {Layer::particles, "particles", QT_TRANSLATE_NOOP("Layers", "Particle cloud"), true},
+    {Layer::landmarks, "landmarks", QT_TRANSLATE_NOOP("Layers", "Landmarks"), true},
+    {Layer::uncertainty, "uncertainty", QT_TRANSLATE_NOOP("Layers", "Uncertainty (1, 2, 3 σ)"),
+     true},
+    {Layer::endless, "endless", QT_TRANSLATE_NOOP("Layers", "Lines without end"), false},
+    {Layer::associations, "associations", QT_TRANSLATE_NOOP("Layers", "Associations"), true},
+    {Layer::robot, "robot", QT_TRANSLATE_NOOP("Layers", "Robot"), true},
+    {Layer::path, "path", QT_TRANSLATE_NOOP("Layers", "Best particle's path"), true},
+    {Layer::odometry, "odometry", QT_TRANSLATE_NOOP("Layers", "Odometry path"), false},
+    {Layer::reference, "reference", QT_TRANSLATE_NOOP("Layers", "Reference"), true},
+    {Layer::names, "names", QT_TRANSLATE_NOOP("Layers", "Landmark numbers"), false},
+});
+inline constexpr std::size_t kLayers = kLayerTable.size();
 
 class LayerSet {
   public:
@@ -34,14 +59,6 @@ class LayerSet {
     std::bitset<kLayers> bits_;
 };
 
-struct LayerInfo {
-    Layer layer = Layer::scan;
-    const char* key = "";   ///< in the settings
-    const char* name = "";  ///< source text of layer_name()
-    bool on = true;         ///< by default
-};
-
-const std::array<LayerInfo, kLayers>& layer_table();
 /// The layer's name in the user's language.
 QString layer_name(const LayerInfo& info);
 LayerSet default_layers();

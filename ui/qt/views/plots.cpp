@@ -5,6 +5,8 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QVBoxLayout>
+#include <array>
+#include <optional>
 
 #include "plot_style.hpp"
 
@@ -13,6 +15,36 @@ namespace {
 
 constexpr int kRefreshMs = 250;
 constexpr int kColumns = 3;
+
+/// One plot: a figure of every step, or one that is measured now and then against a reference.
+struct PlotInfo {
+    const char* title = "";  ///< source text
+    QColor Colours::*colour = nullptr;
+    double (*step)(const StepFigures&) = nullptr;
+    std::optional<double> (*measured)(const Measured&) = nullptr;
+    bool from_zero = true;
+};
+
+/// One entry a plot, row by row.
+const std::array kPlots = {
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Effective particles (Neff)"),
+             &Colours::particle, [](const StepFigures& step) { return step.neff; }},
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Landmarks"), &Colours::landmark,
+             [](const StepFigures& step) -> double { return step.lines + step.corners; }},
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Best weight (ln)"), &Colours::association,
+             [](const StepFigures& step) { return step.best_log_weight; }, nullptr, false},
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Time per step [ms]"), &Colours::muted,
+             [](const StepFigures& step) { return step.step_seconds * 1e3; }},
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Landmark error [m]"), &Colours::reference,
+             nullptr,
+             [](const Measured& figures) {
+                 return figures.map ? std::optional(figures.map->mean_m) : std::nullopt;
+             }},
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Trajectory error [m]"), &Colours::path,
+             nullptr, [](const Measured& figures) {
+                 return figures.trajectory ? std::optional(figures.trajectory->rmse_m)
+                                           : std::nullopt;
+             }}};
 
 }  // namespace
 
@@ -26,12 +58,7 @@ Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
     plot_->plotLayout()->setRowSpacing(2);
     plot_->setContextMenuPolicy(Qt::NoContextMenu);
     plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    add_plot(neff, tr("Effective particles (Neff)"));
-    add_plot(landmarks, tr("Landmarks"));
-    add_plot(weight, tr("Best weight (ln)"));
-    add_plot(step_time, tr("Time per step [ms]"));
-    add_plot(map_error, tr("Landmark error [m]"));
-    add_plot(path_error, tr("Trajectory error [m]"));
+    for (std::size_t i = 0; i < kPlots.size(); ++i) add_plot(i);
     clock_.start();
     connect(&session, &Session::restarted, this, &Plots::clear);
     connect(&session, &Session::references_changed, this, &Plots::clear_errors);
@@ -42,25 +69,23 @@ Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
     restyle();
 }
 
-void Plots::add_plot(std::size_t plot, const QString& title) {
+void Plots::add_plot(std::size_t plot) {
     const int row = static_cast<int>(plot) / kColumns;
     const int column = static_cast<int>(plot) % kColumns;
-    QCPAxisRect* rect = add_titled_plot(*plot_, row, column, title);
+    QCPAxisRect* rect = add_titled_plot(*plot_, row, column, tr(kPlots[plot].title));
     for (QCPAxis* axis : rect->axes()) axis->ticker()->setTickCount(4);
-    if (plot + kColumns >= kPlots) rect->axis(QCPAxis::atBottom)->setLabel(tr("Time [s]"));
+    if (plot + kColumns >= kPlots.size()) rect->axis(QCPAxis::atBottom)->setLabel(tr("Time [s]"));
     rects_.push_back(rect);
     graphs_.push_back(plot_->addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft)));
 }
 
 void Plots::restyle() {
     const Colours& c = colours();
-    const std::array<QColor, kPlots> line{c.particle, c.landmark,  c.association,
-                                          c.muted,    c.reference, c.path};
     plot_->setBackground(c.card);
     const QFont small = plot_font(font());
-    for (std::size_t i = 0; i < kPlots; ++i) {
-        graphs_[i]->setPen(QPen(line[i], 1.4));
-        if (i == map_error || i == path_error) {  // measured now and then
+    for (std::size_t i = 0; i < kPlots.size(); ++i) {
+        graphs_[i]->setPen(QPen(c.*kPlots[i].colour, 1.4));
+        if (kPlots[i].measured != nullptr) {
             graphs_[i]->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 4.0));
         }
         const int place = static_cast<int>(i);
@@ -77,7 +102,9 @@ void Plots::clear() {
 
 /// They were measured against another reference.
 void Plots::clear_errors() {
-    for (const Plot plot : {map_error, path_error}) graphs_[plot]->data()->clear();
+    for (std::size_t i = 0; i < kPlots.size(); ++i) {
+        if (kPlots[i].measured != nullptr) graphs_[i]->data()->clear();
+    }
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -88,28 +115,29 @@ void Plots::refresh(bool at_once) {
     const std::vector<StepFigures> fresh = session_.worker()->figures_since(taken_);
     if (fresh.empty()) return;
     taken_ += fresh.size();
-    for (const StepFigures& step : fresh) {
-        graphs_[neff]->addData(step.time_s, step.neff);
-        graphs_[landmarks]->addData(step.time_s, step.lines + step.corners);
-        graphs_[weight]->addData(step.time_s, step.best_log_weight);
-        graphs_[step_time]->addData(step.time_s, step.step_seconds * 1e3);
+    for (std::size_t i = 0; i < kPlots.size(); ++i) {
+        if (kPlots[i].step == nullptr) continue;
+        for (const StepFigures& step : fresh) {
+            graphs_[i]->addData(step.time_s, kPlots[i].step(step));
+        }
     }
     for (QCPGraph* graph : graphs_) graph->rescaleAxes();
     for (QCPAxisRect* rect : rects_)
         rect->axis(QCPAxis::atBottom)->setRange(0.0, std::max(1.0, fresh.back().time_s));
-    for (const Plot plot : {neff, landmarks, step_time, map_error, path_error})
-        rects_[plot]->axis(QCPAxis::atLeft)->setRangeLower(0.0);
+    for (std::size_t i = 0; i < kPlots.size(); ++i) {
+        if (kPlots[i].from_zero) rects_[i]->axis(QCPAxis::atLeft)->setRangeLower(0.0);
+    }
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void Plots::note_errors(const Measured& figures) {
-    if (figures.map) graphs_[map_error]->addData(figures.time_s, figures.map->mean_m);
-    if (figures.trajectory) {
-        graphs_[path_error]->addData(figures.time_s, figures.trajectory->rmse_m);
-    }
-    for (const Plot plot : {map_error, path_error}) {
-        graphs_[plot]->rescaleValueAxis();
-        rects_[plot]->axis(QCPAxis::atLeft)->setRangeLower(0.0);
+    for (std::size_t i = 0; i < kPlots.size(); ++i) {
+        if (kPlots[i].measured == nullptr) continue;
+        if (const std::optional<double> value = kPlots[i].measured(figures)) {
+            graphs_[i]->addData(figures.time_s, *value);
+        }
+        graphs_[i]->rescaleValueAxis();
+        if (kPlots[i].from_zero) rects_[i]->axis(QCPAxis::atLeft)->setRangeLower(0.0);
     }
     if (isVisible()) plot_->replot(QCustomPlot::rpQueuedReplot);
 }

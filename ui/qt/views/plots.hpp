@@ -23,7 +23,7 @@ class Plots final : public QWidget {
     Plots(Session& session, ReferenceMeter& meter, QWidget* parent = nullptr);
 
     QImage picture(double scale) const;
-    /// Points drawn so far of one of the plots, for tests.
+    /// Points drawn so far of the plot in that place, for tests.
     int points(int plot) const;
 
     void restyle();
@@ -36,10 +36,7 @@ class Plots final : public QWidget {
     void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
-    enum Plot { neff, landmarks, weight, step_time, map_error, path_error };
-    static constexpr std::size_t kPlots = 6;
-
-    void add_plot(std::size_t plot, const QString& title);
+    void add_plot(std::size_t plot);
     void clear();
     void clear_errors();
     void refresh(bool at_once);

@@ -21,7 +21,7 @@ Theme ViewSettings::saved_theme(UserFiles& files) {
 
 void ViewSettings::fill_layers(QMenu* menu) {
     int number = 1;
-    for (const LayerInfo& info : layer_table()) {
+    for (const LayerInfo& info : kLayerTable) {
         const QString key = QString("layers/") + info.key;
         const bool on = files_.settings().value(key, info.on).toBool();
         layers_.set(info.layer, on);

@@ -1,0 +1,135 @@
+#include "run_outputs.hpp"
+
+#include <algorithm>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/maps/dxf_file.hpp"
+#include "hitos/services/maps/picture_file.hpp"
+#include "hitos/services/maps/segment_file.hpp"
+#include "hitos/services/run/grid_builder.hpp"
+
+namespace hitos {
+namespace {
+
+using Folder = std::filesystem::path;
+
+/// A file that is always written whole, or the run fails.
+template <class Write>
+RunOutput always(const char* file, Write write) {
+    return {{file}, {}, [file, write](const FinishedRun& finished, const Folder& folder) {
+                write(finished, folder / file);
+                return std::string();
+            }};
+}
+
+/// Small grids are enlarged so that a picture can be looked at without tools.
+int picture_scale(const Grid& grid) {
+    constexpr int kWishedPixels = 1200;
+    return std::clamp(kWishedPixels / std::max({grid.columns(), grid.rows(), 1}), 1, 4);
+}
+
+/// The grid as .png and .jpg, with the path over it.
+template <class MakeGrid, class PathOf>
+RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
+    return {{stem + ".png", stem + ".jpg"},
+            {},
+            [stem, make_grid, path_of](const FinishedRun& finished, const Folder& folder) {
+                const Grid& grid = make_grid(finished);
+                PictureStyle style;
+                style.scale = picture_scale(grid);
+                style.scale_bar = true;
+                for (const StampedPose& stamped : path_of(finished)) {
+                    style.path.push_back({stamped.pose.x, stamped.pose.y});
+                }
+                for (const char* extension : {".png", ".jpg"}) {
+                    write_picture(grid, style, folder / (stem + extension));
+                }
+                return std::string();
+            }};
+}
+
+const Trajectory& best_path(const FinishedRun& finished) {
+    return finished.best;
+}
+
+const Trajectory& odometry_path(const FinishedRun& finished) {
+    return finished.run.odometry_trajectory();
+}
+
+/// The grid of the whole tour along a path.
+template <class PathOf>
+RunOutput whole_grid(const std::string& stem, PathOf path_of) {
+    return grid(
+        stem,
+        [path_of](const FinishedRun& finished) {
+            return build_grid(finished.run.configuration().grid, finished.run.reader(),
+                              path_of(finished));
+        },
+        path_of);
+}
+
+RunOutput distances() {
+    return {{"distances.csv"},
+            [](const FinishedRun& finished) { return !finished.summary.distances.empty(); },
+            [](const FinishedRun& finished, const Folder& folder) {
+                write_file(folder / "distances.csv", distances_csv(finished.summary.distances));
+                return std::string();
+            }};
+}
+
+RunOutput paths() {
+    return {{"paths.png", "paths.gp"},
+            [](const FinishedRun& finished) { return finished.references.trajectory.has_value(); },
+            [](const FinishedRun& finished, const Folder& folder) {
+                const auto& [run, references, summary, best, map, segments] = finished;
+                return write_paths_picture(
+                    {in_frame_of_run(*references.trajectory, best), run.odometry_trajectory(), best,
+                     map, segments, references.walls},
+                    folder);
+            }};
+}
+
+RunOutput uncertainty() {
+    return {{"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"},
+            [](const FinishedRun& finished) { return finished.run.options().uncertainty; },
+            [](const FinishedRun& finished, const Folder& folder) {
+                return write_uncertainty(finished.run.uncertainty(), folder);
+            }};
+}
+
+std::vector<RunOutput> make_outputs() {
+    using Run = FinishedRun;
+    return {
+        always("map.txt", [](const Run& r, const Folder& file) { write_map(r.map, file); }),
+        always("segments.txt",
+               [](const Run& r, const Folder& file) { write_segments(r.map, r.segments, file); }),
+        always("trajectory.tum",
+               [](const Run& r, const Folder& file) { write_trajectory(r.best, file); }),
+        always("odometry.tum",
+               [](const Run& r, const Folder& file) { write_trajectory(odometry_path(r), file); }),
+        grid(
+            "grid_best_steps", [](const Run& r) -> const Grid& { return r.run.step_grid(); },
+            best_path),
+        whole_grid("grid_best", best_path),
+        whole_grid("grid_odometry", odometry_path),
+        distances(),
+        paths(),
+        uncertainty(),
+        always("map.dxf", [](const Run& r,
+                             const Folder& file) { write_dxf(r.map, r.segments, r.best, file); }),
+        always("config.cfg",
+               [](const Run& r, const Folder& file) {
+                   ArchivoConfiguracion::write(r.run.configuration(), file);
+               }),
+    };
+}
+
+}  // namespace
+
+const std::vector<RunOutput>& run_outputs() {
+    static const std::vector<RunOutput> table = make_outputs();
+    return table;
+}
+
+}  // namespace hitos

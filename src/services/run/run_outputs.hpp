@@ -1,0 +1,38 @@
+// The table of what a finished run leaves on disk.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hitos/services/run/results.hpp"
+
+namespace hitos {
+
+/// A run with what several of its files are made of.
+struct FinishedRun {
+    const Algoritmo& run;
+    const References& references;
+    const RunSummary& summary;
+    Trajectory best;
+    LandmarkMap map;
+    std::vector<LineExtent> segments;  ///< of the map's lines
+};
+
+/// A file of a run, or several that belong together.
+struct RunOutput {
+    /// All that it writes, the one that people look at first. Where it is not wanted they are
+    /// removed: an earlier run's would not belong to this map.
+    std::vector<std::string> files;
+    /// Whether there is something to write; null: always.
+    std::function<bool(const FinishedRun&)> wanted;
+    /// Writes into the folder. Returns why the first of the files is missing, else an empty text.
+    /// Throws FileError.
+    std::function<std::string(const FinishedRun&, const std::filesystem::path& folder)> write;
+};
+
+/// In the order in which they are written; summary.json, which comes last, is not among them.
+const std::vector<RunOutput>& run_outputs();
+
+}  // namespace hitos
