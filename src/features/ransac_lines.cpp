@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "line_fit.hpp"
+#include "hitos/features/line_fit.hpp"
 
 namespace hitos {
 namespace {
