@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hitos/features/line_fit.hpp"
+#include "line_fit.hpp"
 
 namespace hitos {
 namespace {

@@ -8,7 +8,7 @@
 #include "collinear_merge.hpp"
 #include "extractors.hpp"
 #include "hitos/features/extraction_parameters.hpp"
-#include "hitos/features/line_fit.hpp"
+#include "line_fit.hpp"
 
 namespace hitos {
 namespace {

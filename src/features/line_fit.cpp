@@ -1,4 +1,4 @@
-#include "hitos/features/line_fit.hpp"
+#include "line_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -104,10 +104,10 @@ TEST_F(GeometryTest, TwistBetweenInvertsDisplacement) {
 TEST_F(GeometryTest, SeriesMeetsTheQuotient) {
     for (const double w : {0.99999e-4, 1.00001e-4, -0.99999e-4, -1.00001e-4}) {
         const Pose moved = displacement({1, 0, w}, 1.0);
-        const auto exact_x = static_cast<double>(std::sin(static_cast<long double>(w)) / w);
-        const auto half = std::sin(static_cast<long double>(w) / 2);
-        EXPECT_NEAR(moved.x, exact_x, 1e-15);
-        EXPECT_NEAR(moved.y, static_cast<double>(2 * half * half / w), 1e-12);
+        const long double turn = w;
+        const auto half = std::sin(turn / 2);
+        EXPECT_NEAR(moved.x, static_cast<double>(std::sin(turn) / turn), 1e-15);
+        EXPECT_NEAR(moved.y, static_cast<double>(2 * half * half / turn), 1e-12);
     }
 }
 

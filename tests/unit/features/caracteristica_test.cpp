@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "hitos/features/line_fit.hpp"
+#include "line_fit.hpp"
 
 namespace hitos {
 namespace {

@@ -11,20 +11,24 @@ namespace {
 /// Every ray against every wall, by the signs of the ends' distances from the ray and the wall's
 /// own line equation, in long double.
 double oracle(const std::vector<WallSegment>& walls, const Pose& laser, double angle, double most) {
-    const long double c = std::cos(static_cast<long double>(laser.theta) + angle);
-    const long double s = std::sin(static_cast<long double>(laser.theta) + angle);
-    auto best = std::numeric_limits<long double>::infinity();
+    using Real = long double;
+    const Real bearing = Real{laser.theta} + Real{angle};
+    const Real c = std::cos(bearing);
+    const Real s = std::sin(bearing);
+    auto best = std::numeric_limits<Real>::infinity();
     for (const WallSegment& wall : walls) {
-        const long double side_a = c * (wall.a.y - laser.y) - s * (wall.a.x - laser.x);
-        const long double side_b = c * (wall.b.y - laser.y) - s * (wall.b.x - laser.x);
+        const Real ax = Real{wall.a.x} - Real{laser.x};
+        const Real ay = Real{wall.a.y} - Real{laser.y};
+        const Real bx = Real{wall.b.x} - Real{laser.x};
+        const Real by = Real{wall.b.y} - Real{laser.y};
+        const Real side_a = c * ay - s * ax;
+        const Real side_b = c * by - s * bx;
         if ((side_a > 0) == (side_b > 0)) continue;
-        const long double t = side_a / (side_a - side_b);
-        const long double x = wall.a.x + t * (wall.b.x - wall.a.x) - laser.x;
-        const long double y = wall.a.y + t * (wall.b.y - wall.a.y) - laser.y;
-        const long double range = x * c + y * s;
+        const Real t = side_a / (side_a - side_b);
+        const Real range = (ax + t * (bx - ax)) * c + (ay + t * (by - ay)) * s;
         if (range >= 0 && range < best) best = range;
     }
-    return best <= most ? static_cast<double>(best) : std::numeric_limits<double>::infinity();
+    return best <= Real{most} ? static_cast<double>(best) : std::numeric_limits<double>::infinity();
 }
 
 Fan fan(double from, double to, std::uint32_t count, double most = 8.0, Pose mount = {}) {

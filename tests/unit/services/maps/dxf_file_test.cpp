@@ -7,6 +7,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -197,18 +198,18 @@ TEST(DxfFile, RefusesWhatCannotBeDrawnAndLeavesTheOldFile) {
     example.segments[1].landmark = 2;
     EXPECT_THAT(refusal(), HasSubstr("segment 1 belongs to landmark 2, which is no line"));
     example = {};
-    example.segments[2].b.x = INFINITY;
+    example.segments[2].b.x = std::numeric_limits<double>::infinity();
     EXPECT_THAT(refusal(), HasSubstr("an end of segment 2"));
     example = {};
-    example.map[2].value = Esquina{NAN, 0.0};
+    example.map[2].value = Esquina{std::numeric_limits<double>::quiet_NaN(), 0.0};
     EXPECT_THAT(refusal(), HasSubstr("landmark 2"));
     example = {};
-    example.path[3].pose.x = NAN;
+    example.path[3].pose.x = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THAT(refusal(), HasSubstr("the path"));
     EXPECT_EQ(content(file), "old");
     // A covariance that is not finite costs its region, not the drawing.
     example = {};
-    example.map[2].covariance(0, 0) = NAN;
+    example.map[2].covariance(0, 0) = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(Found(dxf_text(example.map, example.segments, example.path)).ellipses.empty());
     EXPECT_THROW(write_dxf(example.map, example.segments, example.path, folder / "no/map.dxf"),
                  FileError);

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <limits>
 
 #include "hitos/base/error.hpp"
 #include "support.hpp"
@@ -68,7 +68,8 @@ TEST(SegmentFile, RefusesWhatCannotBeReadBackAndLeavesTheOldFile) {
     EXPECT_THAT(refusal({0, {}, {1.0, 0.0}}), HasSubstr("landmark 0, which is no line"));
     EXPECT_THAT(refusal({3, {}, {1.0, 0.0}}), HasSubstr("landmark 3, which is no line"));
     EXPECT_THAT(refusal({-1, {}, {1.0, 0.0}}), HasSubstr("landmark -1, which is no line"));
-    EXPECT_THAT(refusal({1, {}, {NAN, 0.0}}), HasSubstr("not finite"));
+    EXPECT_THAT(refusal({1, {}, {std::numeric_limits<double>::quiet_NaN(), 0.0}}),
+                HasSubstr("not finite"));
     EXPECT_EQ(content(path), "old");
     EXPECT_EQ(folder.files(), 1U);
 }
