@@ -29,9 +29,9 @@ LineKind classify(std::string_view text) {
     return other_or_damaged(text);
 }
 
-class ConversorNormalizado final : public Conversor {
+class ConversorNormalized final : public Conversor {
   public:
-    explicit ConversorNormalizado(const ReadOptions& options) : options_(options) {}
+    explicit ConversorNormalized(const ReadOptions& options) : options_(options) {}
     std::optional<Scan> scan(const RawLine& line) override;
     std::optional<OdometryRecord> odometry(const RawLine& line) override;
 
@@ -39,7 +39,7 @@ class ConversorNormalizado final : public Conversor {
     ReadOptions options_;
 };
 
-std::optional<Scan> ConversorNormalizado::scan(const RawLine& line) {
+std::optional<Scan> ConversorNormalized::scan(const RawLine& line) {
     Fields fields(line);
     fields.word("LASER");
     Scan scan;
@@ -65,7 +65,7 @@ std::optional<Scan> ConversorNormalizado::scan(const RawLine& line) {
     return scan;
 }
 
-std::optional<OdometryRecord> ConversorNormalizado::odometry(const RawLine& line) {
+std::optional<OdometryRecord> ConversorNormalized::odometry(const RawLine& line) {
     Fields fields(line);
     fields.word("ODOM");
     OdometryRecord record;
@@ -155,7 +155,7 @@ LogFormat normalized_format() {
              "points and velocities as text, exact to the last bit"},
             claims,
             classify,
-            make_plain_conversor<ConversorNormalizado>,
+            make_plain_conversor<ConversorNormalized>,
             make_writer<LogWriterNormalized>};
 }
 

@@ -13,7 +13,7 @@ Log normalized(const std::string& text, ReadOptions options = {}) {
     return test::read_text("normalized", text, options);
 }
 
-TEST(ConversorNormalizado, ReadsPointsAndVelocities) {
+TEST(ConversorNormalized, ReadsPointsAndVelocities) {
     const Log log = normalized(
         "ODOM 1.0 9 9\n"
         "ODOM 1.5 0.5 -0.25\n"
@@ -35,19 +35,19 @@ TEST(ConversorNormalizado, ReadsPointsAndVelocities) {
     EXPECT_EQ(log.odometry[2].twist, (Twist{0.5, 0.125, -0.25}));
 }
 
-TEST(ConversorNormalizado, MaxRangeOptionCutsPoints) {
+TEST(ConversorNormalized, MaxRangeOptionCutsPoints) {
     const Log log = normalized("LASER 1 3 1 0 30 40 2 0\n", {50.0, false});
     EXPECT_THAT(log.scans.at(0).points, ElementsAre(Point2{1, 0}, Point2{2, 0}));
     EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 1));
 }
 
-TEST(ConversorNormalizado, ReadingsThatNoSensorMakesAreNoPoints) {
+TEST(ConversorNormalized, ReadingsThatNoSensorMakesAreNoPoints) {
     const Log log = normalized("LASER 1 4 1 0 1e250 0 -1e13 2 2 0\n");
     EXPECT_THAT(log.scans.at(0).points, ElementsAre(Point2{1, 0}, Point2{2, 0}));
     EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 1));
 }
 
-TEST(ConversorNormalizado, DamagedLines) {
+TEST(ConversorNormalized, DamagedLines) {
     const Log log = normalized(
         "LASER 1 1 1 1\n"
         "LASER 2 2 1 1\n"
