@@ -13,7 +13,12 @@ namespace hitos {
 template <class S, int Extra>
 class LandmarkColumns {
   public:
-    enum Column { kState0, kState1, kP00, kP01, kP11, kExtra };
+    static constexpr int kState0 = 0;
+    static constexpr int kState1 = 1;
+    static constexpr int kP00 = 2;
+    static constexpr int kP01 = 3;
+    static constexpr int kP11 = 4;
+    static constexpr int kExtra = 5;
     static constexpr std::size_t kColumns = kExtra + Extra;
 
     LandmarkColumns(double* values, std::int32_t* observations, std::uint32_t* size,

@@ -21,8 +21,9 @@ struct KindList {
     /// The place of a kind in the list.
     template <Sensor S>
     static constexpr std::size_t place() {
-        constexpr std::array<bool, kSize> same{std::is_same_v<S, Kinds>...};
-        return static_cast<std::size_t>(std::find(same.begin(), same.end(), true) - same.begin());
+        constexpr std::array<bool, kSize> kSame{std::is_same_v<S, Kinds>...};
+        return static_cast<std::size_t>(std::find(kSame.begin(), kSame.end(), true) -
+                                        kSame.begin());
     }
 
     /// Calls body.operator()<S>() for every kind, in order.

@@ -1,6 +1,7 @@
 // The controls and noise whose variance grows with the motion (SPEC 5).
 
 #include <cmath>
+#include <utility>
 
 #include "robots.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 /// var_across d and var_theta_per_rad a + var_theta_per_m d.
 class RobotProportional final : public Robot {
   public:
-    explicit RobotProportional(const MotionParams& params) : params_(params) {}
+    explicit RobotProportional(MotionParams params) : params_(std::move(params)) {}
 
     Pose mean(const Pose& pose, const MotionIncrement& increment) const override {
         return compose(pose, increment.pose_start_end);

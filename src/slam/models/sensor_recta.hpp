@@ -124,7 +124,8 @@ struct SensorRecta {
 /// step, and they change only when the landmark does.
 class LineColumns : public LandmarkColumns<SensorRecta, 2> {
   public:
-    enum ExtraColumn { kCosine = kExtra, kSine };
+    static constexpr int kCosine = kExtra;
+    static constexpr int kSine = kExtra + 1;
     using LandmarkColumns::LandmarkColumns;
 
     void set(std::size_t i, const LandmarkEstimate<SensorRecta>& estimate) {
