@@ -74,6 +74,11 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
         target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
     struct stat old {};
     const bool replaces = ::stat(target_.c_str(), &old) == 0;
+    if (replaces && !S_ISREG(old.st_mode)) {
+        // A rename would put a file where the system keeps a device, or where someone reads a pipe.
+        throw FileError(target_.string(),
+                        "cannot be written: it is a device or a pipe; choose a file name");
+    }
     for (int i = 0; i < kNamesTried && descriptor_ < 0; ++i) {
         temporary_ =
             folder / (".hitos-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp");
@@ -84,7 +89,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
         temporary_.clear();
         fail("cannot be written");
     }
-    if (replaces && S_ISREG(old.st_mode)) ::fchmod(descriptor_, old.st_mode & 07777U);
+    if (replaces) ::fchmod(descriptor_, old.st_mode & 07777U);
     if (compress_gz && target_.extension() == ".gz") {
         const int copy = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
         gzip_ = copy < 0 ? nullptr : ::gzdopen(copy, "wb6");

@@ -13,6 +13,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/services/maps/scale_bar.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 
 namespace hitos {
@@ -94,15 +95,6 @@ std::vector<Point2> odometry_path(const SimulatedTour& tour) {
         points.push_back({pose.x, pose.y});
     }
     return points;
-}
-
-/// The greatest of 1, 2, 5 times a power of ten that is at most `limit` > 0.
-double round_length(double limit) {
-    const double power = std::pow(10.0, std::floor(std::log10(limit)));
-    for (const double factor : {5.0, 2.0}) {
-        if (factor * power <= limit) return factor * power;
-    }
-    return power;
 }
 
 void draw_footer(Canvas& canvas, const SimulatedTour& tour) {

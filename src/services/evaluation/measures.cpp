@@ -1,6 +1,7 @@
 #include "hitos/services/evaluation/measures.hpp"
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -17,6 +18,10 @@ namespace {
 
 double distance(const Point2& a, const Point2& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+Point2 position_of(const StampedPose& stamped) {
+    return {stamped.pose.x, stamped.pose.y};
 }
 
 /// A landmark, by index, and the nearest reference landmark of its kind.
@@ -227,31 +232,21 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs_by_stamp(const Trajectory
     return pairs;
 }
 
-/// The rigid motion that takes points nearest to their partners, in closed form: in the plane the
-/// rotation of Horn (1987) is the angle of the summed products of the centred points, seen as
-/// complex numbers.
-Pose rigid_alignment(std::span<const Point2> points, std::span<const Point2> partners) {
+/// The rigid motion that takes points, one a column, nearest to their partners (Umeyama, 1991).
+Pose rigid_alignment(const Eigen::MatrixXd& points, const Eigen::MatrixXd& partners) {
     constexpr double kSamePlace = 1e-9;  // [m] positions this near fix no rotation
-    const auto n = static_cast<double>(points.size());
-    Point2 mean;
-    Point2 partner_mean;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        mean = {mean.x + points[i].x / n, mean.y + points[i].y / n};
-        partner_mean = {partner_mean.x + partners[i].x / n, partner_mean.y + partners[i].y / n};
+    const Eigen::Vector2d mean = points.rowwise().mean();
+    const Eigen::Vector2d partner_mean = partners.rowwise().mean();
+    const double spread = (points.colwise() - mean).squaredNorm();
+    const double partner_spread = (partners.colwise() - partner_mean).squaredNorm();
+    const double least = static_cast<double>(points.cols()) * kSamePlace * kSamePlace;
+    // What overflows fixes no rotation either, and the decomposition cannot take it.
+    if (spread <= least || !std::isfinite(spread) || !std::isfinite(partner_spread)) {
+        const Eigen::Vector2d shift = partner_mean - mean;
+        return {shift.x(), shift.y(), 0.0};
     }
-    double along = 0.0;
-    double across = 0.0;
-    double spread = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Point2 a{points[i].x - mean.x, points[i].y - mean.y};
-        const Point2 b{partners[i].x - partner_mean.x, partners[i].y - partner_mean.y};
-        along += a.x * b.x + a.y * b.y;
-        across += a.x * b.y - a.y * b.x;
-        spread += a.x * a.x + a.y * a.y;
-    }
-    const double theta = spread <= n * kSamePlace * kSamePlace ? 0.0 : std::atan2(across, along);
-    const Point2 turned = transform({0.0, 0.0, theta}, mean);
-    return {partner_mean.x - turned.x, partner_mean.y - turned.y, wrap_angle(theta)};
+    const Eigen::Matrix3d motion = Eigen::umeyama(points, partners, false);
+    return {motion(0, 2), motion(1, 2), wrap_angle(std::atan2(motion(1, 0), motion(0, 0)))};
 }
 
 }  // namespace
@@ -281,11 +276,15 @@ std::optional<TrajectoryError> trajectory_error(const Trajectory& estimate,
                                                 const Trajectory& reference, double tolerance_s) {
     const auto pairs = pairs_by_stamp(estimate, reference, tolerance_s);
     if (pairs.empty()) return std::nullopt;
-    std::vector<Point2> points;
-    std::vector<Point2> partners;
-    for (const auto& [i, j] : pairs) {
-        points.push_back({estimate[i].pose.x, estimate[i].pose.y});
-        partners.push_back({reference[j].pose.x, reference[j].pose.y});
+    const auto count = static_cast<Eigen::Index>(pairs.size());
+    Eigen::MatrixXd points(2, count);
+    Eigen::MatrixXd partners(2, count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const auto& [i, j] = pairs[static_cast<std::size_t>(k)];
+        const Point2 point = position_of(estimate[i]);
+        const Point2 partner = position_of(reference[j]);
+        points.col(k) << point.x, point.y;
+        partners.col(k) << partner.x, partner.y;
     }
     TrajectoryError error;
     error.poses = static_cast<int>(pairs.size());
@@ -293,8 +292,9 @@ std::optional<TrajectoryError> trajectory_error(const Trajectory& estimate,
     double squares = 0.0;
     double heading_squares = 0.0;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-        const double away =
-            distance(transform(error.pose_reference_estimate, points[k]), partners[k]);
+        const Point2 point = position_of(estimate[pairs[k].first]);
+        const Point2 partner = position_of(reference[pairs[k].second]);
+        const double away = distance(transform(error.pose_reference_estimate, point), partner);
         squares += away * away;
         error.mean_m += away / error.poses;
         error.maximum_m = std::max(error.maximum_m, away);

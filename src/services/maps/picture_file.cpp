@@ -11,6 +11,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/services/maps/scale_bar.hpp"
 
 namespace hitos {
 namespace {
@@ -100,15 +101,6 @@ void draw_path(cv::Mat& image, const Frame& frame, const std::vector<Point2>& pa
     };
     mark(path.front(), green);
     mark(path.back(), blue);
-}
-
-/// The greatest of 1, 2, 5 times a power of ten that is at most `limit` > 0.
-double round_length(double limit) {
-    const double power = std::pow(10.0, std::floor(std::log10(limit)));
-    for (const double factor : {5.0, 2.0}) {
-        if (factor * power <= limit) return factor * power;
-    }
-    return power;
 }
 
 /// A black bar on white in the lower left corner; none in a picture too small for it.

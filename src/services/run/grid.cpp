@@ -99,7 +99,31 @@ class RayEraser {
     float lowest_;
 };
 
+CellArea with_cell(const CellArea& box, double u, double v) {
+    const std::int64_t column = cell_of(u);
+    const std::int64_t row = cell_of(v);
+    return united(box, {column, row, column + 1, row + 1});
+}
+
+bool too_great(const CellArea& box) {
+    const std::int64_t columns = box.end_column - box.first_column;
+    const std::int64_t rows = box.end_row - box.first_row;
+    return columns > kMostGridCells || rows > kMostGridCells / columns;
+}
+
+/// Of a box that is not too great.
+std::int64_t cells_of(const CellArea& box) {
+    return (box.end_column - box.first_column) * (box.end_row - box.first_row);
+}
+
 }  // namespace
+
+CellArea united(const CellArea& a, const CellArea& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    return {std::min(a.first_column, b.first_column), std::min(a.first_row, b.first_row),
+            std::max(a.end_column, b.end_column), std::max(a.end_row, b.end_row)};
+}
 
 Grid::Grid(const GridParams& params) : params_(params) {
     check_all(grid_parameters(), params);
@@ -112,12 +136,10 @@ void Grid::add(const Scan& scan, const Pose& pose_world_robot) {
     rays_.clear();
     last_change_ = {};
     if (in_reach(laser_u, laser_v)) collect_rays(scan, pose_world_robot, laser);
-    const bool fits = !rays_.empty() && keep_rays_that_fit(laser_u, laser_v);
-    left_out_ += scan.points.size() - (fits ? rays_.size() : 0);
-    if (!fits) return;
+    if (rays_.empty() || !keep_rays_that_fit(laser_u, laser_v)) return;
 
-    last_change_ = united({}, laser_u, laser_v);
-    for (const Ray& ray : rays_) last_change_ = united(last_change_, ray.u, ray.v);
+    last_change_ = with_cell({}, laser_u, laser_v);
+    for (const Ray& ray : rays_) last_change_ = with_cell(last_change_, ray.u, ray.v);
     // From here on coordinates are those of the storage.
     const double base_u = static_cast<double>(first_column_) - static_cast<double>(column_offset_);
     const double base_v = static_cast<double>(first_row_) - static_cast<double>(row_offset_);
@@ -147,7 +169,6 @@ void Grid::add(const Scan& scan, const Pose& pose_world_robot) {
     for (const Hit& hit : hits_) cells_[hit.cell] = hit.before;
     const auto gain = static_cast<float>(params_.log_odds_hit);
     for (const Hit& hit : hits_) cells_[hit.cell] = std::min(cells_[hit.cell] + gain, limit);
-    ++revision_;
 }
 
 /// Fills `rays_` with the rays whose ends are finite and in reach.
@@ -179,13 +200,13 @@ void Grid::collect_rays(const Scan& scan, const Pose& pose_world_robot,
 /// Makes room for the rays; where the grid would be too great, for those that fit, in their order.
 /// False where not even the laser fits; the grid is then as before.
 bool Grid::keep_rays_that_fit(double laser_u, double laser_v) {
-    Box box = united(area(), laser_u, laser_v);
+    CellArea box = with_cell(area(), laser_u, laser_v);
     if (too_great(box)) return false;
-    Box all = box;
-    for (const Ray& ray : rays_) all = united(all, ray.u, ray.v);
+    CellArea all = box;
+    for (const Ray& ray : rays_) all = with_cell(all, ray.u, ray.v);
     if (too_great(all)) {
         std::erase_if(rays_, [&](const Ray& ray) {
-            const Box with = united(box, ray.u, ray.v);
+            const CellArea with = with_cell(box, ray.u, ray.v);
             if (too_great(with)) return true;
             box = with;
             return false;
@@ -201,31 +222,12 @@ CellArea Grid::area() const {
     return {first_column_, first_row_, first_column_ + columns_, first_row_ + rows_};
 }
 
-/// The least box that holds `box`, if it is not empty, and the cell of (u, v).
-Grid::Box Grid::united(const Box& box, double u, double v) {
-    const std::int64_t column = cell_of(u);
-    const std::int64_t row = cell_of(v);
-    if (box.end_column == box.first_column) return {column, row, column + 1, row + 1};
-    return {std::min(box.first_column, column), std::min(box.first_row, row),
-            std::max(box.end_column, column + 1), std::max(box.end_row, row + 1)};
-}
-
-bool Grid::too_great(const Box& box) {
-    const std::int64_t columns = box.end_column - box.first_column;
-    const std::int64_t rows = box.end_row - box.first_row;
-    return columns > kMostGridCells || rows > kMostGridCells / columns;
-}
-
-std::int64_t Grid::cells_of(const Box& box) {
-    return (box.end_column - box.first_column) * (box.end_row - box.first_row);
-}
-
 /// Makes `box`, which holds the bounds, the new bounds. Storage grows by a quarter on each side
 /// that needs it, so that the cost of growing stays in proportion to the area.
-void Grid::hold(const Box& box) {
-    const Box old = area();
-    Box storage{first_column_ - static_cast<std::int64_t>(column_offset_),
-                first_row_ - static_cast<std::int64_t>(row_offset_), 0, 0};
+void Grid::hold(const CellArea& box) {
+    const CellArea old = area();
+    CellArea storage{first_column_ - static_cast<std::int64_t>(column_offset_),
+                     first_row_ - static_cast<std::int64_t>(row_offset_), 0, 0};
     storage.end_column = storage.first_column + static_cast<std::int64_t>(stride_);
     storage.end_row =
         storage.first_row + (stride_ == 0 ? 0 : static_cast<std::int64_t>(cells_.size() / stride_));
@@ -236,7 +238,7 @@ void Grid::hold(const Box& box) {
         std::int64_t margin_columns =
             std::max(kLeastMargin, (box.end_column - box.first_column) / 4);
         std::int64_t margin_rows = std::max(kLeastMargin, (box.end_row - box.first_row) / 4);
-        Box greater;
+        CellArea greater;
         do {
             greater = box;
             if (empty() || box.first_column < old.first_column) {
@@ -271,9 +273,7 @@ void Grid::hold(const Box& box) {
 }
 
 void Grid::clear() {
-    const std::uint64_t revision = revision_ + 1;
     *this = Grid(params_);
-    revision_ = revision;
 }
 
 Point2 Grid::origin() const {
@@ -282,8 +282,7 @@ Point2 Grid::origin() const {
 }
 
 std::uint8_t grey_of(float log_odds) {
-    constexpr std::uint8_t kUnknown = 205;
-    if (log_odds == 0.0F) return kUnknown;
+    if (log_odds == 0.0F) return kUnknownGrey;
     const double free = 1.0 / (1.0 + std::exp(static_cast<double>(log_odds)));
     return static_cast<std::uint8_t>(std::lround(255.0 * free));
 }

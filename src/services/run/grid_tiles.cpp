@@ -11,13 +11,6 @@ std::int64_t tile_of(std::int64_t cell) {
     return cell >= 0 ? cell / kTileSide : -((-cell + kTileSide - 1) / kTileSide);
 }
 
-CellArea united(const CellArea& a, const CellArea& b) {
-    if (a.empty()) return b;
-    if (b.empty()) return a;
-    return {std::min(a.first_column, b.first_column), std::min(a.first_row, b.first_row),
-            std::max(a.end_column, b.end_column), std::max(a.end_row, b.end_row)};
-}
-
 }  // namespace
 
 void GridTiler::note_change(const CellArea& area) {
@@ -64,9 +57,8 @@ std::uint8_t GridTiler::grey(float log_odds) {
 
 std::shared_ptr<const GridTile> GridTiler::drawn(const Grid& grid, std::int64_t column,
                                                  std::int64_t row) {
-    constexpr std::uint8_t kUnknown = 205;
     auto tile = std::make_shared<GridTile>();
-    tile->grey.fill(kUnknown);
+    tile->grey.fill(kUnknownGrey);
     const CellArea area = grid.area();
     const std::int64_t left = column * kTileSide;
     const std::int64_t bottom = row * kTileSide;

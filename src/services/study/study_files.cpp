@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <fstream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -91,11 +93,17 @@ void remove_leftovers(const fs::path& folder) {
 
 }  // namespace
 
+void Digest::StateRelease::operator()(XXH3_state_s* state) const {
+    XXH3_freeState(state);
+}
+
+Digest::Digest() : state_(XXH3_createState()) {
+    if (!state_) throw std::bad_alloc();
+    XXH3_128bits_reset(state_.get());
+}
+
 void Digest::mix(std::string_view bytes) {
-    constexpr std::uint64_t kPrime = 0x100000001b3U;
-    for (const char byte : bytes) {
-        state_ = (state_ ^ static_cast<unsigned char>(byte)) * kPrime;
-    }
+    XXH3_128bits_update(state_.get(), bytes.data(), bytes.size());
 }
 
 Digest& Digest::add(std::string_view text) {
@@ -118,7 +126,8 @@ Digest& Digest::add_file(const fs::path& path) {
 }
 
 std::string Digest::text() const {
-    return fmt::format("{:016x}", state_);
+    const XXH128_hash_t hash = XXH3_128bits_digest(state_.get());
+    return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
 fs::path plan_file(const StudyLayout& layout) {

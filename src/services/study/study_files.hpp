@@ -1,8 +1,8 @@
 // The files by which a study remembers what was done: its plan and a record for each run.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,19 +10,25 @@
 
 #include "hitos/services/study/study_result.hpp"
 
+struct XXH3_state_s;
+
 namespace hitos::study {
 
-/// FNV-1a, 64 bits: tells changed input from unchanged; no protection against forgery.
+/// XXH3, 128 bits: tells changed input from unchanged; no protection against forgery.
 class Digest {
   public:
+    Digest();
     /// The length goes in too, so that two texts are never taken for one.
     Digest& add(std::string_view text);
     Digest& add_file(const std::filesystem::path& path);
     std::string text() const;
 
   private:
+    struct StateRelease {
+        void operator()(XXH3_state_s* state) const;
+    };
     void mix(std::string_view bytes);
-    std::uint64_t state_ = 0xcbf29ce484222325U;
+    std::unique_ptr<XXH3_state_s, StateRelease> state_;
 };
 
 std::filesystem::path plan_file(const StudyLayout& layout);

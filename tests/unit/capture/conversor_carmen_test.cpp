@@ -54,6 +54,7 @@ TEST(ConversorCarmen, FlaserFans) {
     EXPECT_NEAR(degrees(fan(360, half).max_angle_rad), 89.5, 1e-12);
     EXPECT_NEAR(degrees(fan(361, half).max_angle_rad), 90, 1e-12);
     EXPECT_NEAR(degrees(fan(201, half).min_angle_rad), -50, 1e-12);
+    EXPECT_NEAR(degrees(fan(200, half).min_angle_rad), -49.75, 1e-12);
     EXPECT_NEAR(degrees(fan(201, half).max_angle_rad), 50, 1e-12);
 }
 
@@ -108,6 +109,8 @@ TEST(ConversorCarmen, RobotLaser) {
         EXPECT_EQ(other.odometry.size(), 1U) << shape;
     }
     EXPECT_EQ(carmen(head + "4 10 20 30 " + tail).report.skipped, 1U);
+    // Two more than there are: one field may be missing at the end, not two.
+    EXPECT_EQ(carmen(head + "1 10 20 30 " + tail).report.skipped, 1U);
     const Log lying = carmen(head + "9 10 20 30 " + tail);
     ASSERT_EQ(lying.report.skipped, 1U);
     EXPECT_THAT(lying.report.examples.at(0).reason, HasSubstr("num_remissions: found 9"));
@@ -132,11 +135,15 @@ TEST(ConversorCarmen, LaserThatLeavesTheLastRayOut) {
 
 TEST(ConversorCarmen, ALaserLoggedRawAndAsRobotLaserIsReadOnce) {
     const std::string raw = "RAWLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 1.0 h 1\n";
+    // As CARMEN logs it: a little later, so that it is no duplicate by its stamp.
     const std::string robot =
-        "ROBOTLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0 0 0 1.0 h 1\n";
+        "ROBOTLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0 0 0 1.02 h 1\n";
     const std::string damaged = "ROBOTLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 9 1 2 3 0 1.0 h 1\n";
     const Log log = carmen(raw + robot + damaged);
-    EXPECT_EQ(log.scans.size(), 1U);
+    ASSERT_EQ(log.scans.size(), 1U);
+    EXPECT_EQ(log.scans[0].time_s, 1.0);
+    EXPECT_EQ(log.report.duplicate_scans, 0U);
+    EXPECT_EQ(carmen(robot + raw).scans.size(), 1U);  // whichever comes first
     EXPECT_EQ(log.odometry.size(), 1U);
     EXPECT_EQ(log.report.skipped, 1U);
 }

@@ -79,6 +79,19 @@ TEST(ConversorRadish, AFarCornerIsAPoint) {
     EXPECT_EQ(radish(text).scans.at(0).points.size(), 3U);
 }
 
+TEST(ConversorRadish, AFarWallIsPoints) {
+    // A wall at 12.4 m fills many rays, scan after scan; readings just below show that it is one.
+    std::string text;
+    for (int s = 0; s < 20; ++s) {
+        text += "laser 0 " + std::to_string(s);
+        for (int i = 0; i < 12; ++i) {
+            text += (i % 2 == 0 ? " 12.40 " : " 12.31 ") + std::to_string(0.1 * i) + " 0";
+        }
+        text += "\n";
+    }
+    EXPECT_EQ(radish(text).scans.at(0).points.size(), 12U);
+}
+
 TEST(ConversorRadish, WithoutACodeTheLimitIsAssumed) {
     const Log log = radish("laser 0 1 49.89 0 0 49.90 0.1 0 81.83 0.2 0 81.91 0.3 0\n");
     EXPECT_THAT(log.scans.at(0).rays, ElementsAre(0));

@@ -207,6 +207,45 @@ TEST(LogWriter, ScanOvertakenByItsOwnReadingTakesItsTime) {
     EXPECT_EQ(again.report.stamps_backwards, 0U);
 }
 
+TEST(LogWriter, AScanBehindTheNewestReadingStandsOnThatReadingsWay) {
+    // Scans that come late: half way along the reading's interval, and from before it began.
+    const TempDir folder;
+    const auto poses_of = [&](double time_s) {
+        const auto writer = make_log_writer("carmen", folder / "a");
+        writer->write(Odometria{1.0, {}, 0});
+        writer->write(Odometria{2.0, {4.0, 0.0, 0.0}, 0});
+        writer->write(scan_of(time_s, kHalf, std::vector<double>(181, 2.0)));
+        writer->write(Odometria{3.0, {4.0, 0.0, 0.0}, 0});
+        writer->finish();
+        const Log log = test::read_log(folder / "a");
+        EXPECT_EQ(log.odometry.size(), 4U);
+        return test::summed(log.odometry);
+    };
+    expect_near(poses_of(1.5).at(2), {2.0, 0.0, 0.0}, 1e-6);
+    expect_near(poses_of(0.5).at(2), {0.0, 0.0, 0.0}, 1e-6);
+    expect_near(poses_of(0.5).back(), {8.0, 0.0, 0.0}, 1e-6);
+}
+
+TEST(LogWriter, RadishNoReturnLiesBeyondEveryReading) {
+    // A laser that reaches 5 m: its code must not be a range that readers take for a point.
+    const TempDir folder;
+    const auto writer = make_log_writer("radish", folder / "a");
+    writer->write(scan_of(1.0, {-1.0, 1.0, 0, 5.0, {}}, {1.0, 0.0, 2.0}));
+    writer->finish();
+    const Log log = test::read_log(folder / "a");
+    EXPECT_THAT(log.scans.at(0).rays, ElementsAre(0, 2));
+}
+
+TEST(LogWriter, AFanSweptToTheRightIsFoundFromPointsAlone) {
+    const TempDir folder;
+    Tour tour = tour_with({1.3, -0.6, 0, 8.0, {}}, 58);
+    for (Scan& scan : tour.scans) {
+        scan.fan = {};
+        scan.rays.clear();
+    }
+    expect_same(tour, test::read_log(write_tour("player", folder / "a", tour)), 2e-4);
+}
+
 TEST(LogWriter, ReadingsThatRoundingWouldLose) {
     const TempDir folder;
     for (const std::string& format : kAll) {

@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "collinear_merge.hpp"
+#include "extractors.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/features/line_methods.hpp"
 #include "wall_scan.hpp"
@@ -80,6 +82,29 @@ TEST_P(EveryMethod, AnInvalidReadingBreaksARunAndTheMergeJoinsItAgain) {
     EXPECT_EQ(merged.lines[0].count, 40U);
     params.lines.collinear.gap_m = 0.1;  // the pieces are 0.2 m apart
     EXPECT_EQ(extract(params, scan).lines.size(), 2U);
+    params.lines.collinear.gap_m = 0.3;
+    EXPECT_EQ(extract(params, scan).lines.size(), 1U);
+}
+
+TEST_P(EveryMethod, EachPieceIsMeasuredFromTheOneBefore) {
+    const Scan scan =
+        scan_of({wall({2.0, -2.0}, {2.0, -0.9}, 20), wall({2.0, -0.7}, {2.0, 0.4}, 20),
+                 wall({2.0, 0.6}, {2.0, 2.0}, 20)});
+    ExtractionParams params;
+    params.method = GetParam();
+    params.lines.collinear.gap_m = 0.3;
+    EXPECT_EQ(extract(params, scan).lines.size(), 1U);
+}
+
+TEST(EndsOf, AreTheFirstAndTheLastPointUnlessTheSeamMakesThemNeighbours) {
+    const Recta line{2.0, 0.0};
+    // Noise along the wall puts other points outermost.
+    const std::vector<Point2> points{{2.0, 0.0}, {2.0, -0.01}, {2.0, 1.0}, {2.0, 2.01}, {2.0, 2.0}};
+    EXPECT_EQ(ends_of(points, line)[0], points.front());
+    EXPECT_EQ(ends_of(points, line)[1], points.back());
+    const std::vector<Point2> seam{{2.0, 0.1}, {2.0, 2.0}, {2.0, -2.0}, {2.0, 0.0}};
+    EXPECT_EQ(ends_of(seam, line)[0], seam[2]);
+    EXPECT_EQ(ends_of(seam, line)[1], seam[1]);
 }
 
 TEST(SplitAndMerge, CollinearMergeKnowsThatThetaWraps) {
@@ -176,6 +201,16 @@ TEST(Extractor, WallsThatMeetAtAFlatAngleHaveACornerAndParallelOnesNone) {
     const Observation parallel = extract(unmerged, walls(0.0));
     EXPECT_EQ(parallel.lines.size(), 2U);
     EXPECT_TRUE(parallel.corners.empty());
+}
+
+TEST(Extractor, WallsAtAThousandthOfARadianMeet) {
+    Observation seen;
+    seen.support = {{2.0, -1.0}, {2.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}};
+    seen.lines = {{{2.0, 0.0}, 0, 2}, {{2.0 * std::cos(1e-3), 1e-3}, 2, 2}};
+    find_corners(seen, 0.1);
+    ASSERT_EQ(seen.corners.size(), 1U);
+    EXPECT_NEAR(seen.corners[0].x, 2.0, 1e-9);
+    EXPECT_NEAR(seen.corners[0].y, 0.0, 1e-9);
 }
 
 TEST(LineMethods, AreRegisteredWithWhatOnlyTheyRead) {

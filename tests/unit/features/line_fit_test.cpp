@@ -102,6 +102,16 @@ TEST(LineCovariance, WhatAllPointsShareDoesNotAverageOut) {
     }
 }
 
+TEST(LineCovariance, OfAWallSeenAlongItselfDoesNotVanish) {
+    // The laser stands on the wall's line: a tenth of sigma is what remains across it.
+    const std::vector<Point2> points = wall({1.0, 0.0}, {3.0, 0.0}, 21);
+    const Matrix2d covariance = line_covariance({0.0, kPi / 2}, points, PointErrors{0.1, 0.0, {}});
+    double squares = 0.0;
+    for (const Point2& p : points) squares += (p.x - 2.0) * (p.x - 2.0);
+    EXPECT_NEAR(covariance(1, 1), 1e-4 / squares, 1e-12);
+    EXPECT_NEAR(covariance(0, 0), 1e-4 / 21.0 + 4.0 * 1e-4 / squares, 1e-12);
+}
+
 TEST(IntersectionCovariance, IsThatOfTheMeetingOverManyDraws) {
     const Recta a{2.0, 0.1};
     const Recta b{3.0, 1.4};

@@ -114,6 +114,42 @@ TEST(Ransac, PointsWhereTwoWallsMeetGoToTheNearer) {
     EXPECT_LT(error, 0.004);  // a sixth of the threshold over the wall's length is 0.0035 rad
 }
 
+TEST(Ransac, AStepInAWallSharesNoPoint) {
+    // 0.4 m: less than an edge, more than the threshold.
+    std::vector<Point2> points = wall({2.0, -3.0}, {2.0, 0.0}, 40);
+    const std::vector<Point2> behind = wall({2.4, 0.05}, {2.4, 3.0}, 40);
+    points.insert(points.end(), behind.begin(), behind.end());
+    const Observation seen = extract(ransac_params(), scan_of({points}));
+    ASSERT_EQ(seen.lines.size(), 2U);
+    EXPECT_EQ(seen.lines[0].count, 40U);
+    EXPECT_EQ(seen.lines[1].count, 40U);
+}
+
+TEST(Ransac, ASharedPointDoesNotTiltTheWallItIsNotOn) {
+    // The first wall ends 15 mm off the second one's line.
+    std::vector<Point2> points = wall({2.0, -2.0}, {2.0, 0.0}, 40);
+    const std::vector<Point2> other = wall({1.9, 0.015}, {-1.0, 0.015}, 40);
+    points.insert(points.end(), other.begin(), other.end());
+    const Observation seen = extract(ransac_params(), scan_of({points}));
+    ASSERT_EQ(seen.lines.size(), 2U);
+    EXPECT_EQ(seen.lines[1].count, 41U);
+    expect_line(seen.lines[1], {0.015, kPi / 2}, 1e-9, 1e-9);
+}
+
+TEST(Ransac, TheNearerOfTwoNeighboursSaysWhatAnEdgeIs) {
+    // A wall along the line of sight with 0.21 m missing behind 2 m: more than a tenth of 2 m, less
+    // than a tenth of 2.21 m.
+    std::vector<Point2> points = wall({1.0, 0.0}, {2.0, 0.0}, 25);
+    const std::vector<Point2> behind = wall({2.21, 0.0}, {3.5, 0.0}, 25);
+    points.insert(points.end(), behind.begin(), behind.end());
+    ExtractionParams params = ransac_params();
+    params.ransac.edge_m = 0.0;
+    params.lines.collinear.gap_m = 0.1;  // pieces stay apart
+    EXPECT_EQ(extract(params, scan_of({points})).lines.size(), 2U);
+    params.ransac.edge_m = 0.05;
+    EXPECT_EQ(extract(params, scan_of({points})).lines.size(), 1U);
+}
+
 TEST(Ransac, TheSameSeedAndScanNumberGiveTheSameLines) {
     std::mt19937 engine(73);
     std::uniform_real_distribution<double> value(1.0, 3.0);

@@ -59,6 +59,76 @@ TEST(EkfSlam, EqualsTheTextbookWithoutOdometry) {
     compare_with_slow(params, make_tour(60, 0.1));
 }
 
+/// A wall right behind the start, seen by a robot that has gone 2 m ahead, and a corner: whose
+/// side of the origin the wall lies on is not certain.
+Tour tour_beside_the_origin() {
+    Tour tour;
+    std::mt19937 engine(61);
+    std::normal_distribution<double> normal(0.0, 1.0);
+    Pose pose;
+    // Such that the mean changes its sign with every one of them.
+    constexpr std::array<double, 5> kFirst{0.05, -0.12, 0.16, -0.22, 0.0};
+    for (std::size_t k = 0; k < 60; ++k) {
+        const Control control{{k < 20 ? 0.5 : 0.0, 0.0, k < 20 ? 0.0 : 0.1}, 0.2};
+        pose = compose(pose, displacement(control.twist, control.duration_s));
+        Observation seen;
+        if (k >= 20) {
+            Recta wall = transform(inverse(pose), Recta{0.0, 0.0});
+            wall.rho += kFirst[std::min<std::size_t>(k - 20, 4)] + 0.01 * normal(engine);
+            Esquina corner = transform(inverse(pose), Esquina{3.0, 1.0});
+            corner.x += 0.01 * normal(engine);
+            seen.lines.push_back({wall, 0, 0});
+            seen.corners.push_back(corner);
+        }
+        tour.controls.push_back({control});
+        tour.truth.push_back(pose);
+        tour.observations.push_back(seen);
+    }
+    return tour;
+}
+
+TEST(EkfSlam, ALineThatFlipsStaysTheTextbooks) {
+    const Tour tour = tour_beside_the_origin();
+    EkfSlam fast(ekf_params());
+    SlowEkfSlam slow(ekf_params());
+    int flips = 0;
+    double cosine = 0.0;
+    for (std::size_t k = 0; k < tour.controls.size(); ++k) {
+        feed(fast, tour.controls[k], tour.observations[k]);
+        slow.step(tour.controls[k], tour.observations[k]);
+        if (tour.observations[k].empty()) continue;
+        const double now = std::cos(std::get<Recta>(fast.best_map().at(0).value).theta);
+        if (now * cosine < 0.0) ++flips;
+        cosine = now;
+        ASSERT_EQ(fast.best_map().size(), 2U) << "step " << k;
+        ASSERT_LT((fast.covariance() - slow.covariance()).cwiseAbs().maxCoeff(), 1e-6) << k;
+    }
+    EXPECT_GT(flips, 0);
+}
+
+TEST(EkfSlam, WhereNothingCanBeComparedNothingIsNew) {
+    EkfSlam filter(ekf_params());
+    Observation seen;
+    seen.lines.push_back({{3.0, 0.0}, 0, 0});
+    feed(filter, {}, seen);
+    seen.lines[0].recta.rho = 3.1;
+    seen.line_covariances.push_back(-10.0 * Matrix2::Identity());  // S is not positive
+    feed(filter, {}, seen);
+    EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::ignored);
+    EXPECT_EQ(filter.best_count(FeatureKind::line), 1);
+}
+
+TEST(JointState, AnUpdateThatCannotBeComputedChangesNothing) {
+    JointState state;
+    const Eigen::Index at = state.append({3.0, 0.0}, Matrix23::Zero(), 0.01 * Matrix2::Identity());
+    const MatrixXd before = state.covariance();
+    const JointState::Row row{
+        at, {0.1, 0.1}, Matrix23::Zero(), Matrix2::Identity(), -Matrix2::Identity()};
+    state.update(std::span(&row, 1));
+    EXPECT_EQ(state.landmark(at), Vector2(3.0, 0.0));
+    EXPECT_EQ(state.covariance(), before);
+}
+
 TEST(EkfSlam, MapsTheRoom) {
     const Tour tour = make_tour(300, 0.1);
     EkfSlam filter(ekf_params());

@@ -169,6 +169,7 @@ void compare_with_slow(const FilterParams& params, const Tour& tour = make_tour(
             << "step " << k;
         ASSERT_EQ(static_cast<std::size_t>(fast.best_count(FeatureKind::corner)),
                   best.corners.size());
+        ASSERT_NEAR(fast.statistics().best_log_weight, std::log(best.weight), 1e-6);
         ASSERT_NEAR(fast.best_pose().x, best.pose.x, 1e-6);
         ASSERT_NEAR(fast.best_pose().theta, best.pose.theta, 1e-6);
         for (std::size_t i = 0; i < best.lines.size(); ++i) {
@@ -326,13 +327,20 @@ TEST(FiltroParticulas, AnIgnoredObservationNamesNoLandmark) {
     walls.lines.push_back({{3.0, 0.0}, 0, 0});
     walls.lines.push_back({{3.4, 0.0}, 0, 0});
     feed(filter, {}, walls);
+    const LandmarkMap before = filter.best_map();
     Observation between;
     between.lines.push_back({{3.21, 0.0}, 0, 0});
     feed(filter, {}, between);
     ASSERT_EQ(filter.associations().size(), 1U);
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::ignored);
     EXPECT_EQ(filter.associations()[0].landmark, -1);
-    EXPECT_EQ(filter.best_count(FeatureKind::line), 2);
+    const LandmarkMap after = filter.best_map();
+    ASSERT_EQ(after.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(after[i].observations, 1);
+        EXPECT_EQ(after[i].value, before[i].value);
+        EXPECT_EQ(after[i].covariance, before[i].covariance);
+    }
 }
 
 TEST(FiltroParticulas, EveryResamplingMethodMapsTheRoom) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "hitos/base/error.hpp"
+#include "resampling/cumulated_weights.hpp"
 #include "resampling/methods.hpp"
 
 namespace hitos {
@@ -30,6 +31,10 @@ TEST(LogWeights, NormaliseLikePlainWeightsAndSurviveUnderflow) {
     const std::vector<double> broken{-infinity, std::nan(""), 0.0};
     normalize_log_weights(broken, weights);
     EXPECT_EQ(weights, (std::vector<double>{0.0, 0.0, 1.0}));
+    const std::vector<double> overflown{infinity, 0.0, std::log(0.5)};
+    normalize_log_weights(overflown, weights);
+    EXPECT_EQ(weights[0], 0.0);
+    EXPECT_NEAR(weights[1], 2.0 / 3.0, 1e-12);
     const std::vector<double> nothing{-infinity, -infinity};
     normalize_log_weights(nothing, weights);
     EXPECT_EQ(weights, (std::vector<double>{0.5, 0.5}));
@@ -115,6 +120,14 @@ TEST(LowVariance, FrequenciesFollowTheWeights) {
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(mean[i], weights[i], 5.0 * std::sqrt(0.25 / kRounds));
     }
+}
+
+TEST(CumulatedWeights, RoundingNeverLeadsToOneThatWeighsNothing) {
+    // Ten tenths add up to a little less than 1.
+    const auto weight = [](std::size_t i) { return i < 10 ? 0.1 : 0.0; };
+    CumulatedWeights walk(12, weight);
+    EXPECT_EQ(walk.at(0.95), 9U);
+    EXPECT_EQ(walk.at(1.0), 9U);
 }
 
 class EveryMethod : public testing::TestWithParam<std::string> {

@@ -5,17 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hitos/services/maps/scale_bar.hpp"
+
 namespace hitos::window {
 namespace {
-
-/// The greatest of 1, 2, 5 times a power of ten that is at most `limit` > 0.
-double round_length(double limit) {
-    const double power = std::pow(10.0, std::floor(std::log10(limit)));
-    for (const double factor : {5.0, 2.0}) {
-        if (factor * power <= limit) return factor * power;
-    }
-    return power;
-}
 
 QRectF view_bounds(const Scene& scene) {
     return scene.to_screen.inverted().mapRect(QRectF(QPointF(), scene.size));

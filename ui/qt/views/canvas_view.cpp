@@ -45,7 +45,6 @@ CanvasView::CanvasView(QWidget* parent) : QWidget(parent) {
 void CanvasView::fit() {
     if (follow_) set_follow(false);
     fit_ = true;
-    emit fit_changed(true);
     apply_fit();
     update();
 }
@@ -59,7 +58,6 @@ void CanvasView::set_follow(bool on) {
     follow_ = on;
     if (on) {
         fit_ = false;
-        emit fit_changed(false);
         if (robot_) camera_.centre = *robot_;
         camera_.pixels_per_m = std::max(camera_.pixels_per_m, 30.0);
         update();
@@ -183,10 +181,7 @@ void CanvasView::paintEvent(QPaintEvent* event) {
 }
 
 void CanvasView::moved_by_user() {
-    if (fit_) {
-        fit_ = false;
-        emit fit_changed(false);
-    }
+    fit_ = false;
     hover_again();
     update();
 }

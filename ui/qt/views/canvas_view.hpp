@@ -59,7 +59,6 @@ class CanvasView : public QWidget {
     void picture_wanted();
     void hovered_at(QPointF world_m);
     void left();
-    void fit_changed(bool on);
     void follow_changed(bool on);
     void painted(double seconds);
 

@@ -7,8 +7,6 @@
 namespace hitos::window {
 namespace {
 
-constexpr int kUnknown = 205;
-
 /// Half the side: the mean, drawn towards the darkest so that thin walls stay.
 void halve(const std::uint8_t* from, std::ptrdiff_t side, std::uint8_t* to) {
     const std::ptrdiff_t half = side / 2;
@@ -42,7 +40,7 @@ void GridLayer::set_tiles(const GridTiles& tiles) {
             QImage& image = images_[static_cast<std::size_t>(level)];
             image = QImage((tiles.columns * kTileSide) >> level, (tiles.rows * kTileSide) >> level,
                            QImage::Format_Grayscale8);
-            image.fill(kUnknown);
+            image.fill(kUnknownGrey);
         }
     }
     const GridTiles before = same_place ? shown_ : GridTiles{};

@@ -62,7 +62,8 @@ double GridView::whole_pixels_per_m() const {
 
 void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
     // What lies out of the grid is as unknown as what it holds of it.
-    painter.fillRect(QRectF(QPointF(), scene.size), QColor(205, 205, 205));
+    painter.fillRect(QRectF(QPointF(), scene.size),
+                     QColor(kUnknownGrey, kUnknownGrey, kUnknownGrey));
     layer_.paint(painter, scene);
     if (scene.colours.dark) {  // calm for eyes that are used to the dark; the order of greys stays
         painter.fillRect(QRectF(QPointF(), scene.size), QColor(17, 21, 26, 84));

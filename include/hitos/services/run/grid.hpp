@@ -27,11 +27,17 @@ struct CellArea {
     friend bool operator==(const CellArea&, const CellArea&) = default;
 };
 
-/// The grey of a cell in pictures: 255 free, 0 occupied, linear in the probability; 205 where
-/// nothing is known (log-odds 0).
+/// The least area that holds both.
+CellArea united(const CellArea& a, const CellArea& b);
+
+/// The grey of cells in pictures where nothing is known.
+inline constexpr std::uint8_t kUnknownGrey = 205;
+
+/// The grey of a cell in pictures: 255 free, 0 occupied, linear in the probability; kUnknownGrey
+/// where nothing is known (log-odds 0).
 std::uint8_t grey_of(float log_odds);
 
-/// Greatest number of cells of a grid; what would need more is left out and counted.
+/// Greatest number of cells of a grid; what would need more is left out.
 inline constexpr std::int64_t kMostGridCells = std::int64_t{1} << 28;
 
 /// A grid that grows as needed and is no greater than what was drawn. Cell (column, row) covers
@@ -45,7 +51,7 @@ class Grid {
     /// Adds a scan taken from `pose_world_robot`: every ray frees the cells it passes, from the
     /// laser on, and occupies the one it ends in; within one scan no cell that was hit is freed. A
     /// ray beyond the greatest range frees cells up to it and occupies none. Non-finite poses and
-    /// points, and what no grid can hold, are left out and counted.
+    /// points, and what no grid can hold, are left out.
     void add(const Scan& scan, const Pose& pose_world_robot);
     void clear();
 
@@ -64,7 +70,7 @@ class Grid {
     bool known(int column, int row) const { return log_odds(column, row) != 0.0F; }
 
     /// 8-bit grey picture, row 0 at the top (greatest y), linear in the probability of known cells:
-    /// white free, black occupied, 205 unknown.
+    /// white free, black occupied, kUnknownGrey unknown.
     struct Picture {
         int width = 0;
         int height = 0;
@@ -72,13 +78,7 @@ class Grid {
     };
     Picture picture() const;
 
-    /// Counts changes; a view that saw the same number needs no new picture.
-    std::uint64_t revision() const { return revision_; }
-    /// Points left out since the start or clear().
-    std::uint64_t left_out() const { return left_out_; }
-
   private:
-    using Box = CellArea;
     /// A ray's end in cells from the world's origin.
     struct Ray {
         double u = 0.0;
@@ -92,10 +92,7 @@ class Grid {
 
     void collect_rays(const Scan& scan, const Pose& pose_world_robot, const Pose& pose_world_laser);
     bool keep_rays_that_fit(double laser_u, double laser_v);
-    void hold(const Box& box);
-    static Box united(const Box& box, double u, double v);
-    static bool too_great(const Box& box);
-    static std::int64_t cells_of(const Box& box);  // of a box that is not too great
+    void hold(const CellArea& box);
 
     GridParams params_;
     std::vector<float> cells_;  // row-major from the lower left; more than the bounds, to grow into
@@ -107,8 +104,6 @@ class Grid {
     std::int64_t first_column_ = 0;  // cell index of column 0, counted from the world's origin
     std::int64_t first_row_ = 0;
     CellArea last_change_;
-    std::uint64_t revision_ = 0;
-    std::uint64_t left_out_ = 0;
     std::vector<Ray> rays_;  // scratch: the scan being added
     std::vector<Hit> hits_;  // scratch: cells that it hits, and what they held
 };

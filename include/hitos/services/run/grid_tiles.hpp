@@ -53,7 +53,7 @@ class GridTiler {
 
     struct Known {
         float log_odds = 0.0F;
-        std::uint8_t grey = 205;
+        std::uint8_t grey = kUnknownGrey;
     };
 
     GridTiles tiles_;

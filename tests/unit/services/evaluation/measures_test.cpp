@@ -358,5 +358,14 @@ TEST(TrajectoryError, ARobotAtRestFixesNoRotation) {
     EXPECT_DOUBLE_EQ(error.heading_rmse_rad, 0.25);
 }
 
+// Positions that no decomposition takes leave the rotation open; the figures say so.
+TEST(TrajectoryError, OfPositionsThatOverflowIsNotFinite) {
+    Trajectory estimate = wavy(10);
+    estimate[3].pose.x = 1e300;
+    const TrajectoryError error = trajectory_error(estimate, wavy(10)).value();
+    EXPECT_EQ(error.pose_reference_estimate.theta, 0.0);
+    EXPECT_FALSE(std::isfinite(error.rmse_m));
+}
+
 }  // namespace
 }  // namespace hitos

@@ -32,6 +32,69 @@ Trajectory path_of(RunWorker& worker) {
     return worker.with_run([](const Algoritmo& run) { return run.best_trajectory(); }).get();
 }
 
+/// Lets a tour's scans through one by one.
+class Gate {
+  public:
+    void allow(std::uint64_t scans) {
+        const std::scoped_lock lock(mutex_);
+        allowed_ += scans;
+        changed_.notify_all();
+    }
+    void open() { allow(std::uint64_t{1} << 62U); }
+    /// The number of the scan that is handed out, from 0 on, once it may be.
+    std::uint64_t pass() {
+        std::unique_lock lock(mutex_);
+        ++asked_;
+        changed_.notify_all();
+        changed_.wait(lock, [this] { return given_ < allowed_; });
+        return given_++;
+    }
+    void wait_until_asked_for(std::uint64_t scans) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return asked_ >= scans; });
+    }
+    std::uint64_t given() const {
+        const std::scoped_lock lock(mutex_);
+        return given_;
+    }
+
+  private:
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    std::uint64_t allowed_ = 0;
+    std::uint64_t asked_ = 0;
+    std::uint64_t given_ = 0;
+};
+
+/// A tour of empty scans without end, as fast as its gate lets them through.
+class GatedReader final : public TourReader {
+  public:
+    explicit GatedReader(std::shared_ptr<Gate> gate) : gate_(std::move(gate)) {}
+    std::optional<Scan> next_scan() override {
+        Scan scan;
+        scan.time_s = static_cast<double>(gate_->pass());
+        return scan;
+    }
+    std::optional<Odometria> next_odometry() override { return std::nullopt; }
+    void restart() override {}
+    std::unique_ptr<TourReader> reopen() const override {
+        return std::make_unique<GatedReader>(gate_);
+    }
+    const ReadReport& report() const override { return report_; }
+    std::optional<double> progress() const override { return std::nullopt; }
+    std::string name() const override { return "gate"; }
+    std::string format() const override { return "world"; }
+
+  private:
+    std::shared_ptr<Gate> gate_;
+    ReadReport report_;
+};
+
+/// Asked between two steps, on the worker's own thread.
+std::uint64_t steps_of(RunWorker& worker) {
+    return worker.with_run([](const Algoritmo& run) { return run.steps(); }).get();
+}
+
 TEST(RunWorker, RunsToTheEndAsTheLoopOnOneThread) {
     const Configuracion configuration = ready_tour();
     RunWorker worker(configuration, open_source(configuration.source));
@@ -46,7 +109,7 @@ TEST(RunWorker, RunsToTheEndAsTheLoopOnOneThread) {
     EXPECT_EQ(path_of(worker), expected_path(1 << 20));
 }
 
-TEST(RunWorker, StepsPausesAndGoesOn) {
+TEST(RunWorker, RunsInPartsAsInOneGo) {
     const Configuracion configuration = ready_tour();
     RunWorker worker(configuration, open_source(configuration.source));
     worker.run(1);
@@ -56,29 +119,64 @@ TEST(RunWorker, StepsPausesAndGoesOn) {
     worker.run(9);
     worker.wait();
     EXPECT_EQ(worker.progress().steps, 10U);
-    worker.run();
-    while (worker.progress().steps < 50) std::this_thread::yield();
-    worker.pause();
-    worker.wait();
-    const auto paused_at = worker.progress().steps;
-    EXPECT_GE(paused_at, 50U);
-    EXPECT_LT(paused_at, 1050U);
-    EXPECT_EQ(worker.progress().state, State::paused);
+    EXPECT_EQ(path_of(worker), expected_path(10));
     worker.run();
     worker.wait();
-    // Interruptions change nothing.
     EXPECT_EQ(path_of(worker), expected_path(1 << 20));
 }
 
-TEST(RunWorker, RestartsFromAnyState) {
-    const Configuracion configuration = ready_tour();
-    RunWorker worker(configuration, open_source(configuration.source));
+TEST(RunWorker, APauseEndsWithTheStepUnderWay) {
+    const auto gate = std::make_shared<Gate>();
+    RunWorker worker({}, std::make_unique<GatedReader>(gate));
     worker.run();
-    worker.restart();  // while it runs
+    gate->allow(3);
+    gate->wait_until_asked_for(4);
+    EXPECT_EQ(worker.progress().steps, 3U);
+    worker.pause();
+    EXPECT_EQ(worker.progress().state, State::running);  // the fourth step is under way
+    worker.wait_for(std::chrono::milliseconds(0));       // does not wait for its end
+    EXPECT_EQ(worker.progress().steps, 3U);
+    gate->allow(100);
+    worker.wait();
+    EXPECT_EQ(worker.progress().state, State::paused);
+    // Once round the worker's loop: where it still wanted to step, it would have.
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(steps_of(worker), 4U);
+    EXPECT_EQ(worker.progress().steps, 4U);
+    EXPECT_EQ(gate->given(), 4U);
+    worker.run(2);
+    worker.wait();
+    EXPECT_EQ(gate->given(), 6U);
+}
+
+TEST(RunWorker, ARestartForgetsTheStepUnderWay) {
+    const auto gate = std::make_shared<Gate>();
+    RunWorker worker({}, std::make_unique<GatedReader>(gate));
+    worker.run();
+    gate->allow(3);
+    gate->wait_until_asked_for(4);
+    worker.restart();
+    EXPECT_EQ(worker.progress().state, State::ready);
+    gate->allow(100);
     worker.wait();
     EXPECT_EQ(worker.progress().state, State::ready);
     EXPECT_EQ(worker.progress().steps, 0U);
-    worker.run(30);
+    EXPECT_TRUE(worker.figures_since(0).empty());
+    EXPECT_EQ(steps_of(worker), 0U);
+    EXPECT_EQ(gate->given(), 4U);
+    worker.run(5);
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 5U);
+    EXPECT_EQ(worker.figures_since(0).size(), 5U);
+    EXPECT_EQ(worker.figures_since(3).size(), 2U);
+}
+
+TEST(RunWorker, RestartsFromTheMiddleAndFromTheEnd) {
+    const Configuracion configuration = ready_tour();
+    RunWorker worker(configuration, open_source(configuration.source));
+    worker.run(40);
+    worker.wait();
+    worker.restart();
+    worker.run(30);  // right behind the restart
     worker.wait();
     EXPECT_EQ(path_of(worker), expected_path(30));
     worker.run();
@@ -87,38 +185,50 @@ TEST(RunWorker, RestartsFromAnyState) {
     worker.wait();
     EXPECT_EQ(worker.progress().state, State::finished);
     worker.restart();
-    worker.run(5);  // right behind the restart
     worker.wait();
-    EXPECT_EQ(worker.progress().steps, 5U);
+    EXPECT_EQ(worker.progress().state, State::ready);
+    EXPECT_EQ(worker.progress().steps, 0U);
+}
+
+TEST(RunWorker, ASnapshotAskedForDuringAStepIsOfItsEnd) {
+    const auto gate = std::make_shared<Gate>();
+    RunWorker worker({}, std::make_unique<GatedReader>(gate));
+    worker.run();
+    gate->allow(3);
+    gate->wait_until_asked_for(4);
+    EXPECT_EQ(worker.latest_snapshot(), nullptr);
+    worker.request_snapshot();
+    gate->allow(1);
+    gate->wait_until_asked_for(5);  // the run goes on behind it
+    ASSERT_NE(worker.latest_snapshot(), nullptr);
+    EXPECT_EQ(worker.latest_snapshot()->steps, 4U);
+    worker.pause();
+    gate->allow(1);
+    worker.wait();
+    EXPECT_EQ(worker.latest_snapshot()->steps, 4U);  // nobody has asked for another
 }
 
 TEST(RunWorker, SnapshotsAreOfOneStep) {
     const Configuracion configuration = ready_tour();
     RunWorker worker(configuration, open_source(configuration.source));
-    EXPECT_EQ(worker.latest_snapshot(), nullptr);
-    worker.run();
-    std::uint64_t last = 0;
-    for (int i = 0; i < 20; ++i) {
+    for (const std::uint64_t steps : {30U, 60U}) {
+        worker.run(30);
         worker.request_snapshot();
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        worker.wait();
+        worker.request_snapshot();  // nothing runs: it is made at once
+        worker.wait();
         const auto snapshot = worker.latest_snapshot();
-        if (!snapshot) continue;
-        EXPECT_GE(snapshot->steps, last);
-        last = snapshot->steps;
-        EXPECT_EQ(snapshot->best_trajectory.size(), snapshot->steps);
-        EXPECT_EQ(snapshot->odometry_trajectory.size(), snapshot->steps);
+        ASSERT_NE(snapshot, nullptr);
+        EXPECT_EQ(snapshot->steps, steps);
+        EXPECT_EQ(snapshot->best_trajectory.size(), steps);
+        EXPECT_EQ(snapshot->odometry_trajectory.size(), steps);
         EXPECT_EQ(snapshot->hypotheses.size(), 20U);
-        if (snapshot->steps > 0) {
-            EXPECT_EQ(snapshot->best_pose, snapshot->best_trajectory.back().pose);
-            EXPECT_EQ(snapshot->associations.size(),
-                      snapshot->observation.lines.size() + snapshot->observation.corners.size());
-        }
+        EXPECT_EQ(snapshot->best_pose, snapshot->best_trajectory.back().pose);
+        EXPECT_EQ(snapshot->best_trajectory, expected_path(static_cast<int>(steps)));
+        EXPECT_FALSE(snapshot->best_map.empty());
+        EXPECT_EQ(snapshot->associations.size(),
+                  snapshot->observation.lines.size() + snapshot->observation.corners.size());
     }
-    worker.wait();
-    EXPECT_EQ(worker.latest_snapshot()->steps <= 1050, true);
-    worker.request_snapshot();  // nothing runs: it is made at once
-    worker.wait();
-    EXPECT_EQ(worker.latest_snapshot()->steps, 1050U);
     worker.restart();
     worker.wait();
     EXPECT_EQ(worker.latest_snapshot(), nullptr);
@@ -151,14 +261,18 @@ TEST(RunWorker, ExceptionsOfTasksReachTheCaller) {
     EXPECT_THROW(future.get(), std::runtime_error);
 }
 
-TEST(RunWorker, EndsWhileRunning) {
-    const Configuracion configuration = ready_tour();
-    for (int i = 0; i < 5; ++i) {
-        RunWorker worker(configuration, open_source(configuration.source));
+TEST(RunWorker, ItsEndDoesNotWaitForTheTours) {
+    // A tour that never ends: whoever waited for its end would wait here for ever.
+    const auto gate = std::make_shared<Gate>();
+    gate->open();
+    {
+        RunWorker worker({}, std::make_unique<GatedReader>(gate));
         worker.run();
         worker.request_snapshot();
-        std::this_thread::sleep_for(std::chrono::milliseconds(i));
+        gate->wait_until_asked_for(3);
     }
+    EXPECT_EQ(gate.use_count(), 1);  // the reader is gone, and with it whoever asks
+    EXPECT_GE(gate->given(), 2U);
 }
 
 }  // namespace

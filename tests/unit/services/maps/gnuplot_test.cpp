@@ -1,0 +1,78 @@
+#include "hitos/services/maps/gnuplot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace hitos {
+namespace {
+
+using test::content;
+using test::TempFolder;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A search path with this program in it as gnuplot, or without any.
+class GnuplotTest : public testing::Test {
+  protected:
+    void use(const std::string& program) {
+        if (!program.empty()) {
+            std::filesystem::permissions(bin_.put("gnuplot", "#!/bin/sh\n" + program),
+                                         std::filesystem::perms::owner_all);
+        }
+        ::setenv("PATH", bin_.path().c_str(), 1);
+    }
+    ~GnuplotTest() override { ::setenv("PATH", before_.c_str(), 1); }
+
+    std::string draw(const std::string& refusal = {}) {
+        const std::vector<PlotFile> files = {{"a.gp", "script"}, {"a.dat", "1 2"}};
+        const std::vector<std::string> pictures = {"a.png"};
+        return draw_pictures(out_.path(), files, "a.gp", pictures, refusal);
+    }
+
+    std::string before_ = std::getenv("PATH");
+    TempFolder bin_;
+    TempFolder out_;
+};
+
+TEST_F(GnuplotTest, DrawsInAFolderOfItsOwnAndLeavesScriptDataAndPicture) {
+    use("read -r line < a.dat; echo \"$1 $line\" > a.png; echo left > scratch");
+    out_.put("a.png", "old");
+    EXPECT_EQ(draw(), "");
+    EXPECT_EQ(content(out_ / "a.png"), "a.gp 1 2\n");
+    EXPECT_EQ(content(out_ / "a.gp"), "script");
+    EXPECT_EQ(content(out_ / "a.dat"), "1 2");
+    EXPECT_EQ(out_.files(), 3U);
+}
+
+TEST_F(GnuplotTest, WhatItSaysWhenItFailsIsToldAndAnOldPictureGoes) {
+    use("echo '  line 3: no such terminal '; echo half > a.png; exit 1");
+    out_.put("a.png", "old");
+    EXPECT_EQ(draw(), "gnuplot fails: line 3: no such terminal");
+    EXPECT_FALSE(std::filesystem::exists(out_ / "a.png"));
+    EXPECT_EQ(out_.files(), 2U);
+}
+
+TEST_F(GnuplotTest, WithoutItTheScriptIsLeftAndThePackageNamed) {
+    use("");
+    out_.put("a.png", "old");
+    EXPECT_THAT(draw(), HasSubstr("gnuplot-nox"));
+    EXPECT_FALSE(std::filesystem::exists(out_ / "a.png"));
+    EXPECT_EQ(content(out_ / "a.gp"), "script");
+}
+
+TEST_F(GnuplotTest, ARefusalIsHandedBackAndNothingIsDrawn) {
+    use("echo drawn > a.png");
+    out_.put("a.png", "old");
+    EXPECT_EQ(draw("nothing was estimated"), "nothing was estimated");
+    EXPECT_FALSE(std::filesystem::exists(out_ / "a.png"));
+}
+
+TEST(GnuplotQuoted, KeepsQuotesAndTakesLineEndsOut) {
+    EXPECT_EQ(gnuplot_quoted("a"), "'a'");
+    EXPECT_EQ(gnuplot_quoted("it's\n\"x\""), "'it''s \"x\"'");
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,139 @@
+#include "hitos/services/run/results.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "hitos/base/error.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/open_source.hpp"
+#include "support.hpp"
+
+namespace hitos {
+namespace {
+
+using nlohmann::json;
+using test::content;
+using test::TempFolder;
+using ::testing::StartsWith;
+
+const std::filesystem::path kSource = HITOS_SOURCE_DIR;
+
+const std::set<std::string> kAlways = {
+    "map.txt",       "segments.txt",        "map.dxf",       "trajectory.tum",
+    "odometry.tum",  "grid_best_steps.png", "grid_best.png", "grid_odometry.png",
+    "grid_best.jpg", "grid_best_steps.jpg", "config.cfg",    "grid_odometry.jpg",
+    "summary.json"};
+
+class ResultsTest : public testing::Test {
+  protected:
+    static Algoritmo run_of(const char* algorithm, const AlgoritmoOptions& options = {}) {
+        Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/simulated.cfg");
+        configuration.source.file = kSource / "data/logs/player-laser.log.gz";
+        configuration.filter.algorithm = algorithm;
+        configuration.filter.particles = 7;
+        configuration.run.seed = 11;
+        Algoritmo run(configuration, open_source(configuration.source), options);
+        while (run.step()) {
+        }
+        return run;
+    }
+    std::set<std::string> names() const {
+        std::set<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(out_.path())) {
+            names.insert(entry.path().filename().string());
+        }
+        return names;
+    }
+    TempFolder out_;
+};
+
+TEST_F(ResultsTest, TheSummaryStatesTheRun) {
+    const Algoritmo run = run_of("fastslam");
+    References references;
+    references.map = run.filter().best_map();
+    references.trajectory = run.best_trajectory();
+    const RunSummary summary = summarize(run, references);
+    const json stated = json::parse(to_json(summary, 2.0));
+    EXPECT_EQ(stated["hitos_version"], version());
+    EXPECT_THAT(stated["source"].get<std::string>(), ::testing::EndsWith("player-laser.log.gz"));
+    EXPECT_EQ(stated["format"], "player");
+    EXPECT_EQ(stated["seed"], 11);
+    EXPECT_EQ(stated["algorithm"], "fastslam");
+    EXPECT_EQ(stated["particles"], 7);
+    EXPECT_EQ(stated["scans"], 50);
+    EXPECT_NEAR(stated["duration_s"].get<double>(), 9.8, 1e-9);
+    EXPECT_EQ(stated["run_seconds"], 2.0);
+    EXPECT_EQ(stated["scans_per_second"], 25.0);
+    EXPECT_EQ(stated["landmarks"]["lines"], run.filter().best_count(FeatureKind::line));
+    EXPECT_EQ(stated["landmarks"]["corners"], run.filter().best_count(FeatureKind::corner));
+    EXPECT_EQ(stated["log"]["odometry_readings"], 99);
+    EXPECT_EQ(stated["log"]["skipped_lines"], 0);
+    // The run measured by itself.
+    ASSERT_FALSE(references.map->empty());
+    EXPECT_EQ(stated["map_error"]["mean_m"], 0.0);
+    EXPECT_EQ(stated["map_error"]["landmarks"], references.map->size());
+    EXPECT_EQ(stated["map_error"]["reference_found"], references.map->size());
+    EXPECT_EQ(stated["map_error_aligned"]["mean_m"], 0.0);
+    EXPECT_NEAR(stated["trajectory_error"]["ate_rmse_m"].get<double>(), 0.0, 1e-12);
+    EXPECT_EQ(stated["trajectory_error"]["poses"], 50);
+    EXPECT_GT(stated["odometry_error"]["ate_rmse_m"].get<double>(), 1e-6);
+    EXPECT_FALSE(stated.contains("distances"));
+}
+
+TEST_F(ResultsTest, WhatIsNotThereIsNotStated) {
+    const json stated = json::parse(to_json(summarize(run_of("ekf-slam"), {}), 0.0));
+    EXPECT_EQ(stated["algorithm"], "ekf-slam");
+    EXPECT_EQ(stated["scans_per_second"], 0.0);
+    for (const char* key : {"particles", "map_error", "map_error_aligned", "trajectory_error",
+                            "odometry_error", "distances"}) {
+        EXPECT_FALSE(stated.contains(key)) << key;
+    }
+}
+
+TEST_F(ResultsTest, FilesOfAnEarlierRunThatThisOneHasNotAreRemoved) {
+    const Algoritmo run = run_of("fastslam");
+    for (const char* name : {"distances.csv", "paths.png", "paths.gp", "uncertainty.csv",
+                             "uncertainty.png", "uncertainty.dat", "uncertainty.gp"}) {
+        out_.put(name, "old");
+    }
+    out_.put("map.txt", "old");
+    out_.put("notes.txt", "mine");
+    const RunSummary summary = write_results(run, {}, 1.0, out_.path());
+    std::set<std::string> expected = kAlways;
+    expected.insert("notes.txt");
+    EXPECT_EQ(names(), expected);
+    EXPECT_NE(content(out_ / "map.txt"), "old");
+    EXPECT_TRUE(summary.not_drawn.empty());
+    EXPECT_EQ(content(out_ / "summary.json"), to_json(summary, 1.0));
+}
+
+TEST_F(ResultsTest, WhatWasAskedForIsWrittenAndWhatCouldNotBeDrawnIsTold) {
+    const Algoritmo run = run_of("fastslam", {.step_grid = true, .uncertainty = true});
+    References references;
+    references.trajectory = Trajectory{StampedPose{1e6, {}}};  // of another time
+    references.distances = {{"room", {-1.0, 0.0}, {19.0, 0.0}}};
+    out_.put("paths.png", "old");
+    const RunSummary summary = write_results(run, references, 1.0, out_.path());
+    ASSERT_FALSE(summary.not_drawn.empty());
+    EXPECT_THAT(summary.not_drawn.front(),
+                StartsWith("paths.png: no pose of the reference trajectory"));
+    EXPECT_FALSE(names().contains("paths.png"));
+    for (const char* name : {"distances.csv", "uncertainty.csv", "uncertainty.gp"}) {
+        EXPECT_TRUE(names().contains(name)) << name;
+    }
+    EXPECT_EQ(json::parse(content(out_ / "summary.json"))["distances"][0]["name"], "room");
+}
+
+TEST_F(ResultsTest, AnOutputFolderIsTriedBeforeTheRun) {
+    prepare_output_folder(out_ / "a/b");
+    EXPECT_TRUE(std::filesystem::is_empty(out_ / "a/b"));
+    out_.put("file", "x");
+    EXPECT_THAT(test::message_of<FileError>([&] { prepare_output_folder(out_ / "file"); }),
+                ::testing::HasSubstr("--out"));
+}
+
+}  // namespace
+}  // namespace hitos
