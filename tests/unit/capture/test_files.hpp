@@ -26,7 +26,7 @@ namespace hitos::test {
 class TempDir : public TempFolder {
   public:
     std::filesystem::path put_gz(const std::string& name, std::string_view text) const {
-        const gzFile file = ::gzopen((path() / name).c_str(), "wb");
+        gzFile file = ::gzopen((path() / name).c_str(), "wb");
         ::gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
         ::gzclose(file);
         return path() / name;

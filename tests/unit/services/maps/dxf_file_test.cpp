@@ -127,7 +127,8 @@ TEST(DxfFile, DrawsThreeSigmaOfCorners) {
     EXPECT_NEAR(ellipse.angle2 - ellipse.angle1, 2.0 * kPi, 1e-9);
     // Every point of it is 3 sigma away by the covariance.
     const Eigen::Matrix2d inverse = example.map[2].covariance.inverse();
-    for (double angle = 0.0; angle < 6.2; angle += 0.5) {
+    for (int k = 0; k < 13; ++k) {
+        const double angle = 0.5 * k;
         const Eigen::Vector2d major(ellipse.mx, ellipse.my);
         const Eigen::Vector2d minor = ellipse.ratio * Eigen::Vector2d(-ellipse.my, ellipse.mx);
         const Eigen::Vector2d p = std::cos(angle) * major + std::sin(angle) * minor;
