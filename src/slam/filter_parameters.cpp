@@ -18,12 +18,12 @@ using Table = std::vector<Parameter<FilterParams>>;
 using Filter = FilterParams;
 
 void add_filter(Table& table) {
-    table.push_back(
-        choice<&Filter::algorithm>({.key = "filter.algorithm",
-                                    .description = HITOS_TEXT("Parameter", "What builds the map."),
-                                    .label = HITOS_TEXT("ParameterLabel", "Algorithm"),
-                                    .card = "filter",
-                                    .choices = choices_of(slam_algorithms())}));
+    table.push_back(choice<&Filter::algorithm>(
+        {.key = "filter.algorithm",
+         .description = HITOS_TEXT("Parameter", "What builds the map of landmarks and the path."),
+         .label = HITOS_TEXT("ParameterLabel", "Algorithm"),
+         .card = "filter",
+         .choices = choices_of(slam_algorithms())}));
     table.push_back(integer<&Filter::particles>(
         {.key = "filter.particles",
          .minimum = 1.0,

@@ -61,7 +61,8 @@ struct StudyFixture : Fixture {
                               source_file("data/maps/bigloop.map"), "--vary", "dmax=0.02,0.05",
                               "--runs", "2", "--out", path("cli")} +
                       extra);
-        if (!cli.waitForFinished(kPatienceMs) || cli.exitCode() != 0) qFatal("hitos-cli has failed");
+        if (!cli.waitForFinished(kPatienceMs) || cli.exitCode() != 0)
+            qFatal("hitos-cli has failed");
         return path("cli");
     }
 };

@@ -111,7 +111,7 @@ TEST_F(Simulate, RefusesClearlyAndLeavesNothing) {
     expect_refusal("simulate atlantis --out " + in("x.log"),
                    "no such world file; the worlds that come with Hitos are bigloop,");
     expect_refusal("simulate recinto", "found nothing to write");
-    expect_refusal("simulate recinto --format auto --out " + in("x.log"), "expected one of player");
+    expect_refusal("simulate recinto --format auto --out " + in("x.log"), "expected player");
     expect_refusal("simulate recinto --out " + in("no/x.log"), "create the folder first");
     expect_refusal("simulate recinto --set laser.sigm=1 --out " + in("x.log"), "no such key");
     expect_refusal("simulate recinto --seed -1 --out " + in("x.log"), "seed: found -1");

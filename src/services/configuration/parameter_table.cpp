@@ -4,7 +4,12 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/features/extraction_parameters.hpp"
+#include "hitos/features/line_methods.hpp"
 #include "hitos/slam/filter_parameters.hpp"
+#include "hitos/slam/filters.hpp"
+#include "hitos/slam/proposal.hpp"
+#include "hitos/slam/resampler.hpp"
+#include "hitos/slam/robot.hpp"
 #include "run/grid_parameters.hpp"
 
 namespace hitos {
@@ -91,6 +96,18 @@ void join_layers(Table& table) {
     }
 }
 
+/// What an entry says it reads must be there: a misspelt key would never turn grey.
+template <class Entry>
+void require_known(const Table& table, const Registry<Entry>& registry) {
+    for (const Entry& entry : registry.entries()) {
+        for (const std::string& key : entry.reads) {
+            if (look_up(std::span<const ConfigParameter>(table), key) != nullptr) continue;
+            throw ConfigError(entry.word,
+                              "says that it reads " + key + ", but there is no such parameter");
+        }
+    }
+}
+
 /// The place of the table of a file among those of all groups.
 std::size_t rank(std::string_view table) {
     const std::vector<std::string_view>& group = group_of(table).tables;
@@ -112,6 +129,11 @@ std::vector<ConfigParameter> make_parameter_table() {
     add_lifted(table, grid_parameters(), &Config::grid);
     add_run(table);
     join_layers(table);
+    require_known(table, slam_algorithms());
+    require_known(table, proposals());
+    require_known(table, motion_models());
+    require_known(table, resampling_methods());
+    require_known(table, line_methods());
     std::ranges::stable_sort(table, {}, [](const ConfigParameter& p) { return rank(p.table()); });
     return table;
 }

@@ -113,7 +113,7 @@ TEST(LogFormats, AreListedWhereOneIsAskedFor) {
     EXPECT_THAT(test::message_of<ConfigError>([] { checked_log_format("Player", "--format"); }),
                 AllOf(HasSubstr("--format: found \"Player\""), HasSubstr(log_format_choices())));
     EXPECT_THAT(test::message_of<ConfigError>([] { checked_target_format("auto", "--to"); }),
-                AllOf(HasSubstr("--to: found \"auto\""), HasSubstr("one of player, radish")));
+                AllOf(HasSubstr("--to: found \"auto\""), HasSubstr("expected player, radish")));
     const TempDir folder;
     EXPECT_THROW(open_log(folder.put("a", kCarmen), "carmin"), ConfigError);
 }

@@ -68,6 +68,17 @@
     </message>
 </context>
 <context>
+    <name>OdometryNoise</name>
+    <message>
+        <source>σ = level · speed</source>
+        <translation>σ = nivel · velocidad</translation>
+    </message>
+    <message>
+        <source>σ² = level · speed</source>
+        <translation>σ² = nivel · velocidad</translation>
+    </message>
+</context>
+<context>
     <name>Parameter</name>
     <message>
         <source>Path of the log to read, plain or gzip; empty where none is chosen.</source>
@@ -84,10 +95,6 @@
     <message>
         <source>Whether controls come from the differences of the logged poses or are the logged v and omega.</source>
         <translation>Si los controles salen de las diferencias entre las poses registradas o son la v y la omega registradas.</translation>
-    </message>
-    <message>
-        <source>What builds the map: fastslam, particles with one small filter per landmark; ekf-slam, one extended Kalman filter over the pose and all landmarks.</source>
-        <translation>Qué construye el mapa: fastslam, partículas con un pequeño filtro por hito; ekf-slam, un solo filtro de Kalman extendido para la pose y todos los hitos.</translation>
     </message>
     <message>
         <source>Number of particles M; more of them follow more hypotheses, and time and memory grow in proportion.</source>
@@ -116,10 +123,6 @@
     <message>
         <source>Second best likelihood over the best from which an observation is ambiguous; a higher value calls fewer observations ambiguous.</source>
         <translation>Cociente entre la segunda verosimilitud y la mejor a partir del cual una observación es ambigua; con un valor mayor lo son menos.</translation>
-    </message>
-    <message>
-        <source>odometry: controls and noise of constant sigma; no-odometry: controls are ignored and the particles only spread; proportional: controls and noise that grows with the motion.</source>
-        <translation>Con odometría: controles y ruido de sigma constante; sin odometría: los controles se ignoran y las partículas solo se dispersan; proporcional: controles y ruido que crece con el movimiento.</translation>
     </message>
     <message>
         <source>Standard deviation of the motion noise in x per step with constant noise; a higher value spreads the particles more.</source>
@@ -168,10 +171,6 @@
     <message>
         <source>Standard deviation of the error that all points of a line share, for the covariance points: walls that are not straight, ranges in steps; a higher value trusts long walls less.</source>
         <translation>Desviación típica del error que comparten todos los puntos de una recta, para la covarianza points: paredes que no son rectas, distancias a saltos; un valor mayor confía menos en las paredes largas.</translation>
-    </message>
-    <message>
-        <source>How lines are found: split-merge divides runs of points at the farthest one; ransac cuts the scan at edges and takes the lines that most points agree with, fitted by least squares. Both use min_length, min_points and collinear_* of split_merge.</source>
-        <translation>Cómo se hallan las rectas: split-merge divide las series de puntos por el más lejano; ransac corta el barrido en los bordes y toma las rectas con las que más puntos concuerdan, ajustadas por mínimos cuadrados. Ambos usan min_length, min_points y collinear_* de split_merge.</translation>
     </message>
     <message>
         <source>What is looked for in a scan: lines, corners where two lines meet, or both.</source>
@@ -274,12 +273,24 @@
         <translation>de %1 a %2 %3</translation>
     </message>
     <message>
-        <source>Where particles draw their new poses from: motion takes the motion model alone, as FastSLAM 1.0 does.</source>
-        <translation>De dónde sacan las partículas sus nuevas posturas: motion usa solo el modelo de movimiento, como FastSLAM 1.0.</translation>
+        <source>How lines are found in a scan. Every method uses min_length, min_points and collinear_* of split_merge.</source>
+        <translation>Cómo se encuentran las rectas en un barrido. Todos los métodos usan min_length, min_points y collinear_* de split_merge.</translation>
     </message>
     <message>
-        <source>How particles are drawn anew; all methods give a particle as many copies in the mean as its weight says and differ in how much chance adds, low-variance least.</source>
-        <translation>Cómo se vuelven a sortear las partículas; todos los métodos dan a una partícula, en promedio, tantas copias como dice su peso y difieren en cuánto añade el azar, low-variance el que menos.</translation>
+        <source>What builds the map of landmarks and the path.</source>
+        <translation>Qué construye el mapa de hitos y la trayectoria.</translation>
+    </message>
+    <message>
+        <source>Where particles draw their new poses from.</source>
+        <translation>De dónde extraen las partículas sus nuevas poses.</translation>
+    </message>
+    <message>
+        <source>How the robot moves between two scans, and how unsure that is.</source>
+        <translation>Cómo se mueve el robot entre dos barridos y con cuánta incertidumbre.</translation>
+    </message>
+    <message>
+        <source>How particles are drawn anew; every method gives a particle as many copies in the mean as its weight says, and they differ in how much chance adds.</source>
+        <translation>Cómo se vuelven a extraer las partículas; con todos los métodos una partícula recibe en media tantas copias como dice su peso, y se distinguen en cuánto añade el azar.</translation>
     </message>
 </context>
 <context>
@@ -1665,14 +1676,6 @@
 </context>
 <context>
     <name>hitos::window::StudyForm</name>
-    <message>
-        <source>σ = level · speed</source>
-        <translation>σ = nivel · veloc.</translation>
-    </message>
-    <message>
-        <source>σ² = level · speed</source>
-        <translation>σ² = nivel · veloc.</translation>
-    </message>
     <message>
         <source>all (%1)</source>
         <translation>todos (%1)</translation>
