@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "formats/formats.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 
 namespace hitos {
 
@@ -22,14 +25,30 @@ std::string checked_log_format(std::string_view word, const std::string& option)
                       "found \"" + std::string(word) + "\", expected " + log_format_choices());
 }
 
-std::string checked_target_format(std::string_view word, const std::string& option) {
-    std::string writable;
+std::string log_endings() {
+    std::vector<std::string_view> known;
+    std::string endings;
     for (const LogFormat& format : log_formats().entries()) {
-        if (format.make_writer == nullptr) continue;
-        if (format.word == word) return format.word;
-        writable += (writable.empty() ? "" : ", ") + format.word;
+        for (const std::string_view ending : input::fields(format.endings)) {
+            if (std::ranges::find(known, ending) != known.end()) continue;
+            known.push_back(ending);
+            endings.append(endings.empty() ? "" : " ").append(ending);
+        }
     }
-    throw ConfigError(option, "found \"" + std::string(word) + "\", expected one of " + writable);
+    return endings;
+}
+
+std::string writable_formats() {
+    return log_formats().words(
+        " or ", [](const LogFormat& format) { return format.make_writer != nullptr; });
+}
+
+std::string checked_target_format(std::string_view word, const std::string& option) {
+    if (log_formats().knows(word) && log_formats().find(word).make_writer != nullptr) {
+        return std::string(word);
+    }
+    throw ConfigError(option,
+                      "found \"" + std::string(word) + "\", expected " + writable_formats());
 }
 
 void write_tour(TourReader& reader, LogWriter& writer, const std::function<void()>& told) {

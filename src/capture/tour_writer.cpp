@@ -10,7 +10,12 @@ void TourWriter::write(const Scan& scan) {
     pending_.push_back({scan.time_s, scan.carries_odometry ? scan.line : 0, prepare(scan)});
 }
 
-void TourWriter::write(const Odometria& odometry) {
+void TourWriter::write(const Odometria& given) {
+    Odometria odometry = given;
+    // A zero loses its sign, which means nothing and would stand in the file.
+    for (double* value : {&odometry.twist.v, &odometry.twist.v_lateral, &odometry.twist.w}) {
+        *value += 0.0;
+    }
     const double begin_s = has_reading_ ? last_.time_s : odometry.time_s;
     const Pose begin = pose_odom_robot_;
     const Pose end = has_reading_

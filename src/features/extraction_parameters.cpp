@@ -54,11 +54,9 @@ void add_observation(Table& table) {
 void add_features(Table& table) {
     table.push_back(choice<&ExtractionParams::method>(
         {.key = "features.method",
-         .description = HITOS_TEXT(
-             "Parameter",
-             "How lines are found: split-merge divides runs of points at the farthest one; ransac "
-             "cuts the scan at edges and takes the lines that most points agree with, fitted by "
-             "least squares. Both use min_length, min_points and collinear_* of split_merge."),
+         .description = HITOS_TEXT("Parameter",
+                                   "How lines are found in a scan. Every method uses min_length, "
+                                   "min_points and collinear_* of split_merge."),
          .label = HITOS_TEXT("ParameterLabel", "Lines by"),
          .card = "features",
          .choices = choices_of(line_methods())}));

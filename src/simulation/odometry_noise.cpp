@@ -7,6 +7,24 @@
 
 namespace hitos {
 
+OdometryNoiseKind parse_noise_kind(std::string_view word, const std::string& option) {
+    std::string words;
+    for (std::size_t i = 0; i < kOdometryNoiseKinds.size(); ++i) {
+        if (kOdometryNoiseKinds[i].word == word) return static_cast<OdometryNoiseKind>(i);
+        words += (i == 0 ? "" : " or ") + std::string(kOdometryNoiseKinds[i].word);
+    }
+    throw ConfigError(option, "found \"" + std::string(word) + "\", expected " + words);
+}
+
+std::string noise_kind_choices() {
+    std::string text;
+    for (const OdometryNoiseFacts& kind : kOdometryNoiseKinds) {
+        if (!text.empty()) text += "; ";
+        text.append(kind.word).append(": ").append(kind.meaning);
+    }
+    return text;
+}
+
 OdometryNoise::OdometryNoise(double level, OdometryNoiseKind kind, std::uint64_t seed)
     : level_(level), kind_(kind), seed_(seed) {
     if (!(level >= 0.0) || !std::isfinite(level)) {

@@ -24,8 +24,9 @@ using Odometry = OdometryParams;
 std::vector<WorldKey> make_keys() {
     const std::vector<ParameterChoice> yes_no = {{"false"}, {"true"}};
     std::vector<ParameterChoice> kinds;
-    kinds.reserve(kOdometryNoiseWords.size());
-    for (const std::string_view word : kOdometryNoiseWords) kinds.push_back({std::string(word)});
+    for (const OdometryNoiseFacts& kind : kOdometryNoiseKinds) {
+        kinds.push_back({std::string(kind.word)});
+    }
     return {
         integer<&W::seed>({"seed", "", 0, 0x1p53, "seed of the laser's and the odometry's noise"}),
         integer<&W::tour, &Tour::laps>(

@@ -18,15 +18,12 @@ using Table = std::vector<Parameter<FilterParams>>;
 using Filter = FilterParams;
 
 void add_filter(Table& table) {
-    table.push_back(choice<&Filter::algorithm>(
-        {.key = "filter.algorithm",
-         .description = HITOS_TEXT(
-             "Parameter",
-             "What builds the map: fastslam, particles with one small filter per landmark; "
-             "ekf-slam, one extended Kalman filter over the pose and all landmarks."),
-         .label = HITOS_TEXT("ParameterLabel", "Algorithm"),
-         .card = "filter",
-         .choices = choices_of(slam_algorithms())}));
+    table.push_back(
+        choice<&Filter::algorithm>({.key = "filter.algorithm",
+                                    .description = HITOS_TEXT("Parameter", "What builds the map."),
+                                    .label = HITOS_TEXT("ParameterLabel", "Algorithm"),
+                                    .card = "filter",
+                                    .choices = choices_of(slam_algorithms())}));
     table.push_back(integer<&Filter::particles>(
         {.key = "filter.particles",
          .minimum = 1.0,
@@ -39,9 +36,7 @@ void add_filter(Table& table) {
          .card = "filter"}));
     table.push_back(choice<&Filter::proposal>(
         {.key = "filter.proposal",
-         .description = HITOS_TEXT("Parameter",
-                                   "Where particles draw their new poses from: motion takes the "
-                                   "motion model alone, as FastSLAM 1.0 does."),
+         .description = HITOS_TEXT("Parameter", "Where particles draw their new poses from."),
          .label = HITOS_TEXT("ParameterLabel", "Proposal"),
          .choices = choices_of(proposals())}));
 }
@@ -77,11 +72,12 @@ void add_association(Table& table) {
          .label = HITOS_TEXT("ParameterLabel", "Gate probability"),
          .card = "filter"});
     // What has no choice of association associates by gnn.
-    gate.conditions.push_back({"association.method", "gnn", [](const Filter& f) {
-                                   return !slam_algorithms().reads(f.algorithm,
-                                                                   "association.method") ||
-                                          f.association.method == AssociationMethod::gated_nearest;
-                               }});
+    gate.conditions.push_back(
+        {"association.method", "gnn, or with an algorithm that has no choice of it",
+         [](const Filter& f) {
+             return !slam_algorithms().reads(f.algorithm, "association.method") ||
+                    f.association.method == AssociationMethod::gated_nearest;
+         }});
     table.push_back(std::move(gate));
     table.push_back(real<&Filter::association, &AssociationParams::new_probability>(
         {.key = "association.new_probability",
@@ -124,16 +120,11 @@ void add_association(Table& table) {
 void add_motion(Table& table) {
     table.push_back(choice<&Filter::motion, &MotionParams::model>(
         {.key = "motion.model",
-         .description = HITOS_TEXT("Parameter",
-                                   "odometry: controls and noise of constant sigma; no-odometry: "
-                                   "controls are ignored and the particles only spread; "
-                                   "proportional: controls and noise that grows with the motion."),
+         .description = HITOS_TEXT(
+             "Parameter", "How the robot moves between two scans, and how unsure that is."),
          .label = HITOS_TEXT("ParameterLabel", "Model"),
          .card = "motion",
-         .choices = {
-             {"odometry", HITOS_TEXT("ParameterChoice", "Differential with odometry")},
-             {"no-odometry", HITOS_TEXT("ParameterChoice", "Differential without odometry")},
-             {"proportional", HITOS_TEXT("ParameterChoice", "Proportional")}}}));
+         .choices = choices_of(motion_models())}));
     table.push_back(real<&Filter::motion, &MotionParams::sigma_x_m>(
         {.key = "motion.sigma_x",
          .unit = "m",
@@ -265,8 +256,8 @@ void add_resampling(Table& table) {
         {.key = "resampling.method",
          .description = HITOS_TEXT(
              "Parameter",
-             "How particles are drawn anew; all methods give a particle as many copies in the mean "
-             "as its weight says and differ in how much chance adds, low-variance least."),
+             "How particles are drawn anew; every method gives a particle as many copies in the "
+             "mean as its weight says, and they differ in how much chance adds."),
          .label = HITOS_TEXT("ParameterLabel", "Resampling method"),
          .choices = choices_of(resampling_methods())}));
 }
@@ -285,6 +276,15 @@ Table make_table() {
     return table;
 }
 
+void check_motion(const MotionParams& motion) {
+    if (motion.model == "no-odometry" && motion.sigma_x_m == 0.0 && motion.sigma_y_m == 0.0 &&
+        motion.sigma_theta_rad == 0.0) {
+        throw ConfigError("motion.model",
+                          "no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta "
+                          "all 0 can never move; give at least one of them a value above 0");
+    }
+}
+
 }  // namespace
 
 std::span<const Parameter<FilterParams>> filter_parameters() {
@@ -294,6 +294,7 @@ std::span<const Parameter<FilterParams>> filter_parameters() {
 
 void check(const FilterParams& params) {
     check_all(filter_parameters(), params);
+    check_motion(params.motion);
     const AssociationParams& association = params.association;
     if (slam_algorithms().reads(params.algorithm, "association.new_probability") &&
         association.new_probability < association.gate_probability) {

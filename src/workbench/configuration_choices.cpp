@@ -24,7 +24,7 @@ Configuracion read_configuration(const std::filesystem::path& file) {
     if (log.empty() || log.is_absolute() || std::filesystem::exists(log, ignored)) {
         return configuration;
     }
-    const std::filesystem::path beside = file.parent_path() / log;
+    const std::filesystem::path beside = std::filesystem::absolute(file).parent_path() / log;
     if (std::filesystem::exists(beside, ignored)) configuration.source.file = beside.string();
     return configuration;
 }

@@ -8,6 +8,7 @@ RecordedTour::RecordedTour(TourReader& reader) {
         odometry.push_back(*reading);
     }
     report = reader.report();
+    truth = reader.truth();
 }
 
 const RecordedTour& RecordedReader::tour() {

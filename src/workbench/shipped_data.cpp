@@ -21,7 +21,8 @@ std::filesystem::path shipped_file(const std::filesystem::path& relative) {
     std::filesystem::path above = std::filesystem::read_symlink("/proc/self/exe", ignored);
     while (above.has_relative_path()) {
         above = above.parent_path();
-        for (const std::filesystem::path& place : {relative, "share/hitos" / relative}) {
+        for (const std::filesystem::path& place :
+             {relative, "share/hitos" / relative, "share/doc/hitos" / relative}) {
             if (std::filesystem::exists(above / place, ignored)) return above / place;
         }
     }

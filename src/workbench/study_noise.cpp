@@ -14,7 +14,7 @@ void set_study_source(Study& study, double level, OdometryNoiseKind kind) {
         return;
     }
     study.setting = fmt::format("odometry noise {} {}",
-                                kOdometryNoiseWords.at(static_cast<std::size_t>(kind)), level);
+                                kOdometryNoiseKinds.at(static_cast<std::size_t>(kind)).word, level);
     study.source = [level, kind](const StudyJob& job) {
         return make_noisy_reader(open_tour(job.configuration.source), level, kind, job.seed);
     };

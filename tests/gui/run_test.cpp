@@ -237,7 +237,7 @@ void RunTest::the_odometry_map_grows_and_can_be_stopped() {
     // Asked for anew, it begins anew; the run itself has not moved.
     f.trigger("action_odometry");
     map = f.window->result_actions().odometry_window();
-    QTRY_VERIFY_WITH_TIMEOUT(!map->builder().state().running, 20000);
+    QTRY_VERIFY(!map->builder().state().running);
     QCOMPARE(map->builder().state().path.size(), 1050U);
     QCOMPARE(f.steps(), 0U);
     map->close();
@@ -272,7 +272,7 @@ void RunTest::the_best_particles_map_while_running_is_that_moments() {
     f.trigger("action_best_map");
     MapWindow* map = f.window->result_actions().best_window();
     f.trigger("action_stop");
-    QTRY_VERIFY_WITH_TIMEOUT(!map->builder().state().running, 20000);
+    QTRY_VERIFY(!map->builder().state().running);
     QVERIFY(!map->builder().state().path.empty());
     QVERIFY(map->builder().state().path.size() <= f.steps());
 }
@@ -283,7 +283,7 @@ void RunTest::the_best_particles_map_is_shown() {
     f.trigger("action_best_map");
     MapWindow* map = f.window->result_actions().best_window();
     QVERIFY(map != nullptr && map->isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(!map->builder().state().running, 20000);
+    QTRY_VERIFY(!map->builder().state().running);
     QCOMPARE(map->builder().state().path.size(), 60U);
     QVERIFY(!map->view().tiles().empty());
 }
@@ -340,7 +340,7 @@ void save_results(Fixture& f) {
     f.prompts.saves = {f.path("results")};
     f.trigger("action_save_results");
     QVERIFY(!f.action("action_save_results")->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(f.action("action_save_results")->isEnabled(), 120000);
+    QTRY_VERIFY(f.action("action_save_results")->isEnabled());
     QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join('\n')));
 }
 
@@ -393,8 +393,8 @@ void RunTest::results_that_cannot_be_written_are_asked_for_again() {
     const QString file = f.write("file", "precious");
     f.prompts.saves = {file + "/results", f.path("results")};
     f.trigger("action_save_results");
-    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(f.path("results/summary.json")), 60000);
-    QTRY_VERIFY_WITH_TIMEOUT(f.action("action_save_results")->isEnabled(), 60000);
+    QTRY_VERIFY(QFile::exists(f.path("results/summary.json")));
+    QTRY_VERIFY(f.action("action_save_results")->isEnabled());
     QCOMPARE(f.prompts.warnings.size(), 1);
     QCOMPARE(f.prompts.saves_asked, 2);
     QCOMPARE(Fixture::read(file), QByteArray("precious"));

@@ -16,8 +16,6 @@
 namespace hitos::window {
 namespace {
 
-constexpr int kStudyMs = 120000;
-
 /// A window with its study open: two values of dmax, two runs of each.
 struct StudyFixture : Fixture {
     StudyDialog& study;
@@ -49,7 +47,7 @@ struct StudyFixture : Fixture {
     QString verdict() const { return study.findChild<QLabel*>("verdict")->text(); }
     void run_study() const {
         press("start");
-        QTRY_VERIFY_WITH_TIMEOUT(!study.running(), kStudyMs);
+        QTRY_VERIFY(!study.running());
     }
 
     /// Runs hitos-cli study with the same inputs; gives its folder.
@@ -63,7 +61,7 @@ struct StudyFixture : Fixture {
                               source_file("data/maps/bigloop.map"), "--vary", "dmax=0.02,0.05",
                               "--runs", "2", "--out", path("cli")} +
                       extra);
-        if (!cli.waitForFinished(kStudyMs) || cli.exitCode() != 0) qFatal("hitos-cli has failed");
+        if (!cli.waitForFinished(kPatienceMs) || cli.exitCode() != 0) qFatal("hitos-cli has failed");
         return path("cli");
     }
 };
@@ -237,9 +235,9 @@ void StudyTest::a_stopped_study_goes_on_where_it_was() {
     QVERIFY(f.study.running());
     QVERIFY(!f.enabled("start"));
     QVERIFY(!f.study.findChild<QWidget*>("form")->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(f.study.plots().means() > 0, kStudyMs);  // while it runs
+    QTRY_VERIFY(f.study.plots().means() > 0);  // while it runs
     f.press("stop");
-    QTRY_VERIFY_WITH_TIMEOUT(!f.study.running(), kStudyMs);
+    QTRY_VERIFY(!f.study.running());
     QVERIFY2(f.verdict().contains("Stopped"), qPrintable(f.verdict()));
     QVERIFY(!QFile::exists(f.path("study/quality.csv")));
     f.run_study();
@@ -275,7 +273,7 @@ void StudyTest::closing_while_it_runs_asks() {
     f.prompts.confirms = {true};
     f.press("close");
     QVERIFY(!f.study.isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(!f.study.running(), kStudyMs);
+    QTRY_VERIFY(!f.study.running());
 }
 
 void StudyTest::the_main_window_ends_a_running_study() {
@@ -291,7 +289,7 @@ void StudyTest::the_configuration_may_change_meanwhile() {
     StudyFixture f;
     f.press("start");
     f.session.set_configuration(Fixture::tour(6));
-    QTRY_VERIFY_WITH_TIMEOUT(!f.study.running(), kStudyMs);
+    QTRY_VERIFY(!f.study.running());
     f.session.set_configuration(Fixture::tour(5));
     compare_folders(f.path("study"), f.command_line_study());
 }

@@ -30,9 +30,9 @@ struct ConvertOptions {
 void convert(const ConvertOptions& options) {
     const std::string target = checked_target_format(options.to, "--to");
     const std::string format = checked_log_format(options.format, "--format");
-    const std::unique_ptr<TourReader> reader =
-        make_noisy_reader(std::make_unique<Procesador>(open_log(options.log, format)),
-                          options.noise, parse_noise_kind(options.noise_kind), options.seed);
+    const std::unique_ptr<TourReader> reader = make_noisy_reader(
+        std::make_unique<Procesador>(open_log(options.log, format)), options.noise,
+        parse_noise_kind(options.noise_kind, "--odometry-noise-kind"), options.seed);
     const auto writer = make_log_writer(target, options.out);
 
     ProgressLine line("scans");
@@ -56,13 +56,12 @@ void add_convert(CLI::App& program) {
         "convert", "Write a log in another format, with noise on its odometry if wished");
     command->add_option("log", options->log, "Log file, plain or .gz")->required();
     command->add_option("--format", options->format, log_format_choices() + " (default: auto)");
-    command->add_option("--to", options->to, log_formats().words(" or "))->required();
+    command->add_option("--to", options->to, writable_formats())->required();
     command->add_option("--out", options->out, "File to write; .gz compresses it")->required();
     command->add_option("--odometry-noise", options->noise,
                         "Level of the noise on v and w; the thesis uses 0.1 (default: 0, none)");
-    command->add_option(
-        "--odometry-noise-kind", options->noise_kind,
-        "relative-sigma: sigma = level |v| (default); variance: variance = level |v|");
+    command->add_option("--odometry-noise-kind", options->noise_kind,
+                        noise_kind_choices() + " (default: relative-sigma)");
     command->add_option("--seed", options->seed, "Seed of the noise (default: 1)");
     command->callback([options] { convert(*options); });
 }

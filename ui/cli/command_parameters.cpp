@@ -10,7 +10,7 @@
 
 #include "commands.hpp"
 #include "hitos/base/text_input.hpp"
-#include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -75,11 +75,20 @@ void list(const std::vector<std::string>& words) {
 
 void add_parameters(CLI::App& program) {
     auto words = std::make_shared<std::vector<std::string>>();
+    auto file = std::make_shared<std::string>();
     CLI::App* command = program.add_subcommand(
         "parameters", "List the keys for --set: default, meaning, range, when they are read");
     command->add_option("key", *words,
                         "Keys, or tables such as split_merge, to list (default: all)");
-    command->callback([words] { list(*words); });
+    command->add_option("--write", *file,
+                        "Write a configuration file with the default of every key instead");
+    command->callback([words, file] {
+        if (file->empty()) {
+            list(*words);
+        } else {
+            ArchivoConfiguracion::write({}, *file);
+        }
+    });
 }
 
 }  // namespace hitos::cli

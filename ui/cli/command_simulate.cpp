@@ -99,8 +99,7 @@ void add_simulate(CLI::App& program) {
         ->add_option("world", options->world,
                      "World file (.toml), or the name of a world that comes with Hitos")
         ->required();
-    command->add_option("--format", options->format,
-                        log_formats().words(" or ") + " (default: normalized)");
+    command->add_option("--format", options->format, writable_formats() + " (default: normalized)");
     command->add_option("--out", options->out, "Log to write; .gz compresses it");
     command->add_option("--seed", options->seed, "Seed of the noise (default: as the world says)");
     command->add_option("--laps", options->laps, "How often the way points are driven");
@@ -108,8 +107,7 @@ void add_simulate(CLI::App& program) {
                         "Standard deviation of a range [m]; 0.003 reproduces the thesis");
     command->add_option("--odometry-noise", options->noise,
                         "Level of the noise on v and w; the thesis uses 0.1; 0: none");
-    command->add_option("--odometry-noise-kind", options->noise_kind,
-                        "relative-sigma: sigma = level |v|; variance: variance = level |v|");
+    command->add_option("--odometry-noise-kind", options->noise_kind, noise_kind_choices());
     command
         ->add_option("--set", options->assignments,
                      "Change one value of the world, e.g. --set laser.rate=10; may be repeated")

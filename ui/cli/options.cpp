@@ -1,9 +1,5 @@
 #include "options.hpp"
 
-#include <algorithm>
-
-#include "hitos/base/error.hpp"
-
 namespace hitos::cli {
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options) {
@@ -25,15 +21,6 @@ Configuracion load(const ConfigurationOptions& options) {
     if (!options.file.empty()) configuration = read_configuration(options.file);
     choose_values(configuration, options.values);
     return configuration;
-}
-
-OdometryNoiseKind parse_noise_kind(const std::string& word) {
-    const auto found = std::ranges::find(kOdometryNoiseWords, word);
-    if (found != kOdometryNoiseWords.end()) {
-        return static_cast<OdometryNoiseKind>(found - kOdometryNoiseWords.begin());
-    }
-    throw ConfigError("--odometry-noise-kind",
-                      "found \"" + word + "\", expected relative-sigma or variance");
 }
 
 }  // namespace hitos::cli

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "hitos/services/configuration/configuracion.hpp"
-#include "hitos/simulation/odometry_noise.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
 
 namespace hitos::cli {
@@ -23,8 +22,5 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
 
 /// The file's values (else the defaults), the assignments over them, then seed and threads.
 Configuracion load(const ConfigurationOptions& options);
-
-/// The kind of noise a word names; throws ConfigError that lists the words.
-OdometryNoiseKind parse_noise_kind(const std::string& word);
 
 }  // namespace hitos::cli

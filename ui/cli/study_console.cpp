@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "hitos/base/error.hpp"
+#include "hitos/simulation/odometry_noise.hpp"
 #include "hitos/workbench/study_noise.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
@@ -32,16 +33,16 @@ void add_study_options(CLI::App& command, StudyRunOptions& options) {
     command.add_option("--odometry-noise", options.noise,
                        "Level of the noise that every run gets on its odometry, drawn with the "
                        "run's seed; the thesis uses 0.1 (default: 0, none)");
-    command.add_option(
-        "--odometry-noise-kind", options.noise_kind,
-        "relative-sigma: sigma = level |v| (default); variance: variance = level |v|");
+    command.add_option("--odometry-noise-kind", options.noise_kind,
+                       noise_kind_choices() + " (default: relative-sigma)");
     command.add_flag("--csv", options.csv, "Print the summary as CSV instead of a table");
 }
 
 void apply(const StudyRunOptions& options, Study& study) {
     study.seeds = options.runs;
     study.first_seed = options.first_seed;
-    set_study_source(study, options.noise, parse_noise_kind(options.noise_kind));
+    set_study_source(study, options.noise,
+                     parse_noise_kind(options.noise_kind, "--odometry-noise-kind"));
 }
 
 int conduct(const Study& study, const StudyRunOptions& options, const StudyShard& shard) {

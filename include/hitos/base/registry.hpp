@@ -42,7 +42,10 @@ class Registry {
             throw ConfigError(key_, "the " + what_ + " \"" + entry.word +
                                         "\" comes too late; add it before anything is read or run");
         }
-        if (entry.word.empty()) throw ConfigError(key_, "found a " + what_ + " without a word");
+        if (entry.word.empty() || entry.word == "auto") {
+            throw ConfigError(key_, "found a " + what_ + " of the word \"" + entry.word +
+                                        "\"; give it one of its own");
+        }
         if (const Entry* known = look_up(entry.word)) {
             throw ConfigError(key_, "the " + what_ + " \"" + entry.word + "\" (" + entry.label +
                                         ") is known already as " + known->label +
@@ -68,11 +71,20 @@ class Registry {
     }
     /// "split-merge, ransac"; `last` stands before the last one: " or ".
     std::string words(std::string_view last = ", ") const {
+        return words(last, [](const Entry&) { return true; });
+    }
+    /// Of the entries that are wanted.
+    template <class Wanted>
+    std::string words(std::string_view last, const Wanted& wanted) const {
         closed_ = true;
+        std::vector<std::string_view> listed;
+        for (const Entry& entry : entries_) {
+            if (wanted(entry)) listed.push_back(entry.word);
+        }
         std::string list;
-        for (std::size_t i = 0; i < entries_.size(); ++i) {
-            if (i > 0) list += i + 1 == entries_.size() ? last : std::string_view(", ");
-            list += entries_[i].word;
+        for (std::size_t i = 0; i < listed.size(); ++i) {
+            if (i > 0) list += i + 1 == listed.size() ? last : std::string_view(", ");
+            list += listed[i];
         }
         return list;
     }

@@ -18,6 +18,8 @@ enum class LineKind { scan, odometry, both, other, damaged };
 
 /// One text format. Lines come trimmed and are not empty; comments begin with `#`.
 struct LogFormat : RegistryEntry {
+    /// Of its files, for dialogs: "*.log *.clf". Gzip files need none.
+    std::string endings = "*.log";
     /// Whether a line, or a comment, is one of this format: the signature by which a log's format
     /// is found. What other formats write must not be claimed.
     bool (*claims)(std::string_view text) = nullptr;
@@ -30,7 +32,7 @@ struct LogFormat : RegistryEntry {
     std::unique_ptr<LogWriter> (*make_writer)(const std::filesystem::path& path) = nullptr;
 };
 
-/// The word that asks for detection from the content.
+/// The word that asks for detection from the content; no format may have it.
 inline constexpr std::string_view kAutoFormat = "auto";
 
 /// The formats that this program knows; `source.format` chooses one, or "auto".
@@ -38,6 +40,12 @@ Registry<LogFormat>& log_formats();
 
 /// "auto, player, radish, normalized or carmen"
 std::string log_format_choices();
+
+/// "*.log *.clf": those of all formats, each once.
+std::string log_endings();
+
+/// "player, radish, normalized or carmen": those that can be written.
+std::string writable_formats();
 
 /// The word itself where it is "auto" or a format's. Throws ConfigError, under the name of the
 /// option, that lists what it can be.

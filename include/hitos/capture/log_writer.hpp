@@ -1,4 +1,4 @@
-// Writes a tour in any of the four formats.
+// Writes a tour in a format of logs.
 #pragma once
 
 #include <filesystem>

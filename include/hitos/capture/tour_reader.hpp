@@ -38,6 +38,9 @@ struct ReadOptions {
     bool logged_velocities = false;
 };
 
+/// What a simulated tour is read from.
+inline constexpr const char* kWorldFormat = "world";
+
 /// What is known to be true of a tour, in the frame of its start: the robot's pose at the first
 /// scan is (0, 0, 0).
 struct Truth {
@@ -68,7 +71,7 @@ class TourReader {
     virtual std::optional<double> progress() const = 0;
     /// What to call the tour in messages: a path.
     virtual std::string name() const = 0;
-    /// The word of the log's format, or "world".
+    /// The word of the log's format, or kWorldFormat.
     virtual std::string format() const = 0;
     /// The truth, where the tour knows it: a simulated one does.
     virtual std::optional<Truth> truth() const { return std::nullopt; }

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
+#include "hitos/base/translatable.hpp"
 #include "hitos/capture/scan.hpp"
 
 namespace hitos {
@@ -15,9 +17,24 @@ enum class OdometryNoiseKind {
     variance         ///< variance = level * |velocity|: the thesis's wording
 };
 
-/// The words of the kinds, in the enum's order.
-inline constexpr std::array<std::string_view, 2> kOdometryNoiseWords = {"relative-sigma",
-                                                                        "variance"};
+/// What is said of a kind.
+struct OdometryNoiseFacts {
+    std::string_view word;
+    std::string_view label;    ///< translated in the context "OdometryNoise"
+    std::string_view meaning;  ///< for help texts
+};
+
+/// In the enum's order.
+inline constexpr std::array kOdometryNoiseKinds = {
+    OdometryNoiseFacts{"relative-sigma", HITOS_TEXT("OdometryNoise", "σ = level · speed"),
+                       "sigma = level |v|"},
+    OdometryNoiseFacts{"variance", HITOS_TEXT("OdometryNoise", "σ² = level · speed"),
+                       "variance = level |v|"}};
+
+/// The kind of that word. Throws ConfigError, under the name of the option, that lists the words.
+OdometryNoiseKind parse_noise_kind(std::string_view word, const std::string& option);
+/// "relative-sigma: sigma = level |v|; variance: variance = level |v|"
+std::string noise_kind_choices();
 
 /// Adds noise to the readings of one tour, in order: v + N(0, .), w + N(0, .). A reading at rest
 /// stays at rest. The noise of reading k depends on the seed and k alone. A lateral velocity

@@ -24,7 +24,7 @@ class SimulatedTourReader final : public TourReader {
     const ReadReport& report() const override { return report_; }
     std::optional<double> progress() const override;
     std::string name() const override { return tour_->world().file; }
-    std::string format() const override { return "world"; }
+    std::string format() const override { return kWorldFormat; }
     std::optional<Truth> truth() const override;
 
   private:

@@ -18,6 +18,7 @@ struct RecordedTour {
     std::vector<Scan> scans;
     std::vector<Odometria> odometry;
     ReadReport report;
+    std::optional<Truth> truth;
 };
 
 /// Reads a recorded tour, which is asked for at the first scan or reading.
@@ -36,6 +37,8 @@ class RecordedReader final : public TourReader {
     std::optional<double> progress() const override;
     std::string name() const override { return name_; }
     std::string format() const override { return format_; }
+    /// Nothing before the first scan or reading.
+    std::optional<Truth> truth() const override { return tour_ ? tour_->truth : std::nullopt; }
 
   private:
     const RecordedTour& tour();

@@ -8,8 +8,8 @@
 namespace hitos {
 
 /// A file or folder that comes with Hitos, by its place in the source tree ("data/worlds"): looked
-/// for from the program's own place upwards, there and in share/hitos, then in the current folder.
-/// Empty where there is none.
+/// for from the program's own place upwards, there, in share/hitos and share/doc/hitos, then in the
+/// current folder. Empty where there is none.
 std::filesystem::path shipped_file(const std::filesystem::path& relative);
 
 /// Whether the name ends in .toml.

@@ -388,7 +388,8 @@ void LogWriterCarmen::put_odometry(std::string& out, const Odometria& odometry,
 
 LogFormat carmen_format() {
     return {{"carmen", HITOS_TEXT("ParameterChoice", "CARMEN"),
-             "logs of CARMEN (.log, .clf, .gfs.log)"},
+             "logs of CARMEN, in which most public tours come"},
+            "*.log *.clf *.gfs",
             claims,
             classify,
             make_range_conversor<ConversorCarmen>,

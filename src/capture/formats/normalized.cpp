@@ -153,6 +153,7 @@ void LogWriterNormalized::put_odometry(std::string& out, const Odometria& odomet
 LogFormat normalized_format() {
     return {{"normalized", HITOS_TEXT("ParameterChoice", "Normalised"),
              "points and velocities as text, exact to the last bit"},
+            "*.log *.txt",
             claims,
             classify,
             make_plain_conversor<ConversorNormalized>,

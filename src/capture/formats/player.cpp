@@ -366,6 +366,7 @@ void LogWriterPlayer::put_odometry(std::string& out, const Odometria& odometry,
 
 LogFormat player_format() {
     return {{"player", HITOS_TEXT("ParameterChoice", "Player"), "logs of Player and Stage"},
+            "*.log",
             claims,
             classify,
             make_range_conversor<ConversorPlayer>,

@@ -117,7 +117,8 @@ void append_fan(std::string& out, const Scan& scan) {
                            std::atan2(point.y, point.x));
         } else {
             append_no_return(out,
-                             wrap_angle(scan.fan.pose_robot_laser.theta + scan.fan.min_angle_rad + ray * step),
+                             wrap_angle(scan.fan.pose_robot_laser.theta + scan.fan.min_angle_rad +
+                                        ray * scan.fan.step_rad()),
                              scan.fan.max_range_m);
         }
     }
@@ -176,6 +177,7 @@ void LogWriterRadish::put_odometry(std::string& out, const Odometria& odometry,
 LogFormat radish_format() {
     return {{"radish", HITOS_TEXT("ParameterChoice", "Radish"),
              "the text format of the thesis for Radish tours"},
+            "*.log *.txt",
             claims,
             classify,
             make_range_conversor<ConversorRadish>,

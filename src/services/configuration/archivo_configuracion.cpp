@@ -259,6 +259,9 @@ std::string ArchivoConfiguracion::to_text(const Configuracion& configuration) {
         }
         out += '\n';
         append_comment(out, parameter.description);
+        for (const ParameterChoice& choice : parameter.choices) {
+            if (!choice.purpose.empty()) append_comment(out, choice.word + ": " + choice.purpose);
+        }
         append_comment(out, fmt::format("Allowed: {}. Default: {}.", parameter.allowed(),
                                         toml_value(parameter, defaults)));
         out +=

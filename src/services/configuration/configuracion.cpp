@@ -59,13 +59,6 @@ void check(const Configuracion& configuration) {
     check_all(parameters(), configuration);
     check(configuration.filter);
 
-    const MotionParams& motion = configuration.filter.motion;
-    if (motion.model == "no-odometry" && motion.sigma_x_m == 0.0 && motion.sigma_y_m == 0.0 &&
-        motion.sigma_theta_rad == 0.0) {
-        throw ConfigError("motion.model",
-                          "no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta "
-                          "all 0 can never move; give at least one of them a value above 0");
-    }
     const GridParams& grid = configuration.grid;
     if (grid.log_odds_hit == 0.0 && grid.log_odds_miss == 0.0) {
         throw ConfigError("grid.hit",

@@ -35,8 +35,12 @@ void RunWorker::run(std::uint64_t steps) {
     const bool can_run =
         progress_.state != Progress::State::finished && progress_.state != Progress::State::failed;
     if (!can_run && !restart_wanted_) return;
+    if (steps == 0) {
+        stop_running();
+        return;
+    }
     budget_ = steps;
-    if (steps > 0) progress_.state = Progress::State::running;
+    progress_.state = Progress::State::running;
     rate_since_ = std::chrono::steady_clock::now();
     rate_steps_ = progress_.steps;
     wake_.notify_one();
@@ -44,6 +48,10 @@ void RunWorker::run(std::uint64_t steps) {
 
 void RunWorker::pause() {
     const std::scoped_lock lock(mutex_);
+    stop_running();
+}
+
+void RunWorker::stop_running() {
     budget_ = 0;
     // A step under way says itself that it was the last one.
     if (progress_.state == Progress::State::running && !stepping_) {
@@ -123,7 +131,7 @@ void RunWorker::work(const std::stop_token& stop) {
             do_step();
             lock.lock();
         }
-        if (snapshot_wanted_) {
+        if (std::exchange(snapshot_wanted_, false)) {
             lock.unlock();
             publish_snapshot();
             lock.lock();
@@ -220,7 +228,6 @@ void RunWorker::publish_snapshot() {
     snapshot->seconds = thread_seconds() - begin;
 
     const std::scoped_lock lock(mutex_);
-    snapshot_wanted_ = false;
     if (!restart_wanted_) snapshot_ = std::move(snapshot);
 }
 

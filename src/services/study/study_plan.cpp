@@ -38,12 +38,16 @@ StudyPlan::Axis axis_of(const StudyParameter& parameter) {
     if (parameter.values.empty()) throw ConfigError(parameter.name, "found no value to study");
     StudyPlan::Axis axis{parameter.name, parameter.keys, {}, {}};
     for (const std::string& key : parameter.keys) {
-        if (key == "run.seed" || key == "run.threads") {
+        const ConfigParameter& varied = find_parameter(key);
+        if (varied.table() == "grid") {
+            throw ConfigError(key, "has no effect where no grid is drawn, as in studies");
+        }
+        if (!can_be_varied(varied)) {
             throw ConfigError(parameter.name, key +
                                                   " is set by the study itself; say the number "
                                                   "of runs and the first seed instead");
         }
-        axis.units.emplace_back(find_parameter(key).unit);
+        axis.units.emplace_back(varied.unit);
     }
     for (const StudyValue& value : parameter.values) {
         if (value.size() != parameter.keys.size()) {
@@ -79,12 +83,7 @@ Configuracion configuration_of(const Configuracion& base, const std::vector<std:
 void check_effect(const Configuracion& base, const StudyPlan& plan) {
     const std::vector<std::string> keys = plan.keys();
     std::vector<const ConfigParameter*> idle;
-    for (const std::string& key : keys) {
-        if (key.starts_with("grid.")) {
-            throw ConfigError(key, "has no effect where no grid is drawn, as in studies");
-        }
-        idle.push_back(&find_parameter(key));
-    }
+    for (const std::string& key : keys) idle.push_back(&find_parameter(key));
     for (std::size_t cell = 0; cell < plan.cells() && !idle.empty(); ++cell) {
         const Configuracion configuration = configuration_of(base, keys, plan.texts(cell));
         std::erase_if(idle, [&](const auto* key) { return key->used_by(configuration); });

@@ -126,7 +126,7 @@ Study study_of(const ThesisFigure& figure, const World& world, const Part& part,
                     kReproductionLaserSigma, kReproductionOdometryNoise, content(world.file));
     study.source = [&world, &tours](const StudyJob& job) -> std::unique_ptr<TourReader> {
         return std::make_unique<RecordedReader>(
-            world.file, "world",
+            world.file, kWorldFormat,
             [&world, &tours, seed = job.seed] { return tours.get(world, seed); });
     };
     study.layout = {out / "runs" / figure.stem(), fmt::format("s{}-", part.seed), "quality.csv"};

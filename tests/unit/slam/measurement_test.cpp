@@ -24,6 +24,20 @@ TEST(Measurements, TakeTheFixedVariancesWhereTheFeaturesHaveNone) {
     EXPECT_NEAR(measurements.of<SensorEsquina>()[0].z(0), 5.0, 1e-12);
 }
 
+TEST(Measurements, ACornerRightAtTheRobotTakesTheFixedVariances) {
+    // Its bearing means nothing, whatever its own covariance makes of it.
+    Observation seen;
+    seen.corners.push_back({0.5e-3, 0.0});
+    seen.corner_covariances.push_back(1e-4 * Matrix2::Identity());
+    ObservationParams params;
+    Measurements measurements;
+    measure(seen, params, measurements);
+    const Matrix2 r = measurements.of<SensorEsquina>()[0].r;
+    seen.corner_covariances.clear();
+    measure(seen, params, measurements);
+    EXPECT_EQ(r, measurements.of<SensorEsquina>()[0].r);
+}
+
 TEST(Measurements, ACornersCovarianceIsThatOfRangeAndBearing) {
     Matrix2 covariance;
     covariance << 4e-4, 1e-4, 1e-4, 9e-4;

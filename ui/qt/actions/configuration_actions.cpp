@@ -210,7 +210,7 @@ void ConfigurationActions::load_reference_map() {
                                                           {}});
         if (path.isEmpty()) return;
         try {
-            References references = session_.references();
+            References references = session_.user_references();
             references.map = read_map(path.toStdString());
             session_.set_references(references, path);
             files_.note_folder("map", path);
@@ -231,7 +231,7 @@ void ConfigurationActions::load_reference_trajectory() {
                                          {}});
         if (path.isEmpty()) return;
         try {
-            References references = session_.references();
+            References references = session_.user_references();
             references.trajectory = read_trajectory(path.toStdString());
             session_.set_references(references, session_.reference_map_file());
             files_.note_folder("map", path);

@@ -113,7 +113,7 @@ void ResultActions::write_results_to(const QString& folder) {
     RunWorker& worker = *session_.worker();
     double seconds = 0.0;
     for (const StepFigures& step : worker.figures_since(0)) seconds += step.step_seconds;
-    writing_ = worker.with_run([this, folder, seconds,
+    writing_ = worker.with_run([this, number = ++writings_, folder, seconds,
                                 references = session_.references()](const Algoritmo& run) {
         QString problem;
         try {
@@ -123,12 +123,14 @@ void ResultActions::write_results_to(const QString& folder) {
             problem = words_of(error);
         }
         QMetaObject::invokeMethod(
-            this, [this, folder, problem] { end_writing(folder, problem); }, Qt::QueuedConnection);
+            this, [this, number, folder, problem] { end_writing(number, folder, problem); },
+            Qt::QueuedConnection);
     });
     emit writing_changed();
 }
 
-void ResultActions::end_writing(const QString& folder, const QString& problem) {
+void ResultActions::end_writing(int number, const QString& folder, const QString& problem) {
+    if (number != writings_) return;
     writing_ = {};
     emit writing_changed();
     if (!problem.isEmpty()) {

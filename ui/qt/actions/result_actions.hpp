@@ -40,7 +40,7 @@ class ResultActions final : public QObject {
     MapWindow* open_window(QPointer<MapWindow>& place, const QString& title, MapWindow::Show show);
 
     void write_results_to(const QString& folder);
-    void end_writing(const QString& folder, const QString& problem);
+    void end_writing(int number, const QString& folder, const QString& problem);
 
     Session& session_;
     UserFiles& files_;
@@ -49,6 +49,7 @@ class ResultActions final : public QObject {
     QPointer<MapWindow> best_;
     QPointer<MapWindow> odometry_;
     std::future<void> writing_;  ///< valid while results are written
+    int writings_ = 0;           ///< so far; what an earlier one has to say is dropped
     QString results_folder_;     ///< that could not be written
 };
 

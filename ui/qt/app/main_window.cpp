@@ -129,7 +129,7 @@ void MainWindow::connect_configuration() {
     connect(ui_->action_remove_references, &QAction::triggered, configuration_,
             &ConfigurationActions::remove_references);
     const auto enable_remove = [this] {
-        const References& references = session_.references();
+        const References& references = session_.user_references();
         ui_->action_remove_references->setEnabled(references.map || references.trajectory);
     };
     connect(&session_, &Session::references_changed, this, enable_remove);

@@ -53,7 +53,11 @@ void Session::set_configuration(const Configuracion& configuration) {
     configuration_ = configuration;
     worker_ = std::move(next);
     truth_ = std::move(truth);
-    if (another_log) set_references({});
+    if (another_log) {
+        set_references({});
+    } else if (truth_) {
+        join_references();  // the world may have changed
+    }
     begin_anew();
     emit configuration_changed();
 }
@@ -69,9 +73,14 @@ void Session::begin_anew() {
 }
 
 void Session::set_references(const References& references, const QString& map_file) {
-    references_ = references;
-    add_truth(references_, truth_);
+    user_references_ = references;
     reference_map_file_ = map_file;
+    join_references();
+}
+
+void Session::join_references() {
+    references_ = user_references_;
+    add_truth(references_, truth_);
     emit references_changed();
 }
 

@@ -39,6 +39,7 @@ class Session final : public QObject {
 
     /// What the user named, and the truth that the tour itself knows where the user named nothing.
     const References& references() const { return references_; }
+    const References& user_references() const { return user_references_; }
     /// Of the user's. `map_file` is where the map was read; empty where it is not known.
     void set_references(const References& references, const QString& map_file = {});
     const QString& reference_map_file() const { return reference_map_file_; }
@@ -65,9 +66,11 @@ class Session final : public QObject {
     void wake();
     void retire();
     void begin_anew();
+    void join_references();
 
     Configuracion configuration_;
-    References references_;
+    References user_references_;
+    References references_;       ///< with the truth
     std::optional<Truth> truth_;  ///< of the tour
     QString reference_map_file_;
     std::unique_ptr<RunWorker> worker_;

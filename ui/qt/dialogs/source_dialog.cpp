@@ -65,11 +65,12 @@ void SourceDialog::set_path(const QString& path) {
 
 void SourceDialog::browse() {
     const QString path = ui_->path->text().trimmed();
-    const QString chosen = prompts_.open_file(
-        this, {tr("Open log"),
-               path.isEmpty() ? folder_ : path,
-               tr("Logs and worlds (*.log *.clf *.gfs *.txt *.gz *.toml);;All files (*)"),
-               {}});
+    const QString chosen =
+        prompts_.open_file(this, {tr("Open log"),
+                                  path.isEmpty() ? folder_ : path,
+                                  tr("Logs and worlds (%1 *.gz *.toml);;All files (*)")
+                                      .arg(QString::fromStdString(log_endings())),
+                                  {}});
     if (!chosen.isEmpty()) set_path(chosen);
 }
 

@@ -18,12 +18,6 @@ namespace {
 
 constexpr const char* kDash = " — ";
 
-/// A study leaves these as they are, or sets them itself.
-bool can_be_studied(const ConfigParameter& parameter) {
-    return parameter.table() != "run" && parameter.table() != "grid" &&
-           parameter.type != ConfigParameter::Type::text;
-}
-
 /// "dmax — D max": the name to use, then what it stands for.
 QString item_of(std::string_view name, const std::vector<std::string_view>& keys) {
     QStringList labels;
@@ -86,14 +80,15 @@ void StudyForm::fill() {
     }
     ui_.parameter->insertSeparator(ui_.parameter->count());
     for (const ConfigParameter& parameter : parameters()) {
-        if (!can_be_studied(parameter)) continue;
+        if (!can_be_varied(parameter) || parameter.type == ConfigParameter::Type::text) continue;
         ui_.parameter->addItem(item_of(parameter.key, {parameter.key}));
         ui_.parameter->setItemData(ui_.parameter->count() - 1, description_of(parameter),
                                    Qt::ToolTipRole);
     }
-    // In the order of OdometryNoiseKind.
-    ui_.noise_kind->addItem(tr("σ = level · speed"));
-    ui_.noise_kind->addItem(tr("σ² = level · speed"));
+    for (const OdometryNoiseFacts& kind : kOdometryNoiseKinds) {
+        ui_.noise_kind->addItem(
+            QCoreApplication::translate("OdometryNoise", std::string(kind.label).c_str()));
+    }
     ui_.threads->setSpecialValueText(tr("all (%1)").arg(std::thread::hardware_concurrency()));
 }
 

@@ -1405,8 +1405,8 @@
         <translation>Líneas dañadas que se saltarán: %1; la primera es la %2: %3</translation>
     </message>
     <message>
-        <source>Logs and worlds (*.log *.clf *.gfs *.txt *.gz *.toml);;All files (*)</source>
-        <translation>Registros y mundos (*.log *.clf *.gfs *.txt *.gz *.toml);;Todos los archivos (*)</translation>
+        <source>Logs and worlds (%1 *.gz *.toml);;All files (*)</source>
+        <translation>Registros y mundos (%1 *.gz *.toml);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>World</source>

@@ -1,4 +1,4 @@
-// Runs a Algoritmo on a worker thread for windows and command lines [T fig 9.14].
+// Runs an Algoritmo on a worker thread for windows and command lines [T fig 9.14].
 #pragma once
 
 #include <chrono>
@@ -107,7 +107,8 @@ class RunWorker {
     }
 
   private:
-    bool idle() const;  // with the mutex held
+    bool idle() const;    // with the mutex held
+    void stop_running();  // likewise
     void post(std::function<void(const Algoritmo&)> task);
     void work(const std::stop_token& stop);
     void do_step();

@@ -74,7 +74,7 @@ class StudyTest : public ::testing::Test {
     fs::path log_ = folder_.put("small.log", small_log());
 };
 
-TEST_F(StudyTest, ARunOfAStudyIsTheRunThatSlamRunDoes) {
+TEST_F(StudyTest, ARunOfAStudyIsTheRunThatAlgoritmoDoes) {
     const StudyOutcome outcome = run(study("out"));
     EXPECT_EQ(outcome.computed, 12U);
     EXPECT_EQ(outcome.failed, 0U);
