@@ -291,16 +291,16 @@ std::optional<TrajectoryError> trajectory_error(const Trajectory& estimate,
     error.pose_reference_estimate = rigid_alignment(points, partners);
     double squares = 0.0;
     double heading_squares = 0.0;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-        const Point2 point = position_of(estimate[pairs[k].first]);
-        const Point2 partner = position_of(reference[pairs[k].second]);
+    for (const auto& [own, other] : pairs) {
+        const Point2 point = position_of(estimate[own]);
+        const Point2 partner = position_of(reference[other]);
         const double away = distance(transform(error.pose_reference_estimate, point), partner);
         squares += away * away;
         error.mean_m += away / error.poses;
         error.maximum_m = std::max(error.maximum_m, away);
         const double turn =
-            wrap_angle(estimate[pairs[k].first].pose.theta + error.pose_reference_estimate.theta -
-                       reference[pairs[k].second].pose.theta);
+            wrap_angle(estimate[own].pose.theta + error.pose_reference_estimate.theta -
+                       reference[other].pose.theta);
         heading_squares += turn * turn;
     }
     error.rmse_m = std::sqrt(squares / error.poses);

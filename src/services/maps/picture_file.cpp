@@ -90,7 +90,7 @@ void draw_path(cv::Mat& image, const Frame& frame, const std::vector<Point2>& pa
         const cv::Point2d a = frame.pixel(path[i - 1]);
         const cv::Point2d b = frame.pixel(path[i]);
         if (!drawable(a) || !drawable(b)) continue;
-        cv::line(image, fixed(a), fixed(b), red, width, cv::LINE_AA, kShift);
+        cv::line(image, fixed(a), fixed(b), kRed, width, cv::LINE_AA, kShift);
     }
     const int radius = (3 + scale) << kShift;
     const auto mark = [&](const Point2& world, const cv::Scalar& colour) {
@@ -99,8 +99,8 @@ void draw_path(cv::Mat& image, const Frame& frame, const std::vector<Point2>& pa
             cv::circle(image, fixed(pixel), radius, colour, cv::FILLED, cv::LINE_AA, kShift);
         }
     };
-    mark(path.front(), green);
-    mark(path.back(), blue);
+    mark(path.front(), kGreen);
+    mark(path.back(), kBlue);
 }
 
 /// A black bar on white in the lower left corner; none in a picture too small for it.

@@ -50,10 +50,10 @@ std::vector<Parameter<Wheel>> make_wheel() {
     return table;
 }
 
-const std::vector<Parameter<Wheel>> wheel = make_wheel();
+const std::vector<Parameter<Wheel>> kWheel = make_wheel();
 
 const Parameter<Wheel>& of_wheel(std::string_view key) {
-    return find_parameter(std::span<const Parameter<Wheel>>(wheel), key, "see the manual");
+    return find_parameter(std::span<const Parameter<Wheel>>(kWheel), key, "see the manual");
 }
 
 TEST(Parameter, ReadsAndSetsWhereItsMembersPoint) {
@@ -88,7 +88,7 @@ TEST(Parameter, NamesKeyFoundAndAllowed) {
 }
 
 TEST(Parameter, ChecksWhatCodeHasSet) {
-    const std::span<const Parameter<Wheel>> table(wheel);
+    const std::span<const Parameter<Wheel>> table(kWheel);
     Wheel w;
     EXPECT_NO_THROW(check_all(table, w));
     w.tyre = "wood";
@@ -136,7 +136,7 @@ TEST(Parameter, UnknownKeysAreToldWithNearOnes) {
     EXPECT_EQ(refusal("wheel.spoke"), "wheel.spoke: no such parameter; did you mean wheel.spokes?");
     EXPECT_EQ(refusal("cart.tyre"), "cart.tyre: no such parameter; did you mean wheel.tyre?");
     EXPECT_EQ(refusal("weather"), "weather: no such parameter; see the manual");
-    EXPECT_EQ(look_up(std::span<const Parameter<Wheel>>(wheel), "wheel.spoke"), nullptr);
+    EXPECT_EQ(look_up(std::span<const Parameter<Wheel>>(kWheel), "wheel.spoke"), nullptr);
 }
 
 TEST(Parameter, ChoicesOfARegistryKeepItsOrder) {

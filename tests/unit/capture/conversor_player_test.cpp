@@ -11,9 +11,9 @@ using test::Log;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const std::string laser_head = " 16777343 6665 laser 00 ";
-const std::string position_head = " 16777343 6665 position2d 00 001 001 ";
-const std::string two_rays = " -1.5708 +1.5708 +0.01735687 +8.0000 0002 1.000  1 2.000  1";
+const std::string kLaserHead = " 16777343 6665 laser 00 ";
+const std::string kPositionHead = " 16777343 6665 position2d 00 001 001 ";
+const std::string kTwoRays = " -1.5708 +1.5708 +0.01735687 +8.0000 0002 1.000  1 2.000  1";
 
 Log player(const std::string& text, ReadOptions options = {}) {
     return test::read_text("player", text, options);
@@ -21,7 +21,7 @@ Log player(const std::string& text, ReadOptions options = {}) {
 
 /// The reason for which the one damaged line was skipped.
 std::string reason(const std::string& line) {
-    const Log log = player("0.1" + laser_head + "001 001 0000" + two_rays + "\n" + line + "\n");
+    const Log log = player("0.1" + kLaserHead + "001 001 0000" + kTwoRays + "\n" + line + "\n");
     EXPECT_EQ(log.report.skipped, 1U) << line;
     if (log.report.examples.empty()) return {};
     EXPECT_EQ(log.report.examples.front().line, 2U);
@@ -57,7 +57,7 @@ TEST(ConversorPlayer, LinesAsWritelogWritesThem) {
 }
 
 TEST(ConversorPlayer, AnglesComeFromTheCountNotFromTheStatedResolution) {
-    std::string text = "0.1" + laser_head + "001 001 0000 -1.5708 +1.5708 +0.01735687 +8.0000 0181";
+    std::string text = "0.1" + kLaserHead + "001 001 0000 -1.5708 +1.5708 +0.01735687 +8.0000 0181";
     for (int i = 0; i < 181; ++i) text += " 1.000  1";
     const Log log = player(text + " \n");
     ASSERT_EQ(log.scans.at(0).points.size(), 181U);
@@ -68,21 +68,21 @@ TEST(ConversorPlayer, AnglesComeFromTheCountNotFromTheStatedResolution) {
 
 TEST(ConversorPlayer, MountingPoseMovesThePoints) {
     const Log log =
-        player("0.1" + laser_head + "004 001  +0.200  -0.100   1.570796   0.100   0.100\n" + "0.2" +
-               laser_head + "001 001 0000 0.0 +1.0 0.1 +8.0000 0001 2.000  1\n");
+        player("0.1" + kLaserHead + "004 001  +0.200  -0.100   1.570796   0.100   0.100\n" + "0.2" +
+               kLaserHead + "001 001 0000 0.0 +1.0 0.1 +8.0000 0001 2.000  1\n");
     expect_near(log.scans.at(0).points.at(0), Point2{0.2, 1.9}, 1e-6);
     EXPECT_EQ(log.scans[0].fan.pose_robot_laser.x, 0.2);
 }
 
 TEST(ConversorPlayer, LaterGeometryCountsFromThereOn) {
-    const std::string scan = laser_head + "001 001 0000 0.0 +1.0 0.1 +8.0000 0001 2.000  1\n";
-    const Log log = player("0.1" + scan + "0.2" + laser_head + "004 001 1 0 0 0 0\n0.3" + scan);
+    const std::string scan = kLaserHead + "001 001 0000 0.0 +1.0 0.1 +8.0000 0001 2.000  1\n";
+    const Log log = player("0.1" + scan + "0.2" + kLaserHead + "004 001 1 0 0 0 0\n0.3" + scan);
     expect_near(log.scans.at(0).points.at(0), Point2{2, 0}, 1e-12);
     expect_near(log.scans.at(1).points.at(0), Point2{3, 0}, 1e-12);
 }
 
 TEST(ConversorPlayer, ReadingsThatAreNoPointsBreakRuns) {
-    const Log log = player("0.1" + laser_head + "001 001 0000 -1.0 +1.0 0.1 +8.0000 0012 " +
+    const Log log = player("0.1" + kLaserHead + "001 001 0000 -1.0 +1.0 0.1 +8.0000 0012 " +
                            "1 1 nan 0 1 1 1 1 inf 0 0.0 0 1 1 -1.0 0 1 1 8.000 0 9.5 0 -nan 0\n");
     ASSERT_EQ(log.scans.size(), 1U)
         << (log.report.examples.empty() ? "" : log.report.examples[0].reason);
@@ -92,13 +92,13 @@ TEST(ConversorPlayer, ReadingsThatAreNoPointsBreakRuns) {
 
 TEST(ConversorPlayer, MaximumWithFourDecimalsMatchesReadingsWithThree) {
     const Log log =
-        player("0.1" + laser_head + "001 001 0000 -1.0 +1.0 0.1 +5.6004 0002 5.600 0 5.599 1\n");
+        player("0.1" + kLaserHead + "001 001 0000 -1.0 +1.0 0.1 +5.6004 0002 5.600 0 5.599 1\n");
     EXPECT_THAT(log.scans.at(0).rays, ElementsAre(1));
 }
 
 TEST(ConversorPlayer, MaxRangeOptionOverrules) {
     const std::string text =
-        "0.1" + laser_head + "001 001 0000 -1.0 +1.0 0.1 +8.0000 0003 1.0 1 5.0 1 8.0 0\n";
+        "0.1" + kLaserHead + "001 001 0000 -1.0 +1.0 0.1 +8.0000 0003 1.0 1 5.0 1 8.0 0\n";
     EXPECT_THAT(player(text, {5.0, false}).scans.at(0).rays, ElementsAre(0));
     EXPECT_THAT(player(text, {20.0, false}).scans.at(0).rays, ElementsAre(0, 1, 2));
     EXPECT_EQ(player(text, {5.0, false}).scans.at(0).fan.max_range_m, 5.0);
@@ -106,10 +106,10 @@ TEST(ConversorPlayer, MaxRangeOptionOverrules) {
 
 TEST(ConversorPlayer, ScanPoseAndScanAngle) {
     const Log log = player(
-        "0.1" + laser_head +
+        "0.1" + kLaserHead +
         "001 002 0007 +01.000 +02.000 +00.500 -1.0 +1.0 +0.1 +8.0000 0002 1.0 1 2.0 1\n" + "0.2" +
-        laser_head + "001 003 0007 +8.0000 0003 1.000 -0.500  1 8.000 0.000  0 2.000 0.500  1\n" +
-        "0.3" + laser_head +
+        kLaserHead + "001 003 0007 +8.0000 0003 1.000 -0.500  1 8.000 0.000  0 2.000 0.500  1\n" +
+        "0.3" + kLaserHead +
         "001 003 0007 +8.0000 0003 1.000 -0.500  1 1.000 0.300  0 2.000 0.500  1\n");
     ASSERT_EQ(log.scans.size(), 3U);
     EXPECT_EQ(log.scans[0].fan.count, 2U);
@@ -138,7 +138,7 @@ TEST(ConversorPlayer, RangerTakesAnglesFromItsConfiguration) {
 }
 
 TEST(ConversorPlayer, TheFirstDeviceOfEachKindIsUsed) {
-    const std::string scan = " 001 001 0000" + two_rays + "\n";
+    const std::string scan = " 001 001 0000" + kTwoRays + "\n";
     const Log log =
         player("0.1 1 2 laser 01" + scan + "0.2 1 2 laser 00" + scan + "0.3 1 2 laser 01" + scan +
                "0.1 1 2 position2d 03 001 001 0 0 0 0 0 0 0\n"
@@ -170,10 +170,10 @@ TEST(ConversorPlayer, OldHeadersAndTheirPayloads) {
 }
 
 TEST(ConversorPlayer, PayloadsOfTheMonthsBetweenTheVersions) {
-    const Log log = player("1" + laser_head + "001 001 -1.0 +1.0 +0.1 +8.0000 0002 1.0 1 2.0 1\n" +
-                           "2" + laser_head + "001 001 -1.0 +1.0 +0.1 0002 1.0 1 2.0 1\n" + "3" +
-                           laser_head + "001 001 0007 -1.0 +1.0 +0.1 0002 1.0 1 2.0 1\n" + "4" +
-                           laser_head + "001 001 0007 -1.0 +1.0 +0.1 8 0002 1.0 1 2.0 1\n");
+    const Log log = player("1" + kLaserHead + "001 001 -1.0 +1.0 +0.1 +8.0000 0002 1.0 1 2.0 1\n" +
+                           "2" + kLaserHead + "001 001 -1.0 +1.0 +0.1 0002 1.0 1 2.0 1\n" + "3" +
+                           kLaserHead + "001 001 0007 -1.0 +1.0 +0.1 0002 1.0 1 2.0 1\n" + "4" +
+                           kLaserHead + "001 001 0007 -1.0 +1.0 +0.1 8 0002 1.0 1 2.0 1\n");
     ASSERT_EQ(log.scans.size(), 4U);
     EXPECT_EQ(log.scans[0].fan.max_range_m, 8.0);
     EXPECT_EQ(log.scans[1].fan.max_range_m, 0.0);
@@ -187,15 +187,15 @@ TEST(ConversorPlayer, PayloadsOfTheMonthsBetweenTheVersions) {
 
 TEST(ConversorPlayer, HeaderOnlyLinesSurvive) {
     const Log log =
-        player("0.1" + laser_head + "001 001 0000" + two_rays + "\n0.1" + laser_head +
-               "001 002 \n" + "0.1" + laser_head + "004 001 \n0.1 1 2 position2d 00 001 002 \n");
+        player("0.1" + kLaserHead + "001 001 0000" + kTwoRays + "\n0.1" + kLaserHead +
+               "001 002 \n" + "0.1" + kLaserHead + "004 001 \n0.1 1 2 position2d 00 001 002 \n");
     EXPECT_EQ(log.report.skipped, 0U);
     EXPECT_EQ(log.scans.size(), 1U);
 }
 
 TEST(ConversorPlayer, DamagedLinesSayWhatIsWrong) {
     const std::string head =
-        "0.2" + laser_head + "001 001 0000 -1.5708 +1.5708 +0.01735687 +8.0000 ";
+        "0.2" + kLaserHead + "001 001 0000 -1.5708 +1.5708 +0.01735687 +8.0000 ";
     EXPECT_THAT(reason(head + "0003 1.000  1 2.000  1"), HasSubstr("range: found the end"));
     EXPECT_THAT(reason(head + "0001 1.000  1 2.000  1"), HasSubstr("expected the end of the line"));
     EXPECT_THAT(reason(head + "-002 1.000  1 2.000  1"), HasSubstr("count: found \"-002\""));
@@ -203,15 +203,15 @@ TEST(ConversorPlayer, DamagedLinesSayWhatIsWrong) {
     EXPECT_THAT(reason(head + "4294967297 1.0 1"), HasSubstr("count"));
     EXPECT_THAT(reason(head + "0002 1.0x0  1 2.000  1"), HasSubstr("range: found \"1.0x0\""));
     EXPECT_THAT(reason(head + "0002 1.000  1 2.000"), HasSubstr("intensity"));
-    EXPECT_THAT(reason("0.2.3" + laser_head + "001 001 0000" + two_rays), HasSubstr("time"));
-    EXPECT_THAT(reason("nan" + laser_head + "001 001 0000" + two_rays), HasSubstr("player"));
-    EXPECT_THAT(reason("-inf" + laser_head + "001 001 0000" + two_rays), HasSubstr("time"));
-    EXPECT_THAT(reason("0.2" + laser_head + "0x1 001 0000" + two_rays), HasSubstr("type"));
-    EXPECT_THAT(reason("0.2" + laser_head + "001 001"), HasSubstr("found the end"));
-    EXPECT_THAT(reason("0.2" + laser_head + "004 001 0 0 x 0 0"), HasSubstr("pyaw"));
-    EXPECT_THAT(reason("0.2" + position_head + "1 2 3 4 5 6"), HasSubstr("stall"));
-    EXPECT_THAT(reason("0.2" + position_head + "1 2 3 4 5 6 0 7"), HasSubstr("after stall"));
-    EXPECT_THAT(reason("0.2" + position_head + "nan 2 3 4 5 6 0"), HasSubstr("px"));
+    EXPECT_THAT(reason("0.2.3" + kLaserHead + "001 001 0000" + kTwoRays), HasSubstr("time"));
+    EXPECT_THAT(reason("nan" + kLaserHead + "001 001 0000" + kTwoRays), HasSubstr("player"));
+    EXPECT_THAT(reason("-inf" + kLaserHead + "001 001 0000" + kTwoRays), HasSubstr("time"));
+    EXPECT_THAT(reason("0.2" + kLaserHead + "0x1 001 0000" + kTwoRays), HasSubstr("type"));
+    EXPECT_THAT(reason("0.2" + kLaserHead + "001 001"), HasSubstr("found the end"));
+    EXPECT_THAT(reason("0.2" + kLaserHead + "004 001 0 0 x 0 0"), HasSubstr("pyaw"));
+    EXPECT_THAT(reason("0.2" + kPositionHead + "1 2 3 4 5 6"), HasSubstr("stall"));
+    EXPECT_THAT(reason("0.2" + kPositionHead + "1 2 3 4 5 6 0 7"), HasSubstr("after stall"));
+    EXPECT_THAT(reason("0.2" + kPositionHead + "nan 2 3 4 5 6 0"), HasSubstr("px"));
     EXPECT_THAT(reason("0.2 1 2 laser"), HasSubstr("player"));
     EXPECT_THAT(reason("what is this"), HasSubstr("player"));
 }

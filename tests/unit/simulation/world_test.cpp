@@ -10,8 +10,8 @@ using test::message_of;
 using test::TempFolder;
 using ::testing::Test;
 
-const std::string walls = "walls = [[[0, 0], [4, 0]]]\n";
-const std::string tour = "[tour]\nway_points = [[1, 2]]\n";
+const std::string kWalls = "walls = [[[0, 0], [4, 0]]]\n";
+const std::string kTour = "[tour]\nway_points = [[1, 2]]\n";
 
 std::string refusal(const std::string& text) {
     return message_of<FormatError>([&] { parse_world(text, "folder/w.toml"); });
@@ -70,7 +70,7 @@ TEST(World, ReadsEveryKey) {
 }
 
 TEST(World, HasTheDefaultsOfTheThesis) {
-    const World world = parse_world(walls + tour, "w.toml");
+    const World world = parse_world(kWalls + kTour, "w.toml");
     EXPECT_EQ(world.laser.rays, 181);
     EXPECT_EQ(world.laser.field_of_view_deg, 180.0);
     EXPECT_EQ(world.laser.max_range_m, 8.0);
@@ -86,39 +86,42 @@ TEST(World, HasTheDefaultsOfTheThesis) {
 
 TEST(World, NamesTheLineOfEveryMistake) {
     expect_refusal("walls = [\n[[0, 0], [4, 0]]\n[tour]", "folder/w.toml:3: ");
-    expect_refusal(walls + tour + "speed = 1\n",
+    expect_refusal(kWalls + kTour + "speed = 1\n",
                    "w.toml:4: tour.speed: no such key; expected one of tour.laps, tour.rest, "
                    "tour.look_around, tour.start, tour.way_points");
-    expect_refusal("wals = 3\n" + walls + tour, "w.toml:1: wals: no such key; expected walls,");
-    expect_refusal(walls + tour + "[lasers]\nrays = 5\n", "w.toml:4: [lasers]: no such group");
-    expect_refusal(walls + tour + "[laser]\nsigma = -1\n",
+    expect_refusal("wals = 3\n" + kWalls + kTour, "w.toml:1: wals: no such key; expected walls,");
+    expect_refusal(kWalls + kTour + "[lasers]\nrays = 5\n", "w.toml:4: [lasers]: no such group");
+    expect_refusal(kWalls + kTour + "[laser]\nsigma = -1\n",
                    "w.toml:5: laser.sigma: found -1, expected 0 to 1 m");
-    expect_refusal(walls + tour + "[laser]\nrays = 5.5\n",
+    expect_refusal(kWalls + kTour + "[laser]\nrays = 5.5\n",
                    "w.toml:5: laser.rays: found 5.5, expected a whole number");
-    expect_refusal(walls + tour + "[laser]\nsigma = nan\n", "w.toml:5: laser.sigma: found nan");
-    expect_refusal(walls + tour + "[laser]\nsigma = \"big\"\n", "w.toml:5: laser.sigma: expected");
-    expect_refusal(walls + tour + "[odometry]\nnoise_kind = \"loud\"\n",
+    expect_refusal(kWalls + kTour + "[laser]\nsigma = nan\n", "w.toml:5: laser.sigma: found nan");
+    expect_refusal(kWalls + kTour + "[laser]\nsigma = \"big\"\n",
+                   "w.toml:5: laser.sigma: expected");
+    expect_refusal(kWalls + kTour + "[odometry]\nnoise_kind = \"loud\"\n",
                    "found \"loud\", expected one of relative-sigma, variance");
-    expect_refusal(walls + tour + "laps = 0\n", "w.toml:4: tour.laps: found 0");
-    expect_refusal(walls + tour + "look_around = 3\n", "w.toml:4: tour.look_around: expected one");
-    expect_refusal(walls + "tour = 3\n", "w.toml:2: tour: no such key");
-    expect_refusal(walls + tour + "start = [1, 2]\n", "w.toml:4: tour.start: expected [x, y, head");
+    expect_refusal(kWalls + kTour + "laps = 0\n", "w.toml:4: tour.laps: found 0");
+    expect_refusal(kWalls + kTour + "look_around = 3\n",
+                   "w.toml:4: tour.look_around: expected one");
+    expect_refusal(kWalls + "tour = 3\n", "w.toml:2: tour: no such key");
+    expect_refusal(kWalls + kTour + "start = [1, 2]\n",
+                   "w.toml:4: tour.start: expected [x, y, head");
 }
 
 TEST(World, RefusesWallsAndToursThatAreNone) {
-    expect_refusal("walls = [[[0, 0], [4, 0]],\n[[1, 1]]]\n" + tour,
+    expect_refusal("walls = [[[0, 0], [4, 0]],\n[[1, 1]]]\n" + kTour,
                    "w.toml:2: wall 2: found one point, expected two points or more");
-    expect_refusal("walls = [[]]\n" + tour, "wall 1: found no point");
-    expect_refusal("walls = [[[0, 0],\n[0, 0]]]\n" + tour,
+    expect_refusal("walls = [[]]\n" + kTour, "wall 1: found no point");
+    expect_refusal("walls = [[[0, 0],\n[0, 0]]]\n" + kTour,
                    "w.toml:2: wall 1: found the point (0, 0) twice in a row");
-    expect_refusal("walls = [[[0, 0], [1, inf]]]\n" + tour, "wall 1: expected a point [x, y]");
-    expect_refusal("walls = [[[0, 0], [1, 2, 3]]]\n" + tour, "wall 1: expected a point [x, y]");
-    expect_refusal("walls = 4\n" + tour, "walls: expected a list of polylines");
-    expect_refusal("walls = []\n" + tour, "found no walls");
-    expect_refusal(tour, "found no walls");
-    expect_refusal(walls, "found no way points");
-    expect_refusal(walls + "[tour]\nway_points = []\n", "w.toml:3: tour.way_points: found none");
-    expect_refusal(walls + "[tour]\nway_points = [[1, 1], 7]\n", "way point 2: expected a point");
+    expect_refusal("walls = [[[0, 0], [1, inf]]]\n" + kTour, "wall 1: expected a point [x, y]");
+    expect_refusal("walls = [[[0, 0], [1, 2, 3]]]\n" + kTour, "wall 1: expected a point [x, y]");
+    expect_refusal("walls = 4\n" + kTour, "walls: expected a list of polylines");
+    expect_refusal("walls = []\n" + kTour, "found no walls");
+    expect_refusal(kTour, "found no walls");
+    expect_refusal(kWalls, "found no way points");
+    expect_refusal(kWalls + "[tour]\nway_points = []\n", "w.toml:3: tour.way_points: found none");
+    expect_refusal(kWalls + "[tour]\nway_points = [[1, 1], 7]\n", "way point 2: expected a point");
     expect_refusal("", "found no walls");
 }
 
@@ -132,18 +135,18 @@ TEST(World, ReadsWallsFromADrawingBesideIt) {
     folder.put("room.dxf",
                "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n4\n21\n0\n"
                "0\nLINE\n8\n0\n10\n0\n20\n9\n11\n9\n21\n9\n0\nENDSEC\n0\nEOF\n");
-    const auto path = folder.put("room.toml", "walls_dxf = \"room.dxf\"\n" + tour);
+    const auto path = folder.put("room.toml", "walls_dxf = \"room.dxf\"\n" + kTour);
     const World world = read_world(path);
     ASSERT_EQ(world.walls.size(), 2U);
     EXPECT_EQ(world.walls[1].b, (Point2{9, 9}));
     const World scaled =
-        read_world(folder.put("cm.toml", "walls_dxf = \"room.dxf\"\ndxf_unit = 0.01\n" + tour));
+        read_world(folder.put("cm.toml", "walls_dxf = \"room.dxf\"\ndxf_unit = 0.01\n" + kTour));
     EXPECT_EQ(scaled.walls[1].b, (Point2{0.09, 0.09}));
-    const auto missing = folder.put("no.toml", "walls_dxf = \"no.dxf\"\n" + tour);
+    const auto missing = folder.put("no.toml", "walls_dxf = \"no.dxf\"\n" + kTour);
     EXPECT_NE(message_of<FormatError>([&] { read_world(missing); }).find("no.dxf: no such file"),
               std::string::npos);
     const auto layer =
-        folder.put("layer.toml", "walls_dxf = \"room.dxf\"\ndxf_layer = \"roof\"\n" + tour);
+        folder.put("layer.toml", "walls_dxf = \"room.dxf\"\ndxf_layer = \"roof\"\n" + kTour);
     EXPECT_NE(message_of<FormatError>([&] { read_world(layer); }).find("layer \"roof\""),
               std::string::npos);
 }

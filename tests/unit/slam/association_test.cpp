@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <random>
 
 #include "map_store.hpp"
@@ -83,7 +84,7 @@ void add_landmark(typename S::Columns& columns, int i, bool crowded, int round, 
 template <class S>
 void compare_with_oracle(int landmarks, bool crowded) {
     Draws draws;
-    int outcomes[3] = {0, 0, 0};
+    std::array<int, 3> outcomes{};
     for (int round = 0; round < 3000; ++round) {
         AssociationParams params;
         params.method = round % 3 == 0 ? AssociationMethod::gated_nearest
@@ -118,18 +119,18 @@ void compare_with_oracle(int landmarks, bool crowded) {
                                            std::sin(z(1) + pose.theta)};
         const Decision fast = associator.decide<S>(columns, pose, prepared);
         const Decision slow = slow_decision<S>(columns, params, r, pose, z);
-        ++outcomes[static_cast<int>(slow.outcome)];
+        ++outcomes[static_cast<std::size_t>(slow.outcome)];
         ASSERT_EQ(fast.outcome, slow.outcome) << "round " << round;
         ASSERT_EQ(fast.landmark, slow.landmark) << "round " << round;
         ASSERT_NEAR(fast.log_likelihood, slow.log_likelihood,
                     1e-7 * (1.0 + std::abs(slow.log_likelihood)));
     }
     if (landmarks > 1) {
-        EXPECT_GT(outcomes[static_cast<int>(Outcome::matched)], 100);
-        EXPECT_GT(outcomes[static_cast<int>(Outcome::created)], 100);
+        EXPECT_GT(outcomes[static_cast<std::size_t>(Outcome::matched)], 100);
+        EXPECT_GT(outcomes[static_cast<std::size_t>(Outcome::created)], 100);
     }
     if (crowded) {
-        EXPECT_GT(outcomes[static_cast<int>(Outcome::ignored)], 50);
+        EXPECT_GT(outcomes[static_cast<std::size_t>(Outcome::ignored)], 50);
     }
 }
 

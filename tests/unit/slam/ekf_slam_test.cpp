@@ -112,7 +112,7 @@ TEST(EkfSlam, WhereNothingCanBeComparedNothingIsNew) {
     seen.lines.push_back({{3.0, 0.0}, 0, 0});
     feed(filter, {}, seen);
     seen.lines[0].recta.rho = 3.1;
-    seen.line_covariances.push_back(-10.0 * Matrix2::Identity());  // S is not positive
+    seen.line_covariances.emplace_back(-10.0 * Matrix2::Identity());  // S is not positive
     feed(filter, {}, seen);
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::ignored);
     EXPECT_EQ(filter.best_count(FeatureKind::line), 1);

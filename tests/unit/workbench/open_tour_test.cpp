@@ -14,21 +14,21 @@
 namespace hitos {
 namespace {
 
-const std::filesystem::path source_dir = HITOS_SOURCE_DIR;
+const std::filesystem::path kSourceDir = HITOS_SOURCE_DIR;
 
 TEST(OpenTour, SimulatesAWorldAndReadsALog) {
     SourceParams source;
-    source.file = (source_dir / "data/worlds/recinto.toml").string();
+    source.file = (kSourceDir / "data/worlds/recinto.toml").string();
     const auto world = open_tour(source);
     EXPECT_EQ(world->format(), "world");
     EXPECT_EQ(world->name(), source.file);
-    source.file = (source_dir / "data/bigloop.log.gz").string();
+    source.file = (kSourceDir / "data/bigloop.log.gz").string();
     EXPECT_EQ(open_tour(source)->format(), "player");
 }
 
 TEST(OpenTour, RefusesAWorldInAnotherFormat) {
     SourceParams source;
-    source.file = (source_dir / "data/worlds/recinto.toml").string();
+    source.file = (kSourceDir / "data/worlds/recinto.toml").string();
     source.format = "normalized";
     EXPECT_NO_THROW(open_tour(source));  // as older configurations say
     source.format = "carmen";
@@ -39,16 +39,16 @@ TEST(OpenTour, RefusesAWorldInAnotherFormat) {
 }
 
 TEST(OpenTour, ARunOverAWorldMapsIt) {
-    Configuracion configuration = ArchivoConfiguracion::read(source_dir / "config/simulated.cfg");
+    Configuracion configuration = ArchivoConfiguracion::read(kSourceDir / "config/simulated.cfg");
     // The world's laser has 10 mm of noise, for which the thesis's end-point fit is too fine.
     configuration.extraction.split_merge.fit = LineFit::least_squares;
     configuration.extraction.split_merge.dmax_m = 0.04;
-    configuration.source.file = (source_dir / "data/worlds/lineamedia.toml").string();
+    configuration.source.file = (kSourceDir / "data/worlds/lineamedia.toml").string();
     Algoritmo run(configuration, open_tour(configuration.source), {.step_grid = false});
     while (run.step()) {
     }
     const auto error =
-        map_error(run.filter().best_map(), read_map(source_dir / "data/maps/lineamedia.map"));
+        map_error(run.filter().best_map(), read_map(kSourceDir / "data/maps/lineamedia.map"));
     ASSERT_TRUE(error);
     EXPECT_LT(error->mean_m, 0.3);
     EXPECT_EQ(error->reference_found, 9);

@@ -20,7 +20,7 @@ namespace {
 using Group = ParameterGroup;
 
 /// Two columns of groups, about as long as each other; the source has a dialog of its own.
-const std::array<std::vector<Group>, 2> column_groups{{
+const std::array<std::vector<Group>, 2> kColumnGroups{{
     {Group::particle_filter, Group::motion, Group::resampling, Group::run},
     {Group::observation, Group::split_merge, Group::grid},
 }};
@@ -49,7 +49,7 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, Pro
     auto* columns = new QHBoxLayout(ui_->groups);
     columns->setContentsMargins(0, 0, 6, 0);
     columns->setSpacing(12);
-    for (const auto& groups : column_groups) {
+    for (const auto& groups : kColumnGroups) {
         auto* column = new QVBoxLayout;
         column->setSpacing(12);
         for (const Group group : groups) {
