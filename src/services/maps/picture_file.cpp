@@ -20,9 +20,9 @@ constexpr std::int64_t kMostPixels = std::int64_t{1} << 30;  // what OpenCV read
 constexpr int kLongestJpegSide = 65500;                      // the limit of libjpeg
 
 // OpenCV's order: blue, green, red.
-const cv::Scalar red(0, 0, 255);
-const cv::Scalar green(0, 160, 0);
-const cv::Scalar blue(255, 64, 0);
+const cv::Scalar kRed(0, 0, 255);
+const cv::Scalar kGreen(0, 160, 0);
+const cv::Scalar kBlue(255, 64, 0);
 
 std::string lower(std::string_view text) {
     std::string out(text);

@@ -1,0 +1,151 @@
+// Use case 8.2.2.9: what a run leaves is saved as the command line writes it.
+
+#include <QDir>
+#include <QProcess>
+
+#include "gui_fixture.hpp"
+#include "hitos/services/maps/map_file.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+/// What hitos-cli makes of the same configuration.
+QString command_line_results(Fixture& f) {
+    f.prompts.saves = {f.path("same.cfg")};
+    f.trigger("action_save");
+    QProcess cli;
+    cli.start(QString(HITOS_BIN_DIR) + "/hitos-cli",
+              {"run", QString::fromStdString(f.session.configuration().source.file), "--config",
+               f.path("same.cfg"), "--out", f.path("cli")});
+    if (!cli.waitForFinished(120000) || cli.exitCode() != 0) qFatal("hitos-cli has failed");
+    return f.path("cli");
+}
+
+void save_results(Fixture& f) {
+    f.prompts.saves = {f.path("results")};
+    f.trigger("action_save_results");
+    QVERIFY(!f.action("action_save_results")->isEnabled());
+    QTRY_VERIFY(f.action("action_save_results")->isEnabled());
+    QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join('\n')));
+}
+
+/// Byte for byte, but for the time that the run took.
+void compare_results(Fixture& f, const QStringList& others) {
+    const QString cli = command_line_results(f);
+    const QStringList names = QDir(cli).entryList(QDir::Files);
+    QCOMPARE(QDir(f.path("results")).entryList(QDir::Files), names);
+    for (const QString& name : others) QVERIFY2(names.contains(name), qPrintable(name));
+    const auto without_time = [](const QByteArray& text) {
+        QByteArrayList lines = text.split('\n');
+        lines.removeIf([](const QByteArray& line) {
+            return line.contains("\"run_seconds\"") || line.contains("\"scans_per_second\"");
+        });
+        return lines;
+    };
+    for (const QString& name : names) {
+        const QByteArray mine = Fixture::read(f.path("results/") + name);
+        QVERIFY2(!mine.isEmpty(), qPrintable(name));
+        QVERIFY2(without_time(mine) == without_time(Fixture::read(cli + '/' + name)),
+                 qPrintable(name));
+    }
+}
+
+}  // namespace
+
+void RunTest::the_map_is_saved_as_the_command_line_writes_it() {
+    Fixture f(true, 30);
+    f.run_to_end();
+    f.prompts.saves = {f.path("map.txt")};
+    f.trigger("action_save_map");
+    const QByteArray mine = Fixture::read(f.path("map.txt"));
+    QVERIFY(!mine.isEmpty());
+    QVERIFY2(f.notice().contains("map.txt"), qPrintable(f.notice()));
+    const QString cli = command_line_results(f);
+    QCOMPARE(mine, Fixture::read(cli + "/map.txt"));
+    // The name's ending says what is saved: the segments of the lines, or a drawing.
+    f.prompts.saves = {f.path("map.seg")};
+    f.trigger("action_save_map");
+    QCOMPARE(Fixture::read(f.path("map.seg")), Fixture::read(cli + "/segments.txt"));
+    f.prompts.saves = {f.path("Map.DXF")};
+    f.trigger("action_save_map");
+    QCOMPARE(Fixture::read(f.path("Map.DXF")), Fixture::read(cli + "/map.dxf"));
+    QVERIFY(!Fixture::read(cli + "/map.dxf").isEmpty());
+}
+
+void RunTest::a_files_ending_follows_the_chosen_filter() {
+    const QString maps = "Maps (*.txt *.map)";
+    const QString drawings = "CAD drawings (*.dxf)";
+    const QString all = "All files (*)";
+    const QString filters = maps + ";;" + drawings + ";;" + all;
+    const auto ending = [&](const QString& path, const QString& chosen) {
+        return with_ending(path, filters, chosen, "txt");
+    };
+    QCOMPARE(ending("/a.b/map", maps), "/a.b/map.txt");
+    QCOMPARE(ending("/a.b/map", drawings), "/a.b/map.dxf");
+    QCOMPARE(ending("/a.b/map", all), "/a.b/map.txt");
+    QCOMPARE(ending("map.txt", drawings), "map.dxf");
+    QCOMPARE(ending("map.MAP", maps), "map.MAP");
+    QCOMPARE(ending("map.v2", drawings), "map.v2");  // the user's own wish
+    QCOMPARE(ending("map.dxf", all), "map.dxf");
+    QCOMPARE(with_ending("folder", "Folders (*)", "Folders (*)", {}), "folder");
+}
+
+void RunTest::the_map_is_saved_while_running() {
+    Fixture f(true, 200);
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() > 20 && f.action("action_save_map")->isEnabled());
+    f.prompts.saves = {f.path("map.txt")};
+    f.trigger("action_save_map");
+    QVERIFY(f.prompts.warnings.isEmpty());
+    QVERIFY(!read_map(f.path("map.txt").toStdString()).empty());
+}
+
+void RunTest::all_results_are_those_of_the_command_line() {
+    Fixture f(true, 20);
+    f.run_to_end();
+    save_results(f);
+    compare_results(
+        f, {"map.txt", "trajectory.tum", "odometry.tum", "grid_best_steps.png", "grid_best.png",
+            "grid_odometry.jpg", "config.cfg", "segments.txt", "map.dxf", "summary.json"});
+    QVERIFY(!QFile::exists(f.path("results/paths.png")));
+}
+
+void RunTest::all_results_of_a_world_are_those_of_the_command_line() {
+    Fixture f(false);
+    Configuracion configuration = Fixture::tour(5);
+    configuration.source.file = Fixture::source_file("data/worlds/recinto.toml").toStdString();
+    f.session.set_configuration(configuration);
+    f.run_to_end();
+    save_results(f);
+    compare_results(f, {"map.txt", "paths.gp", "summary.json"});
+    // The truth that the world knows.
+    QVERIFY(Fixture::read(f.path("results/summary.json")).contains("\"trajectory_error\""));
+}
+
+void RunTest::results_that_cannot_be_written_are_asked_for_again() {
+    Fixture f;
+    f.run_steps(20);
+    const QString file = f.write("file", "precious");
+    f.prompts.saves = {file + "/results", f.path("results")};
+    f.trigger("action_save_results");
+    QTRY_VERIFY(QFile::exists(f.path("results/summary.json")));
+    QTRY_VERIFY(f.action("action_save_results")->isEnabled());
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QCOMPARE(f.prompts.saves_asked, 2);
+    QCOMPARE(Fixture::read(file), QByteArray("precious"));
+}
+
+void RunTest::saving_the_map_can_fail_and_be_cancelled() {
+    Fixture f;
+    f.run_steps(20);
+    const QString there = f.write("there.txt", "precious");
+    f.prompts.saves = {f.path("no/folder/map.txt"), there};
+    f.prompts.confirms = {false};
+    f.trigger("action_save_map");
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QCOMPARE(f.prompts.saves_asked, 3);  // failed, not overwritten, given up
+    QCOMPARE(Fixture::read(there), QByteArray("precious"));
+}
+
+}  // namespace hitos::window
