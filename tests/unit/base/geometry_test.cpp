@@ -104,7 +104,7 @@ TEST_F(GeometryTest, TwistBetweenInvertsDisplacement) {
 TEST_F(GeometryTest, SeriesMeetsTheQuotient) {
     for (const double w : {0.99999e-4, 1.00001e-4, -0.99999e-4, -1.00001e-4}) {
         const Pose moved = displacement({1, 0, w}, 1.0);
-        const long double turn = w;
+        const auto turn = static_cast<long double>(w);
         const auto half = std::sin(turn / 2);
         EXPECT_NEAR(moved.x, static_cast<double>(std::sin(turn) / turn), 1e-15);
         EXPECT_NEAR(moved.y, static_cast<double>(2 * half * half / turn), 1e-12);

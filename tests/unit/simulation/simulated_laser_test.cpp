@@ -12,15 +12,16 @@ namespace {
 /// own line equation, in long double.
 double oracle(const std::vector<WallSegment>& walls, const Pose& laser, double angle, double most) {
     using Real = long double;
-    const Real bearing = Real{laser.theta} + Real{angle};
+    const auto real = [](double value) { return static_cast<Real>(value); };
+    const Real bearing = real(laser.theta) + real(angle);
     const Real c = std::cos(bearing);
     const Real s = std::sin(bearing);
     auto best = std::numeric_limits<Real>::infinity();
     for (const WallSegment& wall : walls) {
-        const Real ax = Real{wall.a.x} - Real{laser.x};
-        const Real ay = Real{wall.a.y} - Real{laser.y};
-        const Real bx = Real{wall.b.x} - Real{laser.x};
-        const Real by = Real{wall.b.y} - Real{laser.y};
+        const Real ax = real(wall.a.x) - real(laser.x);
+        const Real ay = real(wall.a.y) - real(laser.y);
+        const Real bx = real(wall.b.x) - real(laser.x);
+        const Real by = real(wall.b.y) - real(laser.y);
         const Real side_a = c * ay - s * ax;
         const Real side_b = c * by - s * bx;
         if ((side_a > 0) == (side_b > 0)) continue;
@@ -28,7 +29,7 @@ double oracle(const std::vector<WallSegment>& walls, const Pose& laser, double a
         const Real range = (ax + t * (bx - ax)) * c + (ay + t * (by - ay)) * s;
         if (range >= 0 && range < best) best = range;
     }
-    return best <= Real{most} ? static_cast<double>(best) : std::numeric_limits<double>::infinity();
+    return best <= real(most) ? static_cast<double>(best) : std::numeric_limits<double>::infinity();
 }
 
 Fan fan(double from, double to, std::uint32_t count, double most = 8.0, Pose mount = {}) {
