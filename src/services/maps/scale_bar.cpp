@@ -1,6 +1,7 @@
 #include "hitos/services/maps/scale_bar.hpp"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace hitos {
 

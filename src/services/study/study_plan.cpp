@@ -83,6 +83,7 @@ Configuracion configuration_of(const Configuracion& base, const std::vector<std:
 void check_effect(const Configuracion& base, const StudyPlan& plan) {
     const std::vector<std::string> keys = plan.keys();
     std::vector<const ConfigParameter*> idle;
+    idle.reserve(keys.size());
     for (const std::string& key : keys) idle.push_back(&find_parameter(key));
     for (std::size_t cell = 0; cell < plan.cells() && !idle.empty(); ++cell) {
         const Configuracion configuration = configuration_of(base, keys, plan.texts(cell));
