@@ -28,7 +28,7 @@ TEST(Measurements, ACornerRightAtTheRobotTakesTheFixedVariances) {
     // Its bearing means nothing, whatever its own covariance makes of it.
     Observation seen;
     seen.corners.push_back({0.5e-3, 0.0});
-    seen.corner_covariances.push_back(1e-4 * Matrix2::Identity());
+    seen.corner_covariances.emplace_back(1e-4 * Matrix2::Identity());
     ObservationParams params;
     Measurements measurements;
     measure(seen, params, measurements);
