@@ -47,6 +47,15 @@ TEST(Distances, OfParallelLinesIsTheirDistanceWhereverThePointsLie) {
     EXPECT_NEAR(*shorter.error_percent(), 5.0, 1e-9);
 }
 
+TEST(Distances, AShortOneIsNotMeasuredBetweenTheWallsAroundIt) {
+    // Two points 0.2 m apart, a wall 0.15 m off each: nearer than 0.5 m, but not half as near as
+    // the points are to each other.
+    const MeasuredDistance row =
+        one(map_of({{0.85, kPi / 2.0}, {1.35, kPi / 2.0}}), {"d", {0.0, 1.0}, {0.0, 1.2}});
+    EXPECT_FALSE(row.slam_m);
+    EXPECT_EQ(row.missing, "no line across it within 0.1 m of either point");
+}
+
 TEST(Distances, TreatsBothLinesAlikeWhereTheyAreNotParallel) {
     // x = 0, and a line through (2, 0) turned by 2 degrees.
     const Recta upright{0.0, 0.0};

@@ -44,6 +44,26 @@ TEST(UncertaintyRecord, HoldsEveryScanAndLandmark) {
     EXPECT_EQ(record.entries().front().scan, 0U);
 }
 
+TEST(UncertaintyRecord, IsAsFineAfterClearAsAtTheStart) {
+    UncertaintyRecord record(2);
+    for (int scan = 0; scan < 5; ++scan) record.note(scan, map_of(1, 0, 0.5));
+    EXPECT_GT(record.every(), 1U);
+    record.clear();
+    EXPECT_EQ(record.every(), 1U);
+    record.note(0.0, map_of(1, 0, 0.5));
+    record.note(1.0, map_of(1, 0, 0.5));
+    EXPECT_EQ(record.entries().size(), 2U);
+}
+
+TEST(UncertaintyRecord, AVarianceThatRoundingMadeNegativeIsNone) {
+    LandmarkMap map = map_of(1, 0, 0.5);
+    map[0].covariance << -1e-18, 0.0, 0.0, -1e-18;
+    UncertaintyRecord record;
+    record.note(0.0, map);
+    EXPECT_EQ(record.entries().front().sigma_1, 0.0);
+    EXPECT_EQ(record.entries().front().sigma_2, 0.0);
+}
+
 TEST(UncertaintyRecord, StaysWithinItsBoundWithEvenSteps) {
     UncertaintyRecord record(100);
     std::size_t most = 0;
