@@ -125,7 +125,7 @@ TEST_P(EveryReader, CanBeRecordedAndReadAgain) {
     const auto reader = open();
     const Log plain = read_all(*reader);
     reader->restart();
-    const auto tour = std::make_shared<const RecordedTour>(*reader);
+    auto tour = std::make_shared<const RecordedTour>(*reader);
     RecordedReader recorded(reader->name(), reader->format(), [&] { return tour; });
     for (int round = 0; round < 2; ++round) {
         const Log log = read_all(recorded);

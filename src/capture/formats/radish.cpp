@@ -117,7 +117,8 @@ void append_fan(std::string& out, const Scan& scan) {
                            std::atan2(point.y, point.x));
         } else {
             append_no_return(out,
-                             wrap_angle(scan.fan.pose_robot_laser.theta + scan.fan.angle_rad(ray)),
+                             wrap_angle(scan.fan.pose_robot_laser.theta + scan.fan.min_angle_rad +
+                                        ray * scan.fan.step_rad()),
                              scan.fan.max_range_m);
         }
     }
