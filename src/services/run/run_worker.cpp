@@ -1,20 +1,11 @@
 #include "hitos/services/run/run_worker.hpp"
 
-#include <ctime>
 #include <limits>
 #include <utility>
 
+#include "hitos/base/thread_clock.hpp"
+
 namespace hitos {
-namespace {
-
-/// Time that this thread was at work.
-double thread_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-}  // namespace
 
 RunWorker::RunWorker(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
                      const AlgoritmoOptions& options)

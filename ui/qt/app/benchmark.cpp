@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/thread_clock.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "main_window.hpp"
 #include "session.hpp"
 #include "views/grid_view.hpp"
 #include "views/scan_view.hpp"
 #include "workers/background.hpp"
-#include "workers/thread_clock.hpp"
 
 namespace hitos::window {
 namespace {

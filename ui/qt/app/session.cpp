@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "hitos/base/thread_clock.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "workers/background.hpp"
-#include "workers/thread_clock.hpp"
 
 namespace hitos::window {
 namespace {

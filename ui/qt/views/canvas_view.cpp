@@ -12,7 +12,7 @@
 
 #include "canvas_paint.hpp"
 #include "hitos/base/error.hpp"
-#include "workers/thread_clock.hpp"
+#include "hitos/base/thread_clock.hpp"
 
 namespace hitos::window {
 namespace {

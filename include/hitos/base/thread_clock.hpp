@@ -4,7 +4,7 @@
 
 #include <ctime>
 
-namespace hitos::window {
+namespace hitos {
 
 inline double seconds_of(clockid_t clock) {
     timespec now{};
@@ -21,4 +21,4 @@ inline double process_seconds() {
     return seconds_of(CLOCK_PROCESS_CPUTIME_ID);
 }
 
-}  // namespace hitos::window
+}  // namespace hitos
