@@ -48,8 +48,8 @@ void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t l
             const std::span points(&scan.points[begin], end - begin + 1);
             pieces_.push_back({points, fit_line(points, {a, b}, params_.fit)});
         } else {
-            // Both halves keep the point of the split: a corner belongs to both its walls.
-            pending_.emplace_back(at, end);
+            // Disjoint halves, the first up to the point of the split [T tables 4.1, 4.3].
+            pending_.emplace_back(at + 1, end);
             pending_.emplace_back(begin, at);
         }
     }

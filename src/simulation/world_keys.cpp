@@ -24,6 +24,7 @@ using Odometry = OdometryParams;
 std::vector<WorldKey> make_keys() {
     const std::vector<ParameterChoice> yes_no = {{"false"}, {"true"}};
     std::vector<ParameterChoice> kinds;
+    kinds.reserve(std::size(kOdometryNoiseKinds));
     for (const OdometryNoiseFacts& kind : kOdometryNoiseKinds) {
         kinds.push_back({std::string(kind.word)});
     }

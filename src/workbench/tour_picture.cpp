@@ -27,11 +27,11 @@ constexpr int kShift = 4;                  // OpenCV's fixed point: sixteenths o
 constexpr double kFontScale = 0.45;
 
 // OpenCV's order: blue, green, red.
-const cv::Scalar black(0, 0, 0);
-const cv::Scalar red(40, 40, 220);
-const cv::Scalar grey(170, 170, 170);
-const cv::Scalar blue(200, 90, 20);
-const cv::Scalar green(0, 150, 0);
+const cv::Scalar kBlack(0, 0, 0);
+const cv::Scalar kRed(40, 40, 220);
+const cv::Scalar kGrey(170, 170, 170);
+const cv::Scalar kBlue(200, 90, 20);
+const cv::Scalar kGreen(0, 150, 0);
 
 class Canvas {
   public:
@@ -104,23 +104,23 @@ void draw_footer(Canvas& canvas, const SimulatedTour& tour) {
                   cv::Scalar::all(255), cv::FILLED);
     const double length_m = round_length(160.0 / canvas.pixels_per_m());
     const int length = static_cast<int>(std::lround(length_m * canvas.pixels_per_m()));
-    cv::rectangle(canvas.image(), cv::Rect(kMargin, y + 10, length, 5), black, cv::FILLED);
-    canvas.words(fmt::format("{:g} m", length_m), kMargin, y + 4, black);
+    cv::rectangle(canvas.image(), cv::Rect(kMargin, y + 10, length, 5), kBlack, cv::FILLED);
+    canvas.words(fmt::format("{:g} m", length_m), kMargin, y + 4, kBlack);
     const int x = kMargin + 190;
     canvas.words(fmt::format("{}: {:.0f} m in {:.0f} s", tour.world().name, tour.path().length_m(),
                              tour.path().duration_s()),
-                 x, y + 4, black);
-    canvas.words("true path", x, y + 24, red);
-    canvas.words("odometry", x + 90, y + 24, grey * 0.8);
-    canvas.words("way points", x + 180, y + 24, blue);
-    canvas.words("start", x + 280, y + 24, green);
+                 x, y + 4, kBlack);
+    canvas.words("true path", x, y + 24, kRed);
+    canvas.words("odometry", x + 90, y + 24, kGrey * 0.8);
+    canvas.words("way points", x + 180, y + 24, kBlue);
+    canvas.words("start", x + 280, y + 24, kGreen);
 }
 
 void draw_way_points(Canvas& canvas, const World& world) {
     int number = 0;
     for (const WayPoint& point : world.tour.way_points) {
         ++number;
-        canvas.disc(point.at, 4, blue, 1);
+        canvas.disc(point.at, 4, kBlue, 1);
         // Way points that are passed twice stand one beside the other.
         int before = 0;
         for (int i = 0; i < number - 1; ++i) {
@@ -129,7 +129,7 @@ void draw_way_points(Canvas& canvas, const World& world) {
         }
         const cv::Point at = canvas.at(point.at);
         canvas.words(std::to_string(number), (at.x >> kShift) + 6 + 20 * before,
-                     (at.y >> kShift) - 6, blue);
+                     (at.y >> kShift) - 6, kBlue);
     }
 }
 
@@ -146,14 +146,14 @@ cv::Mat drawn(const SimulatedTour& tour) {
     for (const Point2& point : truth) bounds.hold(point);
 
     Canvas canvas(bounds.low, bounds.high);
-    canvas.path(odometry, grey, 1);
-    for (const WallSegment& wall : world.walls) canvas.line(wall.a, wall.b, black, 3);
-    canvas.path(truth, red, 1);
+    canvas.path(odometry, kGrey, 1);
+    for (const WallSegment& wall : world.walls) canvas.line(wall.a, wall.b, kBlack, 3);
+    canvas.path(truth, kRed, 1);
     draw_way_points(canvas, world);
     const Pose& start = world.tour.start;
     const Point2 ahead = transform(start, Point2{25.0 / canvas.pixels_per_m(), 0.0});
-    canvas.disc({start.x, start.y}, 6, green, cv::FILLED);
-    canvas.line({start.x, start.y}, ahead, green, 3);
+    canvas.disc({start.x, start.y}, 6, kGreen, cv::FILLED);
+    canvas.line({start.x, start.y}, ahead, kGreen, 3);
     draw_footer(canvas, tour);
     return canvas.image();
 }

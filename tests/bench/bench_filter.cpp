@@ -24,7 +24,7 @@ namespace {
 using namespace hitos;
 
 std::filesystem::path log_path() {
-    const std::filesystem::path shared =
+    std::filesystem::path shared =
         std::filesystem::path(HITOS_SHARED_DIR) / "data/player/bigloop2.log.gz";
     if (std::filesystem::exists(shared)) return shared;
     return std::filesystem::path(HITOS_SOURCE_DIR) / "data/bigloop.log.gz";

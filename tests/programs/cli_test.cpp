@@ -1,5 +1,6 @@
 // The command line as a user meets it.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -74,8 +75,8 @@ TEST(Cli, TheSavedConfigurationRepeatsTheRunForAnyNumberOfThreads) {
               0);
     for (const int threads : {2, 7}) {
         const std::string again = (folder / std::to_string(threads)).string();
-        ASSERT_EQ(cli("run " + kLog + " --config " + first + "/config.cfg --threads " +
-                      std::to_string(threads) + " --out " + again)
+        ASSERT_EQ(cli(fmt::format("run {} --config {}/config.cfg --threads {} --out {}", kLog,
+                                  first, threads, again))
                       .status,
                   0);
         for (const char* name :
@@ -90,10 +91,11 @@ TEST(Cli, ConvertWritesEveryFormatAndTheMapsAgree) {
     std::vector<std::size_t> landmarks;
     for (const std::string format : {"normalized", "player", "radish", "carmen"}) {
         const std::string log = (folder / (format + ".log.gz")).string();
-        const Outcome converted = cli("convert " + kLog + " --to " + format + " --out " + log);
+        const Outcome converted =
+            cli(fmt::format("convert {} --to {} --out {}", kLog, format, log));
         ASSERT_EQ(converted.status, 0) << converted.output;
         const std::string out = (folder / format).string();
-        const Outcome outcome = cli("run " + log + quick() + "--out " + out);
+        const Outcome outcome = cli(fmt::format("run {}{}--out {}", log, quick(), out));
         ASSERT_EQ(outcome.status, 0) << outcome.output;
         const auto summary = nlohmann::json::parse(content(out + "/summary.json"));
         EXPECT_EQ(summary["format"], format);
@@ -144,7 +146,7 @@ TEST(Cli, HelpEverywhere) {
         EXPECT_EQ(outcome.status, 0);
         EXPECT_NE(outcome.output.find("--help"), std::string::npos);
     }
-    EXPECT_NE(cli("--version").output.find("."), std::string::npos);
+    EXPECT_NE(cli("--version").output.find('.'), std::string::npos);
     expect_error(cli(""), {"subcommand"});
 }
 
@@ -231,14 +233,14 @@ std::string wall_scan(int k, const std::string& extra = "") {
 
 TEST_F(BadInput, DamagedLinesAreSkippedAndCounted) {
     std::string log = "ODOM 0 0 0\n" + wall_scan(1) + "ODOM 2 0.1 0\n";
-    log += "LASER 3 -4 1 2\n";                   // negative count
-    log += "LASER 3 0\n";                        // no ray returned: an empty scan, no damage
-    log += "LASER 3 50 1 2 3 4\n";               // a count that lies
-    log += "LASER three 1 1 1\n";                // no number
-    log += "ODOM 3 abc 0\n";                     // no number
-    log += std::string(10'000'000, 'x') + "\n";  // a line of 10 MB
-    log += wall_scan(4, " nan inf");             // no point, but a scan
-    log += wall_scan(3);                         // backwards: still a scan
+    log += "LASER 3 -4 1 2\n";            // negative count
+    log += "LASER 3 0\n";                 // no ray returned: an empty scan, no damage
+    log += "LASER 3 50 1 2 3 4\n";        // a count that lies
+    log += "LASER three 1 1 1\n";         // no number
+    log += "ODOM 3 abc 0\n";              // no number
+    log.append(10'000'000, 'x') += '\n';  // a line of 10 MB
+    log += wall_scan(4, " nan inf");      // no point, but a scan
+    log += wall_scan(3);                  // backwards: still a scan
     const Outcome outcome = run_log(log, quick());
     ASSERT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_NE(outcome.output.find("damaged lines"), std::string::npos) << outcome.output;

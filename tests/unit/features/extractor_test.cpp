@@ -16,15 +16,20 @@ namespace {
 TEST(SplitAndMerge, FindsTheTwoWallsOfACornerAndTheCorner) {
     const Scan scan =
         scan_of({joined(wall({2.0, -2.0}, {2.0, 3.0}, 40), wall({2.0, 3.0}, {-3.0, 3.0}, 40))});
-    const Observation seen = extract({}, scan);
+    ExtractionParams params;
+    params.corner_distance_m = 0.13;  // the second wall's first point is 0.128 m from the corner
+    const Observation seen = extract(params, scan);
     ASSERT_EQ(seen.lines.size(), 2U);
     expect_line(seen.lines[0], {2.0, 0.0}, 1e-9, 1e-9);
     expect_line(seen.lines[1], {3.0, kPi / 2}, 1e-9, 1e-9);
+    // The halves are disjoint: the point of the split belongs to the first.
     EXPECT_EQ(seen.lines[0].count, 40U);
-    EXPECT_EQ(seen.lines[1].count, 40U);
+    EXPECT_EQ(seen.lines[1].count, 39U);
     ASSERT_EQ(seen.corners.size(), 1U);
     EXPECT_NEAR(seen.corners[0].x, 2.0, 1e-9);
     EXPECT_NEAR(seen.corners[0].y, 3.0, 1e-9);
+    params.corner_distance_m = 0.12;
+    EXPECT_TRUE(extract(params, scan).corners.empty());
 }
 
 TEST(SplitAndMerge, EverySupportingPointIsWithinDmaxOfItsLine) {
@@ -228,6 +233,7 @@ TEST(Extractor, DetectsWhatIsAskedFor) {
     const Scan scan =
         scan_of({joined(wall({2.0, -2.0}, {2.0, 3.0}, 40), wall({2.0, 3.0}, {-3.0, 3.0}, 40))});
     ExtractionParams params;
+    params.corner_distance_m = 0.2;
     params.detect = Detection::lines;
     EXPECT_EQ(extract(params, scan).lines.size(), 2U);
     EXPECT_TRUE(extract(params, scan).corners.empty());

@@ -146,6 +146,7 @@ TEST(Covariances, ComeWithTheObservationOnlyWhereAskedFor) {
     const Scan scan = scan_of(
         {joined(wall({2.0, -2.0}, {2.0, 3.0}, 40), wall({2.0, 3.0}, {-3.0, 3.0}, 40))}, 0.003);
     ExtractionParams params;
+    params.corner_distance_m = 0.2;
     EXPECT_TRUE(extract(params, scan).line_covariances.empty());
     EXPECT_TRUE(extract(params, scan).corner_covariances.empty());
     params.covariance = ObservationCovariance::points;

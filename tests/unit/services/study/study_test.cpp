@@ -31,7 +31,7 @@ std::string small_log() {
         text += "LASER " + std::to_string(time) + " 60";
         for (int k = 0; k < 30; ++k)
             text += " " + std::to_string(4.0 - x) + " " + std::to_string(-1.0 + 0.1 * k);
-        for (int k = 0; k < 30; ++k) text += " " + std::to_string(4.0 - x - 0.1 * (k + 1)) + " 2";
+        for (int k = 0; k < 30; ++k) text += " " + std::to_string(3.95 - x - 0.1 * k) + " 2";
         text += "\n";
     }
     return text;
