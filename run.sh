@@ -16,7 +16,7 @@ mkdir -p out
 # The recorded odometry is perfect; the thesis adds noise to it, so that there is work to do.
 "$cli" convert data/bigloop.log.gz --to normalized --odometry-noise 0.1 --seed 3 \
     --out out/bigloop-noisy.log.gz
-tour=(out/bigloop-noisy.log.gz --config config/simulated.cfg --reference data/maps/bigloop.map)
+tour=(out/bigloop-noisy.log.gz --config config/thesis.cfg --reference data/maps/bigloop.map)
 if [ -n "$window" ]; then
     exec build/release/bin/hitos "${tour[@]}" "$@"
 fi

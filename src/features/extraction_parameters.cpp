@@ -84,6 +84,19 @@ void add_features(Table& table) {
                   .label = HITOS_TEXT("ParameterLabel", "Corner distance (Es)"),
                   .symbol = "Es"}),
              {where(detect, {"corners", "both"})}));
+    table.push_back(
+        used(real<&ExtractionParams::corner_angle_rad>(
+                 {.key = "features.corner_angle",
+                  .unit = "rad",
+                  .minimum = 0.0,
+                  .maximum = kPi / 2.0,
+                  .description = HITOS_TEXT(
+                      "Parameter",
+                      "Least angle between the lines of a corner, modulo pi; a higher value "
+                      "takes fewer bends for corners, among them those of a wall that noise has "
+                      "broken; 0 takes any, as the thesis does."),
+                  .label = HITOS_TEXT("ParameterLabel", "Corner angle")}),
+             {where(detect, {"corners", "both"})}));
 }
 
 void add_split_merge(Table& table) {

@@ -35,11 +35,13 @@ double distance_to_support(const Observation& observation, const DetectedLine& l
 
 }  // namespace
 
-void find_corners(Observation& seen, double corner_distance_m) {
+void find_corners(Observation& seen, double corner_distance_m, double corner_angle_rad) {
+    const double least_sine = std::sin(corner_angle_rad);
     for (std::size_t i = 0; i < seen.lines.size(); ++i) {
         for (std::size_t j = i + 1; j < seen.lines.size(); ++j) {
             const DetectedLine& a = seen.lines[i];
             const DetectedLine& b = seen.lines[j];
+            if (std::abs(std::sin(b.recta.theta - a.recta.theta)) < least_sine) continue;
             const auto meeting = intersection(a.recta, b.recta);
             if (!meeting || distance_to_support(seen, a, *meeting) > corner_distance_m ||
                 distance_to_support(seen, b, *meeting) > corner_distance_m) {
@@ -82,7 +84,7 @@ void ExRectas::extract(const Scan& scan, Observation& out) {
 
 void ExPuntos::extract(const Scan& scan, Observation& out) {
     lines_.find(scan, out);
-    find_corners(out, corner_distance_m_);
+    find_corners(out, corner_distance_m_, corner_angle_rad_);
     if (keep_lines_) return;
     out.lines.clear();
     out.line_covariances.clear();
@@ -94,7 +96,7 @@ std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params, std::u
     LineFinder lines(params, seed);
     if (params.detect == Detection::lines) return std::make_unique<ExRectas>(std::move(lines));
     return std::make_unique<ExPuntos>(std::move(lines), params.corner_distance_m,
-                                      params.detect == Detection::both);
+                                      params.corner_angle_rad, params.detect == Detection::both);
 }
 
 }  // namespace hitos

@@ -9,9 +9,9 @@
 namespace hitos {
 
 /// Appends the corners of the detected lines: the intersections of two lines that lie within
-/// `corner_distance_m` of a supporting point of both [T table 4.2]; with their covariances where
-/// the lines have theirs.
-void find_corners(Observation& seen, double corner_distance_m);
+/// `corner_distance_m` of a supporting point of both [T table 4.2] and make at least the angle
+/// `corner_angle_rad`, modulo pi; with their covariances where the lines have theirs.
+void find_corners(Observation& seen, double corner_distance_m, double corner_angle_rad = 0.0);
 
 /// Finds lines by the method that the parameters name and says, where they ask for it, how sure
 /// each of them is.
@@ -41,15 +41,17 @@ class ExRectas final : public Extractor {
 /// Corners, and the lines that make them where `keep_lines` is set.
 class ExPuntos final : public Extractor {
   public:
-    ExPuntos(LineFinder lines, double corner_distance_m, bool keep_lines)
+    ExPuntos(LineFinder lines, double corner_distance_m, double corner_angle_rad, bool keep_lines)
         : lines_(std::move(lines)),
           corner_distance_m_(corner_distance_m),
+          corner_angle_rad_(corner_angle_rad),
           keep_lines_(keep_lines) {}
     void extract(const Scan& scan, Observation& out) override;
 
   private:
     LineFinder lines_;
     double corner_distance_m_;
+    double corner_angle_rad_;
     bool keep_lines_;
 };
 

@@ -77,6 +77,7 @@ std::optional<double> SimulatedTourReader::progress() const {
 
 std::optional<Truth> SimulatedTourReader::truth() const {
     Truth truth;
+    truth.seed = tour_->world().seed;
     truth.path.reserve(tour_->scans());
     for (std::uint64_t k = 0; k < tour_->scans(); ++k) {
         truth.path.push_back({tour_->scan_time(k), tour_->true_pose(k)});

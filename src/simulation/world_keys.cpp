@@ -29,7 +29,8 @@ std::vector<WorldKey> make_keys() {
         kinds.push_back({std::string(kind.word)});
     }
     return {
-        integer<&W::seed>({"seed", "", 0, 0x1p53, "seed of the laser's and the odometry's noise"}),
+        integer<&W::seed>({"seed", "", 0, 0x1p53,
+                           "seed of the laser's and the odometry's noise; 0: that of the run"}),
         integer<&W::tour, &Tour::laps>(
             {"tour.laps", "", 1, 1000, "how often the way points are driven, end to end"}),
         real<&W::tour, &Tour::rest_s>(

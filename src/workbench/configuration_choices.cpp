@@ -8,6 +8,14 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
     for (const std::string& assignment : choices.assignments) {
         set_parameter(configuration, assignment);
     }
+    for (const std::string& assignment : choices.world_assignments) {
+        std::string& changes = configuration.source.world_set;
+        if (!changes.empty()) changes += ' ';
+        changes += assignment;
+    }
+    if (choices.tour_seed) {
+        find_parameter("source.tour_seed").set(configuration, std::to_string(*choices.tour_seed));
+    }
     if (choices.seed) {
         find_parameter("run.seed").set(configuration, std::to_string(*choices.seed));
     }

@@ -1,15 +1,29 @@
 #include "hitos/workbench/open_tour.hpp"
 
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/simulation/simulated_tour_reader.hpp"
-#include "hitos/workbench/shipped_data.hpp"
 
 namespace hitos {
 
-std::unique_ptr<TourReader> open_tour(const SourceParams& source) {
+namespace {
+
+World world_of(const SourceParams& source, std::uint64_t run_seed) {
+    World world = read_world(source.file);
+    std::istringstream changes(source.world_set);
+    for (std::string change; changes >> change;) set_world_value(world, change);
+    if (source.tour_seed != 0) world.seed = source.tour_seed;
+    if (world.seed == 0) world.seed = run_seed;
+    return world;
+}
+
+}  // namespace
+
+std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t run_seed) {
     if (!is_world_file(source.file)) return open_source(source);
     // Older configurations name the format in which worlds used to be read.
     if (source.format != kAutoFormat && source.format != "normalized") {
@@ -17,7 +31,11 @@ std::unique_ptr<TourReader> open_tour(const SourceParams& source) {
                                                source.file + ", expected auto: it is no log");
     }
     return std::make_unique<SimulatedTourReader>(
-        std::make_shared<const SimulatedTour>(read_world(source.file)), source.read);
+        std::make_shared<const SimulatedTour>(world_of(source, run_seed)), source.read);
+}
+
+std::unique_ptr<TourReader> open_tour(const Configuracion& configuration) {
+    return open_tour(configuration.source, configuration.run.seed);
 }
 
 void add_truth(References& references, const std::optional<Truth>& truth) {

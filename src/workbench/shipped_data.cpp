@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "hitos/base/error.hpp"
+#include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
 namespace {
@@ -30,13 +30,6 @@ std::filesystem::path shipped_file(const std::filesystem::path& relative) {
     return {};
 }
 
-bool is_world_file(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".toml";
-}
-
 std::vector<std::string> shipped_worlds() {
     std::vector<std::string> names;
     std::error_code ignored;
@@ -56,6 +49,13 @@ std::filesystem::path find_world(const std::string& name) {
     }
     throw FileError(name, fmt::format("no such world file; the worlds that come with Hitos are {}",
                                       fmt::join(worlds, ", ")));
+}
+
+std::string source_named(const std::string& name) {
+    std::error_code ignored;
+    if (std::filesystem::exists(name, ignored)) return name;
+    const bool bare = !name.empty() && name.find_first_of("./") == std::string::npos;
+    return bare ? find_world(name).string() : name;
 }
 
 std::filesystem::path find_thesis_results() {

@@ -1,7 +1,7 @@
 // Speed of the chain on a recorded tour: reading, line extraction, the FastSLAM step, grids.
 //
 // The log is bigloop2 where the shared logs are there, else the bigloop of data/; its odometry gets
-// the thesis's noise (sigma 10 %), the parameters are those of config/simulated.cfg. Everything is
+// the thesis's noise (sigma 10 %), the parameters are those of config/thesis.cfg. Everything is
 // read before the clock starts, except where reading is what is measured.
 
 #include <benchmark/benchmark.h>
@@ -40,7 +40,7 @@ const Tour& tour() {
     static const Tour loaded = [] {
         Tour t;
         t.configuration = ArchivoConfiguracion::read(std::filesystem::path(HITOS_SOURCE_DIR) /
-                                                     "config/simulated.cfg");
+                                                     "config/thesis.cfg");
         Procesador reader(open_log(log_path()));
         OdometryNoise noise(0.1, OdometryNoiseKind::relative_sigma, 1);
         ControlTrack track([&]() -> std::optional<Odometria> {

@@ -106,7 +106,7 @@ struct Fixture {
 
     static Configuracion tour(int particles) {
         Configuracion configuration =
-            read_configuration(source_file("config/simulated.cfg").toStdString());
+            read_configuration(source_file("config/thesis.cfg").toStdString());
         configuration.source.file = source_file("data/bigloop.log.gz").toStdString();
         configuration.filter.particles = particles;
         return configuration;

@@ -51,7 +51,7 @@ struct Mapped {
 
 Mapped mapped(const std::string& world) {
     const std::filesystem::path source = HITOS_SOURCE_DIR;
-    Configuracion configuration = ArchivoConfiguracion::read(source / "config/simulated.cfg");
+    Configuracion configuration = ArchivoConfiguracion::read(source / "config/thesis.cfg");
     configuration.extraction.split_merge.fit = LineFit::least_squares;
     configuration.source.file = (source / "data/worlds" / (world + ".toml")).string();
     auto reader = open_tour(configuration.source);

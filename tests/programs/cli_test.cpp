@@ -27,7 +27,7 @@ Outcome cli(const std::string& arguments) {
 }
 
 std::string quick() {
-    return " --config " + kSource + "/config/simulated.cfg --set filter.particles=10 ";
+    return " --config " + kSource + "/config/thesis.cfg --set filter.particles=10 ";
 }
 
 /// An error is one line that names its cause; the program must not have crashed.

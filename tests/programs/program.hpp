@@ -47,7 +47,7 @@ class ProgramTest : public ::testing::Test {
     const std::string batch_ = kBin + "/BatchSLAM";
     const std::string log_ = kSource + "/data/bigloop.log.gz";
     const std::string map_ = kSource + "/data/maps/bigloop.map";
-    const std::string config_ = kSource + "/config/simulated.cfg";
+    const std::string config_ = kSource + "/config/thesis.cfg";
 };
 
 }  // namespace hitos::test

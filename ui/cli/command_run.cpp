@@ -15,6 +15,7 @@
 #include "hitos/services/run/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
 #include "hitos/workbench/open_tour.hpp"
+#include "hitos/workbench/shipped_data.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
 
@@ -50,13 +51,14 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
                    summary.trajectory_error->rmse_m, summary.odometry_error->rmse_m);
     }
     if (!summary.distances.empty()) fmt::print("{}", distance_table(summary.distances));
+    for (const Advice& advice : summary.advice) fmt::print("note: {}\n", advice.words());
     for (const std::string& missing : summary.not_drawn) fmt::print("not drawn: {}\n", missing);
     fmt::print("results in {}\n", folder);
 }
 
 void run(const RunOptions& options) {
     Configuracion configuration = load(options.configuration);
-    configuration.source.file = options.log;
+    configuration.source.file = source_named(options.log);
     if (!options.format.empty()) {
         configuration.source.format = checked_log_format(options.format, "--format");
     }
@@ -68,7 +70,7 @@ void run(const RunOptions& options) {
     if (!options.distances.empty()) references.distances = read_distances(options.distances);
     prepare_output_folder(options.out);
 
-    std::unique_ptr<TourReader> reader = open_tour(configuration.source);
+    std::unique_ptr<TourReader> reader = open_tour(configuration);
     add_truth(references, reader->truth());
     AlgoritmoOptions run_options;
     run_options.uncertainty = options.uncertainty;
@@ -102,8 +104,10 @@ void add_run(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("run", "Build a landmark map from a log or a simulated tour");
     command
-        ->add_option("log", options->log,
-                     "Log file, plain or .gz, or a world file (.toml) to simulate")
+        ->add_option(
+            "log", options->log,
+            "Log file, plain or .gz, or a world file (.toml) to simulate, or the name of a "
+            "world that comes with Hitos")
         ->required();
     command->add_option("--format", options->format, log_format_choices() + " (default: auto)");
     add_configuration_options(*command, options->configuration);

@@ -101,7 +101,8 @@ void add_simulate(CLI::App& program) {
         ->required();
     command->add_option("--format", options->format, writable_formats() + " (default: normalized)");
     command->add_option("--out", options->out, "Log to write; .gz compresses it");
-    command->add_option("--seed", options->seed, "Seed of the noise (default: as the world says)");
+    command->add_option("--seed,--tour-seed", options->seed,
+                        "Seed of the noise (default: as the world says, else 1)");
     command->add_option("--laps", options->laps, "How often the way points are driven");
     command->add_option("--laser-sigma", options->laser_sigma,
                         "Standard deviation of a range [m]; 0.003 reproduces the thesis");

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/workbench/shipped_data.hpp"
 #include "options.hpp"
 #include "study_console.hpp"
 
@@ -49,7 +50,7 @@ int study(CommandOptions options) {
 
     Study study;
     study.configuration = load(options.configuration);
-    study.configuration.source.file = options.log;
+    study.configuration.source.file = source_named(options.log);
     if (!options.format.empty()) {
         study.configuration.source.format = checked_log_format(options.format, "--format");
     }
@@ -94,7 +95,7 @@ void add_study(CLI::App& program) {
     command->footer(
         "A study that was stopped goes on where it was when it is started again. In a Slurm or\n"
         "Grid Engine job array every task does its shard. See docs/studies.md, docs/cluster.md.");
-    command->add_option("log", options->log, "Log file, plain or .gz");
+    command->add_option("log", options->log, "Log file, plain or .gz, or a world to simulate");
     command->add_option("--format", options->format, log_format_choices() + " (default: auto)");
     command->add_option("--reference", options->reference, "Reference map to measure against");
     command

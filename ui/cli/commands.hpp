@@ -13,5 +13,6 @@ void add_study(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_reproduce(CLI::App& program);
 void add_parameters(CLI::App& program);
+void add_presets(CLI::App& program);
 
 }  // namespace hitos::cli

@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
     hitos::cli::add_study(program);
     hitos::cli::add_reproduce(program);
     hitos::cli::add_parameters(program);
+    hitos::cli::add_presets(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

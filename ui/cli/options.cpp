@@ -1,17 +1,33 @@
 #include "options.hpp"
 
+#include "hitos/workbench/presets.hpp"
+
 namespace hitos::cli {
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options) {
-    command.add_option("--config", options.file,
-                       "Configuration file (default: the thesis's recommended values)");
+    CLI::Option* file = command.add_option(
+        "--config", options.file, "Configuration file (default: the thesis's recommended values)");
+    command
+        .add_option("--preset", options.preset,
+                    "Configuration that comes with Hitos: " + preset_words() +
+                        "; hitos-cli presets says what each is for")
+        ->excludes(file);
     command
         .add_option("--set", options.values.assignments,
                     "Change one parameter, e.g. --set filter.particles=500; may be repeated; "
                     "hitos-cli parameters lists them")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    command
+        .add_option("--world-set", options.values.world_assignments,
+                    "Change one value of the world that is simulated, e.g. --world-set "
+                    "laser.sigma=0.003; may be repeated; hitos-cli simulate --help lists them")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
     command.add_option("--seed", options.values.seed, "Seed of all random numbers");
+    command.add_option("--tour-seed", options.values.tour_seed,
+                       "Seed of a world's noise, to drive the same tour with other seeds "
+                       "(default: as the world says, else the seed)");
     command.add_option("--threads", options.values.threads,
                        "Threads (default: all); results do not depend on it");
 }
@@ -19,6 +35,7 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
 Configuracion load(const ConfigurationOptions& options) {
     Configuracion configuration;
     if (!options.file.empty()) configuration = read_configuration(options.file);
+    if (!options.preset.empty()) configuration = preset_configuration(options.preset);
     choose_values(configuration, options.values);
     return configuration;
 }

@@ -12,15 +12,16 @@
 
 namespace hitos::cli {
 
-/// --config, --set, --seed and --threads.
+/// --config, --preset and those of ValueChoices.
 struct ConfigurationOptions {
     std::string file;
+    std::string preset;
     ValueChoices values;
 };
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options);
 
-/// The file's values (else the defaults), the assignments over them, then seed and threads.
+/// The values of the file or the preset (else the defaults), and the choices over them.
 Configuracion load(const ConfigurationOptions& options);
 
 }  // namespace hitos::cli

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,11 +42,15 @@ struct ReadOptions {
 /// What a simulated tour is read from.
 inline constexpr const char* kWorldFormat = "world";
 
+/// Whether the name ends in .toml: a world to simulate, not a log.
+bool is_world_file(const std::filesystem::path& path);
+
 /// What is known to be true of a tour, in the frame of its start: the robot's pose at the first
 /// scan is (0, 0, 0).
 struct Truth {
     Trajectory path;  ///< the pose at every scan
     Walls walls;
+    std::uint64_t seed = 0;  ///< of the noise of its laser and its odometry
 };
 
 /// A tour that is read once, from its beginning to its end: scans and odometry in two sequences

@@ -101,6 +101,7 @@ struct ExtractionParams {
     double point_sigma_m = 0.01;     ///< for `points`: standard deviation of a range
     double common_sigma_m = 0.0;     ///< and of what all points of a line share
     double corner_distance_m = 0.1;  ///< greatest distance of a corner from both its lines [es]
+    double corner_angle_rad = 0.0;   ///< least angle between the lines of a corner; 0: any
 };
 
 /// Finds features in a scan. Not thread-safe: it keeps working memory between calls.

@@ -11,15 +11,17 @@
 
 namespace hitos {
 
-/// --set, --seed and --threads.
+/// --set, --world-set, --seed, --tour-seed and --threads.
 struct ValueChoices {
     std::vector<std::string> assignments;  ///< "key=value"
-    std::optional<std::uint64_t> seed;
-    std::optional<int> threads;
+    std::optional<std::uint64_t> seed = {};
+    std::optional<int> threads = {};
+    std::optional<std::uint64_t> tour_seed = {};
+    std::vector<std::string> world_assignments = {};  ///< "key=value", of a world's values
 };
 
-/// The assignments over the configuration, in order, then seed and threads; all checked. Throws
-/// ConfigError.
+/// The assignments over the configuration, in order, then the others; those of a world are put
+/// behind what source.world_set says already. All checked. Throws ConfigError.
 void choose_values(Configuracion& configuration, const ValueChoices& choices);
 
 /// The configuration of a file. A log that it names by a relative path, and that is not there, is

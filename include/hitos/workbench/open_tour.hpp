@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "hitos/capture/tour_reader.hpp"
@@ -10,10 +11,13 @@
 
 namespace hitos {
 
-/// A world file (.toml) is simulated, seed and noise as it says; anything else is a log. Throws
-/// what open_source() and read_world() throw, and ConfigError where a world is to be read in the
-/// format of a log.
-std::unique_ptr<TourReader> open_tour(const SourceParams& source);
+/// A world file (.toml) is simulated, with the values of source.world_set over its own; anything
+/// else is a log. The seed of a world's noise is source.tour_seed, else the world's own, else
+/// `run_seed`. Throws what open_source(), read_world() and set_world_value() throw, and ConfigError
+/// where a world is to be read in the format of a log.
+std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t run_seed = 1);
+/// With the configuration's seed.
+std::unique_ptr<TourReader> open_tour(const Configuracion& configuration);
 
 /// Puts the truth that the tour knows where the references name nothing else: its path, and its
 /// walls for pictures.

@@ -12,15 +12,17 @@ namespace hitos {
 /// current folder. Empty where there is none.
 std::filesystem::path shipped_file(const std::filesystem::path& relative);
 
-/// Whether the name ends in .toml.
-bool is_world_file(const std::filesystem::path& path);
-
 /// The path itself where it exists or is more than a bare name; else the world of that name among
 /// those that come with Hitos. Throws FileError that lists their names where there is none.
 std::filesystem::path find_world(const std::string& name);
 
 /// The worlds that come with Hitos, by name.
 std::vector<std::string> shipped_worlds();
+
+/// What is asked for as a log or a world: a path as it stands, or the world of that bare name that
+/// comes with Hitos. Throws FileError for a bare name that is neither; a path that is missing is
+/// given back for the reader to complain of.
+std::string source_named(const std::string& name);
 
 /// data/results.csv, the figures of the thesis, likewise. Throws FileError.
 std::filesystem::path find_thesis_results();

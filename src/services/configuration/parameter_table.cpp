@@ -58,6 +58,29 @@ void add_source(Table& table) {
          .card = "source",
          .choices = {{"poses", HITOS_TEXT("ParameterChoice", "Logged poses")},
                      {"velocities", HITOS_TEXT("ParameterChoice", "Logged velocities")}}}));
+    const ConfigParameter::Condition world{
+        "source.file", "a world (.toml)",
+        [](const Config& configuration) { return is_world_file(configuration.source.file); }};
+    table.push_back(used(integer<&Config::source, &SourceParams::tour_seed>(
+                             {.key = "source.tour_seed",
+                              .minimum = 0.0,
+                              .maximum = 0x1p63,
+                              .description = HITOS_TEXT(
+                                  "Parameter",
+                                  "Seed of the noise of a world's laser and odometry, so that runs "
+                                  "with other seeds drive the same tour; 0 takes what the world "
+                                  "says, else the run's seed."),
+                              .label = HITOS_TEXT("ParameterLabel", "Tour seed")}),
+                         {world}));
+    table.push_back(
+        used(text<&Config::source, &SourceParams::world_set>(
+                 {.key = "source.world_set",
+                  .description = HITOS_TEXT(
+                      "Parameter",
+                      "Changes of a world's values, with spaces between them, e.g. "
+                      "laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help lists the keys."),
+                  .label = HITOS_TEXT("ParameterLabel", "World values")}),
+             {world}));
 }
 
 void add_run(Table& table) {

@@ -29,6 +29,7 @@ void Algoritmo::begin() {
         std::make_unique<ControlTrack>([from = reader_.get()] { return from->next_odometry(); });
     step_grid_.clear();
     line_extents_.clear();
+    suitability_.clear();
     uncertainty_.clear();
     scan_ = {};
     observation_.clear();
@@ -61,6 +62,7 @@ bool Algoritmo::step() {
     extractor_->extract(scan_, observation_);
     filter_->step({scan_, step_controls_, observation_});
     line_extents_.note(*filter_, observation_);
+    suitability_.note(step_controls_, observation_, filter_->associations());
     if (options_.uncertainty) uncertainty_.note(scan_.time_s, filter_->best_map());
 
     odometry_.add(scan_.time_s, step_controls_);

@@ -60,9 +60,12 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
     summary.particles =
         slam_algorithms().reads(filter.algorithm, "filter.particles") ? filter.particles : 0;
     summary.seed = run.configuration().run.seed;
+    if (const auto truth = run.reader().truth()) summary.tour_seed = truth->seed;
     summary.lines = run.filter().best_count(FeatureKind::line);
     summary.corners = run.filter().best_count(FeatureKind::corner);
     summary.report = run.report();
+    summary.suitability = run.suitability().figures();
+    summary.advice = run.advice();
     const LandmarkMap map = run.filter().best_map();
     if (references.map) {
         summary.map_error = map_error(map, *references.map);
@@ -99,6 +102,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
           {"stamps_backwards", summary.report.stamps_backwards},
           {"skipped_lines", summary.report.skipped},
           {"skipped_examples", skipped}}}};
+    if (summary.tour_seed) json["tour_seed"] = *summary.tour_seed;
     if (summary.particles > 0) json["particles"] = summary.particles;
     if (summary.map_error) json["map_error"] = json_of(*summary.map_error);
     if (summary.aligned_map_error) {
@@ -108,6 +112,12 @@ std::string to_json(const RunSummary& summary, double seconds) {
     if (summary.odometry_error) json["odometry_error"] = json_of(*summary.odometry_error);
     for (const MeasuredDistance& measured : summary.distances)
         json["distances"].push_back(json_of(measured));
+    json["suitability"] = {{"step_m", summary.suitability.step_m},
+                           {"scatter_m", summary.suitability.scatter_m},
+                           {"unmatched", summary.suitability.unmatched},
+                           {"advice", ordered_json::array()}};
+    for (const Advice& advice : summary.advice)
+        json["suitability"]["advice"].push_back(advice.words());
     // Text from a damaged log may be no UTF-8: replace what is not instead of failing.
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -213,6 +213,7 @@ void RunWorker::publish_snapshot() {
     snapshot->best_map = run_.filter().best_map();
     snapshot->hypotheses = run_.filter().hypotheses();
     snapshot->best_trajectory = run_.best_trajectory();
+    snapshot->advice = run_.advice();
     snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
     snapshot->odometry_trajectory = run_.odometry_trajectory();
     snapshot->step_grid = tiler_.tiles(run_.step_grid());

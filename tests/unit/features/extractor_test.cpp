@@ -28,8 +28,25 @@ TEST(SplitAndMerge, FindsTheTwoWallsOfACornerAndTheCorner) {
     ASSERT_EQ(seen.corners.size(), 1U);
     EXPECT_NEAR(seen.corners[0].x, 2.0, 1e-9);
     EXPECT_NEAR(seen.corners[0].y, 3.0, 1e-9);
+    params.corner_angle_rad = 1.5;
+    EXPECT_EQ(extract(params, scan).corners.size(), 1U);  // the walls are square to each other
     params.corner_distance_m = 0.12;
     EXPECT_TRUE(extract(params, scan).corners.empty());
+}
+
+TEST(SplitAndMerge, ABendIsACornerWhereItsAngleIsWideEnough) {
+    // Walls that turn by 0.3 rad, towards the laser and away from it.
+    for (const double turn : {0.3, -0.3}) {
+        const Point2 bend{3.0, 0.0};
+        const Scan scan =
+            scan_of({joined(wall({3.0, -2.0}, bend, 60),
+                            wall(bend, {3.0 + 2.0 * std::sin(turn), 2.0 * std::cos(turn)}, 60))});
+        ExtractionParams params;
+        for (const auto& [angle, corners] : {std::pair{0.0, 1U}, {0.29, 1U}, {0.31, 0U}}) {
+            params.corner_angle_rad = angle;
+            EXPECT_EQ(extract(params, scan).corners.size(), corners) << turn << ", " << angle;
+        }
+    }
 }
 
 TEST(SplitAndMerge, EverySupportingPointIsWithinDmaxOfItsLine) {

@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/run/algoritmo.hpp"
+#include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
+#include "support.hpp"
 
 namespace hitos {
 namespace {
@@ -38,11 +41,55 @@ TEST(OpenTour, RefusesAWorldInAnotherFormat) {
     EXPECT_THROW(open_tour(source), FileError);
 }
 
+/// The first readings that a world gives: laser and odometry of its noise.
+std::vector<double> noise_of(TourReader& reader) {
+    std::vector<double> noise;
+    for (int i = 0; i < 3; ++i) noise.push_back(reader.next_scan()->points.front().x);
+    for (int i = 0; i < 100; ++i) noise.push_back(reader.next_odometry()->twist.v);
+    return noise;
+}
+
+TEST(OpenTour, TheRunsSeedIsTheToursUnlessOneIsGiven) {
+    SourceParams source;
+    source.file = (kSourceDir / "data/worlds/recinto.toml").string();
+    const auto noise = [&](std::uint64_t run_seed) {
+        const auto reader = open_tour(source, run_seed);
+        return noise_of(*reader);
+    };
+    EXPECT_EQ(noise(1), noise(1));
+    EXPECT_NE(noise(1), noise(2));
+    const std::vector<double> third = noise(3);
+    source.tour_seed = 3;
+    EXPECT_EQ(noise(1), third);
+    EXPECT_EQ(noise(2), third);
+    EXPECT_EQ(open_tour(source, 9)->truth()->seed, 3U);
+    Configuracion configuration;
+    configuration.source.file = source.file;
+    configuration.run.seed = 3;
+    EXPECT_EQ(noise_of(*open_tour(configuration)), third);
+}
+
+TEST(OpenTour, TheWorldsOwnSeedIsBetweenTheTwo) {
+    const test::TempFolder folder;
+    SourceParams source;
+    source.file =
+        folder
+            .put("own.toml", "seed = 4\n" + test::content(kSourceDir / "data/worlds/recinto.toml"))
+            .string();
+    EXPECT_EQ(open_tour(source, 7)->truth()->seed, 4U);
+    source.tour_seed = 5;
+    EXPECT_EQ(open_tour(source, 7)->truth()->seed, 5U);
+    source.tour_seed = 0;
+    source.world_set = "seed=6 laser.rays=11";
+    const auto reader = open_tour(source, 7);
+    EXPECT_EQ(reader->truth()->seed, 6U);
+    EXPECT_EQ(reader->next_scan()->fan.count, 11U);
+    source.world_set = "laser.rays=1";
+    EXPECT_THROW(open_tour(source, 7), ConfigError);
+}
+
 TEST(OpenTour, ARunOverAWorldMapsIt) {
-    Configuracion configuration = ArchivoConfiguracion::read(kSourceDir / "config/simulated.cfg");
-    // The world's laser has 10 mm of noise, for which the thesis's end-point fit is too fine.
-    configuration.extraction.split_merge.fit = LineFit::least_squares;
-    configuration.extraction.split_merge.dmax_m = 0.04;
+    Configuracion configuration = preset_configuration("simulated");
     configuration.source.file = (kSourceDir / "data/worlds/lineamedia.toml").string();
     Algoritmo run(configuration, open_tour(configuration.source), {.step_grid = false});
     while (run.step()) {
@@ -50,7 +97,7 @@ TEST(OpenTour, ARunOverAWorldMapsIt) {
     const auto error =
         map_error(run.filter().best_map(), read_map(kSourceDir / "data/maps/lineamedia.map"));
     ASSERT_TRUE(error);
-    EXPECT_LT(error->mean_m, 0.3);
+    EXPECT_LT(error->mean_m, 0.15);
     EXPECT_EQ(error->reference_found, 9);
 }
 

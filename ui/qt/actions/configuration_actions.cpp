@@ -13,6 +13,7 @@
 #include "dialogs/source_dialog.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/workbench/presets.hpp"
 
 namespace hitos::window {
 
@@ -139,6 +140,25 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
     files_.note_recent(path);
     emit notice(tr("Configuration loaded: %1").arg(QFileInfo(path).fileName()));
     return true;
+}
+
+void ConfigurationActions::use_preset(std::string_view word) {
+    Configuracion next;
+    try {
+        next = preset_configuration(word);
+    } catch (const std::exception& error) {
+        prompts_.warn(window_, tr("The configuration was not loaded"), words_of(error));
+        return;
+    }
+    const std::string world_set = next.source.world_set;
+    next.source = session_.configuration().source;
+    next.source.world_set = world_set;
+    const QString name = translated("Preset", find_preset(word).label);
+    if (!prompts_.confirm(window_, {tr("Preset"), tr("Replace the configuration by %1?").arg(name),
+                                    tr("The run starts from the beginning."), tr("Load")})) {
+        return;
+    }
+    if (use(next)) emit notice(tr("Configuration loaded: %1").arg(name));
 }
 
 void ConfigurationActions::load() {

@@ -32,6 +32,8 @@ class ConfigurationActions final : public QObject {
     void configure();
     void configure_group(ParameterGroup group);
     void load();
+    /// The configuration that comes with Hitos under that word; the source stays.
+    void use_preset(std::string_view word);
     void save();
     void set_default();
     void load_reference_map();

@@ -138,7 +138,7 @@ Figures measure(MainWindow& window, Session& session) {
     // At the window's run's priority: only the window makes a difference.
     const auto bare = in_background([&] {
         return std::make_unique<RunWorker>(session.configuration(),
-                                           open_tour(session.configuration().source));
+                                           open_tour(session.configuration()));
     });
     bool counting = false;
     const auto counter = QObject::connect(&window.grid_view(), &CanvasView::painted, &window,

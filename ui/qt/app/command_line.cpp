@@ -6,17 +6,14 @@
 #include "actions/user_files.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 
 namespace hitos::window {
 namespace {
 
 constexpr const char* kReadyTour = "data/bigloop.log.gz";
-
-/// The file of that name, or the world of that name that comes with Hitos.
-std::string source_named(const std::string& name) {
-    return std::filesystem::exists(name) ? name : find_world(name).string();
-}
+constexpr const char* kReadyPreset = "thesis";
 
 }  // namespace
 
@@ -29,11 +26,22 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         "file", out.open,
         "Log (plain or .gz), configuration (.cfg), or world (.toml, or the name of one "
         "that comes with Hitos)");
-    program.add_option("--config", out.config, "Configuration file");
+    CLI::Option* config = program.add_option("--config", out.config, "Configuration file");
+    program
+        .add_option("--preset", out.preset,
+                    "Configuration that comes with Hitos: " + preset_words())
+        ->excludes(config);
     program.add_option("--set", out.values.assignments, "Change one parameter; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    program
+        .add_option("--world-set", out.values.world_assignments,
+                    "Change one value of the world that is simulated; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
     program.add_option("--seed", out.values.seed, "Seed of all random numbers");
+    program.add_option("--tour-seed", out.values.tour_seed,
+                       "Seed of a world's noise (default: as the world says, else the seed)");
     program.add_option("--threads", out.values.threads, "Threads (default: all)");
     program.add_option("--reference", out.reference, "Reference map to measure the map against");
     program.add_option("--reference-trajectory", out.reference_trajectory,
@@ -78,13 +86,14 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     const bool named_configuration = !named.isEmpty() && kind_of(named) == FileKind::configuration;
     if (!line.config.empty()) {
         configuration = read_configuration(line.config);
+    } else if (!line.preset.empty()) {
+        configuration = preset_configuration(line.preset);
     } else if (named_configuration) {
         configuration = read_configuration(line.open);
     } else if (init == Init::read && files.has_init()) {
         configuration = read_configuration(files.init_path().toStdString());
-    } else if (named.isEmpty()) {
-        const std::filesystem::path ready = shipped_file("config/simulated.cfg");
-        if (!ready.empty()) configuration = read_configuration(ready);
+    } else if (named.isEmpty() && !shipped_file(kReadyTour).empty()) {
+        configuration = preset_configuration(kReadyPreset);
     }
     if (!named.isEmpty() && !named_configuration) {
         configuration.source.file = source_named(line.open);

@@ -16,6 +16,7 @@ class UserFiles;
 struct CommandLine {
     std::string open;  ///< log, world or configuration
     std::string config;
+    std::string preset;
     ValueChoices values;
     std::string reference;
     std::string reference_trajectory;

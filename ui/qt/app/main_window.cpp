@@ -12,8 +12,10 @@
 
 #include "actions/configuration_actions.hpp"
 #include "actions/result_actions.hpp"
+#include "dialogs/parameter_text.hpp"
 #include "dialogs/picture_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
+#include "hitos/workbench/presets.hpp"
 #include "icons.hpp"
 #include "status_line.hpp"
 #include "ui_main_window.h"
@@ -118,6 +120,13 @@ void MainWindow::connect_configuration() {
             [this] { configuration_->select_source(); });
     connect(ui_->action_manual, &QAction::triggered, configuration_,
             &ConfigurationActions::configure);
+    for (const Preset& preset : presets()) {
+        QAction* action = ui_->menu_presets->addAction(translated("Preset", preset.label));
+        action->setObjectName("action_preset_" + to_qt(preset.word));
+        action->setToolTip(translated("Preset", preset.purpose));
+        connect(action, &QAction::triggered, configuration_,
+                [this, word = preset.word] { configuration_->use_preset(word); });
+    }
     connect(ui_->action_load, &QAction::triggered, configuration_, &ConfigurationActions::load);
     connect(ui_->action_save, &QAction::triggered, configuration_, &ConfigurationActions::save);
     connect(ui_->action_set_default, &QAction::triggered, configuration_,

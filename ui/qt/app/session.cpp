@@ -43,7 +43,7 @@ void Session::set_configuration(const Configuracion& configuration) {
     std::optional<Truth> truth;
     if (!configuration.source.file.empty()) {
         next = in_background([&] {
-            std::unique_ptr<TourReader> reader = open_tour(configuration.source);
+            std::unique_ptr<TourReader> reader = open_tour(configuration);
             truth = reader->truth();
             return std::make_unique<RunWorker>(configuration, std::move(reader));
         });

@@ -3,10 +3,20 @@
 #include <QLabel>
 #include <QStatusBar>
 
+#include "dialogs/parameter_text.hpp"
+#include "hitos/workbench/presets.hpp"
+
 namespace hitos::window {
 namespace {
 
 constexpr int kNoticeMs = 6000;
+constexpr int kAdviceMs = 30'000;
+
+QString in_words(const Advice& advice) {
+    return translated("Advice", advice.text).arg(QString::fromStdString(advice.figure)) + ' ' +
+           StatusLine::tr("Try Configuration → Presets → %1.")
+               .arg(translated("Preset", find_preset(advice.preset).label));
+}
 
 }  // namespace
 
@@ -30,6 +40,7 @@ StatusLine::StatusLine(QStatusBar* bar, Session& session)
     landmarks_ = add("status_landmarks",
                      tr("Landmarks %1 (lines %2, corners %3)").arg(999).arg(999).arg(999));
     connect(&session, &Session::progress_changed, this, &StatusLine::refresh);
+    connect(&session, &Session::snapshot_changed, this, &StatusLine::show_advice);
     refresh();
 }
 
@@ -65,6 +76,21 @@ void StatusLine::notice(const QString& text) {
     bar_->showMessage(text, kNoticeMs);
 }
 
+/// Said once when a run ends, and kept as the tool tip of the state.
+void StatusLine::show_advice() {
+    const std::shared_ptr<const Snapshot> snapshot = session_.snapshot();
+    const bool ended = session_.progress().state == Progress::State::finished;
+    QStringList sentences;
+    if (snapshot && ended) {
+        for (const Advice& advice : snapshot->advice) sentences << in_words(advice);
+    }
+    const QString said = sentences.join(' ');
+    if (said == advice_) return;
+    advice_ = said;
+    if (!said.isEmpty()) bar_->showMessage(said, kAdviceMs);
+    refresh();
+}
+
 void StatusLine::refresh() {
     using State = Progress::State;
     const Progress p = session_.progress();
@@ -81,6 +107,8 @@ void StatusLine::refresh() {
     } else {
         state_->setText(tr("Failed"));
     }
+    if (!advice_.isEmpty()) state_->setText(state_->text() + QString::fromUtf8(" ⚠"));
+    state_->setToolTip(advice_);
     state_->setProperty("role", p.state == State::failed ? "error" : "value");
     scan_->setText(total_ ? tr("Scan %1 of %2").arg(p.steps).arg(*total_)
                           : tr("Scan %1").arg(p.steps));

@@ -27,11 +27,13 @@ class StatusLine final : public QObject {
 
   private:
     void refresh();
+    void show_advice();
     QLabel* add(const char* name, const QString& longest);
 
     Session& session_;
     QStatusBar* bar_;
     std::optional<quint64> total_;
+    QString advice_;  ///< shown with the state; empty: none
     QLabel* state_;
     QLabel* scan_;
     QLabel* time_;

@@ -8,13 +8,9 @@
 #include <string_view>
 
 namespace hitos::window {
-namespace {
-
 QString translated(const char* context, std::string_view text) {
     return QCoreApplication::translate(context, std::string(text).c_str());
 }
-
-}  // namespace
 
 QString to_qt(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));

@@ -9,6 +9,8 @@
 namespace hitos::window {
 
 QString to_qt(std::string_view text);
+/// A text that HITOS_TEXT marks, in the user's language.
+QString translated(const char* context, std::string_view text);
 /// "D max"
 QString label_of(const ConfigParameter& parameter);
 /// The sentence of the parameter table, translated.

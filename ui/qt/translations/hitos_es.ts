@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES" sourcelanguage="en">
 <context>
+    <name>Advice</name>
+    <message>
+        <source>The robot drives %1 between scans, which is far for noise of a fixed size at every scan: the particles may lose the path.</source>
+        <translation>El robot avanza %1 entre barridos, mucho para un ruido de tamaño fijo en cada barrido: las partículas pueden perder el camino.</translation>
+    </message>
+    <message>
+        <source>The points of a line lie %1 from it, too much for split_merge.dmax: walls break into pieces, and their ends become false corners.</source>
+        <translation>Los puntos de una recta distan %1 de ella, demasiado para split_merge.dmax: las paredes se rompen en trozos y sus extremos pasan por esquinas falsas.</translation>
+    </message>
+    <message>
+        <source>%1 of the observations match nothing in the map: what is seen again becomes a new landmark.</source>
+        <translation>El %1 de las observaciones no corresponde a nada del mapa: lo que se vuelve a ver se toma por un hito nuevo.</translation>
+    </message>
+</context>
+<context>
     <name>Landmarks</name>
     <message>
         <source>Line %1</source>
@@ -291,6 +306,18 @@
     <message>
         <source>How particles are drawn anew; every method gives a particle as many copies in the mean as its weight says, and they differ in how much chance adds.</source>
         <translation>Cómo se vuelven a extraer las partículas; con todos los métodos una partícula recibe en media tantas copias como dice su peso, y se distinguen en cuánto añade el azar.</translation>
+    </message>
+    <message>
+        <source>Least angle between the lines of a corner, modulo pi; a higher value takes fewer bends for corners, among them those of a wall that noise has broken; 0 takes any, as the thesis does.</source>
+        <translation>Ángulo mínimo entre las rectas de una esquina, módulo pi; un valor mayor toma menos quiebros por esquinas, entre ellos los de una pared que el ruido ha roto; 0 acepta cualquiera, como el proyecto.</translation>
+    </message>
+    <message>
+        <source>Seed of the noise of a world&apos;s laser and odometry, so that runs with other seeds drive the same tour; 0 takes what the world says, else the run&apos;s seed.</source>
+        <translation>Semilla del ruido del láser y de la odometría de un mundo, para que ejecuciones con otras semillas hagan el mismo recorrido; 0 toma la que dice el mundo o, si no, la de la ejecución.</translation>
+    </message>
+    <message>
+        <source>Changes of a world&apos;s values, with spaces between them, e.g. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help lists the keys.</source>
+        <translation>Cambios de los valores de un mundo, separados por espacios, p. ej. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help enumera las claves.</translation>
     </message>
 </context>
 <context>
@@ -677,6 +704,18 @@
         <source>Resampling method</source>
         <translation>Método de remuestreo</translation>
     </message>
+    <message>
+        <source>Corner angle</source>
+        <translation>Ángulo de esquina</translation>
+    </message>
+    <message>
+        <source>Tour seed</source>
+        <translation>Semilla del recorrido</translation>
+    </message>
+    <message>
+        <source>World values</source>
+        <translation>Valores del mundo</translation>
+    </message>
 </context>
 <context>
     <name>PictureDialog</name>
@@ -687,6 +726,41 @@
     <message>
         <source>the picture could not be encoded</source>
         <translation>la imagen no se pudo codificar</translation>
+    </message>
+</context>
+<context>
+    <name>Preset</name>
+    <message>
+        <source>Simulated tours</source>
+        <translation>Recorridos simulados</translation>
+    </message>
+    <message>
+        <source>FastSLAM for worlds and their laser of 10 mm: lines fitted to all points, noise that grows with the motion.</source>
+        <translation>FastSLAM para mundos y su láser de 10 mm: rectas ajustadas a todos los puntos y ruido que crece con el movimiento.</translation>
+    </message>
+    <message>
+        <source>As the thesis</source>
+        <translation>Como el proyecto</translation>
+    </message>
+    <message>
+        <source>FastSLAM with the parameters of the thesis&apos;s final experiments, on worlds with a laser of 3 mm.</source>
+        <translation>FastSLAM con los parámetros de los últimos experimentos del proyecto, en mundos con un láser de 3 mm.</translation>
+    </message>
+    <message>
+        <source>EKF-SLAM</source>
+        <translation>EKF-SLAM</translation>
+    </message>
+    <message>
+        <source>EKF-SLAM with lines by RANSAC, each with the covariance of its own points, for worlds and exact lasers.</source>
+        <translation>EKF-SLAM con rectas por RANSAC, cada una con la covarianza de sus propios puntos, para mundos y láseres exactos.</translation>
+    </message>
+    <message>
+        <source>Recorded tours</source>
+        <translation>Recorridos grabados</translation>
+    </message>
+    <message>
+        <source>FastSLAM for logs of real robots: noise that grows with the motion, gaps that end a line.</source>
+        <translation>FastSLAM para registros de robots reales: ruido que crece con el movimiento y huecos que terminan una recta.</translation>
     </message>
 </context>
 <context>
@@ -840,6 +914,10 @@
     <message>
         <source>References removed</source>
         <translation>Referencias quitadas</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Configuración incluida</translation>
     </message>
 </context>
 <context>
@@ -1206,6 +1284,10 @@
         <source>study of one parameter</source>
         <translation>estudio de un parámetro</translation>
     </message>
+    <message>
+        <source>&amp;Presets</source>
+        <translation>Configuraciones &amp;incluidas</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::MapWindow</name>
@@ -1477,6 +1559,10 @@
     <message>
         <source>Scan %1</source>
         <translation>Barrido %1</translation>
+    </message>
+    <message>
+        <source>Try Configuration → Presets → %1.</source>
+        <translation>Pruebe Configuración → Configuraciones incluidas → %1.</translation>
     </message>
 </context>
 <context>

@@ -53,7 +53,7 @@ void MapBuilder::build(const Configuracion& configuration, std::optional<Traject
 
 void MapBuilder::work(const Configuracion& configuration, std::optional<Trajectory> path,
                       const std::stop_token& stop) {
-    std::unique_ptr<TourReader> reader = open_tour(configuration.source);
+    std::unique_ptr<TourReader> reader = open_tour(configuration);
     GridBuilder builder = path
                               ? GridBuilder(configuration.grid, std::move(reader), *std::move(path))
                               : GridBuilder(configuration.grid, std::move(reader));

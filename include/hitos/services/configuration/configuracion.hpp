@@ -21,6 +21,10 @@ struct SourceParams {
     std::string file;                 ///< path of the log; empty: none chosen
     std::string format{kAutoFormat};  ///< word of log_formats(), or "auto"
     ReadOptions read;
+    /// Of a world's noise, so that many runs have the same tour; 0: as the world says, else that of
+    /// the run.
+    std::uint64_t tour_seed = 0;
+    std::string world_set = {};  ///< changes of a world's values: "laser.sigma=0.003 tour.laps=2"
 };
 
 /// How a run is done; nothing here changes a result but the seed.

@@ -14,6 +14,7 @@
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/services/run/grid.hpp"
 #include "hitos/services/run/line_extents.hpp"
+#include "hitos/services/run/suitability.hpp"
 #include "hitos/slam/slam_filter.hpp"
 
 namespace hitos {
@@ -52,6 +53,11 @@ class Algoritmo {
     const Grid& step_grid() const { return step_grid_; }
     /// Where lines were seen at every scan so far.
     const LineExtents& line_extents() const { return line_extents_; }
+    /// Whether tour and configuration suit each other, as far as the run shows.
+    const Suitability& suitability() const { return suitability_; }
+    std::vector<Advice> advice() const {
+        return suitability_.advice(configuration_, reader_->format() == kWorldFormat);
+    }
     /// Empty unless the options ask for it.
     const UncertaintyRecord& uncertainty() const { return uncertainty_; }
 
@@ -75,6 +81,7 @@ class Algoritmo {
     std::unique_ptr<SlamFilter> filter_;
     Grid step_grid_;
     LineExtents line_extents_;
+    Suitability suitability_;
     UncertaintyRecord uncertainty_;
     Scan scan_;
     Observation observation_;

@@ -33,6 +33,7 @@ struct RunSummary {
     std::string algorithm;  ///< as in the configuration: "fastslam", "ekf-slam"
     int particles = 0;      ///< of FastSLAM; 0: the algorithm has none
     std::uint64_t seed = 0;
+    std::optional<std::uint64_t> tour_seed;  ///< of a simulated tour's noise
     int lines = 0;
     int corners = 0;
     ReadReport report;
@@ -41,6 +42,8 @@ struct RunSummary {
     std::optional<TrajectoryError> trajectory_error;
     std::optional<TrajectoryError> odometry_error;
     std::vector<MeasuredDistance> distances;
+    SuitabilityFigures suitability;
+    std::vector<Advice> advice;
     std::vector<std::string> not_drawn;  ///< pictures that are missing, each with the reason
 };
 

@@ -31,7 +31,8 @@ struct Snapshot {
     Trajectory best_trajectory;
     Trajectory odometry_trajectory;
     GridTiles step_grid;
-    double seconds = 0.0;  ///< of the worker's time that making it took
+    std::vector<Advice> advice;  ///< what speaks against the configuration so far
+    double seconds = 0.0;        ///< of the worker's time that making it took
 };
 
 /// The figures of one step, for plots against time.

@@ -253,9 +253,10 @@ TEST(ShippedConfigurations, InitIsTheTextOfTheDefaults) {
     EXPECT_EQ(test::content(shipped("init.cfg")), ArchivoConfiguracion::to_text({}));
 }
 
-TEST(ShippedConfigurations, SimulatedIsTheTableOfTheThesis) {
-    const Configuracion c = ArchivoConfiguracion::read(shipped("simulated.cfg"));
+TEST(ShippedConfigurations, ThesisIsTheTableOfTheThesis) {
+    const Configuracion c = ArchivoConfiguracion::read(shipped("thesis.cfg"));
     Configuracion expected;  // [T table 10.17]
+    expected.source.world_set = "laser.sigma=0.003";
     expected.filter.particles = 100;
     expected.filter.resampling.rule = ResamplingRule::always;
     expected.filter.association.p0 = 0.005;
@@ -278,7 +279,7 @@ TEST(ShippedConfigurations, RecordedIsForRealRobots) {
 
 /// The short files say only what differs from the defaults.
 TEST(ShippedConfigurations, HoldNothingThatIsADefault) {
-    for (const char* name : {"simulated.cfg", "recorded.cfg"}) {
+    for (const char* name : {"simulated.cfg", "thesis.cfg", "ekf.cfg", "recorded.cfg"}) {
         const Configuracion c = ArchivoConfiguracion::read(shipped(name));
         std::size_t differing = 0;
         for (const ConfigParameter& p : parameters())

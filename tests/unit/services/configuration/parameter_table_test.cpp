@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 52U);
+    EXPECT_EQ(keys.size(), 55U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -110,14 +110,17 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
     const Keys ransac = {"ransac.edge", "ransac.edge_per_range", "ransac.threshold",
                          "ransac.iterations"};
     Keys idle = {"association.new_probability", "association.gate_probability",
-                 "resampling.neff_threshold"};
+                 "resampling.neff_threshold", "source.tour_seed", "source.world_set"};
     for (const Keys& keys : {rates, points, ransac}) idle.insert(keys.begin(), keys.end());
     EXPECT_EQ(idle_with({}), idle);
     EXPECT_EQ(idle_with({"motion.model=no-odometry"}), idle);
     EXPECT_EQ(idle_with({"motion.model=proportional"}), with(idle, sigmas, rates));
     EXPECT_EQ(idle_with({"observation.covariance=points"}), with(idle, fixed, points));
     EXPECT_EQ(idle_with({"features.method=ransac"}), with(idle, split, ransac));
-    EXPECT_EQ(idle_with({"features.detect=lines"}), with(idle, {"features.corner_distance"}, {}));
+    EXPECT_EQ(idle_with({"features.detect=lines"}),
+              with(idle, {"features.corner_distance", "features.corner_angle"}, {}));
+    EXPECT_EQ(idle_with({"source.file=a.toml"}),
+              with(idle, {}, {"source.tour_seed", "source.world_set"}));
     EXPECT_EQ(idle_with({"features.detect=corners"}), idle);
     EXPECT_EQ(idle_with({"association.method=gnn"}),
               with(idle, {}, {"association.gate_probability"}));
@@ -178,7 +181,7 @@ TEST(ParameterTable, EachParameterReachesAPlaceOfItsOwn) {
 
 TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     Configuracion c;
-    c.source = {"a.log", "carmen", {12.5, true}};
+    c.source = {"a.log", "carmen", {12.5, true}, 43, "laser.sigma=0.003"};
     c.run = {42, 3};
     c.filter.algorithm = "ekf-slam";
     c.filter.particles = 77;
@@ -196,12 +199,15 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.extraction.point_sigma_m = 0.75;
     c.extraction.common_sigma_m = 0.76;
     c.extraction.corner_distance_m = 0.59;
+    c.extraction.corner_angle_rad = 0.5;
     c.grid = {0.61, 0.62, -0.63, 6.4, 6.5};
     const std::map<std::string_view, std::string> expected = {
         {"source.file", "a.log"},
         {"source.format", "carmen"},
         {"source.max_range", "12.5"},
         {"source.odometry", "velocities"},
+        {"source.tour_seed", "43"},
+        {"source.world_set", "laser.sigma=0.003"},
         {"run.seed", "42"},
         {"run.threads", "3"},
         {"filter.algorithm", "ekf-slam"},
@@ -228,6 +234,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"features.method", "ransac"},
         {"features.detect", "corners"},
         {"features.corner_distance", "0.59"},
+        {"features.corner_angle", "0.5"},
         {"split_merge.dmax", "0.51"},
         {"split_merge.min_length", "0.52"},
         {"split_merge.min_points", "53"},

@@ -19,7 +19,7 @@ namespace {
 const std::filesystem::path kSource = HITOS_SOURCE_DIR;
 
 Configuracion ready_tour() {
-    Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/simulated.cfg");
+    Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/thesis.cfg");
     configuration.source.file = kSource / "data/bigloop.log.gz";
     configuration.filter.particles = 20;
     return configuration;

@@ -30,7 +30,7 @@ const std::set<std::string> kAlways = {
 class ResultsTest : public testing::Test {
   protected:
     static Algoritmo run_of(const char* algorithm, const AlgoritmoOptions& options = {}) {
-        Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/simulated.cfg");
+        Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/thesis.cfg");
         configuration.source.file = kSource / "data/logs/player-laser.log.gz";
         configuration.filter.algorithm = algorithm;
         configuration.filter.particles = 7;

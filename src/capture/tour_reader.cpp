@@ -1,0 +1,15 @@
+#include "hitos/capture/tour_reader.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace hitos {
+
+bool is_world_file(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".toml";
+}
+
+}  // namespace hitos

@@ -1,0 +1,67 @@
+#include "hitos/workbench/presets.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include "hitos/base/error.hpp"
+#include "hitos/base/translatable.hpp"
+#include "hitos/workbench/configuration_choices.hpp"
+#include "hitos/workbench/shipped_data.hpp"
+
+namespace hitos {
+
+std::span<const Preset> presets() {
+    static const std::array table{
+        Preset{"simulated", HITOS_TEXT("Preset", "Simulated tours"),
+               HITOS_TEXT("Preset",
+                          "FastSLAM for worlds and their laser of 10 mm: lines fitted to all "
+                          "points, noise that grows with the motion."),
+               PresetPurpose::worlds},
+        Preset{"thesis", HITOS_TEXT("Preset", "As the thesis"),
+               HITOS_TEXT("Preset",
+                          "FastSLAM with the parameters of the thesis's final experiments, on "
+                          "worlds with a laser of 3 mm."),
+               PresetPurpose::worlds},
+        Preset{"ekf", HITOS_TEXT("Preset", "EKF-SLAM"),
+               HITOS_TEXT("Preset",
+                          "EKF-SLAM with lines by RANSAC, each with the covariance of its own "
+                          "points, for worlds and exact lasers."),
+               PresetPurpose::worlds},
+        Preset{"recorded", HITOS_TEXT("Preset", "Recorded tours"),
+               HITOS_TEXT("Preset",
+                          "FastSLAM for logs of real robots: noise that grows with the motion, "
+                          "gaps that end a line."),
+               PresetPurpose::logs},
+    };
+    return table;
+}
+
+std::string preset_words() {
+    std::vector<std::string_view> words;
+    for (const Preset& preset : presets()) words.push_back(preset.word);
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+const Preset& find_preset(std::string_view word) {
+    const auto found = std::ranges::find(presets(), word, &Preset::word);
+    if (found != presets().end()) return *found;
+    throw ConfigError("--preset",
+                      fmt::format("found '{}', expected one of {}", word, preset_words()));
+}
+
+Configuracion preset_configuration(std::string_view word) {
+    const std::string name = fmt::format("config/{}.cfg", find_preset(word).word);
+    const std::filesystem::path file = shipped_file(name);
+    if (file.empty()) {
+        throw FileError(name,
+                        "is not there; it comes with Hitos: start the program from its folder");
+    }
+    return read_configuration(file);
+}
+
+}  // namespace hitos
