@@ -19,10 +19,25 @@ struct CommandOptions {
     ReproductionOptions reproduction;
     std::string out = "out/reproduction";
     std::string report;
+    std::string reading = "plain";
+    bool as_published = false;
+    double wall_pixels = 0.0;
+    double motion_factor = 1.0;
+    bool variances = false;
+    std::vector<std::string> world;
+    std::vector<std::string> settings;
 };
 
 int reproduce(CommandOptions options) {
     options.reproduction.out = options.out;
+    Reading& reading = options.reproduction.reading;
+    reading = options.as_published ? reading_as_published() : find_reading(options.reading);
+    reading.world.insert(reading.world.end(), options.world.begin(), options.world.end());
+    reading.settings.insert(reading.settings.end(), options.settings.begin(),
+                            options.settings.end());
+    if (options.wall_pixels > 0.0) reading.wall_pixels = options.wall_pixels;
+    reading.motion_factor *= options.motion_factor;
+    reading.variances |= options.variances;
     ProgressLine line("runs");
     bool begun = false;
     std::size_t finished = 0;
@@ -84,6 +99,13 @@ void add_reproduce(CLI::App& program) {
                         "Folder for the results, made if missing (default: out/reproduction)");
     command->add_option("--report", options->report,
                         "Write the document here too, with its pictures in a folder beside it");
+    command->add_option("--reading", options->reading, "reading");
+    command->add_flag("--as-published", options->as_published, "best reading");
+    command->add_option("--wall-pixels", options->wall_pixels, "");
+    command->add_option("--motion-factor", options->motion_factor, "");
+    command->add_flag("--variances", options->variances, "");
+    command->add_option("--world", options->world, "")->allow_extra_args(false);
+    command->add_option("--set", options->settings, "")->allow_extra_args(false);
     command->callback([options] {
         const int status = reproduce(*options);
         if (status != 0) throw CLI::RuntimeError(status);

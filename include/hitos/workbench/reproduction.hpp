@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hitos/services/study/study.hpp"
+#include "hitos/workbench/readings.hpp"
 #include "hitos/workbench/thesis_figures.hpp"
 
 namespace hitos {
@@ -17,6 +18,7 @@ struct ReproductionOptions {
     std::vector<std::string> only;
     int runs = 5;     ///< of each value, with seeds from 1
     int threads = 0;  ///< runs at a time; 0: as many as the machine has
+    Reading reading = readings().front();
     std::filesystem::path out;
     StudyObserver observer;
 };

@@ -24,12 +24,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-World thesis_world(const std::string& name) {
+World thesis_world(const std::string& name, const Reading& reading) {
     World world = read_world(find_world(name));
     world.laser.sigma_m = kReproductionLaserSigma;
     world.odometry.noise = kReproductionOdometryNoise;
     world.odometry.noise_kind = OdometryNoiseKind::relative_sigma;
-    check(world);
+    apply(reading, world);
     return world;
 }
 
@@ -110,10 +110,11 @@ std::vector<Part> order_of(const std::vector<ThesisFigure>& figures, int runs) {
     return parts;
 }
 
-Study study_of(const ThesisFigure& figure, const World& world, const Part& part, Tours& tours,
-               const fs::path& out) {
+Study study_of(const ThesisFigure& figure, const World& world, const Reading& reading,
+               const Part& part, Tours& tours, const fs::path& out) {
     Study study;
     study.configuration = thesis_configuration(*figure.table);
+    apply(reading, study.configuration);
     study.reference = reference_map(world);
     StudyParameter parameter{
         std::string(figure.table->parameter), {std::string(figure.table->key)}, {}};
@@ -122,8 +123,9 @@ Study study_of(const ThesisFigure& figure, const World& world, const Part& part,
     study.first_seed = part.seed;
     study.seeds = 1;
     study.setting =
-        fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}",
-                    kReproductionLaserSigma, kReproductionOdometryNoise, content(world.file));
+        fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}{}",
+                    kReproductionLaserSigma, kReproductionOdometryNoise, text_of(reading),
+                    content(world.file));
     study.source = [&world, &tours](const StudyJob& job) -> std::unique_ptr<TourReader> {
         return std::make_unique<RecordedReader>(
             world.file, kWorldFormat,
@@ -236,7 +238,9 @@ Reproduction reproduce(const ReproductionOptions& options) {
         select_figures(read_thesis_figures(find_thesis_results()), options.only);
     std::map<std::string, World> worlds;
     for (const ThesisFigure& figure : figures) {
-        if (!worlds.contains(figure.world)) worlds[figure.world] = thesis_world(figure.world);
+        if (!worlds.contains(figure.world)) {
+            worlds[figure.world] = thesis_world(figure.world, options.reading);
+        }
     }
     const std::size_t threads = options.threads > 0
                                     ? static_cast<std::size_t>(options.threads)
@@ -247,7 +251,8 @@ Reproduction reproduce(const ReproductionOptions& options) {
     std::vector<Study> studies;
     for (const Part& part : parts) {
         const ThesisFigure& figure = figures[part.figure];
-        studies.push_back(study_of(figure, worlds.at(figure.world), part, tours, options.out));
+        studies.push_back(study_of(figure, worlds.at(figure.world), options.reading, part, tours,
+                                   options.out));
     }
     StudyOptions how;
     how.threads = options.threads;
