@@ -25,11 +25,14 @@ struct ReproductionOptions {
 
 /// How a row came out against what is asked of it.
 struct Verdict {
-    bool error_met = false;             ///< working range: at most kErrorMargin above the thesis
-    bool landmarks_met = false;         ///< working range: near enough to the true number
+    bool error_near = false;      ///< within kErrorMargin of the thesis's, or neither has an error
+    bool landmarks_near = false;  ///< within kLandmarkMargin of the thesis's
+    bool error_met = false;       ///< at most kErrorMargin above the thesis's
+    bool landmarks_met = false;   ///< working range: near enough to the true number
     bool thesis_landmarks_met = false;  ///< whether the thesis's own figure is
     bool same_tendency = false;         ///< outside the range: harm or none, as in the thesis
-    std::string words;
+    std::string difference;             ///< from the thesis's figures
+    std::string words;                  ///< what became of what is asked
 };
 
 struct ReproducedRow {
@@ -59,8 +62,9 @@ struct Reproduction {
     std::string plot_problem;  ///< why there are no plots; empty where there are
 };
 
-/// How far above the thesis's error ours may lie in the working range [m].
+/// How far from the thesis's error ours may lie [m], and from its number of landmarks.
 constexpr double kErrorMargin = 0.05;
+constexpr double kLandmarkMargin = 1.0;
 /// Laser and odometry of the simulated tours: SPEC section 9.
 constexpr double kReproductionLaserSigma = 0.003;
 constexpr double kReproductionOdometryNoise = 0.1;

@@ -122,10 +122,9 @@ Study study_of(const ThesisFigure& figure, const World& world, const Reading& re
     study.parameters.push_back(std::move(parameter));
     study.first_seed = part.seed;
     study.seeds = 1;
-    study.setting =
-        fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}{}",
-                    kReproductionLaserSigma, kReproductionOdometryNoise, text_of(reading),
-                    content(world.file));
+    study.setting = fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}{}",
+                                kReproductionLaserSigma, kReproductionOdometryNoise,
+                                text_of(reading), content(world.file));
     study.source = [&world, &tours](const StudyJob& job) -> std::unique_ptr<TourReader> {
         return std::make_unique<RecordedReader>(
             world.file, kWorldFormat,
@@ -251,8 +250,8 @@ Reproduction reproduce(const ReproductionOptions& options) {
     std::vector<Study> studies;
     for (const Part& part : parts) {
         const ThesisFigure& figure = figures[part.figure];
-        studies.push_back(study_of(figure, worlds.at(figure.world), options.reading, part, tours,
-                                   options.out));
+        studies.push_back(
+            study_of(figure, worlds.at(figure.world), options.reading, part, tours, options.out));
     }
     StudyOptions how;
     how.threads = options.threads;
