@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,7 @@ struct ReproducedFigure {
 };
 
 struct Reproduction {
+    Reading reading;
     std::vector<ReproducedFigure> figures;
     int runs = 0;
     std::size_t computed = 0;
@@ -77,17 +80,24 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
 /// folder. Nothing written depends on threads or interruptions. Throws what run_studies() throws.
 Reproduction reproduce(const ReproductionOptions& options);
 
+/// Runs the same figures under every other reading of readings(), each in readings/NAME of the
+/// folder, with its reproduction.csv. `begin` is told of each. Throws as reproduce().
+std::vector<Reproduction> try_readings(const ReproductionOptions& options,
+                                       const std::function<void(const Reading&)>& begin);
+
 /// Judges all rows of the figure.
 void judge(ReproducedFigure& figure);
 
 std::string reproduction_csv(const Reproduction& reproduction);
-/// `plots` is the folder of the pictures as seen from the document.
-std::string reproduction_markdown(const Reproduction& reproduction, const std::string& plots);
+/// `plots` is the folder of the pictures as seen from the document; `tried` are other readings of
+/// the same figures, for the table of readings.
+std::string reproduction_markdown(const Reproduction& reproduction, const std::string& plots,
+                                  std::span<const Reproduction> tried = {});
 /// Draws every figure; gives the reason why there are no pictures, else an empty text.
 std::string draw_reproduction(const Reproduction& reproduction,
                               const std::filesystem::path& folder);
 /// Writes the document and its pictures (beside it, in a folder of its stem).
 void write_report(const Reproduction& reproduction, const std::filesystem::path& document,
-                  const std::filesystem::path& plots);
+                  const std::filesystem::path& plots, std::span<const Reproduction> tried = {});
 
 }  // namespace hitos

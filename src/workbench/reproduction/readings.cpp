@@ -11,9 +11,71 @@
 namespace hitos {
 namespace {
 
+constexpr std::string_view kAsPublished = "stage-no-rest";
+
+/// What a reading adds to another one.
+struct More {
+    std::vector<std::string> world = {};
+    double wall_pixels = 0.0;
+    double motion_factor = 1.0;
+};
+
+Reading with(Reading base, std::string name, std::string sentence, const More& more) {
+    base.name = std::move(name);
+    base.sentence = std::move(sentence);
+    base.world.insert(base.world.end(), more.world.begin(), more.world.end());
+    if (more.wall_pixels > 0.0) base.wall_pixels = more.wall_pixels;
+    base.motion_factor *= more.motion_factor;
+    return base;
+}
+
 std::vector<Reading> make_readings() {
+    const Reading plain{"plain",
+                        "the worlds as they are: exact walls, 3 mm of noise, 5 s at rest, then "
+                        "northwards"};
+    Reading variances = plain;
+    variances.name = "variances";
+    variances.sentence = "the thesis's words: motion and odometry noise are variances";
+    variances.variances = true;
+    // Walls 3 pixels thick in cells of 2 cm are [T 10.3.1]; how its version of Stage fitted the
+    // picture and counted ranges the thesis does not say.
+    const Reading walls =
+        with(plain, "thick-walls",
+             "cells of 2 cm, walls 3 pixels thick about their lines, no noise of ranges",
+             {{"raster.cell=0.02", "laser.sigma=0"}, 3.0});
+    const Reading fitted = with(walls, "fitted-walls",
+                                "`thick-walls`, the picture's ink fitted to the world's size, so "
+                                "that outer walls lie wholly inside",
+                                {{"raster.fit=true"}});
+    const Reading stage =
+        with(fitted, "stage", "`fitted-walls`, ranges counted in whole cells as Stage 3 and 4 do",
+             {{"raster.ranges=whole-cells"}});
+    const Reading no_rest =
+        with(stage, "stage-no-rest", "`stage`, and the robot leaves at once", {{"tour.rest=0"}});
+    constexpr double kTwice = 1.4142135623730951;
     return {
-        {"plain", "the worlds as they are, motion noise as standard deviations"},
+        plain,
+        no_rest,
+        stage,
+        walls,
+        fitted,
+        with(plain, "no-rest", "the robot leaves at once", {{"tour.rest=0"}}),
+        with(no_rest, "stage-no-rest-2-pixels", "`stage-no-rest` with walls 2 pixels thick",
+             {{}, 2.0}),
+        with(no_rest, "stage-no-rest-unfitted", "`stage-no-rest`, thick walls about their lines",
+             {{"raster.fit=false"}}),
+        with(no_rest, "stage-no-rest-east", "`stage-no-rest` with tours that leave eastwards",
+             {{"tour.reverse=true"}}),
+        with(no_rest, "stage-no-rest-2-hz", "`stage-no-rest` with 2 scans a second, not 5",
+             {{"laser.rate=2"}}),
+        with(no_rest, "stage-no-rest-per-reading",
+             "`stage-no-rest`, motion noise drawn for every odometry reading, two a scan",
+             {{}, 0.0, kTwice}),
+        with(no_rest, "stage-no-rest-361-rays", "`stage-no-rest` with a ray every half degree",
+             {{"laser.rays=361"}}),
+        variances,
+        with(plain, "far-points", "rays without return are points at 8 m",
+             {{"laser.no_return=max-range"}}),
     };
 }
 
@@ -50,7 +112,7 @@ const Reading& find_reading(std::string_view name) {
 }
 
 const Reading& reading_as_published() {
-    return readings().back();
+    return find_reading(kAsPublished);
 }
 
 void apply(const Reading& reading, World& world) {

@@ -204,6 +204,14 @@ bool names(const std::string& word, const ThesisFigure& figure) {
            word == figure.world || word == figure.table->parameter || word == figure.stem();
 }
 
+void check(const ReproductionOptions& options) {
+    constexpr int kMostRuns = 10000;
+    if (options.runs < 1 || options.runs > kMostRuns) {
+        throw ConfigError("--runs", fmt::format("found {} of each value, expected 1 to {}",
+                                                options.runs, kMostRuns));
+    }
+}
+
 }  // namespace
 
 std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figures,
@@ -227,12 +235,10 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
     return selected;
 }
 
-Reproduction reproduce(const ReproductionOptions& options) {
-    constexpr int kMostRuns = 10000;
-    if (options.runs < 1 || options.runs > kMostRuns) {
-        throw ConfigError("--runs", fmt::format("found {} of each value, expected 1 to {}",
-                                                options.runs, kMostRuns));
-    }
+namespace {
+
+/// The runs and what came of them, with the table.
+Reproduction run_figures(const ReproductionOptions& options) {
     const std::vector<ThesisFigure> figures =
         select_figures(read_thesis_figures(find_thesis_results()), options.only);
     std::map<std::string, World> worlds;
@@ -259,10 +265,34 @@ Reproduction reproduce(const ReproductionOptions& options) {
     how.observer = options.observer;
     Reproduction result = gather(figures, worlds, parts, run_studies(studies, how));
     result.runs = options.runs;
+    result.reading = options.reading;
     write_file(options.out / "reproduction.csv", reproduction_csv(result));
+    return result;
+}
+
+}  // namespace
+
+Reproduction reproduce(const ReproductionOptions& options) {
+    check(options);
+    Reproduction result = run_figures(options);
     result.plot_problem = draw_reproduction(result, options.out / "plots");
     write_file(options.out / "reproduction.md", reproduction_markdown(result, "plots"));
     return result;
+}
+
+std::vector<Reproduction> try_readings(const ReproductionOptions& options,
+                                       const std::function<void(const Reading&)>& begin) {
+    check(options);
+    std::vector<Reproduction> tried;
+    for (const Reading& reading : readings()) {
+        if (reading.name == options.reading.name) continue;
+        begin(reading);
+        ReproductionOptions own = options;
+        own.reading = reading;
+        own.out = options.out / "readings" / reading.name;
+        tried.push_back(run_figures(own));
+    }
+    return tried;
 }
 
 }  // namespace hitos

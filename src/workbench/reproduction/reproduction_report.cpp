@@ -44,7 +44,8 @@ std::string misses_text(const Reproduction& reproduction) {
         }
     }
     std::ranges::stable_sort(inside, std::greater<>(), &Miss::excess);
-    std::string text = "Rows of the working range that miss what is asked, the worst first:\n\n";
+    std::string text =
+        "Rows of the working range that are not at least as good, the worst first:\n\n";
     if (inside.empty()) text += "* none.\n";
     for (const Miss& miss : inside) text += miss.line;
     text += "\nRows outside it with another tendency than the thesis's:\n\n";
@@ -121,12 +122,14 @@ std::string reproduction_csv(const Reproduction& reproduction) {
     return text;
 }
 
-std::string reproduction_markdown(const Reproduction& reproduction, const std::string& plots) {
+std::string reproduction_markdown(const Reproduction& reproduction, const std::string& plots,
+                                  std::span<const Reproduction> tried) {
     std::string text = "# Reproduction of the thesis's synthetic experiments\n\n";
-    text += reproduction_introduction();
+    text += reproduction_introduction(reproduction.reading);
     text += "## Summary\n\n" + summary_text(reproduction);
-    text += "## Where Hitos differs, and why\n\n" + reproduction_remarks();
-    text += misses_text(reproduction);
+    text += "## Where Hitos differs\n\n" + differences_text(reproduction, tried);
+    text += readings_text(reproduction, tried);
+    text += "## Where Hitos is worse\n\n" + misses_text(reproduction);
     if (!reproduction.plot_problem.empty()) {
         text += fmt::format("There are no plots: {}.\n\n", reproduction.plot_problem);
     }
@@ -136,8 +139,8 @@ std::string reproduction_markdown(const Reproduction& reproduction, const std::s
     return text;
 }
 
-void write_report(const Reproduction& reproduction, const fs::path& document,
-                  const fs::path& plots) {
+void write_report(const Reproduction& reproduction, const fs::path& document, const fs::path& plots,
+                  std::span<const Reproduction> tried) {
     const fs::path folder = document.parent_path() / document.stem();
     std::error_code error;
     fs::create_directories(folder, error);
@@ -151,7 +154,7 @@ void write_report(const Reproduction& reproduction, const fs::path& document,
             throw FileError((folder / picture).string(), "cannot be written: " + error.message());
         }
     }
-    write_file(document, reproduction_markdown(reproduction, document.stem().string()));
+    write_file(document, reproduction_markdown(reproduction, document.stem().string(), tried));
 }
 
 }  // namespace hitos
