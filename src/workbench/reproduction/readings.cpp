@@ -11,7 +11,7 @@
 namespace hitos {
 namespace {
 
-constexpr std::string_view kAsPublished = "stage-no-rest";
+constexpr std::string_view kAsPublished = "fitted-no-rest";
 
 /// What a reading adds to another one.
 struct More {
@@ -52,9 +52,13 @@ std::vector<Reading> make_readings() {
              {{"raster.ranges=whole-cells"}});
     const Reading no_rest =
         with(stage, "stage-no-rest", "`stage`, and the robot leaves at once", {{"tour.rest=0"}});
+    const Reading fitted_no_rest =
+        with(fitted, "fitted-no-rest", "`fitted-walls`, and the robot leaves at once",
+             {{"tour.rest=0"}});
     constexpr double kTwice = 1.4142135623730951;
     return {
         plain,
+        fitted_no_rest,
         no_rest,
         stage,
         walls,
