@@ -24,22 +24,7 @@ struct CommandOptions {
     std::string reading = readings().front().name;
     bool as_published = false;
     bool hypotheses = false;
-    std::vector<std::string> world;
-    std::vector<std::string> settings;
 };
-
-/// The reading that was asked for, with the changes of this call.
-Reading reading_of(const CommandOptions& options) {
-    Reading reading = options.as_published ? reading_as_published() : find_reading(options.reading);
-    reading.world.insert(reading.world.end(), options.world.begin(), options.world.end());
-    reading.settings.insert(reading.settings.end(), options.settings.begin(),
-                            options.settings.end());
-    if (!options.world.empty() || !options.settings.empty()) {
-        reading.name += "-changed";
-        reading.sentence += ", with changes of this call";
-    }
-    return reading;
-}
 
 /// Runs of one reading, told on a line of its own.
 class Teller {
@@ -82,12 +67,20 @@ std::string names() {
     return text;
 }
 
+/// Whether there were any.
+bool tell_failures(const Reproduction& result) {
+    for (const std::string& failure : result.failures) {
+        fmt::print(stderr, "failed: {}: {}\n", result.reading.name, failure);
+    }
+    return !result.failures.empty();
+}
+
 int reproduce(CommandOptions options) {
     Reading& reading = options.reproduction.reading;
-    reading = reading_of(options);
-    const bool plain = text_of(reading).empty();
+    reading = options.as_published ? reading_as_published() : find_reading(options.reading);
     if (options.out.empty()) {
-        options.out = plain ? "out/reproduction" : "out/reproduction-" + reading.name;
+        options.out = "out/reproduction";
+        if (!text_of(reading).empty()) options.out += "-" + reading.name;
     }
     options.reproduction.out = options.out;
     Teller teller;
@@ -95,8 +88,8 @@ int reproduce(CommandOptions options) {
     const Reproduction result = hitos::reproduce(options.reproduction);
     std::vector<Reproduction> tried;
     if (options.hypotheses) {
-        tried =
-            try_readings(options.reproduction, [&](const Reading& next) { teller.begin(next); });
+        tried = try_readings(options.reproduction, result,
+                             [&](const Reading& next) { teller.begin(next); });
     }
     teller.finish();
     if (result.computed + result.reused == result.failures.size()) {
@@ -109,16 +102,12 @@ int reproduce(CommandOptions options) {
         fmt::print(stderr, "no plots: {}; their scripts are in {}\n", result.plot_problem,
                    (options.reproduction.out / "plots").string());
     }
-    if (!tried.empty())
-        write_report(result, options.reproduction.out / "reproduction.md",
-                     options.reproduction.out / "plots", tried);
     fmt::print("{} runs done, {} found done, {} failed: {}\n",
                result.computed - result.failures.size(), result.reused, result.failures.size(),
                (options.reproduction.out / "reproduction.md").string());
-    for (const std::string& failure : result.failures) {
-        fmt::print(stderr, "failed: {}\n", failure);
-    }
-    return result.failures.empty() ? 0 : kSomeFailed;
+    bool failed = tell_failures(result);
+    for (const Reproduction& other : tried) failed = tell_failures(other) || failed;
+    return failed ? kSomeFailed : 0;
 }
 
 }  // namespace
@@ -158,12 +147,12 @@ void add_reproduce(CLI::App& program) {
     command->add_flag("--hypotheses", options->hypotheses,
                       "Try every other reading too and set them side by side in the document");
     command
-        ->add_option("--world", options->world,
+        ->add_option("--world", options->reproduction.world,
                      "KEY=VALUE: change one value of the worlds (docs/simulation.md); may be "
                      "repeated")
         ->allow_extra_args(false);
     command
-        ->add_option("--set", options->settings,
+        ->add_option("--set", options->reproduction.settings,
                      "KEY=VALUE: change one parameter beside the thesis's; may be repeated")
         ->allow_extra_args(false);
     command->callback([options] {

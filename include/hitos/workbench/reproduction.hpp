@@ -21,6 +21,9 @@ struct ReproductionOptions {
     int runs = 5;     ///< of each value, with seeds from 1
     int threads = 0;  ///< runs at a time; 0: as many as the machine has
     Reading reading = readings().front();
+    /// Changes beside those of every reading: "key=value" of worlds and of configurations.
+    std::vector<std::string> world;
+    std::vector<std::string> settings;
     std::filesystem::path out;
     StudyObserver observer;
 };
@@ -81,8 +84,11 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
 Reproduction reproduce(const ReproductionOptions& options);
 
 /// Runs the same figures under every other reading of readings(), each in readings/NAME of the
-/// folder, with its reproduction.csv. `begin` is told of each. Throws as reproduce().
+/// folder, with its reproduction.csv, and writes reproduction.md anew, with `result`, which
+/// reproduce() gave for the same options, beside them. `begin` is told of each. Throws as
+/// reproduce().
 std::vector<Reproduction> try_readings(const ReproductionOptions& options,
+                                       const Reproduction& result,
                                        const std::function<void(const Reading&)>& begin);
 
 /// Judges all rows of the figure.

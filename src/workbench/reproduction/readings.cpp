@@ -55,26 +55,27 @@ std::vector<Reading> make_readings() {
     const Reading fitted_no_rest =
         with(fitted, "fitted-no-rest", "`fitted-walls`, and the robot leaves at once",
              {{"tour.rest=0"}});
-    constexpr double kTwice = 1.4142135623730951;
+    constexpr double kTwoReadings = 1.4142135623730951;
     return {
         plain,
         fitted_no_rest,
+        // Stage's own description of this laser has 361 rays.
+        with(fitted_no_rest, "fitted-no-rest-361-rays",
+             "`fitted-no-rest` with a ray every half degree", {{"laser.rays=361"}}),
         no_rest,
         stage,
         walls,
         fitted,
         with(plain, "no-rest", "the robot leaves at once", {{"tour.rest=0"}}),
-        with(no_rest, "stage-no-rest-2-pixels", "`stage-no-rest` with walls 2 pixels thick",
+        with(fitted_no_rest, "fitted-no-rest-per-reading",
+             "`fitted-no-rest`, motion noise drawn for every odometry reading, two a scan",
+             {{}, 0.0, kTwoReadings}),
+        with(fitted_no_rest, "fitted-no-rest-east",
+             "`fitted-no-rest` with tours that leave eastwards", {{"tour.reverse=true"}}),
+        with(fitted_no_rest, "fitted-no-rest-2-pixels", "`fitted-no-rest`, walls 2 pixels thick",
              {{}, 2.0}),
-        with(no_rest, "stage-no-rest-unfitted", "`stage-no-rest`, thick walls about their lines",
-             {{"raster.fit=false"}}),
-        with(no_rest, "stage-no-rest-east", "`stage-no-rest` with tours that leave eastwards",
-             {{"tour.reverse=true"}}),
-        with(no_rest, "stage-no-rest-2-hz", "`stage-no-rest` with 2 scans a second, not 5",
+        with(fitted_no_rest, "fitted-no-rest-2-hz", "`fitted-no-rest` with 2 scans a second, not 5",
              {{"laser.rate=2"}}),
-        with(no_rest, "stage-no-rest-per-reading",
-             "`stage-no-rest`, motion noise drawn for every odometry reading, two a scan",
-             {{}, 0.0, kTwice}),
         with(no_rest, "stage-no-rest-361-rays", "`stage-no-rest` with a ray every half degree",
              {{"laser.rays=361"}}),
         variances,

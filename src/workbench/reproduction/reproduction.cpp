@@ -239,12 +239,15 @@ namespace {
 
 /// The runs and what came of them, with the table.
 Reproduction run_figures(const ReproductionOptions& options) {
+    Reading reading = options.reading;
+    std::ranges::copy(options.world, std::back_inserter(reading.world));
+    std::ranges::copy(options.settings, std::back_inserter(reading.settings));
     const std::vector<ThesisFigure> figures =
         select_figures(read_thesis_figures(find_thesis_results()), options.only);
     std::map<std::string, World> worlds;
     for (const ThesisFigure& figure : figures) {
         if (!worlds.contains(figure.world)) {
-            worlds[figure.world] = thesis_world(figure.world, options.reading);
+            worlds[figure.world] = thesis_world(figure.world, reading);
         }
     }
     const std::size_t threads = options.threads > 0
@@ -257,7 +260,7 @@ Reproduction run_figures(const ReproductionOptions& options) {
     for (const Part& part : parts) {
         const ThesisFigure& figure = figures[part.figure];
         studies.push_back(
-            study_of(figure, worlds.at(figure.world), options.reading, part, tours, options.out));
+            study_of(figure, worlds.at(figure.world), reading, part, tours, options.out));
     }
     StudyOptions how;
     how.threads = options.threads;
@@ -265,7 +268,7 @@ Reproduction run_figures(const ReproductionOptions& options) {
     how.observer = options.observer;
     Reproduction result = gather(figures, worlds, parts, run_studies(studies, how));
     result.runs = options.runs;
-    result.reading = options.reading;
+    result.reading = std::move(reading);
     write_file(options.out / "reproduction.csv", reproduction_csv(result));
     return result;
 }
@@ -281,6 +284,7 @@ Reproduction reproduce(const ReproductionOptions& options) {
 }
 
 std::vector<Reproduction> try_readings(const ReproductionOptions& options,
+                                       const Reproduction& result,
                                        const std::function<void(const Reading&)>& begin) {
     check(options);
     std::vector<Reproduction> tried;
@@ -292,6 +296,7 @@ std::vector<Reproduction> try_readings(const ReproductionOptions& options,
         own.out = options.out / "readings" / reading.name;
         tried.push_back(run_figures(own));
     }
+    write_file(options.out / "reproduction.md", reproduction_markdown(result, "plots", tried));
     return tried;
 }
 
