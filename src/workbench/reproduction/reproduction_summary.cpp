@@ -3,9 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hitos {
 namespace {
+
+/// The probability that two means, each of as many runs with the scatter that the row states, lie
+/// within the margin of each other where the true means are one.
+double chance_near(const ReproducedRow& row) {
+    constexpr int kThesisRuns = 5;  // [T 10.3]
+    const Spread& ours = *row.error_m;
+    const double variance =
+        row.thesis.error_variance / kThesisRuns +
+        ours.variance.value_or(row.thesis.error_variance) / std::max(row.finished - row.bare, 1);
+    return variance > 0.0 ? std::erf(kErrorMargin / std::sqrt(2.0 * variance)) : 1.0;
+}
 
 std::string parameter_of(const ReproducedFigure& figure) {
     return std::string(figure.thesis.table->parameter);
@@ -66,6 +78,7 @@ void Agreement::add(const ReproducedRow& row) {
     ++compared;
     thesis_m += *row.thesis.error_m;
     ours_m += row.error_m->mean;
+    expected_near += chance_near(row);
     if (!verdict.error_near) ++(row.error_m->mean < *row.thesis.error_m ? below : above);
 }
 
@@ -93,7 +106,8 @@ std::string summary_text(const Reproduction& reproduction) {
         "* {} figures, {} rows, {} runs of each.\n"
         "* **As the thesis has it, on both sides.** Working range, {} rows: error within ±{} m of "
         "the thesis's in **{}**, number of landmarks within {} of the thesis's in **{}**, both in "
-        "**{}**. All {} rows: {}, {} and {}.\n"
+        "**{}**. All {} rows: {}, {} and {}. Were the true means the same, the scatter of the runs "
+        "would leave about {:.0f} errors of the working range within the margin.\n"
         "* **At least as good.** Working range: error at most {} m above the thesis's in **{}** of "
         "{}; {} lie further below it and {} above. Number of landmarks near the true one (within "
         "0.5; complex 1.5) in {}; the thesis's own figures are so in {}.\n"
@@ -102,10 +116,10 @@ std::string summary_text(const Reproduction& reproduction) {
         "* Outside the working range the same tendency (harm or none) in {} of {} rows.\n\n",
         reproduction.figures.size(), all.rows, reproduction.runs, inside.rows, kErrorMargin,
         inside.error_near, kLandmarkMargin, inside.landmarks_near, inside.both_near, all.rows,
-        all.error_near, all.landmarks_near, all.both_near, kErrorMargin, inside.at_least,
-        inside.rows, inside.below, inside.above, inside.truth_met, inside.thesis_truth_met,
-        inside.mean_thesis_m(), inside.mean_ours_m(), inside.mean_difference_m(), all.same_tendency,
-        all.tendency_asked);
+        all.error_near, all.landmarks_near, all.both_near, inside.expected_near, kErrorMargin,
+        inside.at_least, inside.rows, inside.below, inside.above, inside.truth_met,
+        inside.thesis_truth_met, inside.mean_thesis_m(), inside.mean_ours_m(),
+        inside.mean_difference_m(), all.same_tendency, all.tendency_asked);
     text += summary_table(reproduction, "parameter", parameter_of);
     text += summary_table(reproduction, "world", world_of);
     return text;

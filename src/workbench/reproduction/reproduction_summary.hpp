@@ -26,6 +26,8 @@ struct Agreement {
     int compared = 0;  ///< rows in which both have an error
     double thesis_m = 0.0;
     double ours_m = 0.0;
+    /// Rows that would be within kErrorMargin if both means were estimates of one and the same.
+    double expected_near = 0.0;
 
     void add(const ReproducedRow& row);
     double mean_thesis_m() const { return compared > 0 ? thesis_m / compared : 0.0; }
