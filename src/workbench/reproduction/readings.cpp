@@ -11,7 +11,7 @@
 namespace hitos {
 namespace {
 
-constexpr std::string_view kAsPublished = "fitted-no-rest";
+constexpr std::string_view kAsPublished = "fitted-no-rest-361-rays";
 
 /// What a reading adds to another one.
 struct More {
@@ -50,7 +50,7 @@ std::vector<Reading> make_readings() {
     const Reading stage =
         with(fitted, "stage", "`fitted-walls`, ranges counted in whole cells as Stage 3 and 4 do",
              {{"raster.ranges=whole-cells"}});
-    const Reading no_rest =
+    const Reading stage_no_rest =
         with(stage, "stage-no-rest", "`stage`, and the robot leaves at once", {{"tour.rest=0"}});
     const Reading fitted_no_rest =
         with(fitted, "fitted-no-rest", "`fitted-walls`, and the robot leaves at once",
@@ -58,15 +58,14 @@ std::vector<Reading> make_readings() {
     constexpr double kTwoReadings = 1.4142135623730951;
     return {
         plain,
+        walls,
+        fitted,
+        stage,
+        with(plain, "no-rest", "the robot leaves at once", {{"tour.rest=0"}}),
         fitted_no_rest,
         // Stage's own description of this laser has 361 rays.
         with(fitted_no_rest, "fitted-no-rest-361-rays",
              "`fitted-no-rest` with a ray every half degree", {{"laser.rays=361"}}),
-        no_rest,
-        stage,
-        walls,
-        fitted,
-        with(plain, "no-rest", "the robot leaves at once", {{"tour.rest=0"}}),
         with(fitted_no_rest, "fitted-no-rest-per-reading",
              "`fitted-no-rest`, motion noise drawn for every odometry reading, two a scan",
              {{}, 0.0, kTwoReadings}),
@@ -76,8 +75,9 @@ std::vector<Reading> make_readings() {
              {{}, 2.0}),
         with(fitted_no_rest, "fitted-no-rest-2-hz", "`fitted-no-rest` with 2 scans a second, not 5",
              {{"laser.rate=2"}}),
-        with(no_rest, "stage-no-rest-361-rays", "`stage-no-rest` with a ray every half degree",
-             {{"laser.rays=361"}}),
+        stage_no_rest,
+        with(stage_no_rest, "stage-no-rest-361-rays",
+             "`stage-no-rest` with a ray every half degree", {{"laser.rays=361"}}),
         variances,
         with(plain, "far-points", "rays without return are points at 8 m",
              {{"laser.no_return=max-range"}}),

@@ -220,16 +220,23 @@ std::string readings_text(const Reproduction& reproduction, std::span<const Repr
     add(reproduction);
     for (const Reproduction& reading : tried) add(reading);
     text += '\n';
-    const auto best = std::ranges::find_if(tried, [](const Reproduction& reading) {
+    const auto published = std::ranges::find_if(tried, [](const Reproduction& reading) {
         return reading.reading.name == reading_as_published().name;
     });
-    if (best == tried.end()) return text;
+    if (published == tried.end()) return text;
+    const auto best = std::ranges::max_element(
+        tried, {}, [](const Reproduction& reading) { return sum_up(reading, in_range).both_near; });
+    const int most = sum_up(*best, in_range).both_near;
     text += fmt::format(
-        "### As published: `{}`\n\nThe reading that explains most of the working range; "
-        "`hitos-cli reproduce --as-published` runs it alone. It changes the worlds and "
-        "configurations by\n\n```\n{}```\n\n",
-        best->reading.name, text_of(best->reading));
-    return text + summary_text(*best);
+        "### As published: `{}`\n\n{}; `hitos-cli reproduce --as-published` runs it alone. It "
+        "changes the worlds and configurations by\n\n```\n{}```\n\n",
+        published->reading.name,
+        sum_up(*published, in_range).both_near == most
+            ? "No other reading explains more rows of the working range"
+            : fmt::format("`{}` explains more rows of the working range, {}", best->reading.name,
+                          most),
+        text_of(published->reading));
+    return text + summary_text(*published);
 }
 
 }  // namespace hitos
