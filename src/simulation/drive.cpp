@@ -57,7 +57,10 @@ class Driver {
   private:
     const Pose& pose() const { return path_.poses().back(); }
     const WayPoint& way_point(std::size_t goal) const {
-        return world_.tour.way_points[goal % world_.tour.way_points.size()];
+        const std::size_t count = world_.tour.way_points.size();
+        const std::size_t at = goal % count;
+        const bool turned = world_.tour.reverse && at + 1 < count;
+        return world_.tour.way_points[turned ? count - 2 - at : at];
     }
     const Point2& at(std::size_t goal) const { return way_point(goal).at; }
 

@@ -6,6 +6,7 @@
 
 #include "hitos/base/random_stream.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
+#include "raster_laser.hpp"
 
 namespace hitos {
 namespace {
@@ -28,6 +29,9 @@ SimulatedTour::SimulatedTour(World world)
     : world_(seeded(std::move(world))),
       path_(drive(world_)),
       laser_(world_.walls, fan_of(world_.laser)),
+      raster_(world_.raster.cell_m > 0.0
+                  ? std::make_shared<RasterLaser>(world_.walls, world_.raster, fan_of(world_.laser))
+                  : nullptr),
       scans_(samples(path_.duration_s(), world_.laser.rate_hz)),
       readings_(samples(path_.duration_s(), world_.odometry.rate_hz)) {}
 
@@ -37,7 +41,12 @@ Pose SimulatedTour::true_pose(std::uint64_t k) const {
 
 Scan SimulatedTour::scan(std::uint64_t k) const {
     std::vector<RayHit> hits;
-    laser_.cast(path_.pose_at(scan_time(k)), hits);
+    const Pose pose = path_.pose_at(scan_time(k));
+    if (raster_) {
+        raster_->cast(pose, hits);
+    } else {
+        laser_.cast(pose, hits);
+    }
     const Fan& fan = laser_.fan();
     const Pose& mount = fan.pose_robot_laser;
     const double step = fan.step_rad();
@@ -51,8 +60,10 @@ Scan SimulatedTour::scan(std::uint64_t k) const {
     for (std::uint32_t ray = 0; ray < fan.count; ++ray) {
         // Every ray has its draw, whether it hits or not.
         if (ray % 2 == 0) normals = random.normal_pair();
-        const double range = hits[ray].range_m + world_.laser.sigma_m * normals[ray % 2];
-        if (!(range > 0.0 && range < fan.max_range_m)) {
+        double range = hits[ray].range_m + world_.laser.sigma_m * normals[ray % 2];
+        if (world_.laser.no_return == NoReturn::max_range && range >= fan.max_range_m) {
+            range = fan.max_range_m;
+        } else if (!(range > 0.0 && range < fan.max_range_m)) {
             run_open = false;
             continue;
         }

@@ -34,9 +34,10 @@ class Reading {
                 continue;
             }
             const std::string_view name = key.str();
-            if (name != "tour" && name != "robot" && name != "laser" && name != "odometry") {
+            if (name != "tour" && name != "robot" && name != "laser" && name != "raster" &&
+                name != "odometry") {
                 fail(key.source(), fmt::format("[{}]: no such group; expected [tour], [robot], "
-                                               "[laser] or [odometry]",
+                                               "[laser], [raster] or [odometry]",
                                                name));
             }
             for (const auto& [inner, value] : *group)
@@ -74,7 +75,7 @@ class Reading {
         } else {
             fail(key.source(),
                  fmt::format("{}: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, "
-                             "seed, [tour], [robot], [laser] or [odometry]",
+                             "seed, [tour], [robot], [laser], [raster] or [odometry]",
                              name));
         }
     }

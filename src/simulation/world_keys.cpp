@@ -7,6 +7,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/simulation/world.hpp"
+#include "raster_laser.hpp"
 #include "world_values.hpp"
 
 namespace hitos {
@@ -18,6 +19,7 @@ using W = World;
 using Tour = TourParams;
 using Robot = RobotParams;
 using Laser = LaserParams;
+using Raster = RasterParams;
 using Odometry = OdometryParams;
 
 /// Key, unit, least, greatest, meaning.
@@ -38,6 +40,10 @@ std::vector<WorldKey> make_keys() {
         choice<&W::tour, &Tour::look_around>(
             {.key = "tour.look_around",
              .description = "turn once round on the spot before leaving",
+             .choices = yes_no}),
+        choice<&W::tour, &Tour::reverse>(
+            {.key = "tour.reverse",
+             .description = "the way points backwards, the last one still last",
              .choices = yes_no}),
         real<&W::robot, &Robot::radius_m>(
             {"robot.radius", "m", 0, 10, "no wall may come nearer to the robot's centre"}),
@@ -66,6 +72,23 @@ std::vector<WorldKey> make_keys() {
             {"laser.mount_y", "m", -10, 10, "the laser's place, left of the robot's centre"}),
         real<&W::laser, &Laser::mount_heading_deg>({"laser.mount_heading", "degrees", -180, 180,
                                                     "the laser's heading, left of the robot's"}),
+        choice<&W::laser, &Laser::no_return>(
+            {.key = "laser.no_return",
+             .description = "what a ray gives that meets no wall: nothing, or a point at max_range",
+             .choices = {{"none"}, {"max-range"}}}),
+        real<&W::raster, &Raster::cell_m>(
+            {"raster.cell", "m", 0, 1, "cells in which the laser sees the walls; 0: none"}),
+        real<&W::raster, &Raster::wall_m>(
+            {"raster.wall", "m", 0, 1, "how thick the walls are drawn into the cells"}),
+        choice<&W::raster, &Raster::fit>(
+            {.key = "raster.fit",
+             .description = "shrink the drawing until the thick walls end at the outermost lines",
+             .choices = yes_no}),
+        choice<&W::raster, &Raster::ranges>(
+            {.key = "raster.ranges",
+             .description =
+                 "to the edge of the cell that is hit, or in whole cells as Stage counts",
+             .choices = {{"exact"}, {"whole-cells"}}}),
         real<&W::odometry, &Odometry::rate_hz>(
             {"odometry.rate", "Hz", 0.01, 1000, "odometry readings per second"}),
         real<&W::odometry, &Odometry::noise>(
@@ -157,6 +180,7 @@ void check(const World& world) {
     if (world.tour.way_points.empty()) {
         throw ConfigError("tour.way_points", "found none, expected one or more");
     }
+    if (world.raster.cell_m > 0.0) check_raster(world.walls, world.raster);
 }
 
 }  // namespace hitos

@@ -41,6 +41,31 @@ TEST_F(ReproduceCommand, WritesTableDocumentAndPlotsOfOneFigureAndGoesOn) {
     EXPECT_EQ(content(path("two/reproduction.csv")), csv);
 }
 
+TEST_F(ReproduceCommand, TriesEveryReadingAndSetsThemSideBySide) {
+    // One lap keeps it short; no reading is told from another by that.
+    const Outcome outcome =
+        reproduce("--only 10.28 --runs 1 --world tour.laps=1 --hypotheses --out " + path("all") +
+                  " --report " + path("report.md"));
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("reading variances"), std::string::npos) << outcome.output;
+    const std::string document = content(path("report.md"));
+    EXPECT_NE(document.find("## Readings that were tried"), std::string::npos);
+    EXPECT_NE(document.find("### As published"), std::string::npos);
+    EXPECT_NE(document.find("tour.laps=1"), std::string::npos) << "what the call changed is told";
+    const std::string thick = content(path("all/readings/thick-walls/reproduction.csv"));
+    EXPECT_EQ(std::count(thick.begin(), thick.end(), '\n'), 11);
+    EXPECT_NE(thick, content(path("all/reproduction.csv")));
+
+    const Outcome one = reproduce(
+        "--only 10.28 --runs 1 --world tour.laps=1 --reading thick-walls "
+        "--out " +
+        path("one"));
+    ASSERT_EQ(one.status, 0) << one.output;
+    EXPECT_EQ(content(path("one/reproduction.csv")), thick);
+    EXPECT_NE(content(path("one/reproduction.md")).find("**This is the reading `thick-walls`**"),
+              std::string::npos);
+}
+
 TEST_F(ReproduceCommand, DoesWithoutGnuplot) {
     const Outcome outcome =
         shell("PATH=/nowhere " + cli_ + " reproduce --only 10.87 --runs 1 --out " + path("out"));
@@ -62,6 +87,10 @@ TEST_F(ReproduceCommand, RefusesWhatItCannotDo) {
     refused("--runs 0", "expected 1 to");
     refused("--runs many", "many");
     refused("--threads -1", "--threads");
+    refused("--reading no", "expected one of plain, ");
+    refused("--reading stage --as-published", "excludes");
+    refused("--world laser.rays=0", "laser.rays");
+    refused("--set no.key=1", "no.key");
     refused("surplus", "surplus");
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <vector>
 
 #include "hitos/capture/scan.hpp"
@@ -12,11 +12,14 @@
 
 namespace hitos {
 
+class RasterLaser;
+
 /// Drives once, then makes every scan on demand; immutable and thread-safe. The noise of a scan
 /// depends on seed and scan number alone.
 class SimulatedTour {
   public:
-    /// Throws what drive() throws.
+    /// Throws what drive() throws. The robot drives among the walls themselves; a raster is what
+    /// the laser sees of them.
     explicit SimulatedTour(World world);
 
     const World& world() const { return world_; }
@@ -42,6 +45,7 @@ class SimulatedTour {
     World world_;
     DrivenPath path_;
     SimulatedLaser laser_;
+    std::shared_ptr<const RasterLaser> raster_;  // sees in its place where there is one
     std::uint64_t scans_ = 0;
     std::uint64_t readings_ = 0;
 };

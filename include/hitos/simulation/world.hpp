@@ -33,6 +33,7 @@ struct TourParams {
     int laps = 1;                      ///< how often the list is driven, end to end
     double rest_s = 5.0;               ///< at rest before it leaves
     bool look_around = false;          ///< turns once round on the spot before it leaves
+    bool reverse = false;              ///< the list backwards, its last point still last
     std::uint64_t line = 0;            ///< of the way points in the world file
 };
 
@@ -47,6 +48,12 @@ struct RobotParams {
     double control_rate_hz = 10.0;   ///< the velocities are set anew this often and held between
 };
 
+/// What a ray that meets no wall within the greatest range gives.
+enum class NoReturn {
+    none,      ///< no point; it ends a run of neighbours
+    max_range  ///< a point at the greatest range, as programs make that do not ask for it
+};
+
 /// The defaults are a SICK LMS-200 at one degree and 8 m.
 struct LaserParams {
     int rays = 181;
@@ -57,6 +64,23 @@ struct LaserParams {
     double mount_x_m = 0.0;  ///< of the laser in the robot frame
     double mount_y_m = 0.0;
     double mount_heading_deg = 0.0;
+    NoReturn no_return = NoReturn::none;
+};
+
+/// How the range of a ray is taken from the raster.
+enum class RasterRanges {
+    exact,       ///< distance to the edge of the first occupied cell
+    whole_cells  ///< cells walked along the ray's longer axis, over its cosine: Stage 3 and 4
+};
+
+/// The picture of the walls that a simulator with a grid sees instead of them [T 10.3.1].
+struct RasterParams {
+    double cell_m = 0.0;  ///< 0: the laser sees the walls themselves
+    double wall_m = 0.0;  ///< how thick the walls are drawn
+    /// The drawing is shrunk until its ink fits between the outermost walls, which is how Stage
+    /// brings a picture to its size: the outer walls then lie wholly inside their lines.
+    bool fit = false;
+    RasterRanges ranges = RasterRanges::exact;
 };
 
 struct OdometryParams {
@@ -72,6 +96,7 @@ struct World {
     TourParams tour;
     RobotParams robot;
     LaserParams laser;
+    RasterParams raster;
     OdometryParams odometry;
     /// Of the laser's and the odometry's noise; 0: whoever opens the tour chooses, else 1.
     std::uint64_t seed = 0;

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "hitos/services/study/study.hpp"
+#include "hitos/workbench/readings.hpp"
 #include "hitos/workbench/thesis_figures.hpp"
 
 namespace hitos {
@@ -17,17 +20,24 @@ struct ReproductionOptions {
     std::vector<std::string> only;
     int runs = 5;     ///< of each value, with seeds from 1
     int threads = 0;  ///< runs at a time; 0: as many as the machine has
+    Reading reading = readings().front();
+    /// Changes beside those of every reading: "key=value" of worlds and of configurations.
+    std::vector<std::string> world;
+    std::vector<std::string> settings;
     std::filesystem::path out;
     StudyObserver observer;
 };
 
 /// How a row came out against what is asked of it.
 struct Verdict {
-    bool error_met = false;             ///< working range: at most kErrorMargin above the thesis
-    bool landmarks_met = false;         ///< working range: near enough to the true number
+    bool error_near = false;      ///< within kErrorMargin of the thesis's, or neither has an error
+    bool landmarks_near = false;  ///< within kLandmarkMargin of the thesis's
+    bool error_met = false;       ///< at most kErrorMargin above the thesis's
+    bool landmarks_met = false;   ///< working range: near enough to the true number
     bool thesis_landmarks_met = false;  ///< whether the thesis's own figure is
     bool same_tendency = false;         ///< outside the range: harm or none, as in the thesis
-    std::string words;
+    std::string difference;             ///< from the thesis's figures
+    std::string words;                  ///< what became of what is asked
 };
 
 struct ReproducedRow {
@@ -49,6 +59,7 @@ struct ReproducedFigure {
 };
 
 struct Reproduction {
+    Reading reading;
     std::vector<ReproducedFigure> figures;
     int runs = 0;
     std::size_t computed = 0;
@@ -57,8 +68,9 @@ struct Reproduction {
     std::string plot_problem;  ///< why there are no plots; empty where there are
 };
 
-/// How far above the thesis's error ours may lie in the working range [m].
+/// How far from the thesis's error ours may lie [m], and from its number of landmarks.
 constexpr double kErrorMargin = 0.05;
+constexpr double kLandmarkMargin = 1.0;
 /// Laser and odometry of the simulated tours: SPEC section 9.
 constexpr double kReproductionLaserSigma = 0.003;
 constexpr double kReproductionOdometryNoise = 0.1;
@@ -71,17 +83,27 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
 /// folder. Nothing written depends on threads or interruptions. Throws what run_studies() throws.
 Reproduction reproduce(const ReproductionOptions& options);
 
+/// Runs the same figures under every other reading of readings(), each in readings/NAME of the
+/// folder, with its reproduction.csv, and writes reproduction.md anew, with `result`, which
+/// reproduce() gave for the same options, beside them. `begin` is told of each. Throws as
+/// reproduce().
+std::vector<Reproduction> try_readings(const ReproductionOptions& options,
+                                       const Reproduction& result,
+                                       const std::function<void(const Reading&)>& begin);
+
 /// Judges all rows of the figure.
 void judge(ReproducedFigure& figure);
 
 std::string reproduction_csv(const Reproduction& reproduction);
-/// `plots` is the folder of the pictures as seen from the document.
-std::string reproduction_markdown(const Reproduction& reproduction, const std::string& plots);
+/// `plots` is the folder of the pictures as seen from the document; `tried` are other readings of
+/// the same figures, for the table of readings.
+std::string reproduction_markdown(const Reproduction& reproduction, const std::string& plots,
+                                  std::span<const Reproduction> tried = {});
 /// Draws every figure; gives the reason why there are no pictures, else an empty text.
 std::string draw_reproduction(const Reproduction& reproduction,
                               const std::filesystem::path& folder);
 /// Writes the document and its pictures (beside it, in a folder of its stem).
 void write_report(const Reproduction& reproduction, const std::filesystem::path& document,
-                  const std::filesystem::path& plots);
+                  const std::filesystem::path& plots, std::span<const Reproduction> tried = {});
 
 }  // namespace hitos

@@ -24,12 +24,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-World thesis_world(const std::string& name) {
+World thesis_world(const std::string& name, const Reading& reading) {
     World world = read_world(find_world(name));
     world.laser.sigma_m = kReproductionLaserSigma;
     world.odometry.noise = kReproductionOdometryNoise;
     world.odometry.noise_kind = OdometryNoiseKind::relative_sigma;
-    check(world);
+    apply(reading, world);
     return world;
 }
 
@@ -110,10 +110,11 @@ std::vector<Part> order_of(const std::vector<ThesisFigure>& figures, int runs) {
     return parts;
 }
 
-Study study_of(const ThesisFigure& figure, const World& world, const Part& part, Tours& tours,
-               const fs::path& out) {
+Study study_of(const ThesisFigure& figure, const World& world, const Reading& reading,
+               const Part& part, Tours& tours, const fs::path& out) {
     Study study;
     study.configuration = thesis_configuration(*figure.table);
+    apply(reading, study.configuration);
     study.reference = reference_map(world);
     StudyParameter parameter{
         std::string(figure.table->parameter), {std::string(figure.table->key)}, {}};
@@ -121,9 +122,9 @@ Study study_of(const ThesisFigure& figure, const World& world, const Part& part,
     study.parameters.push_back(std::move(parameter));
     study.first_seed = part.seed;
     study.seeds = 1;
-    study.setting =
-        fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}",
-                    kReproductionLaserSigma, kReproductionOdometryNoise, content(world.file));
+    study.setting = fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}{}",
+                                kReproductionLaserSigma, kReproductionOdometryNoise,
+                                text_of(reading), content(world.file));
     study.source = [&world, &tours](const StudyJob& job) -> std::unique_ptr<TourReader> {
         return std::make_unique<RecordedReader>(
             world.file, kWorldFormat,
@@ -203,6 +204,14 @@ bool names(const std::string& word, const ThesisFigure& figure) {
            word == figure.world || word == figure.table->parameter || word == figure.stem();
 }
 
+void check(const ReproductionOptions& options) {
+    constexpr int kMostRuns = 10000;
+    if (options.runs < 1 || options.runs > kMostRuns) {
+        throw ConfigError("--runs", fmt::format("found {} of each value, expected 1 to {}",
+                                                options.runs, kMostRuns));
+    }
+}
+
 }  // namespace
 
 std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figures,
@@ -226,17 +235,20 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
     return selected;
 }
 
-Reproduction reproduce(const ReproductionOptions& options) {
-    constexpr int kMostRuns = 10000;
-    if (options.runs < 1 || options.runs > kMostRuns) {
-        throw ConfigError("--runs", fmt::format("found {} of each value, expected 1 to {}",
-                                                options.runs, kMostRuns));
-    }
+namespace {
+
+/// The runs and what came of them, with the table.
+Reproduction run_figures(const ReproductionOptions& options) {
+    Reading reading = options.reading;
+    std::ranges::copy(options.world, std::back_inserter(reading.world));
+    std::ranges::copy(options.settings, std::back_inserter(reading.settings));
     const std::vector<ThesisFigure> figures =
         select_figures(read_thesis_figures(find_thesis_results()), options.only);
     std::map<std::string, World> worlds;
     for (const ThesisFigure& figure : figures) {
-        if (!worlds.contains(figure.world)) worlds[figure.world] = thesis_world(figure.world);
+        if (!worlds.contains(figure.world)) {
+            worlds[figure.world] = thesis_world(figure.world, reading);
+        }
     }
     const std::size_t threads = options.threads > 0
                                     ? static_cast<std::size_t>(options.threads)
@@ -247,7 +259,8 @@ Reproduction reproduce(const ReproductionOptions& options) {
     std::vector<Study> studies;
     for (const Part& part : parts) {
         const ThesisFigure& figure = figures[part.figure];
-        studies.push_back(study_of(figure, worlds.at(figure.world), part, tours, options.out));
+        studies.push_back(
+            study_of(figure, worlds.at(figure.world), reading, part, tours, options.out));
     }
     StudyOptions how;
     how.threads = options.threads;
@@ -255,10 +268,36 @@ Reproduction reproduce(const ReproductionOptions& options) {
     how.observer = options.observer;
     Reproduction result = gather(figures, worlds, parts, run_studies(studies, how));
     result.runs = options.runs;
+    result.reading = std::move(reading);
     write_file(options.out / "reproduction.csv", reproduction_csv(result));
+    return result;
+}
+
+}  // namespace
+
+Reproduction reproduce(const ReproductionOptions& options) {
+    check(options);
+    Reproduction result = run_figures(options);
     result.plot_problem = draw_reproduction(result, options.out / "plots");
     write_file(options.out / "reproduction.md", reproduction_markdown(result, "plots"));
     return result;
+}
+
+std::vector<Reproduction> try_readings(const ReproductionOptions& options,
+                                       const Reproduction& result,
+                                       const std::function<void(const Reading&)>& begin) {
+    check(options);
+    std::vector<Reproduction> tried;
+    for (const Reading& reading : readings()) {
+        if (reading.name == options.reading.name) continue;
+        begin(reading);
+        ReproductionOptions own = options;
+        own.reading = reading;
+        own.out = options.out / "readings" / reading.name;
+        tried.push_back(run_figures(own));
+    }
+    write_file(options.out / "reproduction.md", reproduction_markdown(result, "plots", tried));
+    return tried;
 }
 
 }  // namespace hitos

@@ -1,13 +1,19 @@
-// What the document of a reproduction says in words.
+// What the document of a reproduction says besides its figures.
 #pragma once
 
+#include <span>
 #include <string>
+
+#include "hitos/workbench/reproduction.hpp"
 
 namespace hitos {
 
 /// How the experiments were done.
-std::string reproduction_introduction();
-/// Where the outcome differs from the thesis's, and why.
-std::string reproduction_remarks();
+std::string reproduction_introduction(const Reading& reading);
+/// Where the outcome differs from the thesis's, by parameter, and which of the readings tried
+/// explains it; computed from the rows. `tried` have the figures of the reproduction, or are none.
+std::string differences_text(const Reproduction& reproduction, std::span<const Reproduction> tried);
+/// The table of the readings, and the summary of the one that is as published; empty without any.
+std::string readings_text(const Reproduction& reproduction, std::span<const Reproduction> tried);
 
 }  // namespace hitos

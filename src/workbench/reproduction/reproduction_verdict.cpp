@@ -49,16 +49,47 @@ double our_landmarks(const ReproducedRow& row) {
     return row.landmarks ? row.landmarks->mean : 0.0;
 }
 
+constexpr double kRounding = 1e-9;
+
+/// Both ways, whichever side is the better one: a reproduction is to give the thesis's figures.
+void compare(ReproducedRow& row) {
+    const auto error = our_error(row);
+    const auto& thesis = row.thesis.error_m;
+    Verdict& verdict = row.verdict;
+    verdict.error_near = error && thesis ? std::abs(*error - *thesis) <= kErrorMargin + kRounding
+                                         : !error && !thesis;
+    verdict.error_met = error && thesis && row.bare == 0
+                            ? *error <= *thesis + kErrorMargin + kRounding
+                            : !error && !thesis;
+    verdict.landmarks_near =
+        std::abs(our_landmarks(row) - row.thesis.landmarks) <= kLandmarkMargin + kRounding;
+}
+
+/// "as the thesis", or what differs from it and by how much.
+std::string difference_words(const ReproducedRow& row) {
+    std::string words;
+    if (!row.verdict.error_near) {
+        const auto error = our_error(row);
+        if (error && row.thesis.error_m) {
+            words = fmt::format("error {:+.3f} m", *error - *row.thesis.error_m);
+        } else {
+            words = error ? "landmarks where the thesis finds none" : "no landmarks";
+        }
+    }
+    if (!row.verdict.landmarks_near) {
+        words += fmt::format("{}landmarks {:+.1f}", words.empty() ? "" : "; ",
+                             our_landmarks(row) - row.thesis.landmarks);
+    }
+    return words.empty() ? "as the thesis" : words;
+}
+
 void judge_inside(const ReproducedFigure& figure, ReproducedRow& row) {
     const double truth = figure.true_landmarks;
-    constexpr double kRounding = 1e-9;
     const double off = our_landmarks(row) - truth;
     row.verdict.landmarks_met = std::abs(off) <= figure.tolerance + kRounding;
     row.verdict.thesis_landmarks_met =
         std::abs(row.thesis.landmarks - truth) <= figure.tolerance + kRounding;
     const auto error = our_error(row);
-    row.verdict.error_met = error && row.thesis.error_m && row.bare == 0 &&
-                            *error <= *row.thesis.error_m + kErrorMargin + kRounding;
     std::string words;
     if (!error) {
         words = "no landmarks";
@@ -84,8 +115,11 @@ void judge(ReproducedFigure& figure) {
         row.verdict = {};
         if (row.finished == 0) {
             row.verdict.words = "every run failed";
+            row.verdict.difference = "every run failed";
             continue;
         }
+        compare(row);
+        row.verdict.difference = difference_words(row);
         if (row.in_range) {
             judge_inside(figure, row);
             continue;

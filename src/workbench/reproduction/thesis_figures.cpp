@@ -81,12 +81,13 @@ constexpr std::array kRanges{
     StatedRange{"mpuntos", "", {9, 30}},
     // 10.4.5: low values do not touch the error.
     StatedRange{"es", "", {0.001, 1.0}},
-    // 10.5.2; for theta the count is right from 0.0005 on, the error best at 0.0008 to 0.001224.
+    // 10.5.2 names both.
     StatedRange{"sensor_rho", "", {0.001, 0.08}},
-    StatedRange{"sensor_theta", "", {0.0005, 0.005}},
-    // 10.6.2: no influence on the error, and the count goes wrong above 1.
-    StatedRange{"p0", "", {0.0001, 1.0}},
-    // 10.6.3: 100 for the two complicated worlds, 50 for the others.
+    StatedRange{"sensor_theta", "", {0.0008, 0.001224}},
+    // 10.6.2 ends with this range.
+    StatedRange{"p0", "", {0.001, 1.0}},
+    // 10.6.3: where error and number settle, 100 but for recinto and bigloop.
+    StatedRange{"p", "lineamedia", {100, 500}},
     StatedRange{"p", "bigloop2", {100, 500}},
     StatedRange{"p", "complex", {100, 500}},
     StatedRange{"p", "", {50, 500}},

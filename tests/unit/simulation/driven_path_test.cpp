@@ -50,6 +50,18 @@ void expect_way_points(const World& world, const DrivenPath& path) {
     }
 }
 
+TEST(DrivenPath, DrivesTheListBackwardsWithItsLastPointLast) {
+    World world = small_world();
+    world.tour.laps = 2;
+    set_world_value(world, "tour.reverse=true");
+    const DrivenPath path = drive(world);
+    World other = small_world();
+    other.tour.laps = 2;
+    std::swap(other.tour.way_points[0], other.tour.way_points[1]);  // of three
+    EXPECT_EQ(path.poses(), drive(other).poses());
+    expect_way_points(other, path);
+}
+
 TEST(DrivenPath, KeepsToTheRobotsBoundsAndPassesEveryWayPoint) {
     for (const std::string& name : test::shipped_names()) {
         SCOPED_TRACE(name);

@@ -59,6 +59,22 @@ TEST(SimulatedTour, OdometryWithoutNoiseIsTheTrueMotionAtAnyRate) {
     }
 }
 
+TEST(SimulatedTour, RaysWithoutAWallCanGivePointsAtTheGreatestRange) {
+    World world = small_world();
+    world.laser.max_range_m = 5.0;
+    world.laser.sigma_m = 0.0;
+    const Scan gaps = SimulatedTour(world).scan(0);
+    set_world_value(world, "laser.no_return=max-range");
+    const Scan full = SimulatedTour(world).scan(0);
+    ASSERT_LT(gaps.points.size(), full.points.size());
+    ASSERT_EQ(full.points.size(), full.fan.count) << "every ray is a point";
+    EXPECT_EQ(full.run_starts, std::vector<std::uint32_t>{0}) << "and none ends a run";
+    for (const Point2& p : full.points) EXPECT_LE(std::hypot(p.x, p.y), 5.0 + 1e-9);
+    for (std::size_t i = 0; i < gaps.points.size(); ++i) {
+        EXPECT_EQ(full.points[gaps.rays[i]], gaps.points[i]) << "the walls are seen as before";
+    }
+}
+
 TEST(SimulatedTour, RangesHaveTheNoiseThatWasAskedFor) {
     World world = small_world();
     world.tour.rest_s = 200.0;

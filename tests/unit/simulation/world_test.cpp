@@ -88,7 +88,7 @@ TEST(World, NamesTheLineOfEveryMistake) {
     expect_refusal("walls = [\n[[0, 0], [4, 0]]\n[tour]", "folder/w.toml:3: ");
     expect_refusal(kWalls + kTour + "speed = 1\n",
                    "w.toml:4: tour.speed: no such key; expected one of tour.laps, tour.rest, "
-                   "tour.look_around, tour.start, tour.way_points");
+                   "tour.look_around, tour.reverse, tour.start, tour.way_points");
     expect_refusal("wals = 3\n" + kWalls + kTour, "w.toml:1: wals: no such key; expected walls,");
     expect_refusal(kWalls + kTour + "[lasers]\nrays = 5\n", "w.toml:4: [lasers]: no such group");
     expect_refusal(kWalls + kTour + "[laser]\nsigma = -1\n",

@@ -101,6 +101,12 @@ TEST(ThesisFigures, EveryWorkingRangeHoldsValuesOfItsFigure) {
     EXPECT_FALSE(working_range("dmax", "lineamedia").holds(0.03));
     EXPECT_FALSE(working_range("p", "complex").holds(50));
     EXPECT_TRUE(working_range("p", "recinto").holds(50));
+    // As the text has them: [T 10.5.2], [T 10.6.2], [T 10.6.3].
+    EXPECT_FALSE(working_range("p", "lineamedia").holds(50));
+    EXPECT_FALSE(working_range("p0", "bigloop2").holds(0.0001));
+    EXPECT_FALSE(working_range("sensor_theta", "bigloop2").holds(0.0005));
+    EXPECT_FALSE(working_range("sensor_theta", "bigloop2").holds(0.005));
+    EXPECT_TRUE(working_range("sensor_theta", "bigloop2").holds(0.001224));
 }
 
 TEST(ThesisFigures, WorldsHaveTheTrueNumberOfLandmarks) {
@@ -161,6 +167,25 @@ TEST(Judge, AsksForErrorAndNumberInsideAndForTheTendencyOutside) {
     EXPECT_EQ(figure.rows[4].verdict.words, "harms the thesis, not us");
 }
 
+TEST(Judge, AsksForTheThesissFiguresFromBothSides) {
+    ReproducedFigure figure;
+    figure.true_landmarks = 22;
+    figure.tolerance = 0.5;
+    figure.rows = {row_of(0.15, 0.20, 9.0, true), row_of(0.15, 0.099, 6.9, true),
+                   row_of(0.15, 0.201, 8.0, false)};
+    judge(figure);
+    // The truth is 22: the thesis's 8 landmarks are the measure all the same.
+    EXPECT_TRUE(figure.rows[0].verdict.error_near);
+    EXPECT_TRUE(figure.rows[0].verdict.landmarks_near);
+    EXPECT_FALSE(figure.rows[0].verdict.thesis_landmarks_met);
+    EXPECT_EQ(figure.rows[0].verdict.difference, "as the thesis");
+    EXPECT_FALSE(figure.rows[1].verdict.error_near) << "too good is no agreement";
+    EXPECT_TRUE(figure.rows[1].verdict.error_met);
+    EXPECT_EQ(figure.rows[1].verdict.difference, "error -0.051 m; landmarks -1.1");
+    EXPECT_FALSE(figure.rows[2].verdict.error_near);
+    EXPECT_FALSE(figure.rows[2].verdict.error_met);
+}
+
 TEST(Judge, NoLandmarksOnBothSidesIsTheSameTendency) {
     ReproducedFigure figure;
     figure.true_landmarks = 8;
@@ -169,6 +194,8 @@ TEST(Judge, NoLandmarksOnBothSidesIsTheSameTendency) {
     figure.rows[1].error_m.reset();
     judge(figure);
     EXPECT_TRUE(figure.rows[1].verdict.same_tendency);
+    EXPECT_TRUE(figure.rows[1].verdict.error_near);
+    EXPECT_EQ(figure.rows[1].verdict.difference, "landmarks -8.0") << "the thesis's row says 8";
 }
 
 }  // namespace

@@ -1,0 +1,250 @@
+#include "raster_laser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "hitos/base/error.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// One byte each; a building of 200 x 100 m in cells of 2 cm has 50 million.
+constexpr double kMostCells = 6.4e7;
+/// Walls are at least this thick, so that one on the border of cells is in those on both sides, and
+/// what only touches a cell from outside, but for rounding, does not occupy it.
+constexpr double kThinnest = 1e-6;  // m
+constexpr double kTouch = 1e-9;     // m
+
+struct Box {
+    Point2 least{kInfinity, kInfinity};
+    Point2 most{-kInfinity, -kInfinity};
+
+    void add(const Point2& p) {
+        least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+        most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+    }
+};
+
+using Quad = std::array<Point2, 4>;
+
+/// The wall as it is drawn, in order round.
+Quad ink_of(const WallSegment& wall, double thickness_m) {
+    const double half = 0.5 * std::max(thickness_m, kThinnest);
+    const double dx = wall.b.x - wall.a.x;
+    const double dy = wall.b.y - wall.a.y;
+    const double length = std::hypot(dx, dy);
+    const Point2 along{half * dx / length, half * dy / length};
+    const Point2 a{wall.a.x - along.x, wall.a.y - along.y};
+    const Point2 b{wall.b.x + along.x, wall.b.y + along.y};
+    return {Point2{a.x - along.y, a.y + along.x}, Point2{b.x - along.y, b.y + along.x},
+            Point2{b.x + along.y, b.y - along.x}, Point2{a.x + along.y, a.y - along.x}};
+}
+
+/// All walls as they are drawn.
+std::vector<Quad> draw(const std::vector<WallSegment>& walls, const RasterParams& params) {
+    std::vector<Quad> ink;
+    ink.reserve(walls.size());
+    Box lines;
+    Box drawn;
+    for (const WallSegment& wall : walls) {
+        lines.add(wall.a);
+        lines.add(wall.b);
+        for (const Point2& p : ink.emplace_back(ink_of(wall, params.wall_m))) drawn.add(p);
+    }
+    if (!params.fit) return ink;
+    const auto fitted = [](double value, double drawn_least, double drawn_most, double least,
+                           double most) {
+        return least + (value - drawn_least) * (most - least) / (drawn_most - drawn_least);
+    };
+    for (Quad& quad : ink) {
+        for (Point2& p : quad) {
+            p = {fitted(p.x, drawn.least.x, drawn.most.x, lines.least.x, lines.most.x),
+                 fitted(p.y, drawn.least.y, drawn.most.y, lines.least.y, lines.most.y)};
+        }
+    }
+    return ink;
+}
+
+Box box_of(const std::vector<Quad>& ink) {
+    Box box;
+    for (const Quad& quad : ink) {
+        for (const Point2& p : quad) box.add(p);
+    }
+    return box;
+}
+
+/// Whether no line along a side of the quad parts it from the square; lines along the axes are
+/// left to the caller.
+bool meets(const Quad& quad, const Point2& least, const Point2& most) {
+    for (std::size_t i = 0; i < quad.size(); ++i) {
+        const Point2& a = quad[i];
+        const Point2& b = quad[(i + 1) % quad.size()];
+        const Point2& inside = quad[(i + 2) % quad.size()];
+        // Normal of the side, towards the quad's inside.
+        Point2 normal{a.y - b.y, b.x - a.x};
+        if (normal.x * (inside.x - a.x) + normal.y * (inside.y - a.y) < 0.0) {
+            normal = {-normal.x, -normal.y};
+        }
+        const double deepest = normal.x * ((normal.x > 0.0 ? most.x : least.x) - a.x) +
+                               normal.y * ((normal.y > 0.0 ? most.y : least.y) - a.y);
+        if (deepest <= kTouch * std::hypot(normal.x, normal.y)) return false;
+    }
+    return true;
+}
+
+/// The walk of a ray from cell to cell, in units of cells.
+struct Ray {
+    Point2 from;
+    double cosine = 0.0;
+    double sine = 0.0;
+    double reach = 0.0;
+};
+
+/// The cells of a ray one after the other, by the next border that it crosses (J. Amanatides,
+/// A. Woo, A fast voxel traversal algorithm for ray tracing, Eurographics 1987).
+double exact_range(const WallRaster& raster, const Ray& ray) {
+    const auto floor = [](double value) { return static_cast<std::int64_t>(std::floor(value)); };
+    std::int64_t x = floor(ray.from.x);
+    std::int64_t y = floor(ray.from.y);
+    const int step_x = ray.cosine < 0.0 ? -1 : 1;
+    const int step_y = ray.sine < 0.0 ? -1 : 1;
+    const double per_x = ray.cosine != 0.0 ? 1.0 / std::abs(ray.cosine) : kInfinity;
+    const double per_y = ray.sine != 0.0 ? 1.0 / std::abs(ray.sine) : kInfinity;
+    // Distance to the next border of each kind: counted in whole borders, so that it stays exact.
+    const double to_x =
+        step_x > 0 ? static_cast<double>(x + 1) - ray.from.x : ray.from.x - static_cast<double>(x);
+    const double to_y =
+        step_y > 0 ? static_cast<double>(y + 1) - ray.from.y : ray.from.y - static_cast<double>(y);
+    std::int64_t crossed_x = 0;
+    std::int64_t crossed_y = 0;
+    double range = 0.0;
+    while (range <= ray.reach) {
+        if (raster.occupied(x, y)) return range;
+        const double next_x =
+            std::isinf(per_x) ? kInfinity : (to_x + static_cast<double>(crossed_x)) * per_x;
+        const double next_y =
+            std::isinf(per_y) ? kInfinity : (to_y + static_cast<double>(crossed_y)) * per_y;
+        if (next_x < next_y) {
+            range = next_x;
+            x += step_x;
+            ++crossed_x;
+        } else {
+            range = next_y;
+            y += step_y;
+            ++crossed_y;
+        }
+    }
+    return kInfinity;
+}
+
+/// The walk of Stage 3 and 4: from the centre of the first cell to the end of the ray by whole
+/// cells, choosing the axis by an integer error; the range is the number of cells along the longer
+/// axis over the ray's cosine with it. A wall that the ray meets nearly along is so seen in steps.
+double whole_cell_range(const WallRaster& raster, const Ray& ray) {
+    auto x = static_cast<std::int64_t>(std::floor(ray.from.x));
+    auto y = static_cast<std::int64_t>(std::floor(ray.from.y));
+    const auto whole_x = static_cast<std::int64_t>(ray.reach * ray.cosine);
+    const auto whole_y = static_cast<std::int64_t>(ray.reach * ray.sine);
+    const std::int64_t wide = std::abs(whole_x);
+    const std::int64_t high = std::abs(whole_y);
+    const int step_x = whole_x < 0 ? -1 : 1;
+    const int step_y = whole_y < 0 ? -1 : 1;
+    std::int64_t crossed_x = 0;
+    std::int64_t crossed_y = 0;
+    std::int64_t error = high - wide;
+    for (std::int64_t left = wide + high; left > 0; --left) {
+        if (raster.occupied(x, y)) {
+            return wide > high ? static_cast<double>(crossed_x) / std::abs(ray.cosine)
+                               : static_cast<double>(crossed_y) / std::abs(ray.sine);
+        }
+        if (error < 0) {
+            x += step_x;
+            ++crossed_x;
+            error += 2 * high;
+        } else {
+            y += step_y;
+            ++crossed_y;
+            error -= 2 * wide;
+        }
+    }
+    return kInfinity;
+}
+
+}  // namespace
+
+void check_raster(const std::vector<WallSegment>& walls, const RasterParams& params) {
+    if (walls.empty()) return;
+    const Box box = box_of(draw(walls, params));
+    const double columns = (box.most.x - box.least.x) / params.cell_m + 2.0;
+    const double rows = (box.most.y - box.least.y) / params.cell_m + 2.0;
+    if (columns * rows > kMostCells) {
+        throw ConfigError(
+            "raster.cell",
+            fmt::format(
+                "found {:g} m for walls over {:g} x {:g} m, which is {:.3g} cells; expected "
+                "at most {:.3g}, so take greater cells",
+                params.cell_m, box.most.x - box.least.x, box.most.y - box.least.y, columns * rows,
+                kMostCells));
+    }
+}
+
+WallRaster::WallRaster(const std::vector<WallSegment>& walls, const RasterParams& params)
+    : cell_m_(params.cell_m) {
+    if (!(cell_m_ > 0.0)) {
+        throw ConfigError("raster.cell", fmt::format("found {:g}, expected more than 0", cell_m_));
+    }
+    if (walls.empty()) return;
+    check_raster(walls, params);
+    const std::vector<Quad> ink = draw(walls, params);
+    const auto cell_of = [&](double value) {
+        return static_cast<std::int64_t>(std::floor(value / cell_m_));
+    };
+    const Box all = box_of(ink);
+    left_ = cell_of(all.least.x);
+    bottom_ = cell_of(all.least.y);
+    columns_ = cell_of(all.most.x) - left_ + 1;
+    rows_ = cell_of(all.most.y) - bottom_ + 1;
+    cells_.assign(static_cast<std::size_t>(columns_ * rows_), 0);
+    for (const Quad& quad : ink) {
+        const Box box = box_of({quad});
+        // What only touches the next cell is not in it.
+        const std::int64_t first_x = cell_of(box.least.x + kTouch);
+        const std::int64_t last_x = cell_of(box.most.x - kTouch);
+        const std::int64_t first_y = cell_of(box.least.y + kTouch);
+        const std::int64_t last_y = cell_of(box.most.y - kTouch);
+        for (std::int64_t y = first_y; y <= last_y; ++y) {
+            for (std::int64_t x = first_x; x <= last_x; ++x) {
+                const Point2 least{static_cast<double>(x) * cell_m_,
+                                   static_cast<double>(y) * cell_m_};
+                if (!meets(quad, least, {least.x + cell_m_, least.y + cell_m_})) continue;
+                cells_[static_cast<std::size_t>((y - bottom_) * columns_ + (x - left_))] = 1;
+            }
+        }
+    }
+}
+
+void RasterLaser::cast(const Pose& pose_world_robot, std::vector<RayHit>& out) const {
+    out.assign(fan_.count, RayHit{});
+    const Pose laser = compose(pose_world_robot, fan_.pose_robot_laser);
+    const double cell_m = raster_.cell_m();
+    const double step = fan_.count > 1 ? fan_.step_rad() : 1.0;
+    Ray ray;
+    ray.from = {laser.x / cell_m, laser.y / cell_m};
+    ray.reach = fan_.max_range_m / cell_m;
+    for (std::uint32_t k = 0; k < fan_.count; ++k) {
+        const double angle = laser.theta + fan_.min_angle_rad + k * step;
+        ray.cosine = std::cos(angle);
+        ray.sine = std::sin(angle);
+        const double cells = ranges_ == RasterRanges::exact ? exact_range(raster_, ray)
+                                                            : whole_cell_range(raster_, ray);
+        const double range = cells * cell_m;
+        if (range <= fan_.max_range_m) out[k].range_m = range;
+    }
+}
+
+}  // namespace hitos
