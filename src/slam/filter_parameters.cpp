@@ -117,6 +117,15 @@ void add_association(Table& table) {
         {where(ambiguity, {"keep-likelihood", "neutral", "new-landmark"})}));
 }
 
+/// A number of constant noise, which motion.unit says how to read.
+Parameter<Filter> of_constant_noise(Parameter<Filter> parameter, std::string_view sigma,
+                                    std::string_view variance) {
+    parameter.unit_now = [sigma, variance](const Filter& f) {
+        return f.motion.unit == MotionUnit::variance ? variance : sigma;
+    };
+    return parameter;
+}
+
 void add_motion(Table& table) {
     table.push_back(choice<&Filter::motion, &MotionParams::model>(
         {.key = "motion.model",
@@ -125,39 +134,61 @@ void add_motion(Table& table) {
          .label = HITOS_TEXT("ParameterLabel", "Model"),
          .card = "motion",
          .choices = choices_of(motion_models())}));
-    table.push_back(real<&Filter::motion, &MotionParams::sigma_x_m>(
-        {.key = "motion.sigma_x",
-         .unit = "m",
-         .minimum = 0.0,
-         .maximum = 10.0,
-         .description = HITOS_TEXT("Parameter",
-                                   "Standard deviation of the motion noise in x per step with "
-                                   "constant noise; a higher value spreads the particles more."),
-         .label = HITOS_TEXT("ParameterLabel", "σ x"),
-         .symbol = "σ²x",
-         .card = "motion"}));
-    table.push_back(real<&Filter::motion, &MotionParams::sigma_y_m>(
-        {.key = "motion.sigma_y",
-         .unit = "m",
-         .minimum = 0.0,
-         .maximum = 10.0,
-         .description = HITOS_TEXT("Parameter",
-                                   "Standard deviation of the motion noise in y per step with "
-                                   "constant noise; a higher value spreads the particles more."),
-         .label = HITOS_TEXT("ParameterLabel", "σ y"),
-         .symbol = "σ²y",
-         .card = "motion"}));
-    table.push_back(real<&Filter::motion, &MotionParams::sigma_theta_rad>(
-        {.key = "motion.sigma_theta",
-         .unit = "rad",
-         .minimum = 0.0,
-         .maximum = 10.0,
-         .description = HITOS_TEXT("Parameter",
-                                   "Standard deviation of the heading noise per step with constant "
-                                   "noise; a higher value spreads the headings more."),
-         .label = HITOS_TEXT("ParameterLabel", "σ θ"),
-         .symbol = "σ²θ",
-         .card = "motion"}));
+    table.push_back(choice<&Filter::motion, &MotionParams::unit>(
+        {.key = "motion.unit",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Whether sigma_x, sigma_y and sigma_theta are standard deviations or variances; the "
+             "thesis calls its numbers variances, but only as standard deviations do they give its "
+             "figures."),
+         .label = HITOS_TEXT("ParameterLabel", "Noise given as"),
+         .choices = {{"sigma", HITOS_TEXT("ParameterChoice", "Standard deviations")},
+                     {"variance", HITOS_TEXT("ParameterChoice", "Variances")}}}));
+    table.push_back(of_constant_noise(
+        real<&Filter::motion, &MotionParams::sigma_x_m>(
+            {.key = "motion.sigma_x",
+             .unit = "m or m^2",
+             .minimum = 0.0,
+             .maximum = 10.0,
+             .description =
+                 HITOS_TEXT("Parameter",
+                            "Constant noise: standard deviation of the motion noise in x per "
+                            "step, or its variance as motion.unit says; a higher value "
+                            "spreads the particles more."),
+             .label = HITOS_TEXT("ParameterLabel", "σ x"),
+             .symbol = "σ²x",
+             .card = "motion"}),
+        "m", "m^2"));
+    table.push_back(of_constant_noise(
+        real<&Filter::motion, &MotionParams::sigma_y_m>(
+            {.key = "motion.sigma_y",
+             .unit = "m or m^2",
+             .minimum = 0.0,
+             .maximum = 10.0,
+             .description =
+                 HITOS_TEXT("Parameter",
+                            "Constant noise: standard deviation of the motion noise in y per "
+                            "step, or its variance as motion.unit says; a higher value "
+                            "spreads the particles more."),
+             .label = HITOS_TEXT("ParameterLabel", "σ y"),
+             .symbol = "σ²y",
+             .card = "motion"}),
+        "m", "m^2"));
+    table.push_back(of_constant_noise(
+        real<&Filter::motion, &MotionParams::sigma_theta_rad>(
+            {.key = "motion.sigma_theta",
+             .unit = "rad or rad^2",
+             .minimum = 0.0,
+             .maximum = 10.0,
+             .description =
+                 HITOS_TEXT("Parameter",
+                            "Constant noise: standard deviation of the heading noise per step, "
+                            "or its variance as motion.unit says; a higher value spreads "
+                            "the headings more."),
+             .label = HITOS_TEXT("ParameterLabel", "σ θ"),
+             .symbol = "σ²θ",
+             .card = "motion"}),
+        "rad", "rad^2"));
     table.push_back(real<&Filter::motion, &MotionParams::var_along_m2_per_m>(
         {.key = "motion.var_along",
          .unit = "m^2/m",

@@ -125,18 +125,6 @@
         <translation>Cociente entre la segunda verosimilitud y la mejor a partir del cual una observación es ambigua; con un valor mayor lo son menos.</translation>
     </message>
     <message>
-        <source>Standard deviation of the motion noise in x per step with constant noise; a higher value spreads the particles more.</source>
-        <translation>Desviación típica del ruido de movimiento en x por paso, con ruido constante; un valor mayor dispersa más las partículas.</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the motion noise in y per step with constant noise; a higher value spreads the particles more.</source>
-        <translation>Desviación típica del ruido de movimiento en y por paso, con ruido constante; un valor mayor dispersa más las partículas.</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the heading noise per step with constant noise; a higher value spreads the headings more.</source>
-        <translation>Desviación típica del ruido de orientación por paso, con ruido constante; un valor mayor dispersa más las orientaciones.</translation>
-    </message>
-    <message>
         <source>Proportional noise: variance along the motion per metre; a higher value trusts the measured distance less.</source>
         <translation>Ruido proporcional: varianza a lo largo del movimiento por metro; con un valor mayor se confía menos en la distancia medida.</translation>
     </message>
@@ -292,6 +280,26 @@
         <source>How particles are drawn anew; every method gives a particle as many copies in the mean as its weight says, and they differ in how much chance adds.</source>
         <translation>Cómo se vuelven a extraer las partículas; con todos los métodos una partícula recibe en media tantas copias como dice su peso, y se distinguen en cuánto añade el azar.</translation>
     </message>
+    <message>
+        <source>What corners are the intersections of: the lines as they are detected, or least squares lines over all points of each, which differ where lines go through their end points.</source>
+        <translation>De qué son intersección las esquinas: de las rectas tal como se detectan, o de las rectas de mínimos cuadrados por todos los puntos de cada una; ambas difieren donde las rectas pasan por sus puntos extremos.</translation>
+    </message>
+    <message>
+        <source>Constant noise: standard deviation of the motion noise in x per step, or its variance as motion.unit says; a higher value spreads the particles more.</source>
+        <translation>Ruido constante: desviación típica del ruido de movimiento en x por paso, o su varianza, según motion.unit; un valor mayor dispersa más las partículas.</translation>
+    </message>
+    <message>
+        <source>Constant noise: standard deviation of the motion noise in y per step, or its variance as motion.unit says; a higher value spreads the particles more.</source>
+        <translation>Ruido constante: desviación típica del ruido de movimiento en y por paso, o su varianza, según motion.unit; un valor mayor dispersa más las partículas.</translation>
+    </message>
+    <message>
+        <source>Constant noise: standard deviation of the heading noise per step, or its variance as motion.unit says; a higher value spreads the headings more.</source>
+        <translation>Ruido constante: desviación típica del ruido de orientación por paso, o su varianza, según motion.unit; un valor mayor dispersa más las orientaciones.</translation>
+    </message>
+    <message>
+        <source>Whether sigma_x, sigma_y and sigma_theta are standard deviations or variances; the thesis calls its numbers variances, but only as standard deviations do they give its figures.</source>
+        <translation>Si sigma_x, sigma_y y sigma_theta son desviaciones típicas o varianzas; la tesis llama varianzas a sus números, pero solo como desviaciones típicas dan sus resultados.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -430,6 +438,22 @@
     <message>
         <source>Stratified</source>
         <translation>Estratificado</translation>
+    </message>
+    <message>
+        <source>Detected lines</source>
+        <translation>Rectas detectadas</translation>
+    </message>
+    <message>
+        <source>Fitted walls</source>
+        <translation>Paredes ajustadas</translation>
+    </message>
+    <message>
+        <source>Standard deviations</source>
+        <translation>Desviaciones típicas</translation>
+    </message>
+    <message>
+        <source>Variances</source>
+        <translation>Varianzas</translation>
     </message>
 </context>
 <context>
@@ -676,6 +700,14 @@
     <message>
         <source>Resampling method</source>
         <translation>Método de remuestreo</translation>
+    </message>
+    <message>
+        <source>Corners of</source>
+        <translation>Esquinas de</translation>
+    </message>
+    <message>
+        <source>Noise given as</source>
+        <translation>Ruido dado como</translation>
     </message>
 </context>
 <context>
