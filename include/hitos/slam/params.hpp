@@ -35,7 +35,8 @@ struct ObservationParams {
 
 enum class AssociationMethod {
     maximum_likelihood,  ///< [T table 5.1]
-    gated_nearest        ///< nearest by Mahalanobis distance inside a chi-square gate [T 5.3]
+    gated_nearest,       ///< nearest by Mahalanobis distance inside a chi-square gate [T 5.3]
+    joint_compatibility  ///< all observations of a scan together (Neira and Tardos, 2001)
 };
 
 /// What happens with an observation that could belong to several landmarks. In every case but
@@ -53,7 +54,8 @@ struct AssociationParams {
     double gate_probability = 0.95;   ///< of the chi-square gate with 2 degrees of freedom
     double new_probability = 0.9999;  ///< EKF-SLAM: of the gate outside which a landmark is new
     AmbiguityRule ambiguity = AmbiguityRule::keep_likelihood;
-    double ambiguity_ratio = 0.1;  ///< second best over best from which both are plausible
+    double ambiguity_ratio = 0.1;     ///< second best over best from which both are plausible
+    double joint_probability = 0.95;  ///< joint compatibility: of the gate of all pairings
 };
 
 enum class ResamplingRule { always, neff };

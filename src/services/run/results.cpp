@@ -62,6 +62,7 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
     summary.seed = run.configuration().run.seed;
     summary.lines = run.filter().best_count(FeatureKind::line);
     summary.corners = run.filter().best_count(FeatureKind::corner);
+    summary.searches_cut = run.filter().statistics().searches_cut;
     summary.report = run.report();
     const LandmarkMap map = run.filter().best_map();
     if (references.map) {
@@ -100,6 +101,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
           {"skipped_lines", summary.report.skipped},
           {"skipped_examples", skipped}}}};
     if (summary.particles > 0) json["particles"] = summary.particles;
+    if (summary.searches_cut > 0) json["association_searches_cut"] = summary.searches_cut;
     if (summary.map_error) json["map_error"] = json_of(*summary.map_error);
     if (summary.aligned_map_error) {
         json["map_error_aligned"] = json_of(summary.aligned_map_error->error);

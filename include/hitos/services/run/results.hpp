@@ -35,6 +35,7 @@ struct RunSummary {
     std::uint64_t seed = 0;
     int lines = 0;
     int corners = 0;
+    std::uint64_t searches_cut = 0;  ///< as FilterStatistics::searches_cut
     ReadReport report;
     std::optional<MapError> map_error;
     std::optional<AlignedMapError> aligned_map_error;

@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 54U);
+    EXPECT_EQ(keys.size(), 55U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -110,7 +110,7 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
     const Keys ransac = {"ransac.edge", "ransac.edge_per_range", "ransac.threshold",
                          "ransac.iterations"};
     Keys idle = {"association.new_probability", "association.gate_probability",
-                 "resampling.neff_threshold"};
+                 "association.joint_probability", "resampling.neff_threshold"};
     for (const Keys& keys : {rates, points, ransac}) idle.insert(keys.begin(), keys.end());
     EXPECT_EQ(idle_with({}), idle);
     EXPECT_EQ(idle_with({"motion.model=no-odometry"}), idle);
@@ -125,13 +125,14 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
     EXPECT_EQ(idle_with({"features.detect=corners"}), idle);
     EXPECT_EQ(idle_with({"association.method=gnn"}),
               with(idle, {}, {"association.gate_probability"}));
-    EXPECT_EQ(idle_with({"association.ambiguity=off"}),
-              with(idle, {"association.ambiguity_ratio"}, {}));
+    EXPECT_EQ(idle_with({"association.method=jcbb"}),
+              with(idle, {}, {"association.gate_probability", "association.joint_probability"}));
+    EXPECT_EQ(idle_with({"association.ambiguity=off"}), idle);
     EXPECT_EQ(idle_with({"resampling.rule=neff"}), with(idle, {}, {"resampling.neff_threshold"}));
     EXPECT_EQ(idle_with({"filter.algorithm=ekf-slam", "resampling.rule=neff"}),
               with(idle,
-                   {"filter.particles", "filter.proposal", "association.method", "association.p0",
-                    "resampling.rule", "resampling.method"},
+                   {"filter.particles", "filter.proposal", "association.p0", "resampling.rule",
+                    "resampling.method"},
                    {"association.new_probability", "association.gate_probability"}));
 }
 
@@ -190,7 +191,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
                        MotionUnit::variance};
     c.filter.observation = {0.21, 0.22};
     c.filter.association = {AssociationMethod::gated_nearest, 0.31, 0.91, 0.92,
-                            AmbiguityRule::new_landmark,      0.33};
+                            AmbiguityRule::new_landmark,      0.33, 0.93};
     c.filter.resampling = {ResamplingRule::neff, 41.5, "residual"};
     c.extraction.detect = Detection::corners;
     c.extraction.lines = {0.52, 53, {0.54, 0.55, 0.56}};
@@ -216,6 +217,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"association.p0", "0.31"},
         {"association.gate_probability", "0.91"},
         {"association.new_probability", "0.92"},
+        {"association.joint_probability", "0.93"},
         {"association.ambiguity", "new-landmark"},
         {"association.ambiguity_ratio", "0.33"},
         {"motion.model", "proportional"},
