@@ -66,16 +66,28 @@ void LineFinder::find(const Scan& scan, Observation& out) {
     out.time_s = scan.time_s;
     method_->extract_lines(scan, out);
     if (covariance_ == ObservationCovariance::fixed) return;
-    const PointErrors errors{point_sigma_m_,
-                             common_sigma_m_,
-                             {scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y}};
+    const PointErrors of_points = errors(scan);
     for (const DetectedLine& line : out.lines) {
         const std::span<const Point2> support = out.support_of(line);
         out.line_covariances.push_back(
             method_->fits_end_points()
-                ? line_covariance(line.recta, ends_of(support, line.recta), errors)
-                : line_covariance(line.recta, support, errors));
+                ? line_covariance(line.recta, ends_of(support, line.recta), of_points)
+                : line_covariance(line.recta, support, of_points));
     }
+}
+
+void LineFinder::fit_all(const Scan& scan, Observation& out) const {
+    for (DetectedLine& line : out.lines) line.recta = fit_least_squares(out.support_of(line));
+    for (std::size_t i = 0; i < out.line_covariances.size(); ++i) {
+        const DetectedLine& line = out.lines[i];
+        out.line_covariances[i] = line_covariance(line.recta, out.support_of(line), errors(scan));
+    }
+}
+
+PointErrors LineFinder::errors(const Scan& scan) const {
+    return {point_sigma_m_,
+            common_sigma_m_,
+            {scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y}};
 }
 
 void ExRectas::extract(const Scan& scan, Observation& out) {
@@ -84,8 +96,19 @@ void ExRectas::extract(const Scan& scan, Observation& out) {
 
 void ExPuntos::extract(const Scan& scan, Observation& out) {
     lines_.find(scan, out);
+    if (fit_) {
+        detected_ = out.lines;
+        detected_covariances_ = out.line_covariances;
+        lines_.fit_all(scan, out);
+    }
     find_corners(out, corner_distance_m_, corner_angle_rad_);
-    if (keep_lines_) return;
+    if (keep_lines_) {
+        if (fit_) {
+            out.lines = detected_;
+            out.line_covariances = detected_covariances_;
+        }
+        return;
+    }
     out.lines.clear();
     out.line_covariances.clear();
     out.support.clear();
@@ -96,7 +119,8 @@ std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params, std::u
     LineFinder lines(params, seed);
     if (params.detect == Detection::lines) return std::make_unique<ExRectas>(std::move(lines));
     return std::make_unique<ExPuntos>(std::move(lines), params.corner_distance_m,
-                                      params.corner_angle_rad, params.detect == Detection::both);
+                                      params.corner_angle_rad, params.corner_lines,
+                                      params.detect == Detection::both);
 }
 
 }  // namespace hitos

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "hitos/features/extractor.hpp"
+#include "hitos/features/line_fit.hpp"
 #include "hitos/features/line_methods.hpp"
 
 namespace hitos {
@@ -20,8 +21,14 @@ class LineFinder {
     LineFinder(const ExtractionParams& params, std::uint64_t seed);
     /// Replaces the content of `out`.
     void find(const Scan& scan, Observation& out);
+    /// Whether fit_all() may change the lines that find() gives.
+    bool may_fit() const { return method_->fits_end_points(); }
+    /// Fits every line anew, to all its points by least squares, and says how sure it then is.
+    void fit_all(const Scan& scan, Observation& out) const;
 
   private:
+    PointErrors errors(const Scan& scan) const;
+
     std::unique_ptr<MetodoExtraccionRectas> method_;
     ObservationCovariance covariance_;
     double point_sigma_m_;
@@ -41,10 +48,12 @@ class ExRectas final : public Extractor {
 /// Corners, and the lines that make them where `keep_lines` is set.
 class ExPuntos final : public Extractor {
   public:
-    ExPuntos(LineFinder lines, double corner_distance_m, double corner_angle_rad, bool keep_lines)
+    ExPuntos(LineFinder lines, double corner_distance_m, double corner_angle_rad,
+             CornerLines corner_lines, bool keep_lines)
         : lines_(std::move(lines)),
           corner_distance_m_(corner_distance_m),
           corner_angle_rad_(corner_angle_rad),
+          fit_(corner_lines == CornerLines::fitted && lines_.may_fit()),
           keep_lines_(keep_lines) {}
     void extract(const Scan& scan, Observation& out) override;
 
@@ -52,7 +61,11 @@ class ExPuntos final : public Extractor {
     LineFinder lines_;
     double corner_distance_m_;
     double corner_angle_rad_;
+    bool fit_;  ///< the lines are fitted anew for the corners
     bool keep_lines_;
+    // Working memory: the lines as they were detected.
+    std::vector<DetectedLine> detected_;
+    std::vector<Eigen::Matrix2d> detected_covariances_;
 };
 
 }  // namespace hitos

@@ -13,9 +13,9 @@ double distance(const Point2& a, const Point2& b) {
 
 }  // namespace
 
-bool SplitAndMerge::gap_between(const Point2& a, const Point2& b) const {
+bool SplitAndMerge::gap_between(const Point2& a, const Point2& b, const Point2& laser) const {
     if (params_.gap_m == 0.0 && params_.gap_per_range == 0.0) return false;
-    const double range = std::min(std::hypot(a.x, a.y), std::hypot(b.x, b.y));
+    const double range = std::min(distance(a, laser), distance(b, laser));
     return distance(a, b) > params_.gap_m + params_.gap_per_range * range;
 }
 
@@ -57,11 +57,12 @@ void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t l
 
 void SplitAndMerge::extract_lines(const Scan& scan, Observation& out) {
     pieces_.clear();
+    const Point2 laser{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
     for (std::size_t run = 0; run < scan.run_starts.size(); ++run) {
         const std::uint32_t run_end = scan.run_end(run);
         std::uint32_t begin = scan.run_starts[run];
         for (std::uint32_t i = begin + 1; i <= run_end; ++i) {
-            if (i == run_end || gap_between(scan.points[i - 1], scan.points[i])) {
+            if (i == run_end || gap_between(scan.points[i - 1], scan.points[i], laser)) {
                 split(scan, begin, i - 1);
                 begin = i;
             }

@@ -18,7 +18,8 @@ class SplitAndMerge final : public MetodoExtraccionRectas {
     bool fits_end_points() const override { return params_.fit == LineFit::endpoints; }
 
   private:
-    bool gap_between(const Point2& a, const Point2& b) const;
+    /// Whether neighbours are further apart than their range from the laser allows.
+    bool gap_between(const Point2& a, const Point2& b, const Point2& laser) const;
     void split(const Scan& scan, std::uint32_t first, std::uint32_t last);
 
     LineParams lines_;

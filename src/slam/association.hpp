@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -44,6 +45,12 @@ class BestTwo {
     double second_log_ = kNothing;
 };
 
+/// An observation as mark_near() of the columns takes it.
+inline PreparedObservation prepare(const SeenFeature& seen, const Pose& pose) {
+    const double angle_world = seen.measured.z(1) + pose.theta;
+    return {seen, std::cos(angle_world), std::sin(angle_world)};
+}
+
 /// What is the same in every filter: the gate of [T 5.3] and what is ambiguous [T 5.4.2, SPEC 5].
 class AssociationRule {
   public:
@@ -83,6 +90,16 @@ class Associator {
     Decision decide(const typename S::Columns& landmarks, const Pose& pose,
                     const PreparedObservation& observed) const;
 
+    /// Calls body(landmark, Likelihood) for every landmark above p0 or inside the gate.
+    template <Sensor S, class Body>
+    void for_each_candidate(const typename S::Columns& landmarks, const Pose& pose,
+                            const PreparedObservation& observed, const Body& body) const;
+    /// For an observation that fits no landmark.
+    Decision fits_none() const { return {Association::Outcome::created, 0, log_p0_}; }
+    /// For one that fits landmarks but is kept out of the map; `best_log` is the greatest of their
+    /// likelihoods.
+    Decision kept_out(double best_log) const;
+
   private:
     Decision resolve(const BestTwo& candidates) const;
 
@@ -92,42 +109,59 @@ class Associator {
 };
 
 inline Decision Associator::resolve(const BestTwo& candidates) const {
-    using Outcome = Association::Outcome;
-    if (candidates.none()) return {Outcome::created, 0, log_p0_};
+    if (candidates.none()) return fits_none();
     if (!rule_.ambiguous(candidates, log_p0_)) {
-        return {Outcome::matched, candidates.best(), candidates.best_log()};
+        return {Association::Outcome::matched, candidates.best(), candidates.best_log()};
     }
+    return kept_out(std::max(candidates.best_log(), candidates.second_log()));
+}
+
+inline Decision Associator::kept_out(double best_log) const {
     switch (params_.ambiguity) {
         case AmbiguityRule::neutral:
-            return {Outcome::ignored, 0, 0.0};
+            return {Association::Outcome::ignored, 0, 0.0};
         case AmbiguityRule::new_landmark:
-            return {Outcome::ignored, 0, log_p0_};
+            return {Association::Outcome::ignored, 0, log_p0_};
         default:
-            return {Outcome::ignored, 0, std::max(candidates.best_log(), candidates.second_log())};
+            return {Association::Outcome::ignored, 0, best_log};
     }
 }
 
-template <Sensor S>
-Decision Associator::decide(const typename S::Columns& landmarks, const Pose& pose,
-                            const PreparedObservation& observed) const {
+template <Sensor S, class Body>
+void Associator::for_each_candidate(const typename S::Columns& landmarks, const Pose& pose,
+                                    const PreparedObservation& observed, const Body& body) const {
     constexpr std::size_t kChunk = 64;
     const EKF<S> ekf(observed.seen.measured.r);
     const bool by_likelihood = params_.method == AssociationMethod::maximum_likelihood;
     const double gate = rule_.gate();
-    BestTwo candidates;
     std::array<unsigned char, kChunk> near{};
     for (std::size_t begin = 0; begin < landmarks.size(); begin += kChunk) {
         const std::size_t end = std::min(begin + kChunk, landmarks.size());
         landmarks.mark_near(begin, end, pose, observed, near.data());
         for (std::size_t i = begin; i < end; ++i) {
             if (near[i - begin] == 0) continue;
-            const auto [log_likelihood, mahalanobis2] = ekf.likelihood(
+            const Likelihood close = ekf.likelihood(
                 landmarks.innovation(i, observed.seen.measured.z, pose), landmarks.covariance(i));
-            if (by_likelihood ? log_likelihood <= log_p0_ : mahalanobis2 > gate) continue;
-            candidates.offer(static_cast<std::uint32_t>(i),
-                             by_likelihood ? log_likelihood : -mahalanobis2, log_likelihood);
+            if (by_likelihood ? close.log_likelihood <= log_p0_
+                              : close.mahalanobis_squared > gate) {
+                continue;
+            }
+            body(static_cast<std::uint32_t>(i), close);
         }
     }
+}
+
+template <Sensor S>
+Decision Associator::decide(const typename S::Columns& landmarks, const Pose& pose,
+                            const PreparedObservation& observed) const {
+    const bool by_likelihood = params_.method == AssociationMethod::maximum_likelihood;
+    BestTwo candidates;
+    for_each_candidate<S>(
+        landmarks, pose, observed, [&](std::uint32_t landmark, const Likelihood& close) {
+            candidates.offer(landmark,
+                             by_likelihood ? close.log_likelihood : -close.mahalanobis_squared,
+                             close.log_likelihood);
+        });
     return resolve(candidates);
 }
 

@@ -25,6 +25,7 @@ EkfSlam::EkfSlam(const FilterParams& params)
     : params_(params),
       robot_(make_robot(params.motion)),
       rule_(params.association),
+      twins_(params.association, false),
       new_gate_(chi_square_gate(params.association.new_probability)) {
     statistics_.neff = 1.0;
 }
@@ -34,9 +35,15 @@ void EkfSlam::step(const SlamInput& input) {
     measure(input.observation, params_.observation, measurements_);
     associations_.clear();
     rows_.clear();
-    for_each_kind([&]<class S>() { associate<S>(); });
+    if (params_.association.method == AssociationMethod::joint_compatibility) {
+        associate_together();
+    } else {
+        for_each_kind([&]<class S>() { associate<S>(); });
+    }
+    set_twins_aside();
     update();
     for_each_kind([&]<class S>() { add_new<S>(); });
+    for_each_kind([&]<class S>() { update_new<S>(); });
     normalize();
     point_into_map();
     history_.push_back(state_.pose());
@@ -56,13 +63,10 @@ void EkfSlam::associate() {
     for (const Measurement& measured : measurements_.of<S>()) associate<S>(measured, observed++);
 }
 
-template <Sensor S>
-void EkfSlam::associate(const Measurement& measured, std::uint32_t observed) {
+template <Sensor S, class Body>
+void EkfSlam::compare(const Measurement& measured, const Body& body) const {
     const Pose pose = state_.pose();
     const Matrix3 pose_covariance = state_.pose_covariance();
-    BestTwo inside;  // of the landmarks whose gate it lies in, by distance
-    double nearest = kNever;
-    JointState::Row row;
     for (std::size_t i = 0; i < marks<S>().size(); ++i) {
         const Eigen::Index at = marks<S>()[i].at;
         const JointInnovation seen =
@@ -74,26 +78,81 @@ void EkfSlam::associate(const Measurement& measured, std::uint32_t observed) {
             (seen.by_pose * cross.transpose() + seen.by_landmark * state_.landmark_covariance(at)) *
                 seen.by_landmark.transpose() +
             measured.r;
-        const Likelihood close = compared(seen.nu, s);
-        const double distance = close.mahalanobis_squared;
-        nearest = std::min(nearest, distance);
-        if (distance <= rule_.gate() &&
-            inside.offer(static_cast<std::uint32_t>(i), -distance, close.log_likelihood)) {
-            row = {at, seen.nu, seen.by_pose, seen.by_landmark, measured.r};
-        }
+        body(static_cast<std::uint32_t>(i),
+             JointState::Row{at, seen.nu, seen.by_pose, seen.by_landmark, measured.r},
+             compared(seen.nu, s));
     }
+}
+
+template <Sensor S>
+void EkfSlam::associate(const Measurement& measured, std::uint32_t observed) {
+    BestTwo inside;  // of the landmarks whose gate it lies in, by distance
+    double nearest = kNever;
+    JointState::Row row;
+    compare<S>(
+        measured, [&](std::uint32_t i, const JointState::Row& compared, const Likelihood& close) {
+            const double distance = close.mahalanobis_squared;
+            nearest = std::min(nearest, distance);
+            if (distance <= rule_.gate() && inside.offer(i, -distance, close.log_likelihood)) {
+                row = compared;
+            }
+        });
     Association association{S::kKind, observed};
-    // Where no comparison was possible nothing is known, and so nothing is new.
-    const bool comparable = marks<S>().empty() || nearest < kNever;
     if (!inside.none() && !rule_.ambiguous(inside)) {
-        association.outcome = Association::Outcome::matched;
-        association.landmark = static_cast<std::int32_t>(inside.best());
-        rows_.push_back(row);
-        statistics_.best_log_weight += inside.best_log();
-    } else if (comparable && nearest > new_gate_) {
+        match(association, inside.best(), row, inside.best_log());
+    } else if (is_new<S>(nearest)) {
         association.outcome = Association::Outcome::created;
     }
     associations_.push_back(association);
+}
+
+void EkfSlam::match(Association& association, std::uint32_t landmark, const JointState::Row& row,
+                    double log_likelihood) {
+    association.outcome = Association::Outcome::matched;
+    association.landmark = static_cast<std::int32_t>(landmark);
+    rows_.push_back(row);
+    statistics_.best_log_weight += log_likelihood;
+}
+
+template <Sensor S>
+bool EkfSlam::is_new(double nearest) const {
+    // Where no comparison was possible nothing is known, and so nothing is new.
+    const bool comparable = marks<S>().empty() || nearest < kNever;
+    return comparable && nearest > new_gate_;
+}
+
+void EkfSlam::associate_together() {
+    search_.begin(params_.association.joint_probability);
+    found_.clear();
+    found_rows_.clear();
+    for_each_kind([&]<class S>() {
+        std::uint32_t observed = 0;
+        for (const Measurement& measured : measurements_.of<S>()) {
+            double nearest = kNever;
+            search_.add_observation();
+            compare<S>(measured, [&](std::uint32_t i, const JointState::Row& row,
+                                     const Likelihood& close) {
+                nearest = std::min(nearest, close.mahalanobis_squared);
+                if (close.mahalanobis_squared > rule_.gate()) return;
+                search_.add({static_cast<std::uint64_t>(row.at), close.mahalanobis_squared,
+                             static_cast<std::uint32_t>(found_.size())});
+                found_.push_back({i, close.log_likelihood});
+                found_rows_.push_back(row);
+            });
+            Association association{S::kKind, observed++};
+            if (is_new<S>(nearest)) association.outcome = Association::Outcome::created;
+            associations_.push_back(association);
+        }
+    });
+    JointInnovationDistance distance(state_, found_rows_);
+    if (!search_.run(distance)) ++statistics_.searches_cut;
+    for (std::size_t i = 0; i < associations_.size(); ++i) {
+        if (const JointCandidate* pairing = search_.paired(i)) {
+            const Found& found = found_[pairing->place];
+            match(associations_[i], found.landmark, found_rows_[pairing->place],
+                  found.log_likelihood);
+        }
+    }
 }
 
 void EkfSlam::update() {
@@ -124,6 +183,39 @@ void EkfSlam::add_new() {
         association.landmark = static_cast<std::int32_t>(marks<S>().size());
         marks<S>().push_back({at, 1});
     }
+}
+
+void EkfSlam::set_twins_aside() {
+    twins_.find(measurements_);
+    second_of_.clear();
+    const auto is_new = [&](std::size_t i) {
+        return associations_[i].outcome == Association::Outcome::created;
+    };
+    for (std::size_t i = 0; i < associations_.size(); ++i) {
+        const auto twin = is_new(i) ? twins_.of(i, is_new) : std::nullopt;
+        if (!twin) continue;
+        second_of_.emplace_back(i, *twin);
+        associations_[i].outcome = Association::Outcome::ignored;
+    }
+}
+
+template <Sensor S>
+void EkfSlam::update_new() {
+    rows_.clear();
+    for (const auto& [second, first] : second_of_) {
+        Association& association = associations_[second];
+        if (association.kind != S::kKind) continue;
+        association.outcome = Association::Outcome::matched;
+        association.landmark = associations_[first].landmark;
+        Mark& mark = marks<S>()[static_cast<std::size_t>(association.landmark)];
+        ++mark.observations;
+        const Measurement& seen = measurements_.of<S>()[association.observed];
+        const JointInnovation innovation =
+            S::joint_innovation(seen.z, state_.pose(), S::from_state(state_.landmark(mark.at)));
+        rows_.push_back(
+            {mark.at, innovation.nu, innovation.by_pose, innovation.by_landmark, seen.r});
+    }
+    state_.update(rows_);
 }
 
 void EkfSlam::normalize() {
@@ -173,7 +265,8 @@ SlamAlgorithmEntry ekf_slam_algorithm() {
     entry.word = "ekf-slam";
     entry.label = HITOS_TEXT("ParameterChoice", "EKF-SLAM");
     entry.purpose = "one extended Kalman filter over the pose and all landmarks";
-    entry.reads = {"association.gate_probability", "association.new_probability"};
+    entry.reads = {"association.method", "association.gate_probability",
+                   "association.joint_probability", "association.new_probability"};
     entry.make = [](const FilterParams& params, std::uint64_t /*seed*/, int /*threads*/) {
         return std::make_unique<EkfSlam>(params);
     };

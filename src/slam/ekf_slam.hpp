@@ -10,8 +10,10 @@
 #include "association.hpp"
 #include "hitos/slam/filters.hpp"
 #include "hitos/slam/robot.hpp"
+#include "joint_innovation.hpp"
 #include "joint_state.hpp"
 #include "measurement.hpp"
+#include "scan_twins.hpp"
 
 namespace hitos {
 
@@ -42,6 +44,12 @@ class EkfSlam final : public SlamFilter {
         int observations = 0;
     };
 
+    /// What a candidate of the joint search stands for.
+    struct Found {
+        std::uint32_t landmark = 0;
+        double log_likelihood = 0.0;
+    };
+
     using Marks = std::vector<Mark>;
 
     void predict(const MotionIncrement& increment);
@@ -50,9 +58,24 @@ class EkfSlam final : public SlamFilter {
     void associate();
     template <Sensor S>
     void associate(const Measurement& measured, std::uint32_t observed);
+    /// The same for all observations of all kinds at once, by joint compatibility.
+    void associate_together();
+    /// Calls body(landmark of its kind, row, likelihood) for every landmark.
+    template <Sensor S, class Body>
+    void compare(const Measurement& measured, const Body& body) const;
+    /// Whether an observation is of no landmark; `nearest` is its least squared distance.
+    template <Sensor S>
+    bool is_new(double nearest) const;
+    void match(Association& association, std::uint32_t landmark, const JointState::Row& row,
+               double log_likelihood);
     void update();
     template <Sensor S>
     void add_new();
+    /// Of new observations that are one landmark only the first stays new.
+    void set_twins_aside();
+    /// Updates new landmarks with those set aside.
+    template <Sensor S>
+    void update_new();
     /// Brings headings, angles and the signs of lines to normal form.
     void normalize();
     /// Makes the landmarks of associations places in the map instead of places in their kind.
@@ -70,6 +93,7 @@ class EkfSlam final : public SlamFilter {
     FilterParams params_;
     std::shared_ptr<const Robot> robot_;
     AssociationRule rule_;
+    ScanTwins twins_;
     double
         new_gate_;  ///< squared Mahalanobis distance beyond which an observation is of no landmark
     JointState state_;
@@ -80,6 +104,10 @@ class EkfSlam final : public SlamFilter {
     // Working memory of a step.
     Measurements measurements_;
     std::vector<JointState::Row> rows_;
+    std::vector<std::pair<std::size_t, std::size_t>> second_of_;  // twin set aside, its first
+    JointSearch search_;
+    std::vector<Found> found_;
+    std::vector<JointState::Row> found_rows_;
 };
 
 /// "ekf-slam".

@@ -42,16 +42,20 @@ void add_filter(Table& table) {
 }
 
 void add_association(Table& table) {
-    table.push_back(choice<&Filter::association, &AssociationParams::method>(
+    const auto method = choice<&Filter::association, &AssociationParams::method>(
         {.key = "association.method",
          .description = HITOS_TEXT(
              "Parameter",
              "How an observation finds its landmark: ml takes the maximum likelihood, with p0 for "
-             "a new landmark; gnn the nearest one inside a chi-square gate."),
+             "a "
+             "new landmark, and is gnn where an algorithm has no p0; gnn the nearest one inside a "
+             "chi-square gate; jcbb pairs all observations of a scan together."),
          .label = HITOS_TEXT("ParameterLabel", "Association"),
          .card = "observation",
          .choices = {{"ml", HITOS_TEXT("ParameterChoice", "Maximum likelihood")},
-                     {"gnn", HITOS_TEXT("ParameterChoice", "Gated nearest neighbour")}}}));
+                     {"gnn", HITOS_TEXT("ParameterChoice", "Gated nearest neighbour")},
+                     {"jcbb", HITOS_TEXT("ParameterChoice", "Joint compatibility")}}});
+    table.push_back(method);
     table.push_back(real<&Filter::association, &AssociationParams::p0>(
         {.key = "association.p0",
          .minimum = 1e-30,
@@ -66,31 +70,41 @@ void add_association(Table& table) {
         {.key = "association.gate_probability",
          .minimum = 0.5,
          .maximum = 0.999999,
-         .description = HITOS_TEXT("Parameter",
-                                   "Probability of the chi-square gate of gnn; a higher value "
-                                   "accepts observations that lie further from their landmark."),
+         .description =
+             HITOS_TEXT("Parameter",
+                        "Probability of the chi-square gate of gnn and jcbb; a higher value "
+                        "accepts observations that lie further from their landmark."),
          .label = HITOS_TEXT("ParameterLabel", "Gate probability"),
          .card = "filter"});
-    // What has no choice of association associates by gnn.
+    // What has no p0 associates by gnn in the place of ml.
     gate.conditions.push_back(
-        {"association.method", "gnn, or with an algorithm that has no choice of it",
-         [](const Filter& f) {
-             return !slam_algorithms().reads(f.algorithm, "association.method") ||
-                    f.association.method == AssociationMethod::gated_nearest;
+        {"association.method", "gnn, jcbb, or with an algorithm without p0", [](const Filter& f) {
+             return !slam_algorithms().reads(f.algorithm, "association.p0") ||
+                    f.association.method != AssociationMethod::maximum_likelihood;
          }});
     table.push_back(std::move(gate));
+    table.push_back(used(
+        real<&Filter::association, &AssociationParams::joint_probability>(
+            {.key = "association.joint_probability",
+             .minimum = 0.5,
+             .maximum = 0.999999,
+             .description = HITOS_TEXT(
+                 "Parameter",
+                 "Probability of the chi-square gate that all pairings of a scan pass together "
+                 "with jcbb; a higher value pairs more observations that fit less well together."),
+             .label = HITOS_TEXT("ParameterLabel", "Joint probability")}),
+        {where(method, {"jcbb"})}));
     table.push_back(real<&Filter::association, &AssociationParams::new_probability>(
         {.key = "association.new_probability",
          .minimum = 0.5,
          .maximum = 0.999999999999,
-         .description =
-             HITOS_TEXT("Parameter",
-                        "ekf-slam, which always associates by gnn: probability of the chi-square "
-                        "gate outside which an observation is a new landmark, and between the two "
-                        "gates nothing; a higher value makes fewer new landmarks."),
+         .description = HITOS_TEXT("Parameter",
+                                   "ekf-slam: probability of the chi-square gate outside which an "
+                                   "observation is a new landmark, and between the two "
+                                   "gates nothing; a higher value makes fewer new landmarks."),
          .label = HITOS_TEXT("ParameterLabel", "New landmark gate"),
          .card = "filter"}));
-    const auto ambiguity = choice<&Filter::association, &AssociationParams::ambiguity>(
+    table.push_back(choice<&Filter::association, &AssociationParams::ambiguity>(
         {.key = "association.ambiguity",
          .description = HITOS_TEXT(
              "Parameter",
@@ -102,19 +116,26 @@ void add_association(Table& table) {
          .choices = {{"keep-likelihood", HITOS_TEXT("ParameterChoice", "Keep the likelihood")},
                      {"neutral", HITOS_TEXT("ParameterChoice", "Neutral")},
                      {"new-landmark", HITOS_TEXT("ParameterChoice", "As a new landmark")},
-                     {"off", HITOS_TEXT("ParameterChoice", "Off")}}});
-    table.push_back(ambiguity);
-    table.push_back(used(
-        real<&Filter::association, &AssociationParams::ambiguity_ratio>(
-            {.key = "association.ambiguity_ratio",
-             .minimum = 0.0,
-             .maximum = 1.0,
-             .description =
-                 HITOS_TEXT("Parameter",
-                            "Second best likelihood over the best from which an observation is "
-                            "ambiguous; a higher value calls fewer observations ambiguous."),
-             .label = HITOS_TEXT("ParameterLabel", "Ambiguity ratio")}),
-        {where(ambiguity, {"keep-likelihood", "neutral", "new-landmark"})}));
+                     {"off", HITOS_TEXT("ParameterChoice", "Off")}}}));
+    table.push_back(real<&Filter::association, &AssociationParams::ambiguity_ratio>(
+        {.key = "association.ambiguity_ratio",
+         .minimum = 0.0,
+         .maximum = 1.0,
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Second best likelihood over the best from which an observation is ambiguous, and "
+             "from "
+             "which two new ones of a scan are one landmark; a higher value does both less often."),
+         .label = HITOS_TEXT("ParameterLabel", "Ambiguity ratio")}));
+}
+
+/// A number of constant noise, which motion.unit says how to read.
+Parameter<Filter> of_constant_noise(Parameter<Filter> parameter, std::string_view sigma,
+                                    std::string_view variance) {
+    parameter.unit_now = [sigma, variance](const Filter& f) {
+        return f.motion.unit == MotionUnit::variance ? variance : sigma;
+    };
+    return parameter;
 }
 
 void add_motion(Table& table) {
@@ -125,39 +146,61 @@ void add_motion(Table& table) {
          .label = HITOS_TEXT("ParameterLabel", "Model"),
          .card = "motion",
          .choices = choices_of(motion_models())}));
-    table.push_back(real<&Filter::motion, &MotionParams::sigma_x_m>(
-        {.key = "motion.sigma_x",
-         .unit = "m",
-         .minimum = 0.0,
-         .maximum = 10.0,
-         .description = HITOS_TEXT("Parameter",
-                                   "Standard deviation of the motion noise in x per step with "
-                                   "constant noise; a higher value spreads the particles more."),
-         .label = HITOS_TEXT("ParameterLabel", "σ x"),
-         .symbol = "σ²x",
-         .card = "motion"}));
-    table.push_back(real<&Filter::motion, &MotionParams::sigma_y_m>(
-        {.key = "motion.sigma_y",
-         .unit = "m",
-         .minimum = 0.0,
-         .maximum = 10.0,
-         .description = HITOS_TEXT("Parameter",
-                                   "Standard deviation of the motion noise in y per step with "
-                                   "constant noise; a higher value spreads the particles more."),
-         .label = HITOS_TEXT("ParameterLabel", "σ y"),
-         .symbol = "σ²y",
-         .card = "motion"}));
-    table.push_back(real<&Filter::motion, &MotionParams::sigma_theta_rad>(
-        {.key = "motion.sigma_theta",
-         .unit = "rad",
-         .minimum = 0.0,
-         .maximum = 10.0,
-         .description = HITOS_TEXT("Parameter",
-                                   "Standard deviation of the heading noise per step with constant "
-                                   "noise; a higher value spreads the headings more."),
-         .label = HITOS_TEXT("ParameterLabel", "σ θ"),
-         .symbol = "σ²θ",
-         .card = "motion"}));
+    table.push_back(choice<&Filter::motion, &MotionParams::unit>(
+        {.key = "motion.unit",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Whether sigma_x, sigma_y and sigma_theta are standard deviations or variances; the "
+             "thesis calls its numbers variances, but only as standard deviations do they give its "
+             "figures."),
+         .label = HITOS_TEXT("ParameterLabel", "Noise given as"),
+         .choices = {{"sigma", HITOS_TEXT("ParameterChoice", "Standard deviations")},
+                     {"variance", HITOS_TEXT("ParameterChoice", "Variances")}}}));
+    table.push_back(of_constant_noise(
+        real<&Filter::motion, &MotionParams::sigma_x_m>(
+            {.key = "motion.sigma_x",
+             .unit = "m or m^2",
+             .minimum = 0.0,
+             .maximum = 10.0,
+             .description =
+                 HITOS_TEXT("Parameter",
+                            "Constant noise: standard deviation of the motion noise in x per "
+                            "step, or its variance as motion.unit says; a higher value "
+                            "spreads the particles more."),
+             .label = HITOS_TEXT("ParameterLabel", "σ x"),
+             .symbol = "σ²x",
+             .card = "motion"}),
+        "m", "m^2"));
+    table.push_back(of_constant_noise(
+        real<&Filter::motion, &MotionParams::sigma_y_m>(
+            {.key = "motion.sigma_y",
+             .unit = "m or m^2",
+             .minimum = 0.0,
+             .maximum = 10.0,
+             .description =
+                 HITOS_TEXT("Parameter",
+                            "Constant noise: standard deviation of the motion noise in y per "
+                            "step, or its variance as motion.unit says; a higher value "
+                            "spreads the particles more."),
+             .label = HITOS_TEXT("ParameterLabel", "σ y"),
+             .symbol = "σ²y",
+             .card = "motion"}),
+        "m", "m^2"));
+    table.push_back(of_constant_noise(
+        real<&Filter::motion, &MotionParams::sigma_theta_rad>(
+            {.key = "motion.sigma_theta",
+             .unit = "rad or rad^2",
+             .minimum = 0.0,
+             .maximum = 10.0,
+             .description =
+                 HITOS_TEXT("Parameter",
+                            "Constant noise: standard deviation of the heading noise per step, "
+                            "or its variance as motion.unit says; a higher value spreads "
+                            "the headings more."),
+             .label = HITOS_TEXT("ParameterLabel", "σ θ"),
+             .symbol = "σ²θ",
+             .card = "motion"}),
+        "rad", "rad^2"));
     table.push_back(real<&Filter::motion, &MotionParams::var_along_m2_per_m>(
         {.key = "motion.var_along",
          .unit = "m^2/m",

@@ -19,11 +19,6 @@ namespace {
 constexpr std::size_t kParallelWork = 30000;
 constexpr std::size_t kGrain = 32;
 
-PreparedObservation prepare(const SeenFeature& seen, const Pose& pose) {
-    const double angle_world = seen.measured.z(1) + pose.theta;
-    return {seen, std::cos(angle_world), std::sin(angle_world)};
-}
-
 template <Sensor S>
 void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
            const Measurement& measured) {
@@ -50,6 +45,7 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
       seed_(seed),
       proposal_(proposals().find(params.proposal).make(params)),
       associator_(params.association),
+      twins_(params.association, true),
       resampler_(make_resampler(params.resampling)),
       resampling_(resampling_methods().find(params.resampling.method).make(params.resampling)),
       arena_(threads > 0 ? threads : tbb::task_arena::automatic),
@@ -81,6 +77,7 @@ void FiltroParticulas::step(const SlamInput& input) {
                  });
         choose_best();
     }
+    statistics_.searches_cut = searches_cut_;
     note_associations();
     remember_poses();
     if (!seen_.empty()) resample();
@@ -101,6 +98,7 @@ void FiltroParticulas::propose(const SlamInput& input) {
 
 void FiltroParticulas::observe(const Observation& observation) {
     measure(observation, params_.observation, measurements_);
+    twins_.find(measurements_);
     seen_.clear();
     for_each_kind([&]<class S>() {
         for (const Measurement& measured : measurements_.of<S>()) {
@@ -121,7 +119,11 @@ void FiltroParticulas::detach_maps() {
              [&](std::size_t i) { maps_.copy(copies_[i].first, copies_[i].second); });
 }
 
-void FiltroParticulas::associate(const Particula& particle, std::span<Decision> decisions) const {
+void FiltroParticulas::associate(const Particula& particle, std::span<Decision> decisions) {
+    if (params_.association.method == AssociationMethod::joint_compatibility) {
+        associate_together(particle, decisions);
+        return;
+    }
     for_each_kind([&]<class S>() {
         const auto landmarks = maps_.landmarks<S>(particle.map);
         std::size_t next = seen_.first<S>();
@@ -132,12 +134,37 @@ void FiltroParticulas::associate(const Particula& particle, std::span<Decision> 
     });
 }
 
+void FiltroParticulas::associate_together(const Particula& particle,
+                                          std::span<Decision> decisions) {
+    // A search of each thread's own: what it keeps from call to call is memory, never a result.
+    thread_local JointAssociation joint;
+    joint.begin(params_.association.joint_probability);
+    for_each_kind([&]<class S>() {
+        const auto landmarks = maps_.landmarks<S>(particle.map);
+        for (const SeenFeature& seen : seen_.of<S>()) {
+            joint.add<S>(associator_, landmarks, particle.pose, prepare(seen, particle.pose));
+        }
+    });
+    if (!joint.decide(associator_, decisions)) ++searches_cut_;
+}
+
 void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions) {
+    using Outcome = Association::Outcome;
     for_each_kind([&]<class S>() {
         auto landmarks = maps_.landmarks<S>(particle.map);
         std::size_t next = seen_.first<S>();
         for (const SeenFeature& seen : seen_.of<S>()) {
-            apply<S>(decisions[next++], landmarks, particle.pose, seen.measured);
+            Decision& decision = decisions[next];
+            if (decision.outcome == Outcome::created) {
+                const auto twin = twins_.of(
+                    next, [&](std::size_t i) { return decisions[i].outcome == Outcome::created; });
+                if (twin) {
+                    decision.outcome = Outcome::matched;
+                    decision.landmark = decisions[*twin].landmark;
+                }
+            }
+            ++next;
+            apply<S>(decision, landmarks, particle.pose, seen.measured);
         }
     });
 }
@@ -304,6 +331,7 @@ SlamAlgorithmEntry fastslam_algorithm() {
                    "association.method",
                    "association.p0",
                    "association.gate_probability",
+                   "association.joint_probability",
                    "resampling.rule",
                    "resampling.neff_threshold",
                    "resampling.method"};

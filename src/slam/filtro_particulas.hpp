@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,8 +16,10 @@
 #include "hitos/slam/params.hpp"
 #include "hitos/slam/proposal.hpp"
 #include "hitos/slam/resampler.hpp"
+#include "joint_association.hpp"
 #include "map_store.hpp"
 #include "pose_history.hpp"
+#include "scan_twins.hpp"
 
 namespace hitos {
 
@@ -53,7 +56,9 @@ class FiltroParticulas final : public SlamFilter {
     // A step, in the order of [T tables 3.2, 6.3].
     void propose(const SlamInput& input);
     void observe(const Observation& observation);
-    void associate(const Particula& particle, std::span<Decision> decisions) const;
+    void associate(const Particula& particle, std::span<Decision> decisions);
+    /// The same for all observations at once.
+    void associate_together(const Particula& particle, std::span<Decision> decisions);
     void update(Particula& particle, std::span<Decision> decisions);
     static void weigh(Particula& particle, std::span<const Decision> decisions);
     void choose_best();
@@ -75,6 +80,7 @@ class FiltroParticulas final : public SlamFilter {
     std::uint64_t seed_;
     std::unique_ptr<Proposal> proposal_;
     Associator associator_;
+    ScanTwins twins_;
     std::unique_ptr<Resampler> resampler_;
     std::unique_ptr<ResamplingMethod> resampling_;
     std::optional<tbb::global_control> more_threads_;  // where more than the machine has are asked
@@ -86,6 +92,7 @@ class FiltroParticulas final : public SlamFilter {
     std::size_t best_ = 0;
     std::uint64_t steps_ = 0;
     FilterStatistics statistics_;
+    std::atomic<std::uint64_t> searches_cut_ = 0;  // counted on all threads
     std::vector<Association> associations_;
 
     // Working memory of a step.

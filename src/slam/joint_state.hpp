@@ -26,6 +26,11 @@ class JointState {
     /// Covariance of a landmark with the pose.
     Matrix23 cross_covariance(Eigen::Index at) const { return covariance_block<2, 3>(at, 0); }
 
+    /// Covariance of one landmark with another, or with itself.
+    Matrix2 landmarks_covariance(Eigen::Index a, Eigen::Index b) const {
+        return covariance_block<2, 2>(a, b);
+    }
+
     /// Moves the pose and carries its covariance: P_rr = F P_rr F' + Q, P_mr = P_mr F'
     /// [P eq 10, 11, 15].
     void move(const Pose& pose, const Matrix3& f, const Matrix3& q);

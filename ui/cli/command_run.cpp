@@ -40,6 +40,10 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
         fmt::print("{} damaged lines were skipped; line {}: {}\n", summary.report.skipped,
                    summary.report.examples.front().line, summary.report.examples.front().reason);
     }
+    if (summary.searches_cut > 0) {
+        fmt::print("{} joint associations were cut short; each has the best found until then\n",
+                   summary.searches_cut);
+    }
     if (summary.map_error) {
         fmt::print(
             "map error {:.3f} m (after rigid alignment {:.3f} m), {} of {} landmarks found\n",

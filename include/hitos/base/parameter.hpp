@@ -71,7 +71,10 @@ struct Parameter : ParameterFacts {
     std::function<Value(const Owner&)> get;
     std::function<void(Owner&, const Value&)> put;  ///< checks nothing
     std::vector<Condition> conditions;              ///< all of them must hold
+    /// Which of several units the value has beside the owner's other values; null: `unit`.
+    std::function<std::string_view(const Owner&)> unit_now = {};
 
+    std::string_view unit_of(const Owner& owner) const { return unit_now ? unit_now(owner) : unit; }
     std::string text(const Owner& owner) const { return text_of(get(owner)); }
     /// Sets the value from text. Throws ConfigError that names key, value found and what is
     /// allowed; the owner is then unchanged.
@@ -260,6 +263,11 @@ Parameter<Whole> lifted(const Parameter<Part>& parameter, Part Whole::*part) {
         whole.conditions.push_back(
             {condition.key, condition.needed,
              [holds = condition.holds, part](const Whole& owner) { return holds(owner.*part); }});
+    }
+    if (parameter.unit_now) {
+        whole.unit_now = [unit = parameter.unit_now, part](const Whole& owner) {
+            return unit(owner.*part);
+        };
     }
     return whole;
 }

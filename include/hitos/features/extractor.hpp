@@ -91,6 +91,12 @@ enum class ObservationCovariance {
 /// What is looked for in a scan [SPEC 4].
 enum class Detection { lines, corners, both };
 
+/// Which lines corners are the intersections of.
+enum class CornerLines {
+    detected,  ///< the lines as the method fitted them [T table 4.2]
+    fitted     ///< total least squares over all points of each, however the line itself is fitted
+};
+
 struct ExtractionParams {
     Detection detect = Detection::both;
     std::string method = "split-merge";  ///< which finds the lines: a word of line_methods()
@@ -102,6 +108,7 @@ struct ExtractionParams {
     double common_sigma_m = 0.0;     ///< and of what all points of a line share
     double corner_distance_m = 0.1;  ///< greatest distance of a corner from both its lines [es]
     double corner_angle_rad = 0.0;   ///< least angle between the lines of a corner; 0: any
+    CornerLines corner_lines = CornerLines::detected;
 };
 
 /// Finds features in a scan. Not thread-safe: it keeps working memory between calls.

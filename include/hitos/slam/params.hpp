@@ -5,9 +5,16 @@
 
 namespace hitos {
 
+/// What the numbers of constant noise are.
+enum class MotionUnit {
+    sigma,    ///< standard deviations [m, m, rad]
+    variance  ///< variances [m^2, m^2, rad^2], as the thesis calls its own
+};
+
 /// Noise is drawn once per filter step (between two scans), never at the first scan and never
 /// where the controls are zero. The thesis calls its numbers variances; read as standard
-/// deviations they give its results (docs/algorithm.md), so sigmas they are here.
+/// deviations they give its results (docs/algorithm.md), so sigmas they are here unless `unit` says
+/// otherwise.
 struct MotionParams {
     std::string model = "odometry";        ///< a word of motion_models()
     double sigma_x_m = 0.008;              ///< world x, per step
@@ -17,6 +24,7 @@ struct MotionParams {
     double var_across_m2_per_m = 0.002;    ///< proportional: across it, per metre
     double var_theta_rad2_per_rad = 0.02;  ///< proportional: heading, per radian turned
     double var_theta_rad2_per_m = 0.002;   ///< proportional: heading, per metre
+    MotionUnit unit = MotionUnit::sigma;   ///< what the three sigmas are
 };
 
 /// Variances of an observed line (rho, theta); a corner's range and bearing use the same two.
@@ -27,7 +35,8 @@ struct ObservationParams {
 
 enum class AssociationMethod {
     maximum_likelihood,  ///< [T table 5.1]
-    gated_nearest        ///< nearest by Mahalanobis distance inside a chi-square gate [T 5.3]
+    gated_nearest,       ///< nearest by Mahalanobis distance inside a chi-square gate [T 5.3]
+    joint_compatibility  ///< all observations of a scan together (Neira and Tardos, 2001)
 };
 
 /// What happens with an observation that could belong to several landmarks. In every case but
@@ -45,7 +54,8 @@ struct AssociationParams {
     double gate_probability = 0.95;   ///< of the chi-square gate with 2 degrees of freedom
     double new_probability = 0.9999;  ///< EKF-SLAM: of the gate outside which a landmark is new
     AmbiguityRule ambiguity = AmbiguityRule::keep_likelihood;
-    double ambiguity_ratio = 0.1;  ///< second best over best from which both are plausible
+    double ambiguity_ratio = 0.1;     ///< second best over best from which both are plausible
+    double joint_probability = 0.95;  ///< joint compatibility: of the gate of all pairings
 };
 
 enum class ResamplingRule { always, neff };

@@ -29,6 +29,8 @@ struct WeightedPose {
 struct FilterStatistics {
     double neff = 0.0;             ///< effective particles before resampling [T eq 6.14]
     double best_log_weight = 0.0;  ///< ln of the best weight before resampling, not normalised
+    /// Joint associations so far, of all hypotheses, whose search was cut before it had seen all.
+    std::uint64_t searches_cut = 0;
 };
 
 /// What a step takes: the scan, the controls from the scan before to this one, and what was found

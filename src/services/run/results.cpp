@@ -63,6 +63,7 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
     if (const auto truth = run.reader().truth()) summary.tour_seed = truth->seed;
     summary.lines = run.filter().best_count(FeatureKind::line);
     summary.corners = run.filter().best_count(FeatureKind::corner);
+    summary.searches_cut = run.filter().statistics().searches_cut;
     summary.report = run.report();
     summary.suitability = run.suitability().figures();
     summary.advice = run.advice();
@@ -104,6 +105,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
           {"skipped_examples", skipped}}}};
     if (summary.tour_seed) json["tour_seed"] = *summary.tour_seed;
     if (summary.particles > 0) json["particles"] = summary.particles;
+    if (summary.searches_cut > 0) json["association_searches_cut"] = summary.searches_cut;
     if (summary.map_error) json["map_error"] = json_of(*summary.map_error);
     if (summary.aligned_map_error) {
         json["map_error_aligned"] = json_of(summary.aligned_map_error->error);

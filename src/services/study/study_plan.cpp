@@ -34,7 +34,7 @@ StudyValue canonical(const std::vector<std::string>& keys, const StudyValue& val
     return texts;
 }
 
-StudyPlan::Axis axis_of(const StudyParameter& parameter) {
+StudyPlan::Axis axis_of(const StudyParameter& parameter, const Configuracion& configuration) {
     if (parameter.values.empty()) throw ConfigError(parameter.name, "found no value to study");
     StudyPlan::Axis axis{parameter.name, parameter.keys, {}, {}};
     for (const std::string& key : parameter.keys) {
@@ -47,7 +47,7 @@ StudyPlan::Axis axis_of(const StudyParameter& parameter) {
                                                   " is set by the study itself; say the number "
                                                   "of runs and the first seed instead");
         }
-        axis.units.emplace_back(varied.unit);
+        axis.units.emplace_back(varied.unit_of(configuration));
     }
     for (const StudyValue& value : parameter.values) {
         if (value.size() != parameter.keys.size()) {
@@ -154,7 +154,7 @@ StudyPlan plan_study(const Study& study) {
     plan.source = fs::path(study.configuration.source.file).filename().string();
     std::set<std::string> keys;
     for (const StudyParameter& parameter : study.parameters) {
-        plan.axes.push_back(axis_of(parameter));
+        plan.axes.push_back(axis_of(parameter, study.configuration));
         for (const std::string& key : parameter.keys) {
             if (!keys.insert(key).second) {
                 throw ConfigError(key, "is varied by both parameters of the study");

@@ -93,7 +93,9 @@ std::span<const ThesisParameter> thesis_parameters() {
          "variance of rho in m^2, variance of theta in rad^2"},
         {"mov",
          {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"},
-         "standard deviation of x in m, of y in m, of theta in rad"},
+         "standard deviation of x in m, of y in m, of theta in rad; with motion.unit = "
+         "\"variance\" in "
+         "the configuration the variances of the thesis's text, in m^2, m^2, rad^2"},
         {"p0", {"association.p0"}, "likelihood of a new landmark"},
         {"col",
          {"split_merge.collinear_rho", "split_merge.collinear_theta"},

@@ -14,7 +14,9 @@ namespace hitos {
 class ConstantNoise {
   public:
     explicit ConstantNoise(const MotionParams& params)
-        : sigma_(params.sigma_x_m, params.sigma_y_m, params.sigma_theta_rad) {}
+        : sigma_(params.sigma_x_m, params.sigma_y_m, params.sigma_theta_rad) {
+        if (params.unit == MotionUnit::variance) sigma_ = sigma_.cwiseSqrt().eval();
+    }
 
     Pose added_to(const Pose& pose, RandomStream& random) const {
         const auto [n0, n1] = random.normal_pair();

@@ -35,7 +35,7 @@ MotionModelEntry robot_with_odometry() {
     entry.word = "odometry";
     entry.label = HITOS_TEXT("ParameterChoice", "Differential with odometry");
     entry.purpose = "controls and noise of constant sigma";
-    entry.reads = {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"};
+    entry.reads = {"motion.unit", "motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"};
     entry.make = [](const MotionParams& p) { return std::make_unique<RobotWithOdometry>(p); };
     return entry;
 }

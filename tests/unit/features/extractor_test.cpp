@@ -178,6 +178,22 @@ TEST(SplitAndMerge, TheNearerOfTwoNeighboursSaysHowWideAGapMayBe) {
     EXPECT_EQ(extract(params, scan).lines.size(), 1U);
 }
 
+TEST(SplitAndMerge, GapsAreMeasuredFromTheLaserNotFromTheRobot) {
+    // Around the robot's centre the ranges are 2 m; a laser 1.5 m ahead of it sees them at 0.5 m.
+    Scan scan = scan_of({joined(wall({2.0, -1.0}, {2.0, -0.1}, 20),
+                                joined({{2.0, -0.1}}, wall({2.0, 0.1}, {2.0, 1.0}, 20)))});
+    ExtractionParams params;
+    params.lines.collinear.gap_m = 0.15;     // the pieces stay two
+    params.split_merge.gap_per_range = 0.2;  // 0.2 m apart: more than 0.2 * 0.5 m, less than 0.4 m
+    EXPECT_EQ(extract(params, scan).lines.size(), 1U);
+    scan.fan.pose_robot_laser = {1.5, 0.0, 0.3};
+    EXPECT_EQ(extract(params, scan).lines.size(), 2U);
+    // The same readings of a laser at the centre give the same pieces: the mounting moves all.
+    for (Point2& p : scan.points) p.x -= 1.5;
+    scan.fan.pose_robot_laser = {};
+    EXPECT_EQ(extract(params, scan).lines.size(), 2U);
+}
+
 TEST(SplitAndMerge, LeastSquaresBeatsEndPointsOnNoisyWalls) {
     ExtractionParams ends;
     ends.split_merge.dmax_m = 0.05;
@@ -233,6 +249,47 @@ TEST(Extractor, WallsAtAThousandthOfARadianMeet) {
     ASSERT_EQ(seen.corners.size(), 1U);
     EXPECT_NEAR(seen.corners[0].x, 2.0, 1e-9);
     EXPECT_NEAR(seen.corners[0].y, 0.0, 1e-9);
+}
+
+TEST(Extractor, CornersOfFittedWallsLieNearerTheTruthAndLeaveTheLinesAlone) {
+    ExtractionParams ends;
+    ends.split_merge.dmax_m = 0.05;
+    ends.corner_distance_m = 0.3;
+    ends.covariance = ObservationCovariance::points;
+    ExtractionParams fitted = ends;
+    fitted.corner_lines = CornerLines::fitted;
+    double error_ends = 0.0;
+    double error_fitted = 0.0;
+    for (unsigned seed = 0; seed < 50; ++seed) {
+        const Scan scan =
+            scan_of({joined(wall({2.0, -2.0}, {2.0, 3.0}, 60), wall({2.0, 3.0}, {-3.0, 3.0}, 60))},
+                    0.01, seed);
+        const Observation a = extract(ends, scan);
+        const Observation b = extract(fitted, scan);
+        ASSERT_EQ(a.corners.size(), 1U);
+        ASSERT_EQ(b.corners.size(), 1U);
+        ASSERT_EQ(a.lines.size(), b.lines.size());
+        for (std::size_t i = 0; i < a.lines.size(); ++i) {
+            EXPECT_EQ(a.lines[i].recta, b.lines[i].recta);
+            EXPECT_EQ(a.line_covariances[i], b.line_covariances[i]);
+        }
+        EXPECT_LT(b.corner_covariances[0].trace(), a.corner_covariances[0].trace());
+        error_ends += std::hypot(a.corners[0].x - 2.0, a.corners[0].y - 3.0);
+        error_fitted += std::hypot(b.corners[0].x - 2.0, b.corners[0].y - 3.0);
+    }
+    EXPECT_LT(error_fitted, 0.8 * error_ends);
+}
+
+TEST(Extractor, CornersOfLinesThatAreFittedAnywayAreTheSame) {
+    const Scan scan = scan_of(
+        {joined(wall({2.0, -2.0}, {2.0, 3.0}, 60), wall({2.0, 3.0}, {-3.0, 3.0}, 60))}, 0.005);
+    ExtractionParams params;
+    params.split_merge.fit = LineFit::least_squares;
+    params.corner_distance_m = 0.3;
+    const Observation detected = extract(params, scan);
+    params.corner_lines = CornerLines::fitted;
+    ASSERT_EQ(detected.corners.size(), 1U);
+    EXPECT_EQ(extract(params, scan).corners, detected.corners);
 }
 
 TEST(LineMethods, AreRegisteredWithWhatOnlyTheyRead) {

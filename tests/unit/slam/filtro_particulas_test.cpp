@@ -325,11 +325,11 @@ TEST(FiltroParticulas, AnIgnoredObservationNamesNoLandmark) {
     FiltroParticulas filter(params, 1, 1);
     Observation walls;
     walls.lines.push_back({{3.0, 0.0}, 0, 0});
-    walls.lines.push_back({{3.4, 0.0}, 0, 0});
+    walls.lines.push_back({{3.5, 0.0}, 0, 0});
     feed(filter, {}, walls);
     const LandmarkMap before = filter.best_map();
     Observation between;
-    between.lines.push_back({{3.21, 0.0}, 0, 0});
+    between.lines.push_back({{3.26, 0.0}, 0, 0});
     feed(filter, {}, between);
     ASSERT_EQ(filter.associations().size(), 1U);
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::ignored);

@@ -113,6 +113,18 @@ TEST(Robot, ConstantNoiseHasTheStatedSigmas) {
     EXPECT_NEAR(m.mean_t, 0.0, 5.0 * 0.02 / std::sqrt(1e5));
 }
 
+TEST(Robot, TheNumbersOfConstantNoiseMayBeVariances) {
+    MotionParams variances;
+    variances.unit = MotionUnit::variance;
+    variances.sigma_x_m = 9e-4;
+    variances.sigma_y_m = 1e-4;
+    variances.sigma_theta_rad = 4e-4;
+    const Moments m = sample_moments(variances, {0, 0, 1.0}, {{0.5, 0, 0.1}, 0.2});
+    EXPECT_NEAR(m.var_x, 9e-4, 9e-4 * kVarianceTolerance);
+    EXPECT_NEAR(m.var_y, 1e-4, 1e-4 * kVarianceTolerance);
+    EXPECT_NEAR(m.var_t, 4e-4, 4e-4 * kVarianceTolerance);
+}
+
 TEST(Robot, ProportionalNoiseGrowsWithTheMotion) {
     MotionParams params;
     params.model = "proportional";

@@ -8,6 +8,15 @@
 #include <string_view>
 
 namespace hitos::window {
+namespace {
+
+QString shown_unit(std::string_view unit) {
+    if (unit == "particles" || unit == "log-odds") return {};
+    return to_qt(unit).replace("^2", "²");
+}
+
+}  // namespace
+
 QString translated(const char* context, std::string_view text) {
     return QCoreApplication::translate(context, std::string(text).c_str());
 }
@@ -25,8 +34,7 @@ QString description_of(const ConfigParameter& parameter) {
 }
 
 QString unit_of(const ConfigParameter& parameter) {
-    if (parameter.unit == "particles" || parameter.unit == "log-odds") return {};
-    return to_qt(parameter.unit).replace("^2", "²");
+    return shown_unit(parameter.unit);
 }
 
 QString choice_of(const ConfigParameter& parameter, std::size_t place) {
@@ -48,7 +56,7 @@ QString value_of(const ConfigParameter& parameter, const Configuracion& configur
 }
 
 QString value_with_unit(const ConfigParameter& parameter, const Configuracion& configuration) {
-    const QString unit = unit_of(parameter);
+    const QString unit = shown_unit(parameter.unit_of(configuration));
     const QString value = value_of(parameter, configuration);
     return unit.isEmpty() || value.isEmpty() ? value : value + ' ' + unit;
 }

@@ -116,40 +116,12 @@
         <translation>Número de partículas M; con más se siguen más hipótesis, y el tiempo y la memoria crecen en proporción.</translation>
     </message>
     <message>
-        <source>How an observation finds its landmark: ml takes the maximum likelihood, with p0 for a new landmark; gnn the nearest one inside a chi-square gate.</source>
-        <translation>Cómo encuentra una observación su hito: por máxima verosimilitud, con P0 para un hito nuevo, o el más cercano dentro de una puerta de ji cuadrado.</translation>
-    </message>
-    <message>
         <source>Likelihood P0 of a new landmark; a higher value makes new landmarks more readily.</source>
         <translation>Verosimilitud P0 de un hito nuevo; con un valor mayor se crean hitos con más facilidad.</translation>
     </message>
     <message>
-        <source>Probability of the chi-square gate of gnn; a higher value accepts observations that lie further from their landmark.</source>
-        <translation>Probabilidad de la puerta de ji cuadrado del vecino más cercano; un valor mayor acepta observaciones más alejadas de su hito.</translation>
-    </message>
-    <message>
-        <source>ekf-slam, which always associates by gnn: probability of the chi-square gate outside which an observation is a new landmark, and between the two gates nothing; a higher value makes fewer new landmarks.</source>
-        <translation>ekf-slam, que siempre asocia por gnn: probabilidad de la puerta de ji cuadrado fuera de la cual una observación es un hito nuevo; entre las dos puertas no es nada; un valor mayor crea menos hitos nuevos.</translation>
-    </message>
-    <message>
         <source>What an observation that fits several landmarks, and is kept out of the map, does to the weight: keep-likelihood multiplies it with the best likelihood, neutral leaves it, new-landmark multiplies it with p0; off updates the best landmark instead.</source>
         <translation>Qué hace con el peso una observación que encaja con varios hitos y queda fuera del mapa: multiplicarlo por la mejor verosimilitud, dejarlo igual o multiplicarlo por P0 como un hito nuevo; sin regla, actualiza el mejor hito.</translation>
-    </message>
-    <message>
-        <source>Second best likelihood over the best from which an observation is ambiguous; a higher value calls fewer observations ambiguous.</source>
-        <translation>Cociente entre la segunda verosimilitud y la mejor a partir del cual una observación es ambigua; con un valor mayor lo son menos.</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the motion noise in x per step with constant noise; a higher value spreads the particles more.</source>
-        <translation>Desviación típica del ruido de movimiento en x por paso, con ruido constante; un valor mayor dispersa más las partículas.</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the motion noise in y per step with constant noise; a higher value spreads the particles more.</source>
-        <translation>Desviación típica del ruido de movimiento en y por paso, con ruido constante; un valor mayor dispersa más las partículas.</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the heading noise per step with constant noise; a higher value spreads the headings more.</source>
-        <translation>Desviación típica del ruido de orientación por paso, con ruido constante; un valor mayor dispersa más las orientaciones.</translation>
     </message>
     <message>
         <source>Proportional noise: variance along the motion per metre; a higher value trusts the measured distance less.</source>
@@ -316,8 +288,48 @@
         <translation>Semilla del ruido del láser y de la odometría de un mundo, para que ejecuciones con otras semillas hagan el mismo recorrido; 0 toma la que dice el mundo o, si no, la de la ejecución.</translation>
     </message>
     <message>
+        <source>What corners are the intersections of: the lines as they are detected, or least squares lines over all points of each, which differ where lines go through their end points.</source>
+        <translation>De qué son intersección las esquinas: de las rectas tal como se detectan, o de las rectas de mínimos cuadrados por todos los puntos de cada una; ambas difieren donde las rectas pasan por sus puntos extremos.</translation>
+    </message>
+    <message>
+        <source>Constant noise: standard deviation of the motion noise in x per step, or its variance as motion.unit says; a higher value spreads the particles more.</source>
+        <translation>Ruido constante: desviación típica del ruido de movimiento en x por paso, o su varianza, según motion.unit; un valor mayor dispersa más las partículas.</translation>
+    </message>
+    <message>
+        <source>Constant noise: standard deviation of the motion noise in y per step, or its variance as motion.unit says; a higher value spreads the particles more.</source>
+        <translation>Ruido constante: desviación típica del ruido de movimiento en y por paso, o su varianza, según motion.unit; un valor mayor dispersa más las partículas.</translation>
+    </message>
+    <message>
+        <source>Constant noise: standard deviation of the heading noise per step, or its variance as motion.unit says; a higher value spreads the headings more.</source>
+        <translation>Ruido constante: desviación típica del ruido de orientación por paso, o su varianza, según motion.unit; un valor mayor dispersa más las orientaciones.</translation>
+    </message>
+    <message>
+        <source>Whether sigma_x, sigma_y and sigma_theta are standard deviations or variances; the thesis calls its numbers variances, but only as standard deviations do they give its figures.</source>
+        <translation>Si sigma_x, sigma_y y sigma_theta son desviaciones típicas o varianzas; la tesis llama varianzas a sus números, pero solo como desviaciones típicas dan sus resultados.</translation>
+    </message>
+    <message>
+        <source>How an observation finds its landmark: ml takes the maximum likelihood, with p0 for a new landmark, and is gnn where an algorithm has no p0; gnn the nearest one inside a chi-square gate; jcbb pairs all observations of a scan together.</source>
+        <translation>Cómo encuentra una observación su hito: ml toma la máxima verosimilitud, con p0 para un hito nuevo, y es gnn donde un algoritmo no tiene p0; gnn, el más cercano dentro de una ventana ji cuadrado; jcbb empareja juntas todas las observaciones de un barrido.</translation>
+    </message>
+    <message>
+        <source>Probability of the chi-square gate of gnn and jcbb; a higher value accepts observations that lie further from their landmark.</source>
+        <translation>Probabilidad de la ventana ji cuadrado de gnn y jcbb; un valor mayor acepta observaciones más alejadas de su hito.</translation>
+    </message>
+    <message>
+        <source>Probability of the chi-square gate that all pairings of a scan pass together with jcbb; a higher value pairs more observations that fit less well together.</source>
+        <translation>Probabilidad de la ventana ji cuadrado que con jcbb pasan juntos todos los emparejamientos de un barrido; un valor mayor empareja más observaciones que encajan peor entre sí.</translation>
+    </message>
+    <message>
+        <source>ekf-slam: probability of the chi-square gate outside which an observation is a new landmark, and between the two gates nothing; a higher value makes fewer new landmarks.</source>
+        <translation>ekf-slam: probabilidad de la ventana ji cuadrado fuera de la cual una observación es un hito nuevo, y entre las dos ventanas no es nada; un valor mayor crea menos hitos nuevos.</translation>
+    </message>
+    <message>
+        <source>Second best likelihood over the best from which an observation is ambiguous, and from which two new ones of a scan are one landmark; a higher value does both less often.</source>
+        <translation>Segunda mejor verosimilitud respecto a la mejor a partir de la cual una observación es ambigua, y a partir de la cual dos nuevas de un barrido son un solo hito; un valor mayor hace ambas cosas con menos frecuencia.</translation>
+    </message>
+    <message>
         <source>Changes of a world&apos;s values, with spaces between them, e.g. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help lists the keys.</source>
-        <translation>Cambios de los valores de un mundo, separados por espacios, p. ej. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help enumera las claves.</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -457,6 +469,26 @@
     <message>
         <source>Stratified</source>
         <translation>Estratificado</translation>
+    </message>
+    <message>
+        <source>Detected lines</source>
+        <translation>Rectas detectadas</translation>
+    </message>
+    <message>
+        <source>Fitted walls</source>
+        <translation>Paredes ajustadas</translation>
+    </message>
+    <message>
+        <source>Standard deviations</source>
+        <translation>Desviaciones típicas</translation>
+    </message>
+    <message>
+        <source>Variances</source>
+        <translation>Varianzas</translation>
+    </message>
+    <message>
+        <source>Joint compatibility</source>
+        <translation>Compatibilidad conjunta</translation>
     </message>
 </context>
 <context>
@@ -713,8 +745,20 @@
         <translation>Semilla del recorrido</translation>
     </message>
     <message>
+        <source>Corners of</source>
+        <translation>Esquinas de</translation>
+    </message>
+    <message>
+        <source>Noise given as</source>
+        <translation>Ruido dado como</translation>
+    </message>
+    <message>
+        <source>Joint probability</source>
+        <translation>Probabilidad conjunta</translation>
+    </message>
+    <message>
         <source>World values</source>
-        <translation>Valores del mundo</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

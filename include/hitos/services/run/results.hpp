@@ -36,6 +36,7 @@ struct RunSummary {
     std::optional<std::uint64_t> tour_seed;  ///< of a simulated tour's noise
     int lines = 0;
     int corners = 0;
+    std::uint64_t searches_cut = 0;  ///< as FilterStatistics::searches_cut
     ReadReport report;
     std::optional<MapError> map_error;
     std::optional<AlignedMapError> aligned_map_error;

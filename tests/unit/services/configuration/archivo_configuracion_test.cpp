@@ -116,7 +116,8 @@ TEST(ArchivoConfiguracion, TextExplainsEveryParameter) {
                                 "makes fewer and rougher lines.\n"
                                 "# Allowed: 1e-06 to 10 m. Default: 0.02.\n"
                                 "dmax = 0.03\n"));
-    EXPECT_THAT(text, HasSubstr("# Allowed: one of ml, gnn. Default: \"ml\".\nmethod = \"ml\"\n"));
+    EXPECT_THAT(text,
+                HasSubstr("# Allowed: one of ml, gnn, jcbb. Default: \"ml\".\nmethod = \"ml\"\n"));
     EXPECT_THAT(text, HasSubstr("# Allowed: integers from 1 to 1000000. Default: 100.\n"
                                 "particles = 100\n"));
     std::size_t lines = 0;

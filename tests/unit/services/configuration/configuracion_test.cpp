@@ -209,6 +209,18 @@ TEST(Check, RefusesAParticleThatCanNeverMove) {
     EXPECT_NO_THROW(check(c));
 }
 
+TEST(Parameters, TheUnitOfConstantNoiseFollowsItsReading) {
+    Configuracion c;
+    const ConfigParameter& x = find_parameter("motion.sigma_x");
+    const ConfigParameter& theta = find_parameter("motion.sigma_theta");
+    EXPECT_EQ(x.unit_of(c), "m");
+    EXPECT_EQ(theta.unit_of(c), "rad");
+    find_parameter("motion.unit").set(c, "variance");
+    EXPECT_EQ(x.unit_of(c), "m^2");
+    EXPECT_EQ(theta.unit_of(c), "rad^2");
+    EXPECT_EQ(find_parameter("split_merge.dmax").unit_of(c), "m");
+}
+
 TEST(Check, RefusesAGridThatDrawsNothing) {
     Configuracion c;
     c.grid.log_odds_hit = c.grid.log_odds_miss = 0.0;

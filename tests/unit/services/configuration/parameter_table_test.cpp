@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 55U);
+    EXPECT_EQ(keys.size(), 58U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -100,7 +100,7 @@ Keys with(Keys keys, const Keys& more, const Keys& less) {
 }
 
 TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
-    const Keys sigmas = {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"};
+    const Keys sigmas = {"motion.unit", "motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"};
     const Keys rates = {"motion.var_along", "motion.var_across", "motion.var_theta_per_rad",
                         "motion.var_theta_per_m"};
     const Keys fixed = {"observation.var_rho", "observation.var_theta"};
@@ -109,28 +109,38 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
                         "split_merge.gap_per_range"};
     const Keys ransac = {"ransac.edge", "ransac.edge_per_range", "ransac.threshold",
                          "ransac.iterations"};
-    Keys idle = {"association.new_probability", "association.gate_probability",
-                 "resampling.neff_threshold", "source.tour_seed", "source.world_set"};
+    Keys idle = {"association.new_probability",
+                 "association.gate_probability",
+                 "association.joint_probability",
+                 "resampling.neff_threshold",
+                 "source.tour_seed",
+                 "source.world_set"};
     for (const Keys& keys : {rates, points, ransac}) idle.insert(keys.begin(), keys.end());
     EXPECT_EQ(idle_with({}), idle);
     EXPECT_EQ(idle_with({"motion.model=no-odometry"}), idle);
     EXPECT_EQ(idle_with({"motion.model=proportional"}), with(idle, sigmas, rates));
     EXPECT_EQ(idle_with({"observation.covariance=points"}), with(idle, fixed, points));
-    EXPECT_EQ(idle_with({"features.method=ransac"}), with(idle, split, ransac));
-    EXPECT_EQ(idle_with({"features.detect=lines"}),
-              with(idle, {"features.corner_distance", "features.corner_angle"}, {}));
+    EXPECT_EQ(idle_with({"features.method=ransac"}),
+              with(with(idle, split, ransac), {"features.corner_lines"}, {}));
+    EXPECT_EQ(idle_with({"split_merge.fit=least-squares"}),
+              with(idle, {"features.corner_lines"}, {}));
+    EXPECT_EQ(
+        idle_with({"features.detect=lines"}),
+        with(idle, {"features.corner_distance", "features.corner_angle", "features.corner_lines"},
+             {}));
     EXPECT_EQ(idle_with({"source.file=a.toml"}),
               with(idle, {}, {"source.tour_seed", "source.world_set"}));
     EXPECT_EQ(idle_with({"features.detect=corners"}), idle);
     EXPECT_EQ(idle_with({"association.method=gnn"}),
               with(idle, {}, {"association.gate_probability"}));
-    EXPECT_EQ(idle_with({"association.ambiguity=off"}),
-              with(idle, {"association.ambiguity_ratio"}, {}));
+    EXPECT_EQ(idle_with({"association.method=jcbb"}),
+              with(idle, {}, {"association.gate_probability", "association.joint_probability"}));
+    EXPECT_EQ(idle_with({"association.ambiguity=off"}), idle);
     EXPECT_EQ(idle_with({"resampling.rule=neff"}), with(idle, {}, {"resampling.neff_threshold"}));
     EXPECT_EQ(idle_with({"filter.algorithm=ekf-slam", "resampling.rule=neff"}),
               with(idle,
-                   {"filter.particles", "filter.proposal", "association.method", "association.p0",
-                    "resampling.rule", "resampling.method"},
+                   {"filter.particles", "filter.proposal", "association.p0", "resampling.rule",
+                    "resampling.method"},
                    {"association.new_probability", "association.gate_probability"}));
 }
 
@@ -185,10 +195,11 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.run = {42, 3};
     c.filter.algorithm = "ekf-slam";
     c.filter.particles = 77;
-    c.filter.motion = {"proportional", 0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17};
+    c.filter.motion = {"proportional",      0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17,
+                       MotionUnit::variance};
     c.filter.observation = {0.21, 0.22};
     c.filter.association = {AssociationMethod::gated_nearest, 0.31, 0.91, 0.92,
-                            AmbiguityRule::new_landmark,      0.33};
+                            AmbiguityRule::new_landmark,      0.33, 0.93};
     c.filter.resampling = {ResamplingRule::neff, 41.5, "residual"};
     c.extraction.detect = Detection::corners;
     c.extraction.lines = {0.52, 53, {0.54, 0.55, 0.56}};
@@ -200,6 +211,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.extraction.common_sigma_m = 0.76;
     c.extraction.corner_distance_m = 0.59;
     c.extraction.corner_angle_rad = 0.5;
+    c.extraction.corner_lines = CornerLines::fitted;
     c.grid = {0.61, 0.62, -0.63, 6.4, 6.5};
     const std::map<std::string_view, std::string> expected = {
         {"source.file", "a.log"},
@@ -216,9 +228,11 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"association.p0", "0.31"},
         {"association.gate_probability", "0.91"},
         {"association.new_probability", "0.92"},
+        {"association.joint_probability", "0.93"},
         {"association.ambiguity", "new-landmark"},
         {"association.ambiguity_ratio", "0.33"},
         {"motion.model", "proportional"},
+        {"motion.unit", "variance"},
         {"motion.sigma_x", "0.11"},
         {"motion.sigma_y", "0.12"},
         {"motion.sigma_theta", "0.13"},
@@ -235,6 +249,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"features.detect", "corners"},
         {"features.corner_distance", "0.59"},
         {"features.corner_angle", "0.5"},
+        {"features.corner_lines", "fitted"},
         {"split_merge.dmax", "0.51"},
         {"split_merge.min_length", "0.52"},
         {"split_merge.min_points", "53"},

@@ -1,0 +1,35 @@
+#include "scan_twins.hpp"
+
+#include <cmath>
+
+namespace hitos {
+
+ScanTwins::ScanTwins(const AssociationParams& params, bool has_p0)
+    : log_p0_(std::log(params.p0)),
+      gate_(chi_square_gate(params.gate_probability)),
+      log_ratio_(std::log(params.ambiguity_ratio)),
+      by_likelihood_(has_p0 && params.method == AssociationMethod::maximum_likelihood) {}
+
+void ScanTwins::find(const Measurements& seen) {
+    pairs_.clear();
+    for_each_kind([&]<class S>() {
+        const std::span<const Measurement> row = seen.of<S>();
+        for (std::size_t later = 1; later < row.size(); ++later) {
+            const EKF<S> ekf(row[later].r);
+            for (std::size_t earlier = 0; earlier < later; ++earlier) {
+                const auto known = EKF<S>(row[earlier].r).first({}, row[earlier].z).mean;
+                const Likelihood close =
+                    ekf.likelihood(S::innovation(row[later].z, {}, known), Matrix2::Zero());
+                if (plausible(close) && -0.5 * close.mahalanobis_squared > log_ratio_) {
+                    pairs_.emplace_back(seen.first<S>() + earlier, seen.first<S>() + later);
+                }
+            }
+        }
+    });
+}
+
+bool ScanTwins::plausible(const Likelihood& close) const {
+    return by_likelihood_ ? close.log_likelihood > log_p0_ : close.mahalanobis_squared <= gate_;
+}
+
+}  // namespace hitos
