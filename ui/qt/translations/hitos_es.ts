@@ -329,7 +329,7 @@
     </message>
     <message>
         <source>Changes of a world&apos;s values, with spaces between them, e.g. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help lists the keys.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambios de los valores de un mundo, separados por espacios, p. ej. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help enumera las claves.</translation>
     </message>
 </context>
 <context>
@@ -758,7 +758,7 @@
     </message>
     <message>
         <source>World values</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores del mundo</translation>
     </message>
 </context>
 <context>
