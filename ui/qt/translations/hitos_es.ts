@@ -304,6 +304,22 @@
         <source>Second best likelihood over the best from which an observation is ambiguous, and from which two new ones of a scan are one landmark; a higher value does both less often.</source>
         <translation>Segunda mejor verosimilitud respecto a la mejor a partir de la cual una observación es ambigua, y a partir de la cual dos nuevas de un barrido son un solo hito; un valor mayor hace ambas cosas con menos frecuencia.</translation>
     </message>
+    <message>
+        <source>Whether the scan is divided at edges and RANSAC finds the lines of each part, or RANSAC has the whole scan and the points of each line are divided at edges.</source>
+        <translation>Si el barrido se divide en los bordes y RANSAC busca las rectas de cada parte, o RANSAC trabaja sobre todo el barrido y los puntos de cada recta se dividen en los bordes.</translation>
+    </message>
+    <message>
+        <source>Noise of increments: standard deviation of the step ahead per metre of it; a higher value trusts it less.</source>
+        <translation>Ruido de los incrementos: desviación típica del avance por metro avanzado; un valor mayor se fía menos de él.</translation>
+    </message>
+    <message>
+        <source>Noise of increments: standard deviation of the step sideways per metre of it; a higher value trusts it less.</source>
+        <translation>Ruido de los incrementos: desviación típica del paso lateral por metro desplazado; un valor mayor se fía menos de él.</translation>
+    </message>
+    <message>
+        <source>Noise of increments: standard deviation of the turn per radian of it; a higher value trusts it less.</source>
+        <translation>Ruido de los incrementos: desviación típica del giro por radián girado; un valor mayor se fía menos de él.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -462,6 +478,18 @@
     <message>
         <source>Joint compatibility</source>
         <translation>Compatibilidad conjunta</translation>
+    </message>
+    <message>
+        <source>Edges, then RANSAC</source>
+        <translation>Bordes, luego RANSAC</translation>
+    </message>
+    <message>
+        <source>RANSAC, then edges</source>
+        <translation>RANSAC, luego bordes</translation>
+    </message>
+    <message>
+        <source>Increments</source>
+        <translation>Incrementos</translation>
     </message>
 </context>
 <context>
@@ -720,6 +748,22 @@
     <message>
         <source>Joint probability</source>
         <translation>Probabilidad conjunta</translation>
+    </message>
+    <message>
+        <source>RANSAC order</source>
+        <translation>Orden de RANSAC</translation>
+    </message>
+    <message>
+        <source>Ratio x</source>
+        <translation>Razón x</translation>
+    </message>
+    <message>
+        <source>Ratio y</source>
+        <translation>Razón y</translation>
+    </message>
+    <message>
+        <source>Ratio θ</source>
+        <translation>Razón θ</translation>
     </message>
 </context>
 <context>
