@@ -116,7 +116,8 @@ TEST(ArchivoConfiguracion, TextExplainsEveryParameter) {
                                 "makes fewer and rougher lines.\n"
                                 "# Allowed: 1e-06 to 10 m. Default: 0.02.\n"
                                 "dmax = 0.03\n"));
-    EXPECT_THAT(text, HasSubstr("# Allowed: one of ml, gnn, jcbb. Default: \"ml\".\nmethod = \"ml\"\n"));
+    EXPECT_THAT(text,
+                HasSubstr("# Allowed: one of ml, gnn, jcbb. Default: \"ml\".\nmethod = \"ml\"\n"));
     EXPECT_THAT(text, HasSubstr("# Allowed: integers from 1 to 1000000. Default: 100.\n"
                                 "particles = 100\n"));
     std::size_t lines = 0;
@@ -276,9 +277,22 @@ TEST(ShippedConfigurations, RecordedIsForRealRobots) {
     EXPECT_GT(c.extraction.split_merge.gap_m, 0.0);
 }
 
+TEST(ShippedConfigurations, PaperIsThePaper) {
+    const Configuracion c = ArchivoConfiguracion::read(shipped("paper.cfg"));
+    EXPECT_EQ(c.filter.algorithm, "ekf-slam");
+    EXPECT_EQ(c.filter.motion.model, "increments");
+    EXPECT_EQ(c.filter.association.method, AssociationMethod::gated_nearest);
+    EXPECT_EQ(c.filter.association.gate_probability, c.filter.association.new_probability);
+    EXPECT_EQ(c.filter.association.ambiguity, AmbiguityRule::off);
+    EXPECT_EQ(c.extraction.method, "ransac");
+    EXPECT_EQ(c.extraction.ransac.order, RansacOrder::ransac_first);
+    EXPECT_EQ(c.extraction.detect, Detection::lines);
+    EXPECT_EQ(c.extraction.lines.collinear.rho_m, 0.0);
+}
+
 /// The short files say only what differs from the defaults.
 TEST(ShippedConfigurations, HoldNothingThatIsADefault) {
-    for (const char* name : {"simulated.cfg", "recorded.cfg"}) {
+    for (const char* name : {"simulated.cfg", "recorded.cfg", "paper.cfg"}) {
         const Configuracion c = ArchivoConfiguracion::read(shipped(name));
         std::size_t differing = 0;
         for (const ConfigParameter& p : parameters())
