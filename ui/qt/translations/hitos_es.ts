@@ -328,6 +328,22 @@
         <translation>Segunda mejor verosimilitud respecto a la mejor a partir de la cual una observación es ambigua, y a partir de la cual dos nuevas de un barrido son un solo hito; un valor mayor hace ambas cosas con menos frecuencia.</translation>
     </message>
     <message>
+        <source>Whether the scan is divided at edges and RANSAC finds the lines of each part, or RANSAC has the whole scan and the points of each line are divided at edges.</source>
+        <translation>Si el barrido se divide en los bordes y RANSAC busca las rectas de cada parte, o RANSAC trabaja sobre todo el barrido y los puntos de cada recta se dividen en los bordes.</translation>
+    </message>
+    <message>
+        <source>Noise of increments: standard deviation of the step ahead per metre of it; a higher value trusts it less.</source>
+        <translation>Ruido de los incrementos: desviación típica del avance por metro avanzado; un valor mayor se fía menos de él.</translation>
+    </message>
+    <message>
+        <source>Noise of increments: standard deviation of the step sideways per metre of it; a higher value trusts it less.</source>
+        <translation>Ruido de los incrementos: desviación típica del paso lateral por metro desplazado; un valor mayor se fía menos de él.</translation>
+    </message>
+    <message>
+        <source>Noise of increments: standard deviation of the turn per radian of it; a higher value trusts it less.</source>
+        <translation>Ruido de los incrementos: desviación típica del giro por radián girado; un valor mayor se fía menos de él.</translation>
+    </message>
+    <message>
         <source>Changes of a world&apos;s values, with spaces between them, e.g. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help lists the keys.</source>
         <translation>Cambios de los valores de un mundo, separados por espacios, p. ej. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help enumera las claves.</translation>
     </message>
@@ -489,6 +505,18 @@
     <message>
         <source>Joint compatibility</source>
         <translation>Compatibilidad conjunta</translation>
+    </message>
+    <message>
+        <source>Edges, then RANSAC</source>
+        <translation>Bordes, luego RANSAC</translation>
+    </message>
+    <message>
+        <source>RANSAC, then edges</source>
+        <translation>RANSAC, luego bordes</translation>
+    </message>
+    <message>
+        <source>Increments</source>
+        <translation>Incrementos</translation>
     </message>
 </context>
 <context>
@@ -757,6 +785,22 @@
         <translation>Probabilidad conjunta</translation>
     </message>
     <message>
+        <source>RANSAC order</source>
+        <translation>Orden de RANSAC</translation>
+    </message>
+    <message>
+        <source>Ratio x</source>
+        <translation>Razón x</translation>
+    </message>
+    <message>
+        <source>Ratio y</source>
+        <translation>Razón y</translation>
+    </message>
+    <message>
+        <source>Ratio θ</source>
+        <translation>Razón θ</translation>
+    </message>
+    <message>
         <source>World values</source>
         <translation>Valores del mundo</translation>
     </message>
@@ -805,6 +849,14 @@
     <message>
         <source>FastSLAM for logs of real robots: noise that grows with the motion, gaps that end a line.</source>
         <translation>FastSLAM para registros de robots reales: ruido que crece con el movimiento y huecos que terminan una recta.</translation>
+    </message>
+    <message>
+        <source>As the paper</source>
+        <translation>Como el artículo</translation>
+    </message>
+    <message>
+        <source>EKF-SLAM to the letter of the paper that it comes from: lines alone, one gate, noise in proportion to the way.</source>
+        <translation>EKF-SLAM al pie de la letra del artículo del que procede: solo rectas, una sola puerta y ruido proporcional al camino.</translation>
     </message>
 </context>
 <context>
@@ -1329,6 +1381,14 @@
         <translation>estudio de un parámetro</translation>
     </message>
     <message>
+        <source>View one particle…</source>
+        <translation>Ver una partícula…</translation>
+    </message>
+    <message>
+        <source>Grid map of a particle by its number (P)</source>
+        <translation>Mapa de rejilla de una partícula por su número (P)</translation>
+    </message>
+    <message>
         <source>&amp;Presets</source>
         <translation>Configuraciones &amp;incluidas</translation>
     </message>
@@ -1478,6 +1538,18 @@
     <message>
         <source>Image saved: %1</source>
         <translation>Imagen guardada: %1</translation>
+    </message>
+    <message>
+        <source>Map of one particle</source>
+        <translation>Mapa de una partícula</translation>
+    </message>
+    <message>
+        <source>Number of the particle, 0 to %1:</source>
+        <translation>Número de la partícula, de 0 a %1:</translation>
+    </message>
+    <message>
+        <source>Grid map of particle %1</source>
+        <translation>Mapa de rejilla de la partícula %1</translation>
     </message>
 </context>
 <context>
