@@ -1,7 +1,7 @@
 // Corners as the robot sees them [T 7.4.2].
 //
-// The printed Jacobian [T eq 7.22] and inverse [T eq 7.23] contain errors; the ones here are
-// derived in docs/algorithm.md and tested against numerical differentiation.
+// The Jacobian is [T eq 7.22]; the printed inverse [T eq 7.23] contains an error. Both are tested
+// against numerical differentiation.
 #pragma once
 
 #include <algorithm>
