@@ -39,17 +39,19 @@ inline constexpr std::string_view kPositionNoise =
 inline constexpr std::string_view kRhoLaboratory =
     "As in the thesis, all maps up to 0.1 are right, and at 1 lines are confused and the map "
     "suffers. "
-    "The surplus of landmarks at small values is one line here; on the recorded tour below it is "
+    "The surplus of landmarks at small values is missing here; on the recorded tour below it is "
     "great.";
 inline constexpr std::string_view kThetaLaboratory =
     "As in the thesis, great values confuse landmarks: at 0.2 the map blurs, at 0.5 it is wrong "
     "and "
-    "has twice the landmarks. Its failure at small values is missing: where the laser's noise is 3 "
+    "has many more landmarks. Its failure at small values is missing: where the laser's noise is 3 "
     "mm, "
     "trusting the laser is right. On the recorded tour below both ends fail.";
 inline constexpr std::string_view kNeffHall =
     "As in the thesis: no difference that can be seen, and 2 is somewhat worse.";
-inline constexpr std::string_view kNeffLaboratory = "As in the thesis: all maps are alike.";
+inline constexpr std::string_view kNeffLaboratory =
+    "As in the thesis: all maps are alike; at 2 the path is "
+    "somewhat worse.";
 inline constexpr std::string_view kParticlesHall =
     "As in the thesis, 5 particles already give a map much like the truth. More of them go on "
     "helping, slowly: the motion noise of this table is less than the odometry's own, so that the "
