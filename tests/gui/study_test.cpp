@@ -1,5 +1,6 @@
 // Use case 8.2.2.11 from the window: the study of one parameter.
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDirIterator>
 #include <QLabel>
@@ -114,6 +115,36 @@ void StudyTest::noise_seed_and_threads_are_those_of_the_command_line() {
     f.run_study();
     compare_folders(f.path("study"), f.command_line_study({"--odometry-noise", "0.1", "--seed", "7",
                                                            "--threads", "2"}));
+}
+
+void StudyTest::without_reference_grids_are_measured_and_shown() {
+    StudyFixture f;
+    f.set("reference", "");
+    f.set("values", "0.02");
+    f.study.findChild<QCheckBox*>("pictures")->setChecked(true);
+    f.run_study();
+    QVERIFY2(f.verdict().contains("2 of 2"), qPrintable(f.verdict()));
+    QVERIFY(f.error_at("reference").isEmpty());
+    QCOMPARE(f.study.plots().means(), 1);
+    QVERIFY2(f.study.plots().quality_title().startsWith("Blur"),
+             qPrintable(f.study.plots().quality_title()));
+    QVERIFY(!QImage(f.path("study/contact-sheet.png")).isNull());
+    QVERIFY(QFile::exists(f.path("study/pictures/dmax-0.02-s1.png")));
+    QVERIFY(!QFile::exists(f.path("study/error.dat")));
+}
+
+void StudyTest::the_true_path_of_the_session_is_used() {
+    StudyFixture f;
+    Trajectory truth;
+    for (int i = 0; i < 1000; ++i) truth.push_back({0.1 * i, {0.01 * i, 0.0, 0.0}});
+    References references;
+    references.trajectory = truth;
+    f.session.set_references(references);
+    f.set("reference", "");
+    f.set("values", "0.02");
+    f.run_study();
+    QVERIFY2(f.study.plots().quality_title().startsWith("Trajectory error"),
+             qPrintable(f.verdict()));
 }
 
 void StudyTest::every_parameter_can_be_chosen() {

@@ -125,6 +125,8 @@ class StudyTest : public QObject {
     void a_folder_that_cannot_be_written_is_told();
     void a_log_that_has_gone_is_told();
     void runs_that_fail_are_told_and_the_others_go_on();
+    void without_reference_grids_are_measured_and_shown();
+    void the_true_path_of_the_session_is_used();
     void a_stopped_study_goes_on_where_it_was();
     void another_studys_folder_is_asked_about();
     void closing_while_it_runs_asks();

@@ -66,6 +66,33 @@ TEST_F(ReproduceCommand, TriesEveryReadingAndSetsThemSideBySide) {
               std::string::npos);
 }
 
+TEST_F(ReproduceCommand, ShowsExperimentsByMapsTheSameForAnyThreads) {
+    const Outcome first = reproduce("--only 10.78 --only 10.58 --threads 2 --out " + path("two") +
+                                    " --report " + path("report.md"));
+    ASSERT_EQ(first.status, 0) << first.output;
+    EXPECT_NE(first.output.find("4 runs shown by maps and counts done, 0 found done, 0 failed"),
+              std::string::npos)
+        << first.output;
+    EXPECT_NE(first.output.find("experiments on recorded tours left out"), std::string::npos);
+    EXPECT_FALSE(fs::exists(path("two/reproduction.csv"))) << "no figure with errors was named";
+    const std::string document = content(path("report-maps.md"));
+    EXPECT_NE(document.find("| [10.78](report-maps/10.78-iusiani-sensor_theta.png) | iusiani |"),
+              std::string::npos);
+    EXPECT_NE(document.find("| 17 | the lines are those of the place | "), std::string::npos);
+    EXPECT_NE(document.find("| odometry alone |"), std::string::npos);
+    EXPECT_NE(document.find("## Left out"), std::string::npos);
+    EXPECT_TRUE(fs::exists(path("report-maps/10.58-iusiani-mpuntos.png")));
+    const std::string csv = content(path("two/reproduction-maps.csv"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+
+    ASSERT_EQ(reproduce("--only 10.78 --only 10.58 --threads 1 --out " + path("one")).status, 0);
+    EXPECT_EQ(files("one"), files("two"));
+    const Outcome again = reproduce("--only 10.78 --out " + path("one"));
+    EXPECT_NE(again.output.find("0 runs shown by maps and counts done, 1 found done"),
+              std::string::npos)
+        << again.output;
+}
+
 TEST_F(ReproduceCommand, DoesWithoutGnuplot) {
     const Outcome outcome =
         shell("PATH=/nowhere " + cli_ + " reproduce --only 10.87 --runs 1 --out " + path("out"));

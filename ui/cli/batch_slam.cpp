@@ -15,6 +15,8 @@
 namespace hitos::cli {
 namespace {
 
+constexpr const char* kNoReference = "-";
+
 struct BatchOptions {
     std::string config;
     std::string salida;
@@ -43,7 +45,7 @@ int batch(const BatchOptions& options) {
         throw ConfigError("source.file", "found no file name in " + options.config +
                                              "; expected the path of the log to study");
     }
-    study.reference = read_map(options.referencia);
+    if (options.referencia != kNoReference) study.reference = read_map(options.referencia);
     study.layout = study_beside(options.salida);
     apply(options.runs, study);
     return conduct(study, options.runs, {});
@@ -72,7 +74,10 @@ int run_program(int argc, char** argv) {
     program.add_option("Config", options.config, "Configuration file; its source.file is the log")
         ->required();
     program.add_option("Salida", options.salida, "Quality file to write (CSV)")->required();
-    program.add_option("Referencia", options.referencia, "Reference map")->required();
+    program
+        .add_option("Referencia", options.referencia,
+                    "Reference map; - for none: paths and grid maps are measured")
+        ->required();
     program.add_option("Parametro", options.parametro, "Parameter to vary, see below")->required();
     program.add_option("Valores", options.valores, "Its values")->required()->expected(1, -1);
     program

@@ -2,14 +2,19 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/workbench/reproduction.hpp"
+#include "hitos/workbench/reproduction_maps.hpp"
+#include "hitos/workbench/shipped_data.hpp"
 #include "progress_line.hpp"
 
 namespace hitos::cli {
@@ -21,6 +26,7 @@ struct CommandOptions {
     ReproductionOptions reproduction;
     std::string out;
     std::string report;
+    std::string logs;
     std::string reading = readings().front().name;
     bool as_published = false;
     bool hypotheses = false;
@@ -75,14 +81,8 @@ bool tell_failures(const Reproduction& result) {
     return !result.failures.empty();
 }
 
-int reproduce(CommandOptions options) {
-    Reading& reading = options.reproduction.reading;
-    reading = options.as_published ? reading_as_published() : find_reading(options.reading);
-    if (options.out.empty()) {
-        options.out = "out/reproduction";
-        if (!text_of(reading).empty()) options.out += "-" + reading.name;
-    }
-    options.reproduction.out = options.out;
+/// The figures with tables of errors.
+int reproduce_tables(CommandOptions options) {
     Teller teller;
     options.reproduction.observer = teller.observer();
     const Reproduction result = hitos::reproduce(options.reproduction);
@@ -110,6 +110,77 @@ int reproduce(CommandOptions options) {
     return failed ? kSomeFailed : 0;
 }
 
+/// "docs/reproduction.md" gives "docs/reproduction-maps.md".
+std::filesystem::path maps_report(const std::filesystem::path& report) {
+    return report.parent_path() / (report.stem().string() + "-maps" + report.extension().string());
+}
+
+/// The experiments that are shown by maps and counts.
+int reproduce_experiments(const CommandOptions& options, const std::vector<std::string>& only) {
+    MapReproductionOptions maps;
+    maps.only = only;
+    maps.threads = options.reproduction.threads;
+    maps.reading = options.reproduction.reading;
+    maps.world = options.reproduction.world;
+    maps.settings = options.reproduction.settings;
+    maps.out = options.reproduction.out;
+    maps.logs = options.logs;
+    Teller teller;
+    maps.observer = teller.observer();
+    const MapReproduction result = reproduce_maps(maps);
+    teller.finish();
+    if (!options.report.empty() && !result.experiments.empty()) {
+        write_map_report(result, maps_report(options.report), maps.out / "maps");
+    }
+    fmt::print("{} runs shown by maps and counts done, {} found done, {} failed: {}\n",
+               result.computed - result.failures.size(), result.reused, result.failures.size(),
+               (maps.out / "reproduction-maps.md").string());
+    for (const ParticleTime& time : result.times) {
+        fmt::print("{:4} particles: {:.3f} s for {} scans\n", time.particles, time.cpu_seconds,
+                   time.scans);
+    }
+    if (!result.left_out.empty()) {
+        fmt::print("{} experiments on recorded tours left out, the first: {}\n",
+                   result.left_out.size(), result.left_out.front());
+    }
+    for (const std::string& failure : result.failures) {
+        fmt::print(stderr, "failed: {}\n", failure);
+    }
+    return result.failures.empty() ? 0 : kSomeFailed;
+}
+
+bool names_figure(const std::string& word) {
+    try {
+        return !select_figures(read_thesis_figures(find_thesis_results()), {word}).empty();
+    } catch (const ConfigError&) {
+        return false;
+    }
+}
+
+/// A word of --only may name figures with tables, experiments shown by maps, or both.
+int reproduce(CommandOptions options) {
+    Reading& reading = options.reproduction.reading;
+    reading = options.as_published ? reading_as_published() : find_reading(options.reading);
+    if (options.out.empty()) {
+        options.out = "out/reproduction";
+        if (!text_of(reading).empty()) options.out += "-" + reading.name;
+    }
+    options.reproduction.out = options.out;
+    const std::vector<std::string> words = std::exchange(options.reproduction.only, {});
+    std::vector<std::string> maps;
+    for (const std::string& word : words) {
+        const bool shown = names_experiment(word);
+        if (shown) maps.push_back(word);
+        if (!shown || names_figure(word)) options.reproduction.only.push_back(word);
+    }
+    int status = 0;
+    if (words.empty() || !options.reproduction.only.empty()) status = reproduce_tables(options);
+    if (words.empty() || !maps.empty()) {
+        status = std::max(status, reproduce_experiments(options, maps));
+    }
+    return status;
+}
+
 }  // namespace
 
 void add_reproduce(CLI::App& program) {
@@ -117,9 +188,10 @@ void add_reproduce(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "reproduce", "Run the synthetic experiments of the thesis again and compare");
     command->footer(
-        "Writes reproduction.csv, reproduction.md and plots/. Stopped, it goes on where it was "
-        "when\n"
-        "it is started again. See docs/reproduction.md.");
+        "Writes reproduction.csv, reproduction.md and plots/ for the figures with errors, and\n"
+        "reproduction-maps.csv, reproduction-maps.md and maps/ for those shown by grid maps and\n"
+        "counts. Stopped, it goes on where it was when it is started again. See\n"
+        "docs/reproduction.md and docs/reproduction-maps.md.");
     command
         ->add_option(
             "--only", options->reproduction.only,
@@ -136,7 +208,11 @@ void add_reproduce(CLI::App& program) {
                         "Folder for the results, made if missing (default: out/reproduction, for a "
                         "reading out/reproduction-NAME)");
     command->add_option("--report", options->report,
-                        "Write the document here too, with its pictures in a folder beside it");
+                        "Write the document here too, and that of the maps as …-maps.md, each "
+                        "with its pictures in a folder beside it");
+    command->add_option("--logs", options->logs,
+                        "Folder of recorded tours, NAME.log.gz with NAME.gt.tum.gz, to put the "
+                        "questions of the thesis's recorded tours to (aces, freiburg-101)");
     auto* reading =
         command->add_option("--reading", options->reading,
                             "Suppose this of the thesis's simulator and program: " + names());

@@ -43,7 +43,6 @@ StudyShard shard_of(const CommandOptions& options) {
 
 int study(CommandOptions options) {
     require(options.log, "LOG", "the log file to study");
-    require(options.reference, "--reference", "the map to measure against");
     require(options.out, "--out", "the folder for the results");
     options.runs.first_seed = options.configuration.values.seed.value_or(1);
     options.runs.threads = options.configuration.values.threads.value_or(0);
@@ -54,7 +53,7 @@ int study(CommandOptions options) {
     if (!options.format.empty()) {
         study.configuration.source.format = checked_log_format(options.format, "--format");
     }
-    study.reference = read_map(options.reference);
+    if (!options.reference.empty()) study.reference = read_map(options.reference);
     for (const std::string& assignment : options.vary)
         study.parameters.push_back(parse_study_parameter(assignment));
     study.layout = study_in_folder(options.out);
@@ -97,7 +96,9 @@ void add_study(CLI::App& program) {
         "Grid Engine job array every task does its shard. See docs/studies.md, docs/cluster.md.");
     command->add_option("log", options->log, "Log file, plain or .gz, or a world to simulate");
     command->add_option("--format", options->format, log_format_choices() + " (default: auto)");
-    command->add_option("--reference", options->reference, "Reference map to measure against");
+    command->add_option("--reference", options->reference,
+                        "Reference map to measure against (without: the paths and how crisp the "
+                        "grid maps are)");
     command
         ->add_option("--vary", options->vary,
                      "Values of a parameter, e.g. split_merge.dmax=0.01,0.02 or p=10:100:10 or "

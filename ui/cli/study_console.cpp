@@ -35,12 +35,22 @@ void add_study_options(CLI::App& command, StudyRunOptions& options) {
                        "run's seed; the thesis uses 0.1 (default: 0, none)");
     command.add_option("--odometry-noise-kind", options.noise_kind,
                        noise_kind_choices() + " (default: relative-sigma)");
+    command.add_option("--reference-trajectory", options.reference_trajectory,
+                       "Reference trajectory in TUM format to measure the paths against (default "
+                       "for a world: the true one)");
+    command.add_flag("--pictures{first}", options.pictures,
+                     "Save the grid map of each value's first run as a picture, and all of them on "
+                     "contact-sheet.png; --pictures=all: of every run");
     command.add_flag("--csv", options.csv, "Print the summary as CSV instead of a table");
 }
 
 void apply(const StudyRunOptions& options, Study& study) {
     study.seeds = options.runs;
     study.first_seed = options.first_seed;
+    study.pictures = parse_study_pictures(options.pictures, "--pictures");
+    if (!options.reference_trajectory.empty()) {
+        study.reference_trajectory = read_trajectory(options.reference_trajectory);
+    }
     set_study_source(study, options.noise,
                      parse_noise_kind(options.noise_kind, "--odometry-noise-kind"));
 }
@@ -83,8 +93,13 @@ int report(const StudyOutcome& outcome, const StudyLayout& layout, bool csv) {
                csv ? summary_csv(outcome.plan, cells) : summary_markdown(outcome.plan, cells));
     std::fflush(stdout);
     if (!outcome.plot_problem.empty()) {
-        fmt::print(stderr, "no plots: {}; their scripts are {} and {}\n", outcome.plot_problem,
-                   layout.file("error.gp").string(), layout.file("landmarks.gp").string());
+        fmt::print(stderr, "no plots: {}; their scripts are beside {}\n", outcome.plot_problem,
+                   layout.file("landmarks.gp").string());
+    }
+    if (!outcome.picture_problem.empty()) {
+        fmt::print(stderr, "no contact sheet: {}\n", outcome.picture_problem);
+    } else if (outcome.plan.pictures != StudyPictures::none) {
+        fmt::print(stderr, "grid maps: {}\n", layout.file("contact-sheet.png").string());
     }
     fmt::print(stderr, "quality of every run: {}; summary, maps and plots beside it\n",
                layout.quality_file().string());

@@ -16,13 +16,15 @@ struct StudyRunOptions {
     int threads = 0;
     double noise = 0.0;
     std::string noise_kind = "relative-sigma";
+    std::string reference_trajectory;
+    std::string pictures = "none";
     bool csv = false;
 };
 
-/// --runs, --odometry-noise, --odometry-noise-kind and --csv.
+/// --runs, --odometry-noise, --odometry-noise-kind, --reference-trajectory, --pictures and --csv.
 void add_study_options(CLI::App& command, StudyRunOptions& options);
 
-/// Puts runs, seeds and noise into the study.
+/// Puts runs, seeds, noise, reference trajectory and pictures into the study.
 void apply(const StudyRunOptions& options, Study& study);
 
 /// Runs the study with progress and failures on stderr and the summary on stdout. Gives the exit

@@ -14,10 +14,12 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
-#include "hitos/services/evaluation/measures.hpp"
+#include "hitos/base/thread_clock.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "study_files.hpp"
+#include "study_pictures.hpp"
+#include "study_run.hpp"
 
 namespace hitos {
 namespace {
@@ -107,6 +109,7 @@ class Crew {
         const StudyPlan& plan = outcomes_[s].plan;
         tell(place, 0.0, nullptr);
         const auto start = std::chrono::steady_clock::now();
+        const double cpu_start = thread_seconds();
         StudyRecord record;
         try {
             std::optional<StudyRecord> computed = compute(place);
@@ -119,6 +122,7 @@ class Crew {
         }
         record.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        record.cpu_seconds = thread_seconds() - cpu_start;
         try {
             study::write_record(studies_[s].layout, plan, run, record);
         } catch (const Error& error) {
@@ -143,23 +147,7 @@ class Crew {
                 tell(place, run.reader().progress().value_or(0.0), nullptr);
             }
         }
-        StudyRecord record;
-        const LandmarkMap map = run.filter().best_map();
-        const fs::path map_file = study::map_file(study.layout, plan, number);
-        write_map(map, map_file);
-        record.map_digest = study::Digest().add_file(map_file).text();
-        record.scans = run.steps();
-        record.lines = run.filter().best_count(FeatureKind::line);
-        record.corners = run.filter().best_count(FeatureKind::corner);
-        if (const auto error = map_error(map, study.reference)) {
-            record.error_m = error->mean_m;
-            record.reference_found = error->reference_found;
-        }
-        if (const auto aligned = aligned_map_error(map, study.reference)) {
-            record.aligned_error_m = aligned->error.mean_m;
-        }
-        record.ok = true;
-        return record;
+        return study::measure_run(study, plan, number, run, stop_);
     }
 
     /// `part` of the task is done; with its record, all of it.
@@ -214,6 +202,10 @@ std::string missing_runs(const StudyPlan& plan, const std::vector<std::size_t>& 
                        missing.size() > kNamed ? ", …" : "");
 }
 
+void copy_whole(const fs::path& from, const fs::path& to) {
+    write_file(to, input::read_text(from));
+}
+
 /// Copies what the shard has finished of the plan's runs.
 void gather(const StudyLayout& layout, const StudyLayout& shard, const StudyPlan& plan) {
     for (std::size_t run = 0; run < plan.runs(); ++run) {
@@ -223,8 +215,11 @@ void gather(const StudyLayout& layout, const StudyLayout& shard, const StudyPlan
         const auto known = study::read_record(layout, plan, run);
         if (known && (known->ok || !record->ok)) continue;
         if (record->ok) {
-            write_file(study::map_file(layout, plan, run),
-                       input::read_text(study::map_file(shard, plan, run)));
+            copy_whole(study::map_file(shard, plan, run), study::map_file(layout, plan, run));
+            if (record->picture) {
+                copy_whole(study::grid_file(shard, plan, run), study::grid_file(layout, plan, run));
+                copy_whole(study::path_file(shard, plan, run), study::path_file(layout, plan, run));
+            }
         }
         study::write_record(layout, plan, run, *record);
     }
@@ -266,8 +261,10 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
     }
     if (options.tables && options.shard.whole()) {
         for (std::size_t s = 0; s < studies.size(); ++s) {
-            outcomes[s].plot_problem =
-                study::write_tables(studies[s].layout, outcomes[s].plan, outcomes[s].records);
+            StudyOutcome& outcome = outcomes[s];
+            const StudyLayout& layout = studies[s].layout;
+            outcome.plot_problem = study::write_tables(layout, outcome.plan, outcome.records);
+            outcome.picture_problem = study::write_pictures(layout, outcome.plan, outcome.records);
         }
     }
     return outcomes;
@@ -298,6 +295,7 @@ StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout>
     }
     outcome.reused = outcome.plan.runs() - outcome.failed;
     outcome.plot_problem = study::write_tables(layout, outcome.plan, outcome.records);
+    outcome.picture_problem = study::write_pictures(layout, outcome.plan, outcome.records);
     return outcome;
 }
 

@@ -24,7 +24,7 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr const char* kPlanFormat = "hitos-study 1";
+constexpr const char* kPlanFormat = "hitos-study 2";
 
 void make_folder(const fs::path& folder) {
     std::error_code error;
@@ -45,6 +45,19 @@ std::optional<double> optional_number(const ordered_json& value) {
 
 ordered_json json_of(const std::optional<double>& value) {
     return value ? ordered_json(*value) : ordered_json();
+}
+
+ordered_json json_of(const std::optional<StudyPicture>& picture) {
+    if (!picture) return {};
+    return {{"files", picture->digest},
+            {"x", picture->origin.x},
+            {"y", picture->origin.y},
+            {"m_per_pixel", picture->m_per_pixel}};
+}
+
+std::optional<StudyPicture> optional_picture(const ordered_json& json) {
+    if (json.is_null()) return std::nullopt;
+    return StudyPicture{json.at("files"), {json.at("x"), json.at("y")}, json.at("m_per_pixel")};
 }
 
 std::string dumped(const ordered_json& json) {
@@ -68,7 +81,9 @@ std::string plan_text(const StudyPlan& plan) {
                    {"setting", plan.setting},
                    {"digest", plan.digest},
                    {"reference_lines", plan.reference_lines},
-                   {"reference_corners", plan.reference_corners}});
+                   {"reference_corners", plan.reference_corners},
+                   {"grid", plan.grid},
+                   {"pictures", word_of(plan.pictures)}});
 }
 
 /// Whether the name is that of a temporary file (.hitos-<process>-…) whose writer is no more.
@@ -142,6 +157,22 @@ fs::path record_file(const StudyLayout& layout, const StudyPlan& plan, std::size
     return layout.file("runs") / (plan.file_stem(run) + ".json");
 }
 
+fs::path grid_file(const StudyLayout& layout, const StudyPlan& plan, std::size_t run) {
+    return layout.file("runs") / (plan.file_stem(run) + ".png");
+}
+
+fs::path path_file(const StudyLayout& layout, const StudyPlan& plan, std::size_t run) {
+    return layout.file("runs") / (plan.file_stem(run) + ".tum");
+}
+
+std::string picture_digest(const StudyLayout& layout, const StudyPlan& plan, std::size_t run) {
+    return Digest()
+        .add_file(grid_file(layout, plan, run))
+        .add("path")
+        .add_file(path_file(layout, plan, run))
+        .text();
+}
+
 void prepare(const StudyLayout& layout, const StudyPlan& plan) {
     make_folder(layout.folder);
     make_folder(layout.file("maps"));
@@ -171,6 +202,8 @@ StudyPlan read_plan(const StudyLayout& layout) {
         plan.digest = json.at("digest");
         plan.reference_lines = json.at("reference_lines");
         plan.reference_corners = json.at("reference_corners");
+        plan.grid = json.at("grid");
+        plan.pictures = parse_study_pictures(json.at("pictures").get<std::string>(), path.string());
         const bool whole =
             std::all_of(plan.axes.begin(), plan.axes.end(), [](const StudyPlan::Axis& axis) {
                 return axis.units.size() == axis.keys.size() && !axis.values.empty() &&
@@ -185,6 +218,20 @@ StudyPlan read_plan(const StudyLayout& layout) {
     }
 }
 
+namespace {
+
+bool has_picture(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
+                 const StudyRecord& record) {
+    // A grid without a cell that was seen gives neither.
+    if (!record.picture) return !record.blur_m2;
+    std::error_code ignored;
+    return fs::is_regular_file(grid_file(layout, plan, run), ignored) &&
+           fs::is_regular_file(path_file(layout, plan, run), ignored) &&
+           picture_digest(layout, plan, run) == record.picture->digest;
+}
+
+}  // namespace
+
 void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
                   const StudyRecord& record) {
     const ordered_json json{{"run", plan.run_digest(run)},
@@ -192,12 +239,17 @@ void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t 
                             {"problem", record.problem},
                             {"error_m", json_of(record.error_m)},
                             {"aligned_error_m", json_of(record.aligned_error_m)},
+                            {"trajectory_error_m", json_of(record.trajectory_error_m)},
+                            {"odometry_error_m", json_of(record.odometry_error_m)},
+                            {"blur_m2", json_of(record.blur_m2)},
                             {"lines", record.lines},
                             {"corners", record.corners},
                             {"reference_found", record.reference_found},
                             {"scans", record.scans},
                             {"seconds", record.seconds},
-                            {"map", record.map_digest}};
+                            {"cpu_seconds", record.cpu_seconds},
+                            {"map", record.map_digest},
+                            {"picture", json_of(record.picture)}};
     write_file(record_file(layout, plan, run), dumped(json));
 }
 
@@ -214,15 +266,23 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
         record.problem = json.at("problem");
         record.error_m = optional_number(json.at("error_m"));
         record.aligned_error_m = optional_number(json.at("aligned_error_m"));
+        record.trajectory_error_m = optional_number(json.at("trajectory_error_m"));
+        record.odometry_error_m = optional_number(json.at("odometry_error_m"));
+        record.blur_m2 = optional_number(json.at("blur_m2"));
         record.lines = json.at("lines");
         record.corners = json.at("corners");
         record.reference_found = json.at("reference_found");
         record.scans = json.at("scans");
         record.seconds = json.at("seconds");
+        record.cpu_seconds = json.at("cpu_seconds");
         record.map_digest = json.at("map");
+        record.picture = optional_picture(json.at("picture"));
         const fs::path map = map_file(layout, plan, run);
         if (record.ok &&
             (!fs::is_regular_file(map, ignored) || content_digest(map) != record.map_digest)) {
+            return std::nullopt;
+        }
+        if (record.ok && plan.pictured(run) && !has_picture(layout, plan, run, record)) {
             return std::nullopt;
         }
         return record;

@@ -36,6 +36,12 @@ std::filesystem::path map_file(const StudyLayout& layout, const StudyPlan& plan,
 std::filesystem::path record_file(const StudyLayout& layout, const StudyPlan& plan,
                                   std::size_t run);
 
+/// The run's grid map, as it is drawn on, and its path; of runs that are pictured.
+std::filesystem::path grid_file(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);
+std::filesystem::path path_file(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);
+/// What the record of a pictured run states of the two.
+std::string picture_digest(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);
+
 /// Makes the folders and the plan file. Throws FileError.
 void prepare(const StudyLayout& layout, const StudyPlan& plan);
 
@@ -46,7 +52,7 @@ void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t 
                   const StudyRecord& record);
 
 /// The run's record; nothing where there is none, where it is of other settings, or where its map
-/// is missing or changed: then the run must be done anew.
+/// or what its picture is drawn of is missing or changed: then the run must be done anew.
 std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPlan& plan,
                                        std::size_t run);
 

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
 
@@ -16,6 +17,9 @@ namespace hitos {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// In the enum's order.
+constexpr std::array<std::string_view, 3> kPictureWords{"none", "first", "all"};
 
 /// The value as the configuration writes it, so that 0.020 and 2e-2 are one value; as it stands
 /// where a key cannot take it (its runs will fail and say why).
@@ -40,7 +44,9 @@ StudyPlan::Axis axis_of(const StudyParameter& parameter, const Configuracion& co
     for (const std::string& key : parameter.keys) {
         const ConfigParameter& varied = find_parameter(key);
         if (varied.table() == "grid") {
-            throw ConfigError(key, "has no effect where no grid is drawn, as in studies");
+            throw ConfigError(key,
+                              "has no effect on a landmark map; a study draws grids only to "
+                              "measure and show its runs");
         }
         if (!can_be_varied(varied)) {
             throw ConfigError(parameter.name, key +
@@ -105,6 +111,8 @@ std::string digest_of(const Study& study, const StudyPlan& plan) {
     study::Digest digest;
     digest.add(version()).add(ArchivoConfiguracion::to_text(base)).add(study.setting);
     digest.add(map_to_text(study.reference));
+    if (study.reference_trajectory) digest.add(trajectory_to_text(*study.reference_trajectory));
+    if (plan.grid) digest.add("grid");
     std::vector<std::string> logs{study.configuration.source.file};
     for (const StudyPlan::Axis& axis : plan.axes) {
         const auto key = std::find(axis.keys.begin(), axis.keys.end(), "source.file");
@@ -128,6 +136,18 @@ void count_reference(const LandmarkMap& reference, StudyPlan& plan) {
 }
 
 }  // namespace
+
+std::string_view word_of(StudyPictures pictures) {
+    return kPictureWords.at(static_cast<std::size_t>(pictures));
+}
+
+StudyPictures parse_study_pictures(std::string_view word, const std::string& option) {
+    for (std::size_t i = 0; i < kPictureWords.size(); ++i) {
+        if (kPictureWords.at(i) == word) return static_cast<StudyPictures>(i);
+    }
+    throw ConfigError(option, fmt::format("found \"{}\", expected one of {}", word,
+                                          fmt::join(kPictureWords, ", ")));
+}
 
 StudyPlan plan_study(const Study& study) {
     check(study.configuration);
@@ -163,6 +183,8 @@ StudyPlan plan_study(const Study& study) {
     }
     check_effect(study.configuration, plan);
     count_reference(study.reference, plan);
+    plan.pictures = study.pictures;
+    plan.grid = study.reference.empty() || study.pictures != StudyPictures::none;
     plan.digest = digest_of(study, plan);
     return plan;
 }
@@ -198,13 +220,20 @@ std::vector<std::string> StudyPlan::keys() const {
     return keys;
 }
 
-std::string StudyPlan::label(std::size_t run) const {
-    const std::vector<std::size_t> place = places(cell_of(run));
-    std::string label;
+std::string StudyPlan::cell_label(std::size_t cell) const {
+    const std::vector<std::size_t> place = places(cell);
+    std::vector<std::string> words;
+    words.reserve(axes.size());
     for (std::size_t a = 0; a < axes.size(); ++a) {
-        label += fmt::format("{}={} ", axes[a].name, fmt::join(axes[a].values[place[a]], "/"));
+        words.push_back(
+            fmt::format("{}={}", axes[a].name, fmt::join(axes[a].values[place[a]], "/")));
     }
-    return label + fmt::format("seed {}", seed_of(run));
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
+std::string StudyPlan::label(std::size_t run) const {
+    const std::string cell = cell_label(cell_of(run));
+    return fmt::format("{}{}seed {}", cell, cell.empty() ? "" : " ", seed_of(run));
 }
 
 std::string StudyPlan::file_stem(std::size_t run) const {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 #include "hitos/services/maps/gnuplot.hpp"
 #include "hitos/services/study/study_abscissa.hpp"
@@ -20,8 +22,25 @@ struct Measure {
     std::optional<Spread> StudyCell::*spread;
 };
 
-constexpr std::array kMeasures = {Measure{"error", "map error (m)", &StudyCell::error_m},
-                                  Measure{"landmarks", "landmarks", &StudyCell::landmarks}};
+constexpr std::array kMeasures = {
+    Measure{"error", "map error (m)", &StudyCell::error_m},
+    Measure{"trajectory-error", "trajectory error (m)", &StudyCell::trajectory_error_m},
+    Measure{"blur", "blur of the grid map (m²)", &StudyCell::blur_m2},
+    Measure{"landmarks", "landmarks", &StudyCell::landmarks}};
+
+/// Whether the study asks for the measure: then a plot without a figure is worth a word.
+bool asked_for(const Measure& measure, const StudyPlan& plan) {
+    if (measure.spread == &StudyCell::landmarks) return true;
+    return measure.spread == &StudyCell::error_m && plan.has_reference();
+}
+
+/// Of an earlier study in the same folder that measured more.
+void remove_plots(const StudyLayout& layout, const std::string& stem) {
+    for (const char* extension : {".dat", ".gp", ".png", ".svg"}) {
+        std::error_code ignored;
+        std::filesystem::remove(layout.folder / (stem + extension), ignored);
+    }
+}
 
 std::size_t curves(const StudyPlan& plan) {
     return plan.axes.size() < 2 ? 1 : plan.axes[1].values.size();
@@ -93,7 +112,7 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
             "pointsize 0.7 title {}",
             gnuplot_quoted(stem + ".dat"), curve, gnuplot_quoted(title));
     }
-    if (measure.spread == &StudyCell::landmarks) {
+    if (measure.spread == &StudyCell::landmarks && plan.has_reference()) {
         plot += fmt::format(
             ", \\\n     {} with lines dashtype 2 linecolor 'black' title "
             "'in the reference'",
@@ -103,7 +122,8 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
     text +=
         fmt::format("set xlabel {} noenhanced\n", gnuplot_quoted(study_axis_label(plan.axes[0])));
     text += fmt::format("set ylabel '{}'\n", measure.label);
-    text += "set grid\nset key outside top center horizontal noenhanced\nset yrange [0:*]\n";
+    text += "set grid\nset key outside top center horizontal noenhanced\n";
+    text += "set yrange [0:*]\n";
     text += range(x);
     if (x.logarithmic || !x.numbers) text += tics(x);
     text += "set xtics noenhanced\n";
@@ -124,11 +144,15 @@ std::string write_plots(const StudyLayout& layout, const StudyPlan& plan,
     std::string problem;
     for (const Measure& measure : kMeasures) {
         const std::string stem = layout.prefix + measure.name;
-        const std::vector<PlotFile> files{{stem + ".dat", data_text(plan, cells, x, measure)},
-                                          {stem + ".gp", script_text(layout, plan, x, measure)}};
         const bool any = std::any_of(cells.begin(), cells.end(), [&](const StudyCell& cell) {
             return (cell.*measure.spread).has_value();
         });
+        if (!any && !asked_for(measure, plan)) {
+            remove_plots(layout, stem);
+            continue;
+        }
+        const std::vector<PlotFile> files{{stem + ".dat", data_text(plan, cells, x, measure)},
+                                          {stem + ".gp", script_text(layout, plan, x, measure)}};
         const std::vector<std::string> pictures{stem + ".png", stem + ".svg"};
         const std::string failure =
             draw_pictures(layout.folder, files, stem + ".gp", pictures,

@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 #include "hitos/services/study/study_result.hpp"
 
@@ -50,42 +52,83 @@ std::optional<double> variance_value(const std::optional<Spread>& spread) {
     return spread ? spread->variance : std::nullopt;
 }
 
-/// The columns of the tables for people, with the digits that the thesis prints.
+/// A column of the tables for people, with the digits that the thesis prints.
+struct Column {
+    const char* markdown;
+    const char* latex;
+    std::optional<Spread> StudyCell::*figures;
+    bool variance;  ///< of the figures, else their mean
+    int decimals;
+    bool of_reference;  ///< stands wherever there is a reference map, even without a figure
+};
+
+constexpr std::array kColumns = {
+    Column{"error (m)", "error (m)", &StudyCell::error_m, false, 3, true},
+    Column{"variance (m²)", "variance (m^2)", &StudyCell::error_m, true, 4, true},
+    Column{"aligned error (m)", "aligned (m)", &StudyCell::aligned_error_m, false, 3, true},
+    Column{"ATE (m)", "ATE (m)", &StudyCell::trajectory_error_m, false, 3, false},
+    Column{"odometry's ATE (m)", "odometry's ATE (m)", &StudyCell::odometry_error_m, false, 3,
+           false},
+    Column{"blur (m²)", "blur (m^2)", &StudyCell::blur_m2, false, 2, false},
+    Column{"landmarks", "landmarks", &StudyCell::landmarks, false, 1, true},
+    Column{"lines", "lines", &StudyCell::lines, false, 1, true},
+    Column{"corners", "corners", &StudyCell::corners, false, 1, true}};
+
+bool has_figures(std::span<const StudyCell> cells, std::optional<Spread> StudyCell::*figures) {
+    return std::ranges::any_of(cells, [&](const StudyCell& c) { return (c.*figures).has_value(); });
+}
+
 struct PrettyTable {
     std::vector<std::string> head;
     std::vector<std::vector<std::string>> rows;
 };
 
 PrettyTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells,
-                         const std::vector<std::string>& heads) {
+                         const char* Column::*name) {
     PrettyTable table;
     for (const StudyPlan::Axis& axis : plan.axes) {
         for (std::size_t i = 0; i < axis.keys.size(); ++i) {
-            const std::string& name = axis.keys.size() == 1 ? axis.name : axis.keys[i];
-            table.head.push_back(axis.units[i].empty() ? name : name + " (" + axis.units[i] + ")");
+            const std::string& key = axis.keys.size() == 1 ? axis.name : axis.keys[i];
+            table.head.push_back(axis.units[i].empty() ? key : key + " (" + axis.units[i] + ")");
         }
     }
-    table.head.insert(table.head.end(), heads.begin(), heads.end());
+    table.head.emplace_back("runs");
+    std::vector<Column> columns;
+    std::ranges::copy_if(kColumns, std::back_inserter(columns), [&](const Column& column) {
+        return (column.of_reference && plan.has_reference()) || has_figures(cells, column.figures);
+    });
+    for (const Column& column : columns) table.head.emplace_back(column.*name);
     for (const StudyCell& cell : cells) {
         std::vector<std::string> row = cell.texts;
         row.push_back(cell.failed == 0
                           ? fmt::format("{}", cell.finished)
                           : fmt::format("{} of {}", cell.finished, cell.finished + cell.failed));
-        row.push_back(rounded(mean_value(cell.error_m), 3));
-        row.push_back(rounded(variance_value(cell.error_m), 4));
-        row.push_back(rounded(mean_value(cell.aligned_error_m), 3));
-        row.push_back(rounded(mean_value(cell.landmarks), 1));
-        row.push_back(rounded(mean_value(cell.lines), 1));
-        row.push_back(rounded(mean_value(cell.corners), 1));
+        for (const Column& column : columns) {
+            const std::optional<Spread>& figures = cell.*column.figures;
+            row.push_back(rounded(column.variance ? variance_value(figures) : mean_value(figures),
+                                  column.decimals));
+        }
         table.rows.push_back(std::move(row));
     }
     return table;
 }
 
-std::string reference_sentence(const StudyPlan& plan) {
+std::string reference_sentence(const StudyPlan& plan, std::span<const StudyCell> cells) {
+    if (!plan.has_reference()) {
+        return std::string("Without a reference map.") +
+               (has_figures(cells, &StudyCell::trajectory_error_m) ? " ATE: error of the path."
+                                                                   : "") +
+               " Blur: undecided area of the grid map; lower is crisper.";
+    }
     return fmt::format("{} landmarks in the reference: {} lines, {} corners.",
                        plan.reference_lines + plan.reference_corners, plan.reference_lines,
                        plan.reference_corners);
+}
+
+/// For CSV files; empty where there is no reference map.
+std::string reference_count(const StudyPlan& plan) {
+    return plan.has_reference() ? fmt::format("{}", plan.reference_lines + plan.reference_corners)
+                                : "";
 }
 
 std::string escaped(const std::string& text, std::string_view special, std::string_view with) {
@@ -143,6 +186,9 @@ std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRec
         row.texts = plan.texts(cell);
         std::vector<double> errors;
         std::vector<double> aligned;
+        std::vector<double> paths;
+        std::vector<double> odometry;
+        std::vector<double> blur;
         std::vector<double> landmarks;
         std::vector<double> lines;
         std::vector<double> corners;
@@ -155,12 +201,18 @@ std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRec
             ++row.finished;
             if (record.error_m) errors.push_back(*record.error_m);
             if (record.aligned_error_m) aligned.push_back(*record.aligned_error_m);
+            if (record.trajectory_error_m) paths.push_back(*record.trajectory_error_m);
+            if (record.odometry_error_m) odometry.push_back(*record.odometry_error_m);
+            if (record.blur_m2) blur.push_back(*record.blur_m2);
             landmarks.push_back(record.lines + record.corners);
             lines.push_back(record.lines);
             corners.push_back(record.corners);
         }
         row.error_m = spread_of(errors);
         row.aligned_error_m = spread_of(aligned);
+        row.trajectory_error_m = spread_of(paths);
+        row.odometry_error_m = spread_of(odometry);
+        row.blur_m2 = spread_of(blur);
         row.landmarks = spread_of(landmarks);
         row.lines = spread_of(lines);
         row.corners = spread_of(corners);
@@ -174,7 +226,8 @@ std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
     std::vector<std::string> head = plan.keys();
     for (const char* name :
          {"seed", "status", "error_m", "aligned_error_m", "landmarks", "lines", "corners",
-          "reference_found", "reference_landmarks", "scans", "map", "problem"}) {
+          "reference_found", "reference_landmarks", "scans", "trajectory_error_m",
+          "odometry_error_m", "blur_m2", "map", "problem"}) {
         head.emplace_back(name);
     }
     std::string text = csv_line(std::move(head));
@@ -187,12 +240,15 @@ std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
                 row.end(),
                 {"ok", exact(record.error_m), exact(record.aligned_error_m),
                  fmt::format("{}", record.lines + record.corners), fmt::format("{}", record.lines),
-                 fmt::format("{}", record.corners), fmt::format("{}", record.reference_found),
-                 fmt::format("{}", plan.reference_lines + plan.reference_corners),
-                 fmt::format("{}", record.scans),
-                 layout.prefix + "maps/" + plan.file_stem(run) + ".map", ""});
+                 fmt::format("{}", record.corners),
+                 plan.has_reference() ? fmt::format("{}", record.reference_found) : std::string(),
+                 reference_count(plan), fmt::format("{}", record.scans),
+                 exact(record.trajectory_error_m), exact(record.odometry_error_m),
+                 exact(record.blur_m2), layout.prefix + "maps/" + plan.file_stem(run) + ".map",
+                 ""});
         } else {
-            row.insert(row.end(), {"failed", "", "", "", "", "", "", "", "", "", record.problem});
+            row.insert(row.end(),
+                       {"failed", "", "", "", "", "", "", "", "", "", "", "", "", record.problem});
         }
         text += csv_line(std::move(row));
     }
@@ -201,7 +257,7 @@ std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
 
 std::string timing_csv(const StudyPlan& plan, std::span<const StudyRecord> records) {
     std::vector<std::string> head = plan.keys();
-    head.insert(head.end(), {"seed", "seconds", "scans_per_second"});
+    head.insert(head.end(), {"seed", "seconds", "scans_per_second", "cpu_seconds"});
     std::string text = csv_line(std::move(head));
     for (std::size_t run = 0; run < records.size(); ++run) {
         const StudyRecord& record = records[run];
@@ -212,6 +268,7 @@ std::string timing_csv(const StudyPlan& plan, std::span<const StudyRecord> recor
             record.ok && record.seconds > 0.0
                 ? fmt::format("{:.1f}", static_cast<double>(record.scans) / record.seconds)
                 : "");
+        row.push_back(fmt::format("{:.6f}", record.cpu_seconds));
         text += csv_line(std::move(row));
     }
     return text;
@@ -219,11 +276,28 @@ std::string timing_csv(const StudyPlan& plan, std::span<const StudyRecord> recor
 
 std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells) {
     std::vector<std::string> head = plan.keys();
-    for (const char* name :
-         {"runs", "failed", "measured", "error_m", "error_variance_m2", "error_minimum_m",
-          "error_maximum_m", "aligned_error_m", "aligned_error_variance_m2", "landmarks",
-          "landmarks_variance", "lines", "lines_variance", "corners", "corners_variance",
-          "reference_landmarks"}) {
+    for (const char* name : {"runs",
+                             "failed",
+                             "measured",
+                             "error_m",
+                             "error_variance_m2",
+                             "error_minimum_m",
+                             "error_maximum_m",
+                             "aligned_error_m",
+                             "aligned_error_variance_m2",
+                             "landmarks",
+                             "landmarks_variance",
+                             "lines",
+                             "lines_variance",
+                             "corners",
+                             "corners_variance",
+                             "reference_landmarks",
+                             "trajectory_error_m",
+                             "trajectory_error_variance_m2",
+                             "odometry_error_m",
+                             "odometry_error_variance_m2",
+                             "blur_m2",
+                             "blur_variance_m4"}) {
         head.emplace_back(name);
     }
     std::string text = csv_line(std::move(head));
@@ -241,16 +315,19 @@ std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells)
             row.push_back(mean(*spread));
             row.push_back(variance(*spread));
         }
-        row.push_back(fmt::format("{}", plan.reference_lines + plan.reference_corners));
+        row.push_back(reference_count(plan));
+        for (const std::optional<Spread>* spread :
+             {&cell.trajectory_error_m, &cell.odometry_error_m, &cell.blur_m2}) {
+            row.push_back(mean(*spread));
+            row.push_back(variance(*spread));
+        }
         text += csv_line(std::move(row));
     }
     return text;
 }
 
 std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    const PrettyTable table = pretty_table(plan, cells,
-                                           {"runs", "error (m)", "variance (m²)",
-                                            "aligned error (m)", "landmarks", "lines", "corners"});
+    const PrettyTable table = pretty_table(plan, cells, &Column::markdown);
     const auto line = [](const std::vector<std::string>& fields) {
         std::string text = "|";
         for (const std::string& field : fields) text += " " + escaped(field, "|\\", "\\") + " |";
@@ -260,13 +337,11 @@ std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> c
     for (std::size_t i = 0; i < table.head.size(); ++i) text += "---:|";
     text += "\n";
     for (const std::vector<std::string>& row : table.rows) text += line(row);
-    return text + "\n" + reference_sentence(plan) + "\n";
+    return text + "\n" + reference_sentence(plan, cells) + "\n";
 }
 
 std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    const PrettyTable table = pretty_table(
-        plan, cells,
-        {"runs", "error (m)", "variance (m^2)", "aligned (m)", "landmarks", "lines", "corners"});
+    const PrettyTable table = pretty_table(plan, cells, &Column::latex);
     const auto line = [](const std::vector<std::string>& fields) {
         std::vector<std::string> cells_text;
         cells_text.reserve(fields.size());
@@ -278,7 +353,7 @@ std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cell
         fmt::format("\\begin{{tabular}}{{{}}}\n\\hline\n", std::string(table.head.size(), 'r'));
     text += line(table.head) + "\\hline\n";
     for (const std::vector<std::string>& row : table.rows) text += line(row);
-    return text + "\\hline\n\\end{tabular}\n% " + reference_sentence(plan) + "\n";
+    return text + "\\hline\n\\end{tabular}\n% " + reference_sentence(plan, cells) + "\n";
 }
 
 }  // namespace hitos

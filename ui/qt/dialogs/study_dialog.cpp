@@ -63,8 +63,8 @@ StudyDialog::StudyDialog(Session& session, UserFiles& files, Prompts& prompts, Q
     });
     connect(&runner_, &StudyRunner::finished, this, &StudyDialog::finish);
     connect(&runner_, &StudyRunner::failed, this, &StudyDialog::fail);
-    show_verdict(tr("Every value is run several times and every map is measured against the "
-                    "reference, exactly as hitos-cli study does it."),
+    show_verdict(tr("Every value is run several times and every map is measured, against the "
+                    "reference where there is one, exactly as hitos-cli study does it."),
                  "muted");
     show_state();
 }
@@ -165,6 +165,10 @@ void StudyDialog::finish(const StudyOutcome& outcome) {
         if (!outcome.plot_problem.empty()) {
             words << tr("No picture files of the plots: %1")
                          .arg(QString::fromStdString(outcome.plot_problem));
+        }
+        if (!outcome.picture_problem.empty()) {
+            words
+                << tr("No contact sheet: %1").arg(QString::fromStdString(outcome.picture_problem));
         }
         show_verdict(words.join('\n'), outcome.failed > 0 ? "error" : "good");
     }

@@ -104,6 +104,7 @@ void StudyForm::restore() {
     const QString loaded = session_.reference_map_file();
     ui_.reference->setText(QDir::toNativeSeparators(
         loaded.isEmpty() ? settings.value("study/reference").toString() : loaded));
+    ui_.pictures->setChecked(settings.value("study/pictures", false).toBool());
     const QString documents =
         QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/hitos-study";
     set_folder(settings.value("study/folder", documents).toString());
@@ -118,6 +119,7 @@ void StudyForm::remember() {
     settings.setValue("study/noise_kind", ui_.noise_kind->currentIndex());
     settings.setValue("study/threads", ui_.threads->value());
     settings.setValue("study/reference", ui_.reference->text());
+    settings.setValue("study/pictures", ui_.pictures->isChecked());
     settings.setValue("study/folder", ui_.folder->text());
 }
 
@@ -252,11 +254,7 @@ void StudyForm::read_seed(Study& study) {
 
 void StudyForm::read_reference(Study& study) {
     const QString path = ui_.reference->text().trimmed();
-    if (path.isEmpty()) {
-        set_error(*ui_.reference, *ui_.error_reference,
-                  tr("Choose the map to measure the error against."));
-        return;
-    }
+    if (path.isEmpty()) return;  // the paths and grids are measured then
     try {
         study.reference = read_map(path.toStdString());
     } catch (const Error& error) {
@@ -282,6 +280,8 @@ std::optional<StudyRequest> StudyForm::read() {
     read_seed(request.study);
     read_reference(request.study);
     read_folder(request.study);
+    request.study.reference_trajectory = session_.user_references().trajectory;
+    if (ui_.pictures->isChecked()) request.study.pictures = StudyPictures::first;
     const auto kind = static_cast<OdometryNoiseKind>(ui_.noise_kind->currentIndex());
     set_study_source(request.study, ui_.noise->value(), kind);
     if (first_wrong_ == nullptr) return request;

@@ -1680,10 +1680,6 @@
         <translation>&amp;Mapa de referencia</translation>
     </message>
     <message>
-        <source>The true landmarks, to measure every map against</source>
-        <translation>Los hitos verdaderos, con los que se mide cada mapa</translation>
-    </message>
-    <message>
         <source>Browse…</source>
         <translation>Examinar…</translation>
     </message>
@@ -1718,10 +1714,6 @@
     <message>
         <source>Stopping…</source>
         <translation>Deteniendo…</translation>
-    </message>
-    <message>
-        <source>Every value is run several times and every map is measured against the reference, exactly as hitos-cli study does it.</source>
-        <translation>Cada valor se ejecuta varias veces y cada mapa se mide con la referencia, exactamente como lo hace hitos-cli study.</translation>
     </message>
     <message>
         <source>The folder holds a study</source>
@@ -1803,6 +1795,26 @@
         <source>Plot saved: %1</source>
         <translation>Gráfica guardada: %1</translation>
     </message>
+    <message>
+        <source>The true landmarks, to measure every map against; without, the path (where the true one is known) and the grid map are measured</source>
+        <translation>Los hitos verdaderos, con los que se compara cada mapa; sin ellos se miden el recorrido (donde se conoce el verdadero) y el mapa de rejilla</translation>
+    </message>
+    <message>
+        <source>Pictures of the &amp;grid maps</source>
+        <translation>Imá&amp;genes de los mapas de rejilla</translation>
+    </message>
+    <message>
+        <source>The grid map of each value&apos;s first run, and all of them on one contact sheet</source>
+        <translation>El mapa de rejilla de la primera ejecución de cada valor, y todos juntos en una hoja de contactos</translation>
+    </message>
+    <message>
+        <source>Every value is run several times and every map is measured, against the reference where there is one, exactly as hitos-cli study does it.</source>
+        <translation>Cada valor se ejecuta varias veces y cada mapa se mide, con la referencia si la hay, exactamente como lo hace hitos-cli study.</translation>
+    </message>
+    <message>
+        <source>No contact sheet: %1</source>
+        <translation>Sin hoja de contactos: %1</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::StudyForm</name>
@@ -1851,10 +1863,6 @@
         <translation>Se espera un número entero, 0 o mayor.</translation>
     </message>
     <message>
-        <source>Choose the map to measure the error against.</source>
-        <translation>Elija el mapa con el que medir el error.</translation>
-    </message>
-    <message>
         <source>Choose a folder for the results.</source>
         <translation>Elija una carpeta para los resultados.</translation>
     </message>
@@ -1888,6 +1896,22 @@
     <message>
         <source>Save as image…</source>
         <translation>Guardar como imagen…</translation>
+    </message>
+    <message>
+        <source>Trajectory error (ATE) [m]: every run, mean and standard deviation</source>
+        <translation>Error del recorrido (ATE) [m]: cada ejecución, media y desviación típica</translation>
+    </message>
+    <message>
+        <source>Trajectory error: %1 m</source>
+        <translation>Error del recorrido: %1 m</translation>
+    </message>
+    <message>
+        <source>Blur of the grid map [m²]: every run, mean and standard deviation</source>
+        <translation>Borrosidad del mapa de rejilla [m²]: cada ejecución, media y desviación típica</translation>
+    </message>
+    <message>
+        <source>Blur: %1 m²</source>
+        <translation>Borrosidad: %1 m²</translation>
     </message>
 </context>
 <context>

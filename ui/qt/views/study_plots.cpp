@@ -31,6 +31,10 @@ QString with_spread(const Spread& spread, int decimals) {
     return mean + " ± " + QString::number(std::sqrt(*spread.variance), 'f', decimals);
 }
 
+QString landmarks_title() {
+    return StudyPlots::tr("Landmarks: every run, mean and standard deviation");
+}
+
 }  // namespace
 
 StudyPlots::StudyPlots(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
@@ -40,16 +44,39 @@ StudyPlots::StudyPlots(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
     plot_->setContextMenuPolicy(Qt::NoContextMenu);
-    error_ = make_measure(0, tr("Map error [m]: every run, mean and standard deviation"));
+    quality_ = make_measure(0, {});
     landmarks_ = make_measure(1, {});
     // Both share the parameter's axis, so their left edges must agree.
     auto* margins = new QCPMarginGroup(plot_);
-    for (const Measure* measure : {&error_, &landmarks_})
+    for (const Measure* measure : {&quality_, &landmarks_})
         measure->rect->setMarginGroup(QCP::msLeft, margins);
     connect(plot_, &QCustomPlot::mouseMove, this,
             [this](const QMouseEvent* event) { explain(event->pos()); });
     clear();
     restyle();
+}
+
+StudyPlots::Quality StudyPlots::quality_of(const StudyPlan& plan,
+                                           const std::vector<StudyCell>& cells) {
+    constexpr int kErrorDecimals = 4;
+    constexpr int kBlurDecimals = 2;
+    const auto any = [&](std::optional<Spread> StudyCell::*figures) {
+        return std::ranges::any_of(
+            cells, [&](const StudyCell& cell) { return (cell.*figures).has_value(); });
+    };
+    if (plan.has_reference()) {
+        return {&StudyCell::error_m, &StudyRecord::error_m,
+                tr("Map error [m]: every run, mean and standard deviation"), tr("Map error: %1 m"),
+                kErrorDecimals};
+    }
+    if (any(&StudyCell::trajectory_error_m)) {
+        return {&StudyCell::trajectory_error_m, &StudyRecord::trajectory_error_m,
+                tr("Trajectory error (ATE) [m]: every run, mean and standard deviation"),
+                tr("Trajectory error: %1 m"), kErrorDecimals};
+    }
+    return {&StudyCell::blur_m2, &StudyRecord::blur_m2,
+            tr("Blur of the grid map [m²]: every run, mean and standard deviation"),
+            tr("Blur: %1 m²"), kBlurDecimals};
 }
 
 StudyPlots::Measure StudyPlots::make_measure(int row, const QString& title) {
@@ -78,8 +105,8 @@ void StudyPlots::style(const Colours& c) {
     const QFont small = plot_font(font());
     plot_->setBackground(c.card);
     int row = 0;
-    for (const Measure* measure : {&error_, &landmarks_}) {
-        const QColor colour = measure == &error_ ? c.path : c.landmark;
+    for (const Measure* measure : {&quality_, &landmarks_}) {
+        const QColor colour = measure == &quality_ ? c.path : c.landmark;
         QColor faint = colour;
         faint.setAlpha(90);
         style_plot(*measure->rect, *title_of(*plot_, row++, 0), c, small);
@@ -95,14 +122,18 @@ void StudyPlots::style(const Colours& c) {
 
 void StudyPlots::clear() {
     cells_.clear();
-    for (const Measure* measure : {&error_, &landmarks_}) {
+    for (const Measure* measure : {&quality_, &landmarks_}) {
         for (QCPGraph* graph : {measure->runs, measure->means, measure->reference})
             graph->data()->clear();
         measure->spread->data()->clear();
         for (QCPAxis* axis : measure->rect->axes()) axis->setTickLabels(false);
         measure->rect->axis(QCPAxis::atBottom)->setLabel({});
     }
-    title_of(*plot_, 1, 0)->setText(tr("Landmarks: every run, mean and standard deviation"));
+    StudyPlan usual;
+    usual.reference_lines = 1;
+    shown_ = quality_of(usual, {});
+    title_of(*plot_, 0, 0)->setText(shown_.title);
+    title_of(*plot_, 1, 0)->setText(landmarks_title());
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -121,7 +152,7 @@ void StudyPlots::lay_out_axis(const StudyPlan::Axis& axis) {
     const auto places = static_cast<int>(x_.words.size());
     const bool slanted = named && places * (widest + kGap) > plot_->width() - kLeft;
     const int right = !named ? kRight : std::max(kRight, slanted ? widest : widest / 2);
-    for (const Measure* measure : {&error_, &landmarks_}) {
+    for (const Measure* measure : {&quality_, &landmarks_}) {
         QCPAxis* bottom = measure->rect->axis(QCPAxis::atBottom);
         measure->rect->setMinimumMargins(QMargins(kLeft, kTop, right, kBottom));
         bottom->setScaleType(x_.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
@@ -178,39 +209,47 @@ void StudyPlots::draw(const Measure& measure, std::optional<Spread> StudyCell::*
 
 void StudyPlots::show_results(const StudyPlan& plan, const std::vector<StudyRecord>& records) {
     cells_ = summarize(plan, records);
+    shown_ = quality_of(plan, cells_);
+    title_of(*plot_, 0, 0)->setText(shown_.title);
     lay_out_axis(plan.axes.front());
-    for (const Measure* measure : {&error_, &landmarks_}) measure->runs->data()->clear();
+    for (const Measure* measure : {&quality_, &landmarks_}) measure->runs->data()->clear();
     for (std::size_t run = 0; run < records.size(); ++run) {
         const StudyRecord& record = records[run];
         if (!record.ok) continue;
         const double x = x_.positions[plan.cell_of(run)];
-        if (record.error_m) error_.runs->addData(x, *record.error_m);
+        if (const std::optional<double>& figure = record.*shown_.run) {
+            quality_.runs->addData(x, *figure);
+        }
         landmarks_.runs->addData(x, record.lines + record.corners);
     }
     const int known = plan.reference_lines + plan.reference_corners;
     const QCPRange range = landmarks_.rect->axis(QCPAxis::atBottom)->range();
-    landmarks_.reference->setData({range.lower, range.upper},
-                                  {static_cast<double>(known), static_cast<double>(known)});
-    title_of(*plot_, 1, 0)
-        ->setText(
-            tr("Landmarks: every run, mean and standard deviation; dashed: %1 in the reference")
-                .arg(known));
-    draw(error_, &StudyCell::error_m);
+    landmarks_.reference->data()->clear();
+    title_of(*plot_, 1, 0)->setText(landmarks_title());
+    if (plan.has_reference()) {
+        landmarks_.reference->setData({range.lower, range.upper},
+                                      {static_cast<double>(known), static_cast<double>(known)});
+        title_of(*plot_, 1, 0)
+            ->setText(
+                tr("Landmarks: every run, mean and standard deviation; dashed: %1 in the reference")
+                    .arg(known));
+    }
+    draw(quality_, shown_.cell);
     draw(landmarks_, &StudyCell::landmarks);
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void StudyPlots::explain(const QPoint& place) {
     constexpr double kNear = 24.0;
-    for (const Measure* measure : {&error_, &landmarks_}) {
+    for (const Measure* measure : {&quality_, &landmarks_}) {
         if (!measure->rect->rect().contains(place)) continue;
         const QCPAxis* bottom = measure->rect->axis(QCPAxis::atBottom);
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             if (std::abs(bottom->coordToPixel(x_.positions[i]) - place.x()) > kNear) continue;
             QStringList lines{QString::fromStdString(x_.words[i]),
                               tr("Runs: %1").arg(cells_[i].finished)};
-            if (cells_[i].error_m)
-                lines << tr("Map error: %1 m").arg(with_spread(*cells_[i].error_m, 4));
+            if (const std::optional<Spread>& figures = cells_[i].*shown_.cell)
+                lines << shown_.figure.arg(with_spread(*figures, shown_.decimals));
             if (cells_[i].landmarks)
                 lines << tr("Landmarks: %1").arg(with_spread(*cells_[i].landmarks, 1));
             QToolTip::showText(plot_->mapToGlobal(place), lines.join('\n'), plot_);
@@ -254,7 +293,11 @@ QByteArray StudyPlots::pdf() {
 }
 
 int StudyPlots::means() const {
-    return error_.means->data()->size();
+    return quality_.means->data()->size();
+}
+
+QString StudyPlots::quality_title() const {
+    return title_of(*plot_, 0, 0)->text();
 }
 
 void StudyPlots::contextMenuEvent(QContextMenuEvent* event) {

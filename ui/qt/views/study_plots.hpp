@@ -3,7 +3,9 @@
 
 #include <QByteArray>
 #include <QImage>
+#include <QString>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "app/theme.hpp"
@@ -17,8 +19,9 @@ class QCustomPlot;
 
 namespace hitos::window {
 
-/// Error of the map and number of landmarks against the parameter's values: every run, mean and
-/// standard deviation, and how many landmarks the reference has.
+/// Quality and number of landmarks against the parameter's values: every run, mean and
+/// standard deviation, and how many landmarks the reference has. Quality is the error of the map;
+/// without a reference the error of the path; where that is unknown too, the blur of the grid map.
 class StudyPlots final : public QWidget {
     Q_OBJECT
 
@@ -35,8 +38,10 @@ class StudyPlots final : public QWidget {
     QImage picture(double scale);
     QByteArray pdf();
 
-    /// Values that have a mean error, for tests.
+    /// Values that have a mean quality, for tests.
     int means() const;
+    /// What is written over the plot of the quality, for tests.
+    QString quality_title() const;
 
   signals:
     void picture_wanted();
@@ -45,6 +50,14 @@ class StudyPlots final : public QWidget {
     void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
+    /// What the upper plot shows.
+    struct Quality {
+        std::optional<Spread> StudyCell::*cell = &StudyCell::error_m;
+        std::optional<double> StudyRecord::*run = &StudyRecord::error_m;
+        QString title;
+        QString figure;  ///< with %1 for mean and deviation
+        int decimals = 4;
+    };
     struct Measure {
         QCPAxisRect* rect = nullptr;
         QCPGraph* runs = nullptr;
@@ -53,6 +66,7 @@ class StudyPlots final : public QWidget {
         QCPGraph* reference = nullptr;
     };
 
+    static Quality quality_of(const StudyPlan& plan, const std::vector<StudyCell>& cells);
     Measure make_measure(int row, const QString& title);
     void style(const Colours& colours);
     void lay_out_axis(const StudyPlan::Axis& axis);
@@ -62,7 +76,8 @@ class StudyPlots final : public QWidget {
     void in_light_colours(Draw draw);
 
     QCustomPlot* plot_;
-    Measure error_;
+    Quality shown_;
+    Measure quality_;
     Measure landmarks_;
     StudyAbscissa x_;
     std::vector<StudyCell> cells_;

@@ -10,22 +10,48 @@
 
 namespace hitos {
 
+/// A grey picture of a place, and where the place lies.
+struct MapImage {
+    Grid::Picture picture;
+    Point2 origin;  ///< world coordinates of the lower left corner [m]
+    double m_per_pixel = 0.05;
+};
+
+/// The picture with at most `longest_side` > 0 pixels a side: where it has more, n x n of them
+/// become one, occupied where one of them is.
+MapImage shrunk(MapImage image, int longest_side);
+/// The grid, a pixel a cell.
+MapImage map_image(const Grid& grid);
+
+/// How the two ends of a path are marked.
+enum class PathMarks {
+    discs,          ///< start a green disc, end a blue one
+    cross_and_ring  ///< start a green X, end a blue O, as in the thesis
+};
+
 struct PictureStyle {
     int scale = 1;             ///< pixels per cell, 1 … kGreatestPictureScale
-    std::vector<Point2> path;  ///< world [m]; drawn in red, start a green disc, end a blue one
+    std::vector<Point2> path;  ///< world [m]; drawn in red
     bool scale_bar = false;    ///< a bar of a round length, with that length in words
+    PathMarks marks = PathMarks::discs;
 };
 inline constexpr int kGreatestPictureScale = 64;
 
 /// The picture as the content of a file: "png" or "jpg" ("jpeg"). Grey without a path, else in
 /// colours. Throws ConfigError for another kind or scale, and Error where there is nothing to draw
 /// or the kind cannot hold a picture of that size.
+std::string encode_picture(const MapImage& map, const PictureStyle& style, std::string_view kind);
 std::string encode_picture(const Grid& grid, const PictureStyle& style, std::string_view kind);
 std::string encode_picture(const Grid::Picture& picture, std::string_view kind);
 
 /// Writes encode_picture() atomically; the path's extension (.png, .jpg, .jpeg, in any case) says
 /// the kind. Throws FileError for another extension and for every reason of encode_picture().
+void write_picture(const MapImage& map, const PictureStyle& style,
+                   const std::filesystem::path& path);
 void write_picture(const Grid& grid, const PictureStyle& style, const std::filesystem::path& path);
 void write_picture(const Grid::Picture& picture, const std::filesystem::path& path);
+
+/// Reads a PNG or JPG as grey. Throws FileError or FormatError.
+Grid::Picture read_grey_picture(const std::filesystem::path& path);
 
 }  // namespace hitos

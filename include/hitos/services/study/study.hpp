@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/services/study/study_result.hpp"
 #include "hitos/services/study/study_shard.hpp"
 #include "hitos/services/study/study_values.hpp"
@@ -32,7 +34,12 @@ using StudySource = std::function<std::unique_ptr<TourReader>(const StudyJob&)>;
 /// What to do. A study is a value; several of them can be run at one go.
 struct Study {
     Configuracion configuration;
-    LandmarkMap reference;
+    LandmarkMap reference;  ///< empty: none; runs are then measured by their paths and grids
+    /// The true path, in any frame, of the log's clock. Where it is not given, the tour is asked.
+    std::optional<Trajectory> reference_trajectory;
+    /// Grids are drawn, and their blur measured, where pictures are asked for or there is no
+    /// reference map: they cost about a fifth of a run of 100 particles.
+    StudyPictures pictures = StudyPictures::none;
     std::vector<StudyParameter> parameters;  ///< none, one or two
     std::uint64_t first_seed = 1;
     int seeds = 5;
@@ -86,8 +93,9 @@ struct StudyOutcome {
     std::size_t computed = 0;
     std::size_t reused = 0;
     std::size_t failed = 0;
-    bool stopped = false;      ///< before every run was done: there are no tables and plots
-    std::string plot_problem;  ///< why there are no plots; empty where there are, and for shards
+    bool stopped = false;         ///< before every run was done: there are no tables and plots
+    std::string plot_problem;     ///< why there are no plots; empty where there are, and for shards
+    std::string picture_problem;  ///< likewise of the contact sheet
 };
 
 /// Runs what is not yet done of every study, spreading all runs over the threads, each run on one

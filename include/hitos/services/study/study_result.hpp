@@ -6,8 +6,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "hitos/base/geometry.hpp"
 #include "hitos/services/study/study_values.hpp"
 
 namespace hitos {
@@ -29,6 +31,16 @@ StudyLayout study_in_folder(const std::filesystem::path& folder);
 /// its stem. Throws FileError for a path that names a folder or no file.
 StudyLayout study_beside(const std::filesystem::path& quality_file);
 
+/// Which runs' grid maps are kept as pictures.
+enum class StudyPictures {
+    none,
+    first,  ///< of every value the run with the first seed
+    all
+};
+/// "none", "first" or "all"; the other way throws ConfigError under the name `option`.
+std::string_view word_of(StudyPictures pictures);
+StudyPictures parse_study_pictures(std::string_view word, const std::string& option);
+
 /// The runs of a study: values (of no, one or two parameters) times seeds. Runs are numbered from
 /// 0, values of the first parameter slowest and seeds fastest.
 struct StudyPlan {
@@ -48,7 +60,15 @@ struct StudyPlan {
     std::string digest;   ///< of all that decides a result, but for values and seeds
     int reference_lines = 0;
     int reference_corners = 0;
+    bool grid = false;  ///< every run draws the grid of its best particle and measures it
+    StudyPictures pictures = StudyPictures::none;
 
+    bool has_reference() const { return reference_lines + reference_corners > 0; }
+    /// Whether the run's grid map is kept as a picture.
+    bool pictured(std::size_t run) const {
+        return pictures == StudyPictures::all ||
+               (pictures == StudyPictures::first && seed_of(run) == first_seed);
+    }
     /// A cell is one value of each parameter.
     std::size_t cells() const;
     std::size_t runs() const { return cells() * static_cast<std::size_t>(seeds); }
@@ -63,6 +83,8 @@ struct StudyPlan {
     std::vector<std::string> keys() const;
     /// "dmax=0.02 seed 3", for people.
     std::string label(std::size_t run) const;
+    /// "dmax=0.02 p=5"; empty for a study without parameter.
+    std::string cell_label(std::size_t cell) const;
     /// "dmax-0.02-s3": the stem of the run's files, different for every run.
     std::string file_stem(std::size_t run) const;
     /// What a run's record must state to be this run's result.
@@ -71,18 +93,31 @@ struct StudyPlan {
     friend bool operator==(const StudyPlan&, const StudyPlan&) = default;
 };
 
+/// A run's grid map, as its files hold it.
+struct StudyPicture {
+    std::string digest;  ///< of the files of map and path
+    Point2 origin;       ///< of the picture's lower left corner [m]
+    double m_per_pixel = 0.0;
+};
+
 /// The result of one run.
 struct StudyRecord {
     bool ok = false;
     std::string problem;                    ///< why it failed
     std::optional<double> error_m;          ///< nothing where no landmark could be compared
     std::optional<double> aligned_error_m;  ///< after the best rigid motion of the map
+    /// ATE of the best particle's path and of the odometry; nothing where the true path is unknown.
+    std::optional<double> trajectory_error_m;
+    std::optional<double> odometry_error_m;
+    std::optional<double> blur_m2;  ///< grid_blur_m2() of the best particle's grid
     int lines = 0;
     int corners = 0;
     int reference_found = 0;
     std::uint64_t scans = 0;
-    double seconds = 0.0;    ///< wall time: the one figure that is not reproducible
-    std::string map_digest;  ///< of the map file
+    double seconds = 0.0;      ///< wall time; these two are not reproducible
+    double cpu_seconds = 0.0;  ///< of the run's thread, which other programs hardly lengthen
+    std::string map_digest;    ///< of the map file
+    std::optional<StudyPicture> picture;
 };
 
 /// Mean and spread of a figure over runs.
@@ -103,6 +138,9 @@ struct StudyCell {
     int failed = 0;
     std::optional<Spread> error_m;
     std::optional<Spread> aligned_error_m;
+    std::optional<Spread> trajectory_error_m;
+    std::optional<Spread> odometry_error_m;
+    std::optional<Spread> blur_m2;
     std::optional<Spread> landmarks;
     std::optional<Spread> lines;
     std::optional<Spread> corners;

@@ -199,5 +199,63 @@ TEST(WritePicture, ErrorsNameTheFileAndLeaveWhatWasThere) {
     EXPECT_EQ(folder.files(), 1U);
 }
 
+TEST(PictureFile, ShrunkPicturesKeepThinWallsAndTheirPlace) {
+    // 5 x 4 pixels from the top: a wall in the second column, unknown in the last one.
+    MapImage image;
+    image.origin = {2.0, -1.0};
+    image.m_per_pixel = 0.5;
+    image.picture = {5, 4, {}};
+    for (int row = 0; row < 4; ++row) {
+        for (const std::uint8_t grey : {std::uint8_t{255}, std::uint8_t{0}, std::uint8_t{255},
+                                        std::uint8_t{201}, kUnknownGrey})
+            image.picture.grey.push_back(grey);
+    }
+    const MapImage same = shrunk(image, 5);
+    EXPECT_EQ(same.picture.grey, image.picture.grey);
+    const MapImage small = shrunk(image, 3);
+    EXPECT_EQ(small.m_per_pixel, 1.0);
+    EXPECT_EQ(small.origin.x, 2.0);
+    EXPECT_EQ(small.origin.y, -1.0);
+    EXPECT_EQ(small.picture.width, 3);
+    EXPECT_EQ(small.picture.height, 2);
+    EXPECT_EQ(small.picture.grey,
+              (std::vector<std::uint8_t>{0, 228, kUnknownGrey, 0, 228, kUnknownGrey}));
+    // An odd row is left over at the top, away from the origin.
+    image.picture.height = 3;
+    image.picture.grey.resize(15);
+    std::fill_n(image.picture.grey.begin(), 5, std::uint8_t{255});
+    const MapImage odd = shrunk(image, 3);
+    EXPECT_EQ(odd.picture.grey, (std::vector<std::uint8_t>{255, 255, 255, 0, 228, kUnknownGrey}));
+}
+
+TEST(PictureFile, GreyPicturesAreReadBackAsTheyWere) {
+    const TempFolder folder;
+    const Grid::Picture picture = grid_map().picture();
+    write_picture(picture, folder / "map.png");
+    const Grid::Picture read = read_grey_picture(folder / "map.png");
+    EXPECT_EQ(read.width, picture.width);
+    EXPECT_EQ(read.height, picture.height);
+    EXPECT_EQ(read.grey, picture.grey);
+    EXPECT_THAT(message_of<FileError>([&] { read_grey_picture(folder / "none.png"); }),
+                HasSubstr("none.png"));
+    folder.put("text.png", "no picture");
+    EXPECT_THAT(message_of<FormatError>([&] { read_grey_picture(folder / "text.png"); }),
+                HasSubstr("is no picture; expected a PNG or JPG"));
+}
+
+TEST(PictureFile, EndsOfThePathCanBeMarkedByCrossAndRing) {
+    PictureStyle style;
+    style.scale = 4;
+    style.path = {{2.0, 2.0}, {8.0, 6.0}};
+    style.marks = PathMarks::cross_and_ring;
+    const cv::Mat image = decoded(encode_picture(grid_map(), style, "png"));
+    const auto pixel = [&](double x, double y) {
+        return at(image, static_cast<int>(x * 8.0), image.rows - 1 - static_cast<int>(y * 8.0));
+    };
+    EXPECT_EQ(pixel(2.0, 2.0), cv::Vec3b(0, 160, 0)) << "the arms of the cross meet there";
+    const cv::Vec3b inside = pixel(8.0, 6.5);
+    EXPECT_NEAR(inside[0], inside[2], 40) << "grey, for a ring is no blue disc";
+}
+
 }  // namespace
 }  // namespace hitos

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
 
 #include "hitos/services/study/study_result.hpp"
@@ -37,6 +38,7 @@ StudyRecord run(double error, int lines, int corners) {
     record.corners = corners;
     record.scans = 100;
     record.seconds = 0.5;
+    record.cpu_seconds = 0.25;
     return record;
 }
 
@@ -88,11 +90,12 @@ TEST(StudyTables, FailedRunsAreListedAndCountedButNotInTheMeans) {
                                            failure("bad, \"quoted\"\nthing"), run(0.5, 6, 4)};
     EXPECT_EQ(quality_csv(study_beside("out/q.csv"), plan, records),
               "split_merge.dmax,seed,status,error_m,aligned_error_m,landmarks,lines,corners,"
-              "reference_found,reference_landmarks,scans,map,problem\n"
-              "0.01,1,ok,0.1,0.05,8,4,4,0,8,100,q-maps/dmax-0.01-s1.map,\n"
-              "0.01,2,ok,0.2,0.1,6,4,2,0,8,100,q-maps/dmax-0.01-s2.map,\n"
-              "0.1,1,failed,,,,,,,,,,\"bad, \"\"quoted\"\" thing\"\n"
-              "0.1,2,ok,0.5,0.25,10,6,4,0,8,100,q-maps/dmax-0.1-s2.map,\n");
+              "reference_found,reference_landmarks,scans,trajectory_error_m,odometry_error_m,"
+              "blur_m2,map,problem\n"
+              "0.01,1,ok,0.1,0.05,8,4,4,0,8,100,,,,q-maps/dmax-0.01-s1.map,\n"
+              "0.01,2,ok,0.2,0.1,6,4,2,0,8,100,,,,q-maps/dmax-0.01-s2.map,\n"
+              "0.1,1,failed,,,,,,,,,,,,,\"bad, \"\"quoted\"\" thing\"\n"
+              "0.1,2,ok,0.5,0.25,10,6,4,0,8,100,,,,q-maps/dmax-0.1-s2.map,\n");
     const std::vector<StudyCell> cells = summarize(plan, records);
     ASSERT_EQ(cells.size(), 2U);
     EXPECT_EQ(cells[1].finished, 1);
@@ -107,8 +110,8 @@ TEST(StudyTables, FailedRunsAreListedAndCountedButNotInTheMeans) {
     EXPECT_THAT(summary_latex(plan, cells), HasSubstr("0.1 & 1 of 2 & 0.500 & -- & 0.250"));
     EXPECT_THAT(summary_latex(plan, cells), HasSubstr("variance (m$^2$)"));
     EXPECT_THAT(summary_csv(plan, cells),
-                HasSubstr("\n0.1,1,1,1,0.5,,0.5,0.5,0.25,,10,,6,,4,,8\n"));
-    EXPECT_THAT(timing_csv(plan, records), HasSubstr("\n0.01,1,0.500000,200.0\n"));
+                HasSubstr("\n0.1,1,1,1,0.5,,0.5,0.5,0.25,,10,,6,,4,,8,,,,,,\n"));
+    EXPECT_THAT(timing_csv(plan, records), HasSubstr("\n0.01,1,0.500000,200.0,0.250000\n"));
 }
 
 TEST(StudyTables, ARunWithoutComparableLandmarksCountsAsRunOnly) {
@@ -123,7 +126,47 @@ TEST(StudyTables, ARunWithoutComparableLandmarksCountsAsRunOnly) {
     EXPECT_EQ(cells[0].error_m->mean, 0.3);
     EXPECT_EQ(cells[0].landmarks->mean, 4.0);
     EXPECT_THAT(quality_csv(study_in_folder("out"), plan, records),
-                HasSubstr("\n1,ok,,,0,0,0,0,8,100,"));
+                HasSubstr("\n1,ok,,,0,0,0,0,8,100,,,,"));
+}
+
+TEST(StudyTables, WithoutReferencePathsAndBlurStandInItsPlace) {
+    StudyPlan plan = plan_of({dmax_axis()}, 2);
+    plan.reference_lines = 0;
+    plan.reference_corners = 0;
+    const auto measured = [](std::optional<double> ate, double blur) {
+        StudyRecord record = run(0.0, 5, 2);
+        record.error_m.reset();
+        record.aligned_error_m.reset();
+        record.trajectory_error_m = ate;
+        if (ate) record.odometry_error_m = 2.5;
+        record.blur_m2 = blur;
+        return record;
+    };
+    const std::vector<StudyRecord> records{measured(0.25, 0.5), measured(0.75, 0.25),
+                                           measured(1.5, 0.125), failure("x")};
+    EXPECT_THAT(quality_csv(study_in_folder("out"), plan, records),
+                HasSubstr("\n0.01,1,ok,,,7,5,2,,,100,0.25,2.5,0.5,maps/dmax-0.01-s1.map,\n"));
+    EXPECT_EQ(summary_markdown(plan, summarize(plan, records)),
+              "| dmax (m) | runs | ATE (m) | odometry's ATE (m) | blur (m²) | landmarks | lines | "
+              "corners |\n|---:|---:|---:|---:|---:|---:|---:|---:|\n"
+              "| 0.01 | 2 | 0.500 | 2.500 | 0.38 | 7.0 | 5.0 | 2.0 |\n"
+              "| 0.1 | 1 of 2 | 1.500 | 2.500 | 0.12 | 7.0 | 5.0 | 2.0 |\n\n"
+              "Without a reference map. ATE: error of the path. Blur: undecided area of the "
+              "grid map; lower is crisper.\n");
+    EXPECT_THAT(summary_csv(plan, summarize(plan, records)),
+                HasSubstr("\n0.01,2,0,0,,,,,,,7,0,5,0,2,0,,0.5,0.125,2.5,0,0.375,0.03125\n"));
+    const TempFolder folder;
+    folder.put("error.png", "of an earlier study, which had a reference");
+    study::write_plots(study_in_folder(folder.path()), plan, summarize(plan, records));
+    EXPECT_THAT(content(folder / "trajectory-error.dat"), HasSubstr("\n0.01 0.5 "));
+    EXPECT_THAT(content(folder / "blur.dat"), HasSubstr("\n0.01 0.375 "));
+    EXPECT_THAT(content(folder / "landmarks.gp"), Not(HasSubstr("in the reference")));
+    EXPECT_FALSE(std::filesystem::exists(folder / "error.png"));
+    // A log without a true path has only its grid.
+    const std::vector<StudyRecord> blind(4, measured(std::nullopt, 0.5));
+    EXPECT_THAT(summary_latex(plan, summarize(plan, blind)), Not(HasSubstr("ATE")));
+    study::write_plots(study_in_folder(folder.path()), plan, summarize(plan, blind));
+    EXPECT_FALSE(std::filesystem::exists(folder / "trajectory-error.dat"));
 }
 
 TEST(StudyTables, PlotsDrawOneCurveForEachSecondValue) {

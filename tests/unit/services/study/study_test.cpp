@@ -3,13 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <atomic>
-#include <map>
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/open_source.hpp"
-#include "support.hpp"
+#include "study_fixture.hpp"
 
 namespace hitos {
 namespace {
@@ -17,62 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::content;
 using test::message_of;
-using test::TempFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-/// A robot that drives 3 m between the walls x = 4 and y = 2 and sees both.
-std::string small_log() {
-    std::string text;
-    for (int i = 0; i <= 30; ++i) {
-        const double time = 0.1 * i;
-        const double x = 0.1 * i;
-        text += "ODOM " + std::to_string(time) + (i == 0 ? " 0 0\n" : " 1 0\n");
-        text += "LASER " + std::to_string(time) + " 60";
-        for (int k = 0; k < 30; ++k)
-            text += " " + std::to_string(4.0 - x) + " " + std::to_string(-1.0 + 0.1 * k);
-        for (int k = 0; k < 30; ++k) text += " " + std::to_string(3.95 - x - 0.1 * k) + " 2";
-        text += "\n";
-    }
-    return text;
-}
-
-/// A study of the small log in a folder of its own.
-class StudyTest : public ::testing::Test {
-  protected:
-    Study study(const std::string& out) const {
-        Study study;
-        study.configuration.source.file = log_.string();
-        study.configuration.filter.particles = 10;
-        study.configuration.extraction.lines.min_points = 5;
-        study.reference = parse_map("rho: 4 theta: 0\nrho: 2 theta: 90\nx: 4 y: 2\n", "reference");
-        study.parameters = {parse_study_parameter("dmax=0.02,0.05"),
-                            parse_study_parameter("p=2,3")};
-        study.seeds = 3;
-        study.layout = study_in_folder(folder_ / out);
-        return study;
-    }
-
-    static StudyOutcome run(const Study& study, StudyOptions options = {}) {
-        if (options.threads == 0) options.threads = 1;
-        return std::move(run_studies({&study, 1}, options).front());
-    }
-
-    /// Every file's content but for the times, by its name.
-    std::map<std::string, std::string> files(const std::string& out) const {
-        std::map<std::string, std::string> files;
-        for (const auto& entry : fs::recursive_directory_iterator(folder_ / out)) {
-            const std::string name = fs::relative(entry.path(), folder_ / out).string();
-            if (entry.is_regular_file() && name != "timing.csv" && !name.starts_with("runs/")) {
-                files[name] = content(entry.path());
-            }
-        }
-        return files;
-    }
-
-    TempFolder folder_;
-    fs::path log_ = folder_.put("small.log", small_log());
-};
 
 TEST_F(StudyTest, ARunOfAStudyIsTheRunThatAlgoritmoDoes) {
     const StudyOutcome outcome = run(study("out"));
@@ -275,7 +220,7 @@ TEST_F(StudyTest, WhatNoRunCouldDoEndsTheStudyAtOnce) {
                 HasSubstr("2 components, expected 1"));
     EXPECT_THAT(message(vary("dmax=0.01,1e-2")), HasSubstr("the value 0.01 is given twice"));
     EXPECT_THAT(message(vary("run.seed=1,2")), HasSubstr("set by the study itself"));
-    EXPECT_THAT(message(vary("grid.hit=1,2")), HasSubstr("has no effect where no grid"));
+    EXPECT_THAT(message(vary("grid.hit=1,2")), HasSubstr("has no effect on a landmark map"));
     EXPECT_THAT(message([&](Study& s) {
                     s.configuration.filter.motion.model = "proportional";
                     vary("mov=1/1/1")(s);
@@ -310,7 +255,7 @@ TEST_F(StudyTest, FilesThatCannotBeReadOrWrittenAreNamed) {
                 HasSubstr("is a folder; expected the path of the quality file"));
     folder_.put("study.json", R"({"format": "else"})");
     EXPECT_THAT(message_of<FormatError>([&] { merge_study(study_in_folder(folder_.path())); }),
-                HasSubstr("study.json: expected format hitos-study 1"));
+                HasSubstr("study.json: expected format hitos-study 2"));
     folder_.put("study.json", "[");
     EXPECT_THAT(message_of<FormatError>([&] { merge_study(study_in_folder(folder_.path())); }),
                 HasSubstr("is no plan of a study"));

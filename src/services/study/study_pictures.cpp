@@ -1,0 +1,128 @@
+#include "hitos/services/study/study_pictures.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include "hitos/base/error.hpp"
+#include "hitos/services/maps/contact_sheet.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
+#include "study_files.hpp"
+#include "study_pictures.hpp"
+
+namespace hitos::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLongestTile = 600;  // pixels a side: more than a sheet shows, so that many fit
+
+/// A small map is drawn larger, so that its path and marks do not hide it.
+int scale_of(const MapImage& map) {
+    constexpr int kWanted = 800;  // pixels of the longer side
+    constexpr int kMost = 4;
+    return std::clamp(kWanted / std::max({map.picture.width, map.picture.height, 1}), 1, kMost);
+}
+
+/// The value, then what was measured.
+std::vector<std::string> caption_of(const StudyPlan& plan, std::size_t run,
+                                    const StudyRecord& record) {
+    std::string first = plan.cell_label(plan.cell_of(run));
+    if (first.empty() || plan.pictures == StudyPictures::all) first = plan.label(run);
+    std::string second;
+    if (!record.ok) {
+        second = "failed";
+    } else if (record.error_m) {
+        second = fmt::format("error {:.3f} m, ", *record.error_m);
+    } else if (record.trajectory_error_m) {
+        second = fmt::format("ATE {:.3f} m, ", *record.trajectory_error_m);
+    }
+    if (record.ok) {
+        second += fmt::format("{} landmarks", record.lines + record.corners);
+        if (record.blur_m2) second += fmt::format(", blur {:.2f} m2", *record.blur_m2);
+    }
+    return {std::move(first), std::move(second)};
+}
+
+/// One row for each value of the first parameter where there are two, or for all runs of a value.
+int columns_of(const StudyPlan& plan) {
+    const int runs = plan.pictures == StudyPictures::all ? plan.seeds : 1;
+    if (plan.axes.size() > 1) return static_cast<int>(plan.axes[1].values.size()) * runs;
+    return runs > 1 ? runs : 0;
+}
+
+std::string title_of(const StudyPlan& plan) {
+    std::vector<std::string> names;
+    names.reserve(plan.axes.size());
+    for (const StudyPlan::Axis& axis : plan.axes) names.push_back(axis.name);
+    std::string title = plan.source;
+    if (!names.empty()) title += fmt::format(": {}", fmt::join(names, ", "));
+    if (plan.pictures == StudyPictures::first) title += fmt::format(", seed {}", plan.first_seed);
+    return title;
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw FileError(folder.string(), "cannot be made: " + error.message());
+}
+
+}  // namespace
+
+std::string write_pictures(const StudyLayout& layout, const StudyPlan& plan,
+                           std::span<const StudyRecord> records) {
+    const fs::path sheet_file = layout.file("contact-sheet.png");
+    const fs::path folder = layout.file("pictures");
+    std::error_code ignored;
+    fs::remove(sheet_file, ignored);
+    for (std::size_t run = 0; run < plan.runs(); ++run) {
+        if (!plan.pictured(run)) fs::remove(folder / (plan.file_stem(run) + ".png"), ignored);
+    }
+    if (plan.pictures == StudyPictures::none) return "";
+    make_folder(folder);
+    ContactSheet sheet;
+    sheet.title = title_of(plan);
+    sheet.columns = columns_of(plan);
+    for (std::size_t run = 0; run < records.size(); ++run) {
+        if (!plan.pictured(run)) continue;
+        SheetTile tile = study_tile(layout, plan, run, records[run]);
+        if (records[run].picture) {
+            write_picture(tile.map,
+                          {scale_of(tile.map), tile.path, true, PathMarks::cross_and_ring},
+                          folder / (plan.file_stem(run) + ".png"));
+        }
+        tile.map = shrunk(std::move(tile.map), kLongestTile);
+        sheet.tiles.push_back(std::move(tile));
+    }
+    try {
+        write_contact_sheet(sheet, sheet_file);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace hitos::study
+
+namespace hitos {
+
+SheetTile study_tile(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
+                     const StudyRecord& record) {
+    SheetTile tile;
+    tile.caption = study::caption_of(plan, run, record);
+    if (!record.picture) return tile;
+    tile.map = {read_grey_picture(study::grid_file(layout, plan, run)), record.picture->origin,
+                record.picture->m_per_pixel};
+    const Trajectory path = read_trajectory(study::path_file(layout, plan, run));
+    tile.path.reserve(path.size());
+    for (const StampedPose& stamped : path) {
+        tile.path.push_back({stamped.pose.x, stamped.pose.y});
+    }
+    return tile;
+}
+
+}  // namespace hitos

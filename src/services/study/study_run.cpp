@@ -1,0 +1,69 @@
+#include "study_run.hpp"
+
+#include "hitos/services/evaluation/grid_blur.hpp"
+#include "hitos/services/evaluation/measures.hpp"
+#include "hitos/services/maps/picture_file.hpp"
+#include "hitos/services/run/grid_builder.hpp"
+#include "study_files.hpp"
+
+namespace hitos::study {
+namespace {
+
+constexpr int kLongestPicture = 2000;  // pixels a side: a kept picture is some 100 kB, not 1 GB
+
+std::optional<double> ate(const Trajectory& path, const Trajectory& reference) {
+    const auto error = trajectory_error(path, reference);
+    return error ? std::optional(error->rmse_m) : std::nullopt;
+}
+
+void measure_paths(const Study& study, const Algoritmo& run, StudyRecord& record) {
+    std::optional<Trajectory> reference = study.reference_trajectory;
+    if (!reference) {
+        if (const std::optional<Truth> truth = run.reader().truth()) reference = truth->path;
+    }
+    if (!reference) return;
+    record.trajectory_error_m = ate(run.best_trajectory(), *reference);
+    record.odometry_error_m = ate(run.odometry_trajectory(), *reference);
+}
+
+}  // namespace
+
+std::optional<StudyRecord> measure_run(const Study& study, const StudyPlan& plan,
+                                       std::size_t number, const Algoritmo& run,
+                                       const std::stop_token& stop) {
+    StudyRecord record;
+    const LandmarkMap map = run.filter().best_map();
+    const std::filesystem::path map_path = map_file(study.layout, plan, number);
+    write_map(map, map_path);
+    record.map_digest = Digest().add_file(map_path).text();
+    record.scans = run.steps();
+    record.lines = run.filter().best_count(FeatureKind::line);
+    record.corners = run.filter().best_count(FeatureKind::corner);
+    if (const auto error = map_error(map, study.reference)) {
+        record.error_m = error->mean_m;
+        record.reference_found = error->reference_found;
+    }
+    if (const auto aligned = aligned_map_error(map, study.reference)) {
+        record.aligned_error_m = aligned->error.mean_m;
+    }
+    measure_paths(study, run, record);
+    if (plan.grid) {
+        const Trajectory path = run.best_trajectory();
+        GridBuilder builder(run.configuration().grid, run.reader().reopen(), path);
+        while (builder.step()) {
+            if (stop.stop_requested()) return std::nullopt;
+        }
+        record.blur_m2 = grid_blur_m2(builder.grid());
+        if (plan.pictured(number) && !builder.grid().empty()) {
+            const MapImage image = shrunk(map_image(builder.grid()), kLongestPicture);
+            write_picture(image.picture, grid_file(study.layout, plan, number));
+            write_trajectory(path, path_file(study.layout, plan, number));
+            record.picture = {picture_digest(study.layout, plan, number), image.origin,
+                              image.m_per_pixel};
+        }
+    }
+    record.ok = true;
+    return record;
+}
+
+}  // namespace hitos::study

@@ -1,0 +1,18 @@
+// What a finished run of a study is measured by.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "hitos/services/run/algoritmo.hpp"
+#include "hitos/services/study/study.hpp"
+
+namespace hitos::study {
+
+/// Writes the run's map (and grid and path, where it is pictured) and gives its record. Nothing
+/// where the study was stopped before the grid's end.
+std::optional<StudyRecord> measure_run(const Study& study, const StudyPlan& plan,
+                                       std::size_t number, const Algoritmo& run,
+                                       const std::stop_token& stop);
+
+}  // namespace hitos::study

@@ -1,0 +1,271 @@
+#include "hitos/workbench/reproduction_maps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <system_error>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/services/evaluation/grid_blur.hpp"
+#include "hitos/services/run/grid_builder.hpp"
+#include "hitos/services/run/open_source.hpp"
+#include "hitos/services/study/study_pictures.hpp"
+#include "hitos/simulation/reference_map.hpp"
+#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/workbench/reproduction.hpp"
+#include "hitos/workbench/shipped_data.hpp"
+
+namespace hitos {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLongestTile = 700;  // pixels a side: more than a sheet shows
+constexpr int kTileSide = 200;     // some sixty sheets belong to the document
+constexpr const char* kTimeStem = "10.95-time";
+constexpr const char* kTimeWorld = "bigloop2";
+constexpr const char* kTimeParticles = "p=5,10,20,50,100,200,500";
+
+World thesis_world(const std::string& name, const Reading& reading) {
+    World world = read_world(find_world(name));
+    world.laser.sigma_m = kReproductionLaserSigma;
+    world.odometry.noise = kReproductionOdometryNoise;
+    world.odometry.noise_kind = OdometryNoiseKind::relative_sigma;
+    apply(reading, world);
+    return world;
+}
+
+std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// The call's reading with what the call changes beside it.
+Reading whole_reading(const MapReproductionOptions& options) {
+    Reading reading = options.reading;
+    std::ranges::copy(options.world, std::back_inserter(reading.world));
+    std::ranges::copy(options.settings, std::back_inserter(reading.settings));
+    return reading;
+}
+
+void set_world(Study& study, const std::string& name, const Reading& reading) {
+    World world = thesis_world(name, reading);
+    study.setting = fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}{}",
+                                kReproductionLaserSigma, kReproductionOdometryNoise,
+                                text_of(reading), content(world.file));
+    study.source = [world = std::move(world)](const StudyJob& job) -> std::unique_ptr<TourReader> {
+        World noisy = world;
+        noisy.seed = job.seed;
+        return std::make_unique<SimulatedTourReader>(
+            std::make_shared<SimulatedTour>(std::move(noisy)));
+    };
+}
+
+fs::path log_file(const MapReproductionOptions& options, const ThesisExperiment& experiment) {
+    return options.logs / (experiment.name + ".log.gz");
+}
+
+Study study_of(const ThesisExperiment& experiment, const MapReproductionOptions& options) {
+    Study study;
+    study.configuration = experiment_configuration(experiment);
+    StudyParameter parameter = find_study_parameter(experiment.key);
+    std::string assignment = experiment.key + "=";
+    for (const ThesisClaim& claim : experiment.claims) {
+        if (&claim != &experiment.claims.front()) assignment += ',';
+        assignment += claim.value;
+    }
+    study.parameters.push_back(parse_study_parameter(assignment));
+    study.seeds = experiment.runs;
+    const bool maps = experiment.show == ThesisExperiment::Show::maps;
+    study.pictures = maps ? StudyPictures::first : StudyPictures::none;
+    if (experiment.place == ThesisExperiment::Place::world) {
+        const Reading reading = whole_reading(options);
+        apply(reading, study.configuration);
+        set_world(study, experiment.name, reading);
+        // The two large worlds have no landmarks in the thesis to compare with.
+        if (experiment.name != "usc-sal" && experiment.name != "iusiani") {
+            study.reference = reference_map(thesis_world(experiment.name, reading));
+        }
+    } else {
+        study.configuration.source.file = log_file(options, experiment).string();
+        study.reference_trajectory =
+            read_trajectory(options.logs / (experiment.name + ".gt.tum.gz"));
+    }
+    study.layout = study_in_folder(options.out / "runs" / experiment.stem());
+    return study;
+}
+
+Study time_study(const MapReproductionOptions& options) {
+    Study study;
+    study.configuration = experiment_configuration(*std::ranges::find_if(
+        thesis_experiments(), [](const ThesisExperiment& e) { return e.is_named("10.95"); }));
+    study.parameters.push_back(parse_study_parameter(kTimeParticles));
+    study.seeds = 1;
+    const Reading reading = whole_reading(options);
+    apply(reading, study.configuration);
+    set_world(study, kTimeWorld, reading);
+    study.reference = reference_map(thesis_world(kTimeWorld, reading));
+    study.layout = study_in_folder(options.out / "runs" / kTimeStem);
+    return study;
+}
+
+/// The odometry's map of a tour, which all experiments on it share.
+struct OdometryMap {
+    SheetTile tile;
+    std::optional<double> blur_m2;
+};
+
+OdometryMap odometry_map(const Study& study) {
+    StudyJob job{0, study.first_seed, study.configuration};
+    GridBuilder builder(study.configuration.grid,
+                        study.source ? study.source(job) : open_source(study.configuration.source));
+    while (builder.step()) {
+    }
+    OdometryMap map;
+    map.tile.map = shrunk(map_image(builder.grid()), kLongestTile);
+    const Trajectory path = builder.path();
+    map.tile.path.reserve(path.size());
+    for (const StampedPose& stamped : path) {
+        map.tile.path.push_back({stamped.pose.x, stamped.pose.y});
+    }
+    map.blur_m2 = grid_blur_m2(builder.grid());
+    return map;
+}
+
+/// Draws the sheet of the first runs and, last, the odometry.
+void draw_sheet(ReproducedExperiment& experiment, const Study& study, const OdometryMap& odometry,
+                const fs::path& file) {
+    ContactSheet sheet;
+    sheet.title = fmt::format("Figure {}: {}", experiment.thesis->figure, experiment.thesis->name);
+    if (experiment.thesis->claims.size() == 1) sheet.columns = 2;
+    sheet.tile_side = kTileSide;
+    for (std::size_t run = 0; run < experiment.records.size(); ++run) {
+        if (!experiment.plan.pictured(run)) continue;
+        SheetTile tile = study_tile(study.layout, experiment.plan, run, experiment.records[run]);
+        tile.map = shrunk(std::move(tile.map), kLongestTile);
+        sheet.tiles.push_back(std::move(tile));
+    }
+    SheetTile last = odometry.tile;
+    const auto& ate = experiment.records.front().odometry_error_m;
+    last.caption = {"odometry alone", ate ? fmt::format("ATE {:.3f} m", *ate) : ""};
+    if (odometry.blur_m2) last.caption.back() += fmt::format(", blur {:.1f} m2", *odometry.blur_m2);
+    sheet.tiles.push_back(std::move(last));
+    try {
+        write_contact_sheet(sheet, file);
+    } catch (const Error& error) {
+        experiment.sheet_problem = error.what();
+    }
+}
+
+void note_failures(const ReproducedExperiment& experiment, MapReproduction& result) {
+    for (std::size_t run = 0; run < experiment.records.size(); ++run) {
+        if (experiment.records[run].ok) continue;
+        result.failures.push_back(fmt::format("{} {}: {}", experiment.thesis->stem(),
+                                              experiment.plan.label(run),
+                                              experiment.records[run].problem));
+    }
+}
+
+/// The experiments that are asked for and can be run.
+std::vector<const ThesisExperiment*> select(const MapReproductionOptions& options,
+                                            MapReproduction& result) {
+    std::vector<const ThesisExperiment*> chosen;
+    for (const ThesisExperiment& experiment : thesis_experiments()) {
+        const bool named =
+            options.only.empty() || std::ranges::any_of(options.only, [&](const auto& word) {
+                return experiment.is_named(word);
+            });
+        if (!named) continue;
+        if (experiment.place == ThesisExperiment::Place::log) {
+            std::error_code ignored;
+            const fs::path log = log_file(options, experiment);
+            if (options.logs.empty() || !fs::is_regular_file(log, ignored)) {
+                result.left_out.push_back(
+                    fmt::format("{}: {}", experiment.stem(),
+                                options.logs.empty() ? "no folder of recorded tours was given"
+                                                     : "there is no " + log.filename().string()));
+                continue;
+            }
+        }
+        chosen.push_back(&experiment);
+    }
+    return chosen;
+}
+
+void gather_times(const StudyOutcome& outcome, const fs::path& out, MapReproduction& result) {
+    std::string text = "particles,cpu_seconds,scans,seconds_per_scan\n";
+    for (std::size_t run = 0; run < outcome.records.size(); ++run) {
+        const StudyRecord& record = outcome.records[run];
+        if (!record.ok) continue;
+        const ParticleTime time{std::stoi(outcome.plan.texts(run).front()), record.cpu_seconds,
+                                record.scans};
+        result.times.push_back(time);
+        text += fmt::format(
+            "{},{:.3f},{},{:.6f}\n", time.particles, time.cpu_seconds, time.scans,
+            time.cpu_seconds / static_cast<double>(std::max<std::uint64_t>(time.scans, 1)));
+    }
+    write_file(out / "time-against-particles.timing.csv", text);
+}
+
+}  // namespace
+
+bool names_experiment(const std::string& word) {
+    return std::ranges::any_of(thesis_experiments(), [&](const ThesisExperiment& experiment) {
+        return experiment.is_named(word);
+    });
+}
+
+MapReproduction reproduce_maps(const MapReproductionOptions& options) {
+    MapReproduction result;
+    const std::vector<const ThesisExperiment*> chosen = select(options, result);
+    if (chosen.empty()) return result;
+    std::vector<Study> studies;
+    studies.reserve(chosen.size() + 1);
+    for (const ThesisExperiment* experiment : chosen) {
+        studies.push_back(study_of(*experiment, options));
+    }
+    const bool timed = std::ranges::any_of(
+        chosen, [](const ThesisExperiment* experiment) { return experiment->is_named("10.95"); });
+    if (timed) studies.push_back(time_study(options));
+    StudyOptions how;
+    how.threads = options.threads;
+    how.tables = false;
+    how.observer = options.observer;
+    std::vector<StudyOutcome> outcomes = run_studies(studies, how);
+    for (const StudyOutcome& outcome : outcomes) {
+        result.computed += outcome.computed;
+        result.reused += outcome.reused;
+    }
+    const fs::path sheets = options.out / "maps";
+    std::error_code error;
+    fs::create_directories(sheets, error);
+    if (error) throw FileError(sheets.string(), "cannot be made: " + error.message());
+    std::map<std::string, OdometryMap> odometry;
+    result.experiments.reserve(chosen.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        ReproducedExperiment experiment{
+            chosen[i], std::move(outcomes[i].plan), std::move(outcomes[i].records), {}, {}, {}};
+        experiment.cells = summarize(experiment.plan, experiment.records);
+        note_failures(experiment, result);
+        if (chosen[i]->show == ThesisExperiment::Show::maps) {
+            if (!odometry.contains(chosen[i]->name)) {
+                odometry[chosen[i]->name] = odometry_map(studies[i]);
+            }
+            const OdometryMap& known = odometry.at(chosen[i]->name);
+            experiment.odometry_blur_m2 = known.blur_m2;
+            draw_sheet(experiment, studies[i], known, sheets / (chosen[i]->stem() + ".png"));
+        }
+        result.experiments.push_back(std::move(experiment));
+    }
+    if (timed) gather_times(outcomes.back(), options.out, result);
+    write_file(options.out / "reproduction-maps.csv", map_reproduction_csv(result));
+    write_file(options.out / "reproduction-maps.md", map_reproduction_markdown(result, "maps"));
+    return result;
+}
+
+}  // namespace hitos
