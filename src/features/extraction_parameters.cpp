@@ -243,6 +243,15 @@ void add_ransac(Table& table) {
                                    "Most hypotheses tried for one line; a higher value finds lines "
                                    "among more stray points and takes longer."),
          .label = HITOS_TEXT("ParameterLabel", "RANSAC iterations")}));
+    table.push_back(choice<&Extraction::ransac, &RansacParams::order>(
+        {.key = "ransac.order",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Whether the scan is divided at edges and RANSAC finds the lines of each part, or "
+             "RANSAC has the whole scan and the points of each line are divided at edges."),
+         .label = HITOS_TEXT("ParameterLabel", "RANSAC order"),
+         .choices = {{"edges-first", HITOS_TEXT("ParameterChoice", "Edges, then RANSAC")},
+                     {"ransac-first", HITOS_TEXT("ParameterChoice", "RANSAC, then edges")}}}));
 }
 
 Table make_table() {

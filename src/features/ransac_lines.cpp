@@ -39,8 +39,13 @@ void RansacLines::extract_lines(const Scan& scan, Observation& out) {
     for (const Point2& p : scan.points) {
         ranges_.push_back(std::hypot(p.x - laser.x, p.y - laser.y));
     }
-    for (std::size_t run = 0; run < scan.run_starts.size(); ++run) {
-        follow_edges(scan, scan.run_starts[run], scan.run_end(run), random);
+    if (params_.order == RansacOrder::ransac_first) {
+        run_ranges_ = ranges_;
+        search(scan.points, random);
+    } else {
+        for (std::size_t run = 0; run < scan.run_starts.size(); ++run) {
+            follow_edges(scan, scan.run_starts[run], scan.run_end(run), random);
+        }
     }
     merge_collinear(pieces_, lines_params_.collinear, LineFit::least_squares, out);
 }
@@ -160,6 +165,13 @@ void RansacLines::keep_pieces(std::span<const Point2> run) {
             order_.push_back(line);
         }
     }
+    // Where RANSAC comes first, points on no line are gone before anything is divided.
+    place_.clear();
+    std::size_t place = 0;
+    for (const std::size_t line : nearest_) {
+        place_.push_back(place);
+        place += line != kNoLine || params_.order == RansacOrder::edges_first ? 1 : 0;
+    }
     for (const std::size_t line : order_) {
         std::size_t first = points_.size();
         fitted_.clear();
@@ -168,8 +180,8 @@ void RansacLines::keep_pieces(std::span<const Point2> run) {
             if (nearest_[i] != line && shared_[i] != line) continue;
             // Where an infinite line crosses another wall far away, a point of that wall is on it
             // by chance: what other points or an edge part from the line must be one by itself.
-            if (points_.size() > first &&
-                (i - last > kStrays + 1 || edge_between(run_ranges_[i], run_ranges_[last]))) {
+            if (points_.size() > first && (place_[i] - place_[last] > kStrays + 1 ||
+                                           edge_between(run_ranges_[i], run_ranges_[last]))) {
                 keep_piece(first);
                 first = points_.size();
                 fitted_.clear();
@@ -232,7 +244,8 @@ LineMethodEntry ransac_method() {
     entry.purpose =
         "cuts the scan at edges and takes the lines that most points agree with, fitted by least "
         "squares";
-    entry.reads = {"ransac.edge", "ransac.edge_per_range", "ransac.threshold", "ransac.iterations"};
+    entry.reads = {"ransac.edge", "ransac.edge_per_range", "ransac.threshold", "ransac.iterations",
+                   "ransac.order"};
     entry.make = [](const ExtractionParams& params, std::uint64_t seed) {
         return std::make_unique<RansacLines>(params.lines, params.ransac, seed);
     };

@@ -12,7 +12,8 @@ namespace hitos {
 
 /// Successive edge following cuts the scan where the range jumps; in each run RANSAC (Fischler and
 /// Bolles, 1981) finds the line with the largest consensus, takes its points away and goes on with
-/// the rest; total least squares fits. Where lines meet, each point then goes to the nearest.
+/// the rest; total least squares fits. Where lines meet, each point then goes to the nearest. In
+/// the paper's own order RANSAC has the whole scan, and edges divide the points of each line.
 class RansacLines final : public MetodoExtraccionRectas {
   public:
     RansacLines(const LineParams& lines, const RansacParams& ransac, std::uint64_t seed)
@@ -58,8 +59,9 @@ class RansacLines final : public MetodoExtraccionRectas {
     std::vector<std::size_t> nearest_;  // line of each point of the run
     std::vector<std::size_t> shared_;   // second line of each point at a corner
     std::vector<std::size_t> order_;
-    std::vector<Point2> fitted_;  // of the piece at hand, without shared ones
-    std::vector<Point2> points_;  // of all pieces, piece by piece
+    std::vector<std::size_t> place_;  // of each point among those that may part a line's
+    std::vector<Point2> fitted_;      // of the piece at hand, without shared ones
+    std::vector<Point2> points_;      // of all pieces, piece by piece
     std::vector<LinePiece> pieces_;
 };
 

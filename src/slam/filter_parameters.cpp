@@ -242,6 +242,36 @@ void add_motion(Table& table) {
                         "value allows more drift of the heading on straight ways."),
          .label = HITOS_TEXT("ParameterLabel", "Var. θ per m"),
          .card = "motion"}));
+    table.push_back(real<&Filter::motion, &MotionParams::ratio_x>(
+        {.key = "motion.ratio_x",
+         .unit = "m/m",
+         .minimum = 0.0,
+         .maximum = 10.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "Noise of increments: standard deviation of the step ahead per "
+                                   "metre of it; a higher value trusts it less."),
+         .label = HITOS_TEXT("ParameterLabel", "Ratio x"),
+         .card = "motion"}));
+    table.push_back(real<&Filter::motion, &MotionParams::ratio_y>(
+        {.key = "motion.ratio_y",
+         .unit = "m/m",
+         .minimum = 0.0,
+         .maximum = 10.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "Noise of increments: standard deviation of the step sideways "
+                                   "per metre of it; a higher value trusts it less."),
+         .label = HITOS_TEXT("ParameterLabel", "Ratio y"),
+         .card = "motion"}));
+    table.push_back(real<&Filter::motion, &MotionParams::ratio_theta>(
+        {.key = "motion.ratio_theta",
+         .unit = "rad/rad",
+         .minimum = 0.0,
+         .maximum = 10.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "Noise of increments: standard deviation of the turn per radian "
+                                   "of it; a higher value trusts it less."),
+         .label = HITOS_TEXT("ParameterLabel", "Ratio θ"),
+         .card = "motion"}));
 }
 
 void add_observation(Table& table) {

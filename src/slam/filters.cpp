@@ -18,4 +18,10 @@ std::unique_ptr<SlamFilter> make_filter(const FilterParams& params, std::uint64_
     return slam_algorithms().find(params.algorithm).make(params, seed, threads);
 }
 
+std::size_t hypothesis_count(const FilterParams& params) {
+    return slam_algorithms().reads(params.algorithm, "filter.particles")
+               ? static_cast<std::size_t>(params.particles)
+               : 1;
+}
+
 }  // namespace hitos

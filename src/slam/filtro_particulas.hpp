@@ -45,6 +45,9 @@ class FiltroParticulas final : public SlamFilter {
     int best_count(FeatureKind kind) const override;
     std::span<const Association> associations() const override { return associations_; }
     std::vector<WeightedPose> hypotheses() const override;
+    std::vector<Pose> history(std::size_t hypothesis) const override {
+        return history_.path(particles_[hypothesis].history);
+    }
     FilterStatistics statistics() const override { return statistics_; }
     Matrix3 pose_covariance() const override;
 

@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
+#include "hitos/slam/filters.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "options.hpp"
@@ -30,6 +33,7 @@ struct RunOptions {
     std::string reference_trajectory;
     std::string distances;
     bool uncertainty = false;
+    std::optional<std::size_t> grid_of;
     std::string out;
 };
 
@@ -60,12 +64,22 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
     fmt::print("results in {}\n", folder);
 }
 
+void check_particle(const std::optional<std::size_t>& particle,
+                    const Configuracion& configuration) {
+    const std::size_t count = hypothesis_count(configuration.filter);
+    if (!particle || *particle < count) return;
+    throw ConfigError("--grid-of",
+                      fmt::format("found particle {}; {} has {}, numbered from 0 to {}", *particle,
+                                  configuration.filter.algorithm, count, count - 1));
+}
+
 void run(const RunOptions& options) {
     Configuracion configuration = load(options.configuration);
     configuration.source.file = source_named(options.log);
     if (!options.format.empty()) {
         configuration.source.format = checked_log_format(options.format, "--format");
     }
+    check_particle(options.grid_of, configuration);
     References references;
     if (!options.reference.empty()) references.map = read_map(options.reference);
     if (!options.reference_trajectory.empty()) {
@@ -78,6 +92,7 @@ void run(const RunOptions& options) {
     add_truth(references, reader->truth());
     AlgoritmoOptions run_options;
     run_options.uncertainty = options.uncertainty;
+    run_options.grid_of = options.grid_of;
     RunWorker worker(configuration, std::move(reader), run_options);
     ProgressLine line("scans");
     worker.run();
@@ -126,6 +141,9 @@ void add_run(CLI::App& program) {
     command->add_flag("--uncertainty", options->uncertainty,
                       "Record the standard deviations of every landmark scan by scan: "
                       "uncertainty.csv and .png");
+    command->add_option("--grid-of", options->grid_of,
+                        "Draw the grid along this particle's own path too, as "
+                        "grid_particle_NUMBER.png and .jpg: a number from 0 on");
     command->add_option("--out", options->out, "Folder for the results, made if missing")
         ->required();
     command->callback([options] { run(*options); });

@@ -74,12 +74,19 @@ struct SplitMergeParams {
     double gap_per_range = 0.0;        ///< range end a run; both 0: they never do
 };
 
-/// RANSAC inside the runs that successive edge following cuts [P 2].
+/// Which comes first, RANSAC or the division of the scan at edges.
+enum class RansacOrder {
+    edges_first,  ///< RANSAC inside each run, which knows nothing of the walls beside it
+    ransac_first  ///< RANSAC over the whole scan; what is left is divided [P 2]
+};
+
+/// RANSAC and successive edge following [P 2].
 struct RansacParams {
     double edge_m = 0.3;          ///< ranges of neighbours that differ by more than edge_m +
     double edge_per_range = 0.1;  ///< edge_per_range * range are an edge: a run ends
     double threshold_m = 0.04;    ///< greatest distance of a consensus point from its line
     int iterations = 200;         ///< most hypotheses tried for one line
+    RansacOrder order = RansacOrder::edges_first;
 };
 
 /// How sure an observation is.

@@ -1,6 +1,7 @@
 // The SLAM algorithms and their factories.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -26,5 +27,8 @@ Registry<SlamAlgorithmEntry>& slam_algorithms();
 /// values out of range or impossible together.
 std::unique_ptr<SlamFilter> make_filter(const FilterParams& params, std::uint64_t seed,
                                         int threads);
+
+/// How many hypotheses the algorithm that the parameters name will have: its particles, or one.
+std::size_t hypothesis_count(const FilterParams& params);
 
 }  // namespace hitos

@@ -25,6 +25,9 @@ struct MotionParams {
     double var_theta_rad2_per_rad = 0.02;  ///< proportional: heading, per radian turned
     double var_theta_rad2_per_m = 0.002;   ///< proportional: heading, per metre
     MotionUnit unit = MotionUnit::sigma;   ///< what the three sigmas are
+    double ratio_x = 0.1;                  ///< increments: sigma of the step ahead, m per m of it
+    double ratio_y = 0.1;                  ///< increments: of the step sideways
+    double ratio_theta = 0.1;              ///< increments: of the turn, rad per rad
 };
 
 /// Variances of an observed line (rho, theta); a corner's range and bearing use the same two.

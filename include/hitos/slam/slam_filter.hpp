@@ -1,6 +1,7 @@
 // What every SLAM algorithm of Hitos offers to the services.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -61,6 +62,9 @@ class SlamFilter {
     virtual std::span<const Association> associations() const = 0;
     /// All hypotheses, after resampling.
     virtual std::vector<WeightedPose> hypotheses() const = 0;
+    /// The poses of one of hypotheses() at every scan so far. An algorithm that has a single one
+    /// need not say more than this does.
+    virtual std::vector<Pose> history(std::size_t /*hypothesis*/) const { return best_history(); }
     virtual FilterStatistics statistics() const = 0;
     /// Covariance of (x, y, theta) [m, m, rad]: the filter's own, or that of its hypotheses.
     virtual Eigen::Matrix3d pose_covariance() const = 0;

@@ -81,7 +81,14 @@ double Algoritmo::duration_s() const {
 }
 
 Trajectory Algoritmo::best_trajectory() const {
-    const std::vector<Pose> poses = filter_->best_history();
+    return stamped(filter_->best_history());
+}
+
+Trajectory Algoritmo::trajectory_of(std::size_t hypothesis) const {
+    return stamped(filter_->history(hypothesis));
+}
+
+Trajectory Algoritmo::stamped(const std::vector<Pose>& poses) const {
     Trajectory trajectory;
     trajectory.reserve(poses.size());
     for (std::size_t i = 0; i < poses.size(); ++i) {

@@ -1,7 +1,11 @@
 #include "run_outputs.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <system_error>
 
+#include "../maps/odometry_scans_picture.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
@@ -13,6 +17,8 @@ namespace hitos {
 namespace {
 
 using Folder = std::filesystem::path;
+
+const std::string kParticleGrid = "grid_particle_";
 
 /// A file that is always written whole, or the run fails.
 template <class Write>
@@ -69,6 +75,28 @@ RunOutput whole_grid(const std::string& stem, PathOf path_of) {
         path_of);
 }
 
+/// The name has the particle's number, so those of an earlier run are found by their beginning.
+RunOutput particle_grid() {
+    return {{}, {}, [](const FinishedRun& finished, const Folder& folder) {
+                for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+                    const std::string name = entry.path().filename().string();
+                    const std::string extension = entry.path().extension().string();
+                    if (name.starts_with(kParticleGrid) &&
+                        (extension == ".png" || extension == ".jpg")) {
+                        std::error_code ignored;
+                        std::filesystem::remove(entry.path(), ignored);
+                    }
+                }
+                const auto particle = finished.run.options().grid_of;
+                if (!particle) return std::string();
+                return whole_grid(kParticleGrid + std::to_string(*particle),
+                                  [particle](const FinishedRun& run) {
+                                      return run.run.trajectory_of(*particle);
+                                  })
+                    .write(finished, folder);
+            }};
+}
+
 RunOutput distances() {
     return {{"distances.csv"},
             [](const FinishedRun& finished) { return !finished.summary.distances.empty(); },
@@ -87,6 +115,21 @@ RunOutput paths() {
                     {in_frame_of_run(*references.trajectory, best), run.odometry_trajectory(), best,
                      map, segments, references.walls},
                     folder);
+            }};
+}
+
+RunOutput odometry_scans() {
+    return {{"odometry_scans.png", "odometry_scans.gp"},
+            [](const FinishedRun& finished) { return !finished.references.walls.empty(); },
+            [](const FinishedRun& finished, const Folder& folder) {
+                OdometryScansPicture picture(finished.references.walls);
+                const std::unique_ptr<TourReader> reader = finished.run.reader().reopen();
+                for (const StampedPose& stamped : odometry_path(finished)) {
+                    const std::optional<Scan> scan = reader->next_scan();
+                    if (!scan) break;
+                    picture.add(*scan, stamped.pose);
+                }
+                return picture.write(folder);
             }};
 }
 
@@ -113,8 +156,10 @@ std::vector<RunOutput> make_outputs() {
             best_path),
         whole_grid("grid_best", best_path),
         whole_grid("grid_odometry", odometry_path),
+        particle_grid(),
         distances(),
         paths(),
+        odometry_scans(),
         uncertainty(),
         always("map.dxf", [](const Run& r,
                              const Folder& file) { write_dxf(r.map, r.segments, r.best, file); }),

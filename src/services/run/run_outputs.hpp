@@ -23,7 +23,8 @@ struct FinishedRun {
 /// A file of a run, or several that belong together.
 struct RunOutput {
     /// All that it writes, the one that people look at first. Where it is not wanted they are
-    /// removed: an earlier run's would not belong to this map.
+    /// removed: an earlier run's would not belong to this map. Empty where names depend on the run;
+    /// write() then removes.
     std::vector<std::string> files;
     /// Whether there is something to write; null: always.
     std::function<bool(const FinishedRun&)> wanted;

@@ -8,5 +8,6 @@ namespace hitos {
 MotionModelEntry robot_with_odometry();
 MotionModelEntry robot_without_odometry();
 MotionModelEntry robot_proportional();
+MotionModelEntry robot_increments();
 
 }  // namespace hitos

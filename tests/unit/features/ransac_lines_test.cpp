@@ -150,6 +150,48 @@ TEST(Ransac, TheNearerOfTwoNeighboursSaysWhatAnEdgeIs) {
     EXPECT_EQ(extract(params, scan_of({points})).lines.size(), 1U);
 }
 
+/// A wall with ten readings in its middle that return from anywhere in front of it.
+Scan wall_with_clutter() {
+    std::vector<Point2> points = wall({2.0, -2.0}, {2.0, -0.3}, 30);
+    for (int i = 0; i < 10; ++i) {
+        const double range = i % 2 == 0 ? 0.5 + 0.05 * i : 1.4 - 0.04 * i;
+        const double angle = -0.14 + 0.03 * i;
+        points.push_back({range * std::cos(angle), range * std::sin(angle)});
+    }
+    const std::vector<Point2> rest = wall({2.0, 0.3}, {2.0, 2.0}, 30);
+    points.insert(points.end(), rest.begin(), rest.end());
+    return scan_of({points});
+}
+
+TEST(Ransac, FirstOfAllDropsStrayReadingsBeforeAnythingIsDivided) {
+    ExtractionParams params = ransac_params();
+    params.lines.collinear.rho_m = 0.0;  // pieces stay apart
+    const Scan scan = wall_with_clutter();
+    EXPECT_EQ(extract(params, scan).lines.size(), 2U);
+    params.ransac.order = RansacOrder::ransac_first;
+    const Observation seen = extract(params, scan);
+    ASSERT_EQ(seen.lines.size(), 1U);
+    EXPECT_EQ(seen.lines[0].count, 60U);
+    expect_line(seen.lines[0], {2.0, 0.0}, 1e-9, 1e-9);
+}
+
+TEST(Ransac, FirstOfAllStillDividesALineAtEdges) {
+    // Two walls on one line with a doorway, through which another wall is seen.
+    std::vector<Point2> points = wall({2.0, -2.0}, {2.0, -0.4}, 30);
+    const std::vector<Point2> behind = wall({4.0, -0.6}, {4.0, 0.6}, 20);
+    const std::vector<Point2> rest = wall({2.0, 0.4}, {2.0, 2.0}, 30);
+    points.insert(points.end(), behind.begin(), behind.end());
+    points.insert(points.end(), rest.begin(), rest.end());
+    ExtractionParams params = ransac_params();
+    params.lines.collinear.rho_m = 0.0;
+    params.ransac.order = RansacOrder::ransac_first;
+    const Observation seen = extract(params, scan_of({points}));
+    ASSERT_EQ(seen.lines.size(), 3U);
+    EXPECT_EQ(seen.lines[0].count, 30U);
+    EXPECT_EQ(seen.lines[1].count, 30U);
+    EXPECT_EQ(seen.lines[2].count, 20U);
+}
+
 TEST(Ransac, TheSameSeedAndScanNumberGiveTheSameLines) {
     std::mt19937 engine(73);
     std::uniform_real_distribution<double> value(1.0, 3.0);

@@ -58,7 +58,7 @@ TEST(Robot, SumOfControlsIsTheirSequence) {
 }
 
 TEST(Robot, NoNoiseAtRest) {
-    for (const char* model : {"odometry", "proportional"}) {
+    for (const char* model : {"odometry", "proportional", "increments"}) {
         MotionParams params;
         params.model = model;
         const auto robot = make_robot(params);
@@ -156,7 +156,7 @@ TEST(Robot, WithoutOdometryParticlesOnlySpread) {
 TEST(Robot, JacobianIsTheSlopeOfTheMean) {
     const Control control{{0.7, 0.1, -0.9}, 0.6};
     const MotionIncrement increment = sum_controls(std::span(&control, 1));
-    for (const char* model : {"odometry", "no-odometry"}) {
+    for (const char* model : {"odometry", "no-odometry", "increments"}) {
         MotionParams params;
         params.model = model;
         const auto robot = make_robot(params);
@@ -184,7 +184,7 @@ TEST(Robot, NoiseCovarianceIsThatOfTheDraws) {
     const Control control{{0.7, 0.0, -0.9}, 0.6};
     const MotionIncrement increment = sum_controls(std::span(&control, 1));
     const Pose pose{1.0, -2.0, 0.6};
-    for (const char* model : {"odometry", "no-odometry", "proportional"}) {
+    for (const char* model : {"odometry", "no-odometry", "proportional", "increments"}) {
         MotionParams params;
         params.model = model;
         params.sigma_y_m = 0.02;
@@ -211,6 +211,34 @@ TEST(Robot, NoiseCovarianceIsThatOfTheDraws) {
     EXPECT_EQ(make_robot(MotionParams{})->noise_covariance(pose, rest), Eigen::Matrix3d::Zero());
 }
 
+TEST(Robot, NoiseOfIncrementsIsInProportionToEachInTheHeadingBefore) {
+    MotionParams params;
+    params.model = "increments";
+    params.ratio_x = 0.1;
+    params.ratio_y = 0.3;
+    params.ratio_theta = 0.2;
+    // 2 m ahead and 0.5 m to the left, heading +y: ahead is y, left is -x.
+    const Moments m = sample_moments(params, {1.0, 2.0, kPi / 2.0}, {{1.0, 0.25, 0}, 2.0});
+    EXPECT_NEAR(m.var_y, 0.04, 0.04 * kVarianceTolerance);
+    EXPECT_NEAR(m.var_x, 0.0225, 0.0225 * kVarianceTolerance);
+    EXPECT_EQ(m.var_t, 0.0);
+    const Moments turn = sample_moments(params, {}, {{0, 0, -1.0}, 0.5});
+    EXPECT_NEAR(turn.var_x, 0.0, 1e-12);
+    EXPECT_NEAR(turn.var_t, 0.01, 0.01 * kVarianceTolerance);
+    // [P eq 14]: Q = G S G' with the heading before the step, not half way round it.
+    const Pose start{1.0, 2.0, 0.3};
+    const Control arc{{1.0, 0.0, 0.8}, 1.0};
+    const MotionIncrement increment = sum_controls(std::span(&arc, 1));
+    const Pose& step = increment.pose_start_end;
+    Eigen::Matrix3d g;
+    g << std::cos(0.3), -std::sin(0.3), 0, std::sin(0.3), std::cos(0.3), 0, 0, 0, 1;
+    const Eigen::Vector3d variances(0.01 * step.x * step.x, 0.09 * step.y * step.y,
+                                    0.04 * step.theta * step.theta);
+    const Eigen::Matrix3d expected = g * variances.asDiagonal() * g.transpose();
+    const Eigen::Matrix3d q = make_robot(params)->noise_covariance(start, increment);
+    EXPECT_LT((q - expected).cwiseAbs().maxCoeff(), 1e-15);
+}
+
 TEST(Robot, ProportionalNoiseLiesAlongTheMeanHeading) {
     MotionParams params;
     params.model = "proportional";
@@ -235,7 +263,7 @@ TEST(Robot, ProportionalNoiseLiesAlongTheMeanHeading) {
 }
 
 TEST(Robot, MotionModelsAreRegistered) {
-    EXPECT_EQ(motion_models().words(), "odometry, no-odometry, proportional");
+    EXPECT_EQ(motion_models().words(), "odometry, no-odometry, proportional, increments");
     for (const MotionModelEntry& entry : motion_models().entries()) {
         EXPECT_NE(entry.make({}), nullptr);
         EXPECT_FALSE(entry.label.empty() || entry.purpose.empty());

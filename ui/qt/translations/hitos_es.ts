@@ -331,6 +331,22 @@
         <source>Changes of a world&apos;s values, with spaces between them, e.g. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help lists the keys.</source>
         <translation>Cambios de los valores de un mundo, separados por espacios, p. ej. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help enumera las claves.</translation>
     </message>
+    <message>
+        <source>Whether the scan is divided at edges and RANSAC finds the lines of each part, or RANSAC has the whole scan and the points of each line are divided at edges.</source>
+        <translation>Si el barrido se divide en los bordes y RANSAC busca las rectas de cada parte, o RANSAC trabaja sobre todo el barrido y los puntos de cada recta se dividen en los bordes.</translation>
+    </message>
+    <message>
+        <source>Noise of increments: standard deviation of the step ahead per metre of it; a higher value trusts it less.</source>
+        <translation>Ruido de los incrementos: desviación típica del avance por metro avanzado; un valor mayor se fía menos de él.</translation>
+    </message>
+    <message>
+        <source>Noise of increments: standard deviation of the step sideways per metre of it; a higher value trusts it less.</source>
+        <translation>Ruido de los incrementos: desviación típica del paso lateral por metro desplazado; un valor mayor se fía menos de él.</translation>
+    </message>
+    <message>
+        <source>Noise of increments: standard deviation of the turn per radian of it; a higher value trusts it less.</source>
+        <translation>Ruido de los incrementos: desviación típica del giro por radián girado; un valor mayor se fía menos de él.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -489,6 +505,18 @@
     <message>
         <source>Joint compatibility</source>
         <translation>Compatibilidad conjunta</translation>
+    </message>
+    <message>
+        <source>Edges, then RANSAC</source>
+        <translation>Bordes, luego RANSAC</translation>
+    </message>
+    <message>
+        <source>RANSAC, then edges</source>
+        <translation>RANSAC, luego bordes</translation>
+    </message>
+    <message>
+        <source>Increments</source>
+        <translation>Incrementos</translation>
     </message>
 </context>
 <context>
@@ -759,6 +787,22 @@
     <message>
         <source>World values</source>
         <translation>Valores del mundo</translation>
+    </message>
+    <message>
+        <source>RANSAC order</source>
+        <translation>Orden de RANSAC</translation>
+    </message>
+    <message>
+        <source>Ratio x</source>
+        <translation>Razón x</translation>
+    </message>
+    <message>
+        <source>Ratio y</source>
+        <translation>Razón y</translation>
+    </message>
+    <message>
+        <source>Ratio θ</source>
+        <translation>Razón θ</translation>
     </message>
 </context>
 <context>

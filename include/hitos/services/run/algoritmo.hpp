@@ -24,6 +24,9 @@ struct AlgoritmoOptions {
     bool step_grid = true;
     /// Record the standard deviations of the best hypothesis' landmarks after every scan.
     bool uncertainty = false;
+    /// Draw the whole tour's grid along this particle's own path too [T 9.2.5]: a place in
+    /// SlamFilter::hypotheses().
+    std::optional<std::size_t> grid_of = std::nullopt;
 };
 
 /// Owns the whole chain reader → scans and controls → features → filter. Not thread-safe; RunWorker
@@ -67,11 +70,14 @@ class Algoritmo {
     double duration_s() const;
     /// The best hypothesis' pose at every scan so far.
     Trajectory best_trajectory() const;
+    /// Any hypothesis' pose at every scan so far.
+    Trajectory trajectory_of(std::size_t hypothesis) const;
     /// The pose by odometry alone at every scan so far, from (0, 0, 0) at the first reading.
     const Trajectory& odometry_trajectory() const { return odometry_.trajectory(); }
 
   private:
     void begin();
+    Trajectory stamped(const std::vector<Pose>& poses) const;
 
     Configuracion configuration_;
     AlgoritmoOptions options_;

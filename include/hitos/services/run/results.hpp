@@ -59,7 +59,8 @@ void prepare_output_folder(const std::filesystem::path& folder);
 
 /// Writes map.txt, segments.txt, map.dxf, trajectory.tum, odometry.tum, grid_best_steps, grid_best
 /// and grid_odometry (each as .png and .jpg), config.cfg and summary.json; distances.csv where
-/// distances are given; paths.png and its script where a trajectory is given; uncertainty.csv, .png
+/// distances are given; paths.png and its script where a trajectory is given; odometry_scans.png and its
+/// script where the true walls are known; uncertainty.csv, .png
 /// and their script where the run recorded it. Without, those of an earlier run are removed. Each
 /// appears whole. Returns the summary.
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,

@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 58U);
+    EXPECT_EQ(keys.size(), 62U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -103,22 +103,24 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
     const Keys sigmas = {"motion.unit", "motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"};
     const Keys rates = {"motion.var_along", "motion.var_across", "motion.var_theta_per_rad",
                         "motion.var_theta_per_m"};
+    const Keys ratios = {"motion.ratio_x", "motion.ratio_y", "motion.ratio_theta"};
     const Keys fixed = {"observation.var_rho", "observation.var_theta"};
     const Keys points = {"observation.point_sigma", "observation.common_sigma"};
     const Keys split = {"split_merge.dmax", "split_merge.fit", "split_merge.gap",
                         "split_merge.gap_per_range"};
     const Keys ransac = {"ransac.edge", "ransac.edge_per_range", "ransac.threshold",
-                         "ransac.iterations"};
+                         "ransac.iterations", "ransac.order"};
     Keys idle = {"association.new_probability",
                  "association.gate_probability",
                  "association.joint_probability",
                  "resampling.neff_threshold",
                  "source.tour_seed",
                  "source.world_set"};
-    for (const Keys& keys : {rates, points, ransac}) idle.insert(keys.begin(), keys.end());
+    for (const Keys& keys : {rates, ratios, points, ransac}) idle.insert(keys.begin(), keys.end());
     EXPECT_EQ(idle_with({}), idle);
     EXPECT_EQ(idle_with({"motion.model=no-odometry"}), idle);
     EXPECT_EQ(idle_with({"motion.model=proportional"}), with(idle, sigmas, rates));
+    EXPECT_EQ(idle_with({"motion.model=increments"}), with(idle, sigmas, ratios));
     EXPECT_EQ(idle_with({"observation.covariance=points"}), with(idle, fixed, points));
     EXPECT_EQ(idle_with({"features.method=ransac"}),
               with(with(idle, split, ransac), {"features.corner_lines"}, {}));
@@ -195,8 +197,8 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.run = {42, 3};
     c.filter.algorithm = "ekf-slam";
     c.filter.particles = 77;
-    c.filter.motion = {"proportional",      0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17,
-                       MotionUnit::variance};
+    c.filter.motion = {"proportional",       0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17,
+                       MotionUnit::variance, 0.18, 0.19, 0.2};
     c.filter.observation = {0.21, 0.22};
     c.filter.association = {AssociationMethod::gated_nearest, 0.31, 0.91, 0.92,
                             AmbiguityRule::new_landmark,      0.33, 0.93};
@@ -205,7 +207,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.extraction.lines = {0.52, 53, {0.54, 0.55, 0.56}};
     c.extraction.split_merge = {0.51, LineFit::least_squares, 0.57, 0.58};
     c.extraction.method = "ransac";
-    c.extraction.ransac = {0.71, 0.72, 0.73, 74};
+    c.extraction.ransac = {0.71, 0.72, 0.73, 74, RansacOrder::ransac_first};
     c.extraction.covariance = ObservationCovariance::points;
     c.extraction.point_sigma_m = 0.75;
     c.extraction.common_sigma_m = 0.76;
@@ -240,6 +242,9 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"motion.var_across", "0.15"},
         {"motion.var_theta_per_rad", "0.16"},
         {"motion.var_theta_per_m", "0.17"},
+        {"motion.ratio_x", "0.18"},
+        {"motion.ratio_y", "0.19"},
+        {"motion.ratio_theta", "0.2"},
         {"observation.var_rho", "0.21"},
         {"observation.var_theta", "0.22"},
         {"observation.covariance", "points"},
@@ -263,6 +268,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"ransac.edge_per_range", "0.72"},
         {"ransac.threshold", "0.73"},
         {"ransac.iterations", "74"},
+        {"ransac.order", "ransac-first"},
         {"resampling.rule", "neff"},
         {"resampling.neff_threshold", "41.5"},
         {"resampling.method", "residual"},
