@@ -43,9 +43,12 @@ class ScriptedPrompts final : public Prompts {
     QStringList saves;
     QStringList folders;
     QList<bool> confirms;
+    QList<int> numbers;
     // What was asked.
     QStringList warnings;
     QStringList confirmed_texts;
+    QStringList number_texts;
+    int greatest_number = -1;
     int opens_asked = 0;
     int saves_asked = 0;
 
@@ -63,6 +66,12 @@ class ScriptedPrompts final : public Prompts {
     bool confirm(QWidget*, const Question& question) override {
         confirmed_texts << question.text + '\n' + question.details;
         return !confirms.isEmpty() && confirms.takeFirst();
+    }
+    std::optional<int> number(QWidget*, const QString&, const QString& text, int,
+                              int greatest) override {
+        number_texts << text;
+        greatest_number = greatest;
+        return numbers.isEmpty() ? std::nullopt : std::optional(numbers.takeFirst());
     }
     void warn(QWidget*, const QString&, const QString& text) override { warnings << text; }
 };

@@ -275,4 +275,24 @@ void RunTest::the_best_particles_map_is_shown() {
     QVERIFY(!map->view().tiles().empty());
 }
 
+void RunTest::any_particles_map_is_shown() {
+    Fixture f(true, 12);
+    QVERIFY(!f.action("action_particle_map")->isEnabled());
+    f.run_steps(60);
+    f.trigger("action_particle_map");  // cancelled
+    QCOMPARE(f.prompts.greatest_number, 11);
+    QVERIFY(f.window->result_actions().particle_window() == nullptr);
+    f.prompts.numbers = {7};
+    f.trigger("action_particle_map");
+    MapWindow* map = f.window->result_actions().particle_window();
+    QVERIFY(map != nullptr && map->isVisible());
+    QVERIFY2(map->windowTitle().contains('7'), qPrintable(map->windowTitle()));
+    QTRY_VERIFY(map->builder().state().path.size() == 60U && !map->builder().state().running);
+    const Trajectory path =
+        f.session.worker()
+            ->with_run([](const Algoritmo& run) { return run.trajectory_of(7); })
+            .get();
+    QVERIFY(map->builder().state().path == path);
+}
+
 }  // namespace hitos::window

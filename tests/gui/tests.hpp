@@ -78,6 +78,7 @@ class RunTest : public QObject {
     void the_odometry_map_of_a_lost_log_says_so();
     void the_best_particles_map_while_running_is_that_moments();
     void the_best_particles_map_is_shown();
+    void any_particles_map_is_shown();
     void the_map_is_saved_as_the_command_line_writes_it();
     void a_files_ending_follows_the_chosen_filter();
     void the_map_is_saved_while_running();

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/workbench/open_tour.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 const std::filesystem::path kSource = HITOS_SOURCE_DIR;
 
-Configuracion configuration_for(const std::string& world) {
-    Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/ekf.cfg");
+Configuracion configuration_for(const std::string& world, const char* preset = "ekf.cfg") {
+    Configuracion configuration = ArchivoConfiguracion::read(kSource / "config" / preset);
     configuration.source.file = (kSource / "data/worlds" / (world + ".toml")).string();
     return configuration;
 }
@@ -43,6 +44,33 @@ TEST_P(EkfOnWorld, FindsEveryLandmarkOnceAndWithinADecimetre) {
 INSTANTIATE_TEST_SUITE_P(All, EkfOnWorld,
                          testing::Values("recinto", "lineamedia", "bigloop", "bigloop2", "complex"),
                          [](const auto& test) { return std::string(test.param); });
+
+TEST(EkfOnWorlds, ThePaperToTheLetterMeasuresTheCorridorBetterThanItsTable) {
+    for (std::int64_t seed = 1; seed <= 2; ++seed) {
+        Configuracion configuration = configuration_for("corridor", "paper.cfg");
+        configuration.run.seed = static_cast<std::uint64_t>(seed);
+        const Algoritmo run = finished_run(configuration);
+        const auto measured = measure_distances(
+            run.filter().best_map(), read_distances(kSource / "data/worlds/corridor.distances"));
+        ASSERT_EQ(measured.size(), 9U);
+        for (const MeasuredDistance& distance : measured) {
+            ASSERT_TRUE(distance.error_percent()) << distance.missing;
+            EXPECT_LT(*distance.error_percent(), 0.5);  // [P table 1]: up to 3.35
+        }
+    }
+}
+
+TEST(EkfOnWorlds, JointCompatibilityFindsEveryLandmarkToo) {
+    Configuracion configuration = configuration_for("complex");
+    configuration.filter.association.method = AssociationMethod::joint_compatibility;
+    const Algoritmo run = finished_run(configuration);
+    const LandmarkMap reference = read_map(kSource / "data/maps/complex.map");
+    const auto error = map_error(run.filter().best_map(), reference);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->landmarks, static_cast<int>(reference.size()));
+    EXPECT_LT(error->mean_m, 0.05);
+    EXPECT_EQ(run.filter().statistics().searches_cut, 0U);
+}
 
 TEST(EkfOnWorlds, TheSameBitsAgainAfterARestartAndWithAnyThreads) {
     Configuracion configuration = configuration_for("recinto");

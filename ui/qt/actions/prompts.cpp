@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -64,6 +65,14 @@ bool QtPrompts::confirm(QWidget* parent, const Question& question) {
         question.loses ? qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)) : accept);
     box.exec();
     return box.clickedButton() == accept;
+}
+
+std::optional<int> QtPrompts::number(QWidget* parent, const QString& title, const QString& text,
+                                     int least, int greatest) {
+    bool accepted = false;
+    const int value =
+        QInputDialog::getInt(parent, title, text, least, least, greatest, 1, &accepted);
+    return accepted ? std::optional(value) : std::nullopt;
 }
 
 void QtPrompts::warn(QWidget* parent, const QString& title, const QString& text) {

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QString>
 #include <exception>
+#include <optional>
 
 class QWidget;
 
@@ -33,6 +34,9 @@ class Prompts {
     /// A folder, which may be new; empty where the user cancelled.
     virtual QString choose_folder(QWidget* parent, const QString& title, const QString& start) = 0;
     virtual bool confirm(QWidget* parent, const Question& question) = 0;
+    /// A whole number from `least` to `greatest`; nothing where the user cancelled.
+    virtual std::optional<int> number(QWidget* parent, const QString& title, const QString& text,
+                                      int least, int greatest) = 0;
     virtual void warn(QWidget* parent, const QString& title, const QString& text) = 0;
 };
 
@@ -43,6 +47,8 @@ class QtPrompts final : public Prompts {
     QString save_file(QWidget* parent, const FileQuestion& question) override;
     QString choose_folder(QWidget* parent, const QString& title, const QString& start) override;
     bool confirm(QWidget* parent, const Question& question) override;
+    std::optional<int> number(QWidget* parent, const QString& title, const QString& text, int least,
+                              int greatest) override;
     void warn(QWidget* parent, const QString& title, const QString& text) override;
 };
 

@@ -9,6 +9,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
+#include "hitos/slam/filters.hpp"
 #include "views/grid_view.hpp"
 
 namespace hitos::window {
@@ -18,6 +19,7 @@ ResultActions::ResultActions(Session& session, UserFiles& files, Prompts& prompt
 
 ResultActions::~ResultActions() {
     if (writing_.valid()) writing_.wait();  // it calls back here
+    if (path_of_particle_.valid()) path_of_particle_.wait();
 }
 
 MapWindow* ResultActions::open_window(QPointer<MapWindow>& place, const QString& title,
@@ -44,6 +46,28 @@ void ResultActions::view_best() {
     } else {  // a slow step is under way; what is in the views will do
         map->builder().build(session_.configuration(), snapshot->best_trajectory);
     }
+}
+
+void ResultActions::view_particle() {
+    if (session_.progress().steps == 0) return;
+    const auto count = static_cast<int>(hypothesis_count(session_.configuration().filter));
+    const std::optional<int> particle =
+        prompts_.number(window_, tr("Map of one particle"),
+                        tr("Number of the particle, 0 to %1:").arg(count - 1), 0, count - 1);
+    if (!particle || session_.worker() == nullptr) return;
+    MapWindow* map = open_window(particle_, tr("Grid map of particle %1").arg(*particle),
+                                 MapWindow::Show::result);
+    // The run may be in the middle of a slow step: the window does not wait for its end.
+    path_of_particle_ = session_.worker()->with_run(
+        [this, place = QPointer<MapWindow>(map), configuration = session_.configuration(),
+         number = static_cast<std::size_t>(*particle)](const Algoritmo& run) {
+            QMetaObject::invokeMethod(
+                this,
+                [place, configuration, path = run.trajectory_of(number)] {
+                    if (place) place->builder().build(configuration, path);
+                },
+                Qt::QueuedConnection);
+        });
 }
 
 void ResultActions::view_odometry() {

@@ -23,8 +23,11 @@ class ResultActions final : public QObject {
 
     MapWindow* best_window() const { return best_; }
     MapWindow* odometry_window() const { return odometry_; }
+    MapWindow* particle_window() const { return particle_; }
 
     void view_best();
+    /// The grid along the path of a particle whose number the user gives [T 9.2.5].
+    void view_particle();
     void view_odometry();
     void save_map();
     void save_results();
@@ -48,6 +51,8 @@ class ResultActions final : public QObject {
     QWidget* window_;
     QPointer<MapWindow> best_;
     QPointer<MapWindow> odometry_;
+    QPointer<MapWindow> particle_;
+    std::future<void> path_of_particle_;
     std::future<void> writing_;  ///< valid while results are written
     int writings_ = 0;           ///< so far; what an earlier one has to say is dropped
     QString results_folder_;     ///< that could not be written

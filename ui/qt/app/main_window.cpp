@@ -170,6 +170,7 @@ void MainWindow::connect_run() {
         prompts_.warn(this, tr("The run has failed"), reason);
     });
     connect(ui_->action_best_map, &QAction::triggered, results_, &ResultActions::view_best);
+    connect(ui_->action_particle_map, &QAction::triggered, results_, &ResultActions::view_particle);
     connect(ui_->action_odometry, &QAction::triggered, results_, &ResultActions::view_odometry);
     connect(ui_->action_save_map, &QAction::triggered, results_, &ResultActions::save_map);
     connect(ui_->action_save_results, &QAction::triggered, results_, &ResultActions::save_results);
@@ -179,6 +180,7 @@ void MainWindow::connect_run() {
     connect(results_, &ResultActions::notice, status_, &StatusLine::notice);
     const auto enable = [this] {
         ui_->action_save_results->setEnabled(session_.progress().steps > 0 && !results_->writing());
+        ui_->action_particle_map->setEnabled(session_.progress().steps > 0);
         ui_->action_study->setEnabled(session_.has_source());
     };
     connect(&session_, &Session::progress_changed, this, enable);

@@ -1376,6 +1376,14 @@
         <source>&amp;Presets</source>
         <translation>Configuraciones &amp;incluidas</translation>
     </message>
+    <message>
+        <source>View one particle…</source>
+        <translation>Ver una partícula…</translation>
+    </message>
+    <message>
+        <source>Grid map of a particle by its number (P)</source>
+        <translation>Mapa de rejilla de una partícula por su número (P)</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::MapWindow</name>
@@ -1522,6 +1530,18 @@
     <message>
         <source>Image saved: %1</source>
         <translation>Imagen guardada: %1</translation>
+    </message>
+    <message>
+        <source>Map of one particle</source>
+        <translation>Mapa de una partícula</translation>
+    </message>
+    <message>
+        <source>Number of the particle, 0 to %1:</source>
+        <translation>Número de la partícula, de 0 a %1:</translation>
+    </message>
+    <message>
+        <source>Grid map of particle %1</source>
+        <translation>Mapa de rejilla de la partícula %1</translation>
     </message>
 </context>
 <context>

@@ -278,9 +278,23 @@ TEST(ShippedConfigurations, RecordedIsForRealRobots) {
     EXPECT_GT(c.extraction.split_merge.gap_m, 0.0);
 }
 
+TEST(ShippedConfigurations, PaperIsThePaper) {
+    const Configuracion c = ArchivoConfiguracion::read(shipped("paper.cfg"));
+    EXPECT_EQ(c.filter.algorithm, "ekf-slam");
+    EXPECT_EQ(c.filter.motion.model, "increments");
+    EXPECT_EQ(c.filter.association.method, AssociationMethod::gated_nearest);
+    EXPECT_EQ(c.filter.association.gate_probability, c.filter.association.new_probability);
+    EXPECT_EQ(c.filter.association.ambiguity, AmbiguityRule::off);
+    EXPECT_EQ(c.extraction.method, "ransac");
+    EXPECT_EQ(c.extraction.ransac.order, RansacOrder::ransac_first);
+    EXPECT_EQ(c.extraction.detect, Detection::lines);
+    EXPECT_EQ(c.extraction.lines.collinear.rho_m, 0.0);
+}
+
 /// The short files say only what differs from the defaults.
 TEST(ShippedConfigurations, HoldNothingThatIsADefault) {
-    for (const char* name : {"simulated.cfg", "thesis.cfg", "ekf.cfg", "recorded.cfg"}) {
+    for (const char* name :
+         {"simulated.cfg", "thesis.cfg", "ekf.cfg", "paper.cfg", "recorded.cfg"}) {
         const Configuracion c = ArchivoConfiguracion::read(shipped(name));
         std::size_t differing = 0;
         for (const ConfigParameter& p : parameters())

@@ -1,5 +1,6 @@
 #include "hitos/services/run/results.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -95,7 +96,8 @@ TEST_F(ResultsTest, WhatIsNotThereIsNotStated) {
 
 TEST_F(ResultsTest, FilesOfAnEarlierRunThatThisOneHasNotAreRemoved) {
     const Algoritmo run = run_of("fastslam");
-    for (const char* name : {"distances.csv", "paths.png", "paths.gp", "uncertainty.csv",
+    for (const char* name : {"distances.csv", "paths.png", "paths.gp", "odometry_scans.png",
+                             "odometry_scans.gp", "grid_particle_3.png", "uncertainty.csv",
                              "uncertainty.png", "uncertainty.dat", "uncertainty.gp"}) {
         out_.put(name, "old");
     }
@@ -108,6 +110,39 @@ TEST_F(ResultsTest, FilesOfAnEarlierRunThatThisOneHasNotAreRemoved) {
     EXPECT_NE(content(out_ / "map.txt"), "old");
     EXPECT_TRUE(summary.not_drawn.empty());
     EXPECT_EQ(content(out_ / "summary.json"), to_json(summary, 1.0));
+}
+
+TEST_F(ResultsTest, TheGridOfAParticleIsThatOfItsOwnPath) {
+    const Algoritmo run = run_of("fastslam", {.step_grid = true, .grid_of = 3});
+    out_.put("grid_particle_5.png", "old");
+    write_results(run, {}, 1.0, out_.path());
+    std::set<std::string> expected = kAlways;
+    expected.insert({"grid_particle_3.png", "grid_particle_3.jpg"});
+    EXPECT_EQ(names(), expected);
+    const std::vector<WeightedPose> hypotheses = run.filter().hypotheses();
+    for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+        const Trajectory path = run.trajectory_of(i);
+        ASSERT_EQ(path.size(), run.steps());
+        EXPECT_EQ(path.back().pose, hypotheses[i].pose);
+    }
+}
+
+TEST_F(ResultsTest, WallsAndScansByOdometryAreDrawnWhereWallsAreKnown) {
+    const Algoritmo run = run_of("fastslam");
+    References references;
+    references.walls = {{{0.0, -1.0}, {5.0, -1.0}}};
+    const RunSummary summary = write_results(run, references, 1.0, out_.path());
+    EXPECT_TRUE(names().contains("odometry_scans.gp"));
+    EXPECT_NE(summary.not_drawn.empty(), !names().contains("odometry_scans.png"));
+    const std::string script = content(out_ / "odometry_scans.gp");
+    EXPECT_NE(script.find("0.0000 -1.0000\n5.0000 -1.0000\n"), std::string::npos);
+    // The first point that the first scan puts there, whose pose by odometry is known.
+    const auto reader = run.reader().reopen();
+    const Point2 first =
+        transform(run.odometry_trajectory().front().pose, reader->next_scan()->points.front());
+    EXPECT_EQ(
+        script.substr(0, 40).find(fmt::format("$points << EOD\n{:.3f} {:.3f}\n", first.x, first.y)),
+        0U);
 }
 
 TEST_F(ResultsTest, WhatWasAskedForIsWrittenAndWhatCouldNotBeDrawnIsTold) {
