@@ -32,6 +32,11 @@ std::span<const Preset> presets() {
                           "EKF-SLAM with lines by RANSAC, each with the covariance of its own "
                           "points, for worlds and exact lasers."),
                PresetPurpose::worlds},
+        Preset{"paper", HITOS_TEXT("Preset", "As the paper"),
+               HITOS_TEXT("Preset",
+                          "EKF-SLAM with lines alone, to the letter of the paper, for worlds and "
+                          "exact lasers."),
+               PresetPurpose::worlds},
         Preset{"recorded", HITOS_TEXT("Preset", "Recorded tours"),
                HITOS_TEXT("Preset",
                           "FastSLAM for logs of real robots: noise that grows with the motion, "

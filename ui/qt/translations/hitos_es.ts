@@ -850,6 +850,14 @@
         <source>FastSLAM for logs of real robots: noise that grows with the motion, gaps that end a line.</source>
         <translation>FastSLAM para registros de robots reales: ruido que crece con el movimiento y huecos que terminan una recta.</translation>
     </message>
+    <message>
+        <source>As the paper</source>
+        <translation>Como el artículo</translation>
+    </message>
+    <message>
+        <source>EKF-SLAM with lines alone, to the letter of the paper, for worlds and exact lasers.</source>
+        <translation>EKF-SLAM solo con rectas, al pie de la letra del artículo, para mundos y láseres exactos.</translation>
+    </message>
 </context>
 <context>
     <name>Prompts</name>
