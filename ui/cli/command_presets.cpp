@@ -12,7 +12,9 @@ void add_presets(CLI::App& program) {
         program.add_subcommand("presets", "List the configurations for --preset and their purpose");
     command->callback([] {
         for (const Preset& preset : presets())
-            fmt::print("{:<10} {}\n", preset.word, preset.purpose);
+            fmt::print("{:<10} {:<7} {}\n", preset.word,
+                       preset.made_for == PresetPurpose::worlds ? "worlds" : "logs",
+                       preset.purpose);
     });
 }
 

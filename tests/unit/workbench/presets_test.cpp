@@ -53,7 +53,7 @@ std::vector<Advice> advice_of(Configuracion configuration, const std::filesystem
 }
 
 TEST(Advice, PresetsSuitTheWorldsTheyAreMadeFor) {
-    for (const char* preset : {"simulated", "thesis", "ekf"}) {
+    for (const char* preset : {"simulated", "thesis", "ekf", "paper"}) {
         for (const char* world : {"recinto", "iusiani", "corridor"}) {
             const auto advice = advice_of(preset_configuration(preset), find_world(world), 150);
             EXPECT_TRUE(advice.empty()) << preset << ", " << world << ": " << advice[0].words();
