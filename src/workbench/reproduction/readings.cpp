@@ -11,7 +11,7 @@
 namespace hitos {
 namespace {
 
-constexpr std::string_view kAsPublished = "fitted-no-rest-361-rays";
+constexpr std::string_view kAsPublished = "fitted-no-rest-2-pixels";
 
 /// What a reading adds to another one.
 struct More {
@@ -73,6 +73,8 @@ std::vector<Reading> make_readings() {
              "`fitted-no-rest` with tours that leave eastwards", {{"tour.reverse=true"}}),
         with(fitted_no_rest, "fitted-no-rest-2-pixels", "`fitted-no-rest`, walls 2 pixels thick",
              {{}, 2.0}),
+        with(fitted_no_rest, "fitted-no-rest-2-pixels-361-rays",
+             "`fitted-no-rest` with both, thinner walls and more rays", {{"laser.rays=361"}, 2.0}),
         with(fitted_no_rest, "fitted-no-rest-2-hz", "`fitted-no-rest` with 2 scans a second, not 5",
              {{"laser.rate=2"}}),
         stage_no_rest,
