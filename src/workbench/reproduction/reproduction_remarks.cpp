@@ -93,7 +93,8 @@ std::string unexplained_text(const Reproduction& reproduction,
                              std::span<const Reproduction> tried) {
     std::string lines;
     std::size_t count = 0;
-    for (std::size_t f = 0; f < reproduction.figures.size(); ++f) {
+    const std::size_t figures = reproduction.figures.size();  // the same of every reading
+    for (std::size_t f = 0; f < figures; ++f) {
         const ReproducedFigure& figure = reproduction.figures[f];
         std::vector<std::string> values;
         for (std::size_t r = 0; r < figure.rows.size(); ++r) {
@@ -201,7 +202,8 @@ std::string readings_text(const Reproduction& reproduction, std::span<const Repr
         const Agreement all = sum_up(reading, any_row);
         int gained = 0;
         int lost = 0;
-        for (std::size_t f = 0; f < reading.figures.size(); ++f) {
+        const std::size_t figures = reading.figures.size();
+        for (std::size_t f = 0; f < figures; ++f) {
             for (std::size_t r = 0; r < reading.figures[f].rows.size(); ++r) {
                 const bool before = explained(reproduction.figures[f].rows[r]);
                 const bool now = explained(reading.figures[f].rows[r]);

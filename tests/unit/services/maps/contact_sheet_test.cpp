@@ -59,7 +59,7 @@ int red_pixels(const cv::Mat& image) {
     int found = 0;
     for (int y = 0; y < image.rows; ++y) {
         for (int x = 0; x < image.cols; ++x) {
-            const auto pixel = image.at<cv::Vec3b>(y, x);
+            const auto& pixel = image.at<cv::Vec3b>(y, x);
             if (pixel[2] > pixel[1] + 60 && pixel[2] > pixel[0] + 60) ++found;
         }
     }
