@@ -41,6 +41,9 @@ void RansacLines::extract_lines(const Scan& scan, Observation& out) {
     }
     if (params_.order == RansacOrder::ransac_first) {
         run_ranges_ = ranges_;
+        run_of_.clear();
+        for (std::size_t run = 0; run < scan.run_starts.size(); ++run)
+            run_of_.resize(scan.run_end(run), static_cast<std::uint32_t>(run));
         search(scan.points, random);
     } else {
         for (std::size_t run = 0; run < scan.run_starts.size(); ++run) {
@@ -61,6 +64,13 @@ void RansacLines::follow_edges(const Scan& scan, std::uint32_t begin, std::uint3
         search(std::span(scan.points).subspan(begin, last - begin + 1), random);
         begin = last + 1;
     }
+}
+
+/// Whether more than strays, an edge or the end of a run of neighbours lies between two points.
+bool RansacLines::parted(std::size_t last, std::size_t next) const {
+    return place_[next] - place_[last] > kStrays + 1 ||
+           edge_between(run_ranges_[next], run_ranges_[last]) ||
+           (params_.order == RansacOrder::ransac_first && run_of_[next] != run_of_[last]);
 }
 
 bool RansacLines::edge_between(double range_a, double range_b) const {
@@ -180,8 +190,7 @@ void RansacLines::keep_pieces(std::span<const Point2> run) {
             if (nearest_[i] != line && shared_[i] != line) continue;
             // Where an infinite line crosses another wall far away, a point of that wall is on it
             // by chance: what other points or an edge part from the line must be one by itself.
-            if (points_.size() > first && (place_[i] - place_[last] > kStrays + 1 ||
-                                           edge_between(run_ranges_[i], run_ranges_[last]))) {
+            if (points_.size() > first && parted(last, i)) {
                 keep_piece(first);
                 first = points_.size();
                 fitted_.clear();

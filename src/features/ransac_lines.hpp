@@ -30,6 +30,7 @@ class RansacLines final : public MetodoExtraccionRectas {
 
     void follow_edges(const Scan& scan, std::uint32_t begin, std::uint32_t end,
                       RandomStream& random);
+    bool parted(std::size_t last, std::size_t next) const;
     bool edge_between(double range_a, double range_b) const;
     void search(std::span<const Point2> run, RandomStream& random);
     /// The line through two points with the most points nearer than the threshold; false where
@@ -50,7 +51,9 @@ class RansacLines final : public MetodoExtraccionRectas {
     std::uint64_t seed_;
     std::uint64_t scans_ = 0;
     // Working memory, kept between scans.
-    std::vector<double> ranges_;          // of all points, from the laser
+    std::vector<double> ranges_;  // of all points, from the laser
+    std::vector<std::uint32_t>
+        run_of_;  // run of neighbours of each point, where RANSAC comes first
     std::span<const double> run_ranges_;  // of the run at hand
     Candidates candidates_;
     std::vector<Recta> found_;             // in the run at hand

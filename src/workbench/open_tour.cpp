@@ -17,7 +17,9 @@ World world_of(const SourceParams& source, std::uint64_t run_seed) {
     std::istringstream changes(source.world_set);
     for (std::string change; changes >> change;) set_world_value(world, change);
     if (source.tour_seed != 0) world.seed = source.tour_seed;
-    if (world.seed == 0) world.seed = run_seed;
+    // 0 says "not chosen" in a world; a run's seed of 0 is one like any other.
+    constexpr std::uint64_t kOfZero = ~std::uint64_t{0};
+    if (world.seed == 0) world.seed = run_seed != 0 ? run_seed : kOfZero;
     return world;
 }
 

@@ -16,9 +16,15 @@ void set_study_source(Study& study, double level, OdometryNoiseKind kind) {
     study.setting = fmt::format("odometry noise {} {}",
                                 kOdometryNoiseKinds.at(static_cast<std::size_t>(kind)).word, level);
     study.source = [level, kind](const StudyJob& job) {
-        const std::uint64_t tour_seed = job.configuration.source.tour_seed;
-        return make_noisy_reader(open_tour(job.configuration), level, kind,
-                                 tour_seed != 0 ? tour_seed : job.seed);
+        const SourceParams& source = job.configuration.source;
+        std::uint64_t seed = job.seed;
+        if (is_world_file(source.file)) {
+            // A world's odometry has noise of the same seed already: what comes on top is drawn
+            // from another, or it would be the same noise twice.
+            constexpr std::uint64_t kOther = 0x9e3779b97f4a7c15;
+            seed = (source.tour_seed != 0 ? source.tour_seed : job.seed) ^ kOther;
+        }
+        return make_noisy_reader(open_tour(job.configuration), level, kind, seed);
     };
 }
 

@@ -197,8 +197,10 @@ void add_reproduce(CLI::App& program) {
             "--only", options->reproduction.only,
             "Only these figures: a number (10.85), a world or a parameter; may be repeated")
         ->allow_extra_args(false);
-    command->add_option("--runs", options->reproduction.runs,
-                        "Runs of each value, with seeds from 1 (default: 5)");
+    command->add_option(
+        "--runs", options->reproduction.runs,
+        "Runs of each value of the figures with errors, with seeds from 1 (default: 5); "
+        "those of grid maps have a number of their own");
     command
         ->add_option("--threads", options->reproduction.threads,
                      "Runs at a time (default: as many as the machine has); results do not depend "

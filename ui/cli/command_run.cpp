@@ -74,8 +74,9 @@ void check_particle(const std::optional<std::size_t>& particle,
 }
 
 void run(const RunOptions& options) {
-    Configuracion configuration = load(options.configuration);
-    configuration.source.file = source_named(options.log);
+    const std::string source = source_named(options.log);
+    Configuracion configuration = load(options.configuration, source);
+    configuration.source.file = source;
     if (!options.format.empty()) {
         configuration.source.format = checked_log_format(options.format, "--format");
     }

@@ -48,8 +48,9 @@ int study(CommandOptions options) {
     options.runs.threads = options.configuration.values.threads.value_or(0);
 
     Study study;
-    study.configuration = load(options.configuration);
-    study.configuration.source.file = source_named(options.log);
+    const std::string source = source_named(options.log);
+    study.configuration = load(options.configuration, source);
+    study.configuration.source.file = source;
     if (!options.format.empty()) {
         study.configuration.source.format = checked_log_format(options.format, "--format");
     }

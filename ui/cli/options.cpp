@@ -1,12 +1,15 @@
 #include "options.hpp"
 
+#include "hitos/capture/tour_reader.hpp"
 #include "hitos/workbench/presets.hpp"
 
 namespace hitos::cli {
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options) {
     CLI::Option* file = command.add_option(
-        "--config", options.file, "Configuration file (default: the thesis's recommended values)");
+        "--config", options.file,
+        "Configuration file (default: the thesis's recommended values; for a world "
+        "the preset simulated)");
     command
         .add_option("--preset", options.preset,
                     "Configuration that comes with Hitos: " + preset_words() +
@@ -32,10 +35,14 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
                        "Threads (default: all); results do not depend on it");
 }
 
-Configuracion load(const ConfigurationOptions& options) {
+Configuracion load(const ConfigurationOptions& options, const std::string& source) {
     Configuracion configuration;
     if (!options.file.empty()) configuration = read_configuration(options.file);
-    if (!options.preset.empty()) configuration = preset_configuration(options.preset);
+    if (!options.preset.empty()) {
+        configuration = preset_configuration(options.preset);
+    } else if (options.file.empty() && is_world_file(source)) {
+        configuration = preset_configuration(kWorldPreset);
+    }
     choose_values(configuration, options.values);
     return configuration;
 }

@@ -22,6 +22,7 @@ struct ConfigurationOptions {
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options);
 
 /// The values of the file or the preset (else the defaults), and the choices over them.
-Configuracion load(const ConfigurationOptions& options);
+/// Without file and preset a world has the preset "simulated", a log the defaults.
+Configuracion load(const ConfigurationOptions& options, const std::string& source);
 
 }  // namespace hitos::cli

@@ -23,6 +23,9 @@ struct Preset {
 /// All of them, the one for a first try at the front.
 std::span<const Preset> presets();
 
+/// What a world has where nobody chooses.
+inline constexpr std::string_view kWorldPreset = "simulated";
+
 /// "simulated, thesis, …", for help texts and messages.
 std::string preset_words();
 

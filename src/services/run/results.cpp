@@ -152,7 +152,9 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
             continue;
         }
         const std::string missing = output.write(finished, folder);
-        if (!missing.empty()) not_drawn.push_back(output.files.front() + ": " + missing);
+        if (!missing.empty())
+            not_drawn.push_back(output.files.empty() ? missing
+                                                     : output.files.front() + ": " + missing);
     }
     summary.not_drawn = std::move(not_drawn);
     write_file(folder / "summary.json", to_json(summary, seconds));

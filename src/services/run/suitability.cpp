@@ -68,13 +68,15 @@ std::vector<Advice> Suitability::advice(const Configuracion& configuration, bool
     if (scans_ < kFirstScans) return advice;
     const SuitabilityFigures seen = figures();
     const MotionParams& motion = configuration.filter.motion;
+    double sigma = std::max(motion.sigma_x_m, motion.sigma_y_m);
+    if (motion.unit == MotionUnit::variance) sigma = std::sqrt(sigma);
     const std::string_view preset = simulated ? "simulated" : "recorded";
     if (motion.model == "odometry" && seen.step_m > kLongStep &&
-        seen.step_m > kStepPerSigma * std::max(motion.sigma_x_m, motion.sigma_y_m)) {
+        seen.step_m > kStepPerSigma * sigma) {
         advice.push_back(
             {HITOS_TEXT("Advice",
                         "The robot drives %1 between scans, which is far for noise of a fixed "
-                        "size at every scan: the particles may lose the path."),
+                        "size at every scan: the path may be lost."),
              fmt::format("{:.2f} m", seen.step_m), preset});
     }
     const ExtractionParams& extraction = configuration.extraction;

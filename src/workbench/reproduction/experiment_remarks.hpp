@@ -26,13 +26,13 @@ inline constexpr std::string_view kCollinearBigloop2 =
     "are "
     "no longer merged: up to one corner in surplus, and a somewhat greater error.";
 inline constexpr std::string_view kCollinearHall =
-    "The number of lines is the same throughout, as in the thesis. Its surplus of corners below "
+    "The number of lines hardly changes, as in the thesis. Its surplus of corners below "
     "0.05 m "
     "is missing where walls are straight.";
 inline constexpr std::string_view kAngularNoise =
     "Too little noise tears the map, as in the thesis, but only at 0.0001: the odometry of the "
-    "simulated tour is better than that of the real one. From 0.03 on the map does not diverge but "
-    "blurs, and the error of the path doubles.";
+    "simulated tour is better than that of the real one. Beyond 0.03 the map does not diverge but "
+    "blurs, and the path gets worse.";
 inline constexpr std::string_view kPositionNoise =
     "The thesis's tendency without its failures: the path is best from 0.003 to 0.008 and worse on "
     "both sides, yet the loop closes everywhere.";
@@ -53,8 +53,9 @@ inline constexpr std::string_view kNeffLaboratory =
     "As in the thesis: all maps are alike; at 2 the path is "
     "somewhat worse.";
 inline constexpr std::string_view kParticlesHall =
-    "As in the thesis, 5 particles already give a map much like the truth. More of them go on "
-    "helping, slowly: the motion noise of this table is less than the odometry's own, so that the "
+    "Unlike in the thesis, 5 particles make many landmarks too many and a path half a metre off, "
+    "though the building can be told. More of them go on helping, slowly: the motion noise of this "
+    "table is less than the odometry's own, so that the "
     "particles must find the rare great deviations.";
 inline constexpr std::string_view kDmaxRecorded =
     "As the thesis says of its recorded tour: at 0.001 m nothing is found and SLAM is impossible, "
@@ -72,7 +73,7 @@ inline constexpr std::string_view kAngularRecorded =
     "with "
     "too much.";
 inline constexpr std::string_view kPositionRecorded =
-    "As in the thesis: the least errors about the true noise, and noise far beyond it does harm.";
+    "As in the thesis noise far beyond the true one does harm; below it the path hardly changes.";
 inline constexpr std::string_view kRhoRecorded =
     "As in the thesis: a surplus of landmarks at small values, and a worse map at 1.";
 inline constexpr std::string_view kThetaRecorded =

@@ -184,11 +184,15 @@ std::vector<const ThesisExperiment*> select(const MapReproductionOptions& option
         if (experiment.place == ThesisExperiment::Place::log) {
             std::error_code ignored;
             const fs::path log = log_file(options, experiment);
-            if (options.logs.empty() || !fs::is_regular_file(log, ignored)) {
+            const fs::path truth = options.logs / (experiment.name + ".gt.tum.gz");
+            if (options.logs.empty() || !fs::is_regular_file(log, ignored) ||
+                !fs::is_regular_file(truth, ignored)) {
                 result.left_out.push_back(
                     fmt::format("{}: {}", experiment.stem(),
-                                options.logs.empty() ? "no folder of recorded tours was given"
-                                                     : "there is no " + log.filename().string()));
+                                options.logs.empty()
+                                    ? "no folder of recorded tours was given"
+                                    : fmt::format("there is no {} with {}", log.filename().string(),
+                                                  truth.filename().string())));
                 continue;
             }
         }

@@ -204,9 +204,11 @@ std::string readings_text(const Reproduction& reproduction, std::span<const Repr
         int lost = 0;
         const std::size_t figures = reading.figures.size();
         for (std::size_t f = 0; f < figures; ++f) {
-            for (std::size_t r = 0; r < reading.figures[f].rows.size(); ++r) {
-                const bool before = explained(reproduction.figures[f].rows[r]);
-                const bool now = explained(reading.figures[f].rows[r]);
+            const std::vector<ReproducedRow>& rows_before = reproduction.figures[f].rows;
+            const std::vector<ReproducedRow>& rows_now = reading.figures[f].rows;
+            for (std::size_t r = 0; r < rows_now.size(); ++r) {
+                const bool before = explained(rows_before[r]);
+                const bool now = explained(rows_now[r]);
                 gained += now && !before ? 1 : 0;
                 lost += before && !now ? 1 : 0;
             }

@@ -149,7 +149,7 @@ Scene make_scene(Draws& draws) {
         by_pose << 1.0, 0.0, draws.normal(), 0.0, 1.0, draws.normal();
         at.push_back(scene.state.append(mean, by_pose, 0.05 * Matrix2::Identity()));
     }
-    scene.problem.candidates.resize(static_cast<std::size_t>(1 + draws.below(5)));
+    scene.problem.candidates.resize(1 + static_cast<std::size_t>(draws.below(5)));
     for (auto& candidates : scene.problem.candidates) {
         const Vector2 z(draws.normal(), draws.normal());
         for (const Eigen::Index place : at) {

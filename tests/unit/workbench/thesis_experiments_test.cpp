@@ -102,9 +102,11 @@ TEST(ThesisExperiments, DocumentSaysWhatWasLeftOut) {
     EXPECT_THAT(without.left_out, Contains("10.96-aces-p: no folder of recorded tours was given"));
     options.logs = "/nowhere";
     const MapReproduction missing = reproduce_maps(options);
-    EXPECT_THAT(missing.left_out, Contains("10.96-aces-p: there is no aces.log.gz"));
+    EXPECT_THAT(missing.left_out,
+                Contains("10.96-aces-p: there is no aces.log.gz with aces.gt.tum.gz"));
     const std::string document = map_reproduction_markdown(missing, "maps");
-    EXPECT_THAT(document, HasSubstr("* 10.25-aces-dmax: there is no aces.log.gz.\n"));
+    EXPECT_THAT(document,
+                HasSubstr("* 10.25-aces-dmax: there is no aces.log.gz with aces.gt.tum.gz.\n"));
     EXPECT_THAT(document, Not(HasSubstr("## Pairs")));
 }
 

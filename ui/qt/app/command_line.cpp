@@ -92,6 +92,8 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
         configuration = read_configuration(line.open);
     } else if (init == Init::read && files.has_init()) {
         configuration = read_configuration(files.init_path().toStdString());
+    } else if (!named.isEmpty() && is_world_file(source_named(line.open))) {
+        configuration = preset_configuration(kWorldPreset);
     } else if (named.isEmpty() && !shipped_file(kReadyTour).empty()) {
         configuration = preset_configuration(kReadyPreset);
     }

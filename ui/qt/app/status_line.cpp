@@ -12,10 +12,14 @@ namespace {
 constexpr int kNoticeMs = 6000;
 constexpr int kAdviceMs = 30'000;
 
+QString preset_to_try(const Advice& advice) {
+    return StatusLine::tr("Try Configuration → Presets → %1.")
+        .arg(translated("Preset", find_preset(advice.preset).label));
+}
+
 QString in_words(const Advice& advice) {
     return translated("Advice", advice.text).arg(QString::fromStdString(advice.figure)) + ' ' +
-           StatusLine::tr("Try Configuration → Presets → %1.")
-               .arg(translated("Preset", find_preset(advice.preset).label));
+           preset_to_try(advice);
 }
 
 }  // namespace
@@ -87,7 +91,11 @@ void StatusLine::show_advice() {
     const QString said = sentences.join(' ');
     if (said == advice_) return;
     advice_ = said;
-    if (!said.isEmpty()) bar_->showMessage(said, kAdviceMs);
+    // The reasons are long, and stand in the tool tip.
+    if (!said.isEmpty()) {
+        bar_->showMessage(QString::fromUtf8("⚠ ") + preset_to_try(snapshot->advice.front()),
+                          kAdviceMs);
+    }
     refresh();
 }
 

@@ -4,8 +4,8 @@
 <context>
     <name>Advice</name>
     <message>
-        <source>The robot drives %1 between scans, which is far for noise of a fixed size at every scan: the particles may lose the path.</source>
-        <translation>El robot avanza %1 entre barridos, mucho para un ruido de tamaño fijo en cada barrido: las partículas pueden perder el camino.</translation>
+        <source>The robot drives %1 between scans, which is far for noise of a fixed size at every scan: the path may be lost.</source>
+        <translation>El robot avanza %1 entre barridos, mucho para un ruido de tamaño fijo en cada barrido: se puede perder el camino.</translation>
     </message>
     <message>
         <source>The points of a line lie %1 from it, too much for split_merge.dmax: walls break into pieces, and their ends become false corners.</source>
