@@ -31,7 +31,7 @@ EkfSlam::EkfSlam(const FilterParams& params)
 }
 
 void EkfSlam::step(const SlamInput& input) {
-    predict(sum_controls(input.controls));
+    predict(motion_increment(input));
     measure(input.observation, params_.observation, measurements_);
     associations_.clear();
     rows_.clear();

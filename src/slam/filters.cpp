@@ -3,6 +3,7 @@
 #include "ekf_slam.hpp"
 #include "filtro_particulas.hpp"
 #include "hitos/slam/filter_parameters.hpp"
+#include "hitos/slam/robot.hpp"
 
 namespace hitos {
 
@@ -16,6 +17,12 @@ std::unique_ptr<SlamFilter> make_filter(const FilterParams& params, std::uint64_
                                         int threads) {
     check(params);
     return slam_algorithms().find(params.algorithm).make(params, seed, threads);
+}
+
+bool needs_registration(const FilterParams& params) {
+    const SlamAlgorithmEntry& algorithm = slam_algorithms().find(params.algorithm);
+    return algorithm.registered || (slam_algorithms().reads(params.algorithm, "motion.model") &&
+                                    motion_models().find(params.motion.model).registered);
 }
 
 std::size_t hypothesis_count(const FilterParams& params) {

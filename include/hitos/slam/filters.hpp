@@ -17,6 +17,7 @@ struct SlamAlgorithmEntry : RegistryEntry {
     /// `threads` 0: as many as the machine has. make_filter() has checked the ranges.
     std::function<std::unique_ptr<SlamFilter>(const FilterParams&, std::uint64_t seed, int threads)>
         make;
+    bool registered = false;  ///< reads SlamInput::registered, whatever the motion model
 };
 
 /// Those that the program knows: "fastslam", FastSLAM 1.0 [T table 3.2]; "ekf-slam" [P 4, 5], which
@@ -27,6 +28,9 @@ Registry<SlamAlgorithmEntry>& slam_algorithms();
 /// values out of range or impossible together.
 std::unique_ptr<SlamFilter> make_filter(const FilterParams& params, std::uint64_t seed,
                                         int threads);
+
+/// Whether the algorithm, with its motion model, asks for registration.
+bool needs_registration(const FilterParams& params);
 
 /// How many hypotheses the algorithm that the parameters name will have: its particles, or one.
 std::size_t hypothesis_count(const FilterParams& params);

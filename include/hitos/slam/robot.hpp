@@ -10,6 +10,7 @@
 #include "hitos/base/registry.hpp"
 #include "hitos/features/control.hpp"
 #include "hitos/slam/params.hpp"
+#include "hitos/slam/slam_filter.hpp"
 
 namespace hitos {
 
@@ -18,11 +19,15 @@ struct MotionIncrement {
     Pose pose_start_end;      ///< displacement in the robot frame at the start
     double path_m = 0.0;      ///< length of the path driven
     double turned_rad = 0.0;  ///< sum of absolute turns
+    /// Where registration places the scans before and after; null where the run has none.
+    const RegisteredStep* registered = nullptr;
     bool moved() const { return path_m > 0.0 || turned_rad > 0.0; }
 };
 
 /// Sums the controls by [T eq 7.17] (its straight-line limit included).
 MotionIncrement sum_controls(std::span<const Control> controls);
+/// The same, with what registration says.
+MotionIncrement motion_increment(const SlamInput& input);
 
 /// A motion model with its noise; a const object that gives functions, shared by all threads.
 /// Poses are of the robot in the world.
@@ -50,6 +55,7 @@ class Robot {
 
 /// A motion model as parameters name it.
 struct MotionModelEntry : RegistryEntry {
+    bool registered = false;  ///< reads MotionIncrement::registered
     std::function<std::unique_ptr<Robot>(const MotionParams&)> make;
 };
 

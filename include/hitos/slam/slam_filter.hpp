@@ -9,6 +9,7 @@
 #include "hitos/features/caracteristica.hpp"
 #include "hitos/features/control.hpp"
 #include "hitos/features/extractor.hpp"
+#include "hitos/registration/registered_step.hpp"
 
 namespace hitos {
 
@@ -40,6 +41,8 @@ struct SlamInput {
     const Scan& scan;
     std::span<const Control> controls;
     const Observation& observation;
+    /// Where registration places the scan; null where the run has none.
+    const RegisteredStep* registered = nullptr;
 };
 
 /// One algorithm, fed step by step.
@@ -49,6 +52,9 @@ class SlamFilter {
 
     /// One scan. Deterministic: the result depends on the seed, not on the number of threads.
     virtual void step(const SlamInput& input) = 0;
+    /// Registration moved the path behind, after the last step. An algorithm that takes its motion
+    /// from registration moves every pose and landmark along.
+    virtual void correct(const PathCorrection& /*correction*/) {}
 
     virtual std::uint64_t steps() const = 0;
     /// The best hypothesis (greatest weight before resampling): pose in the world, map (lines

@@ -17,6 +17,12 @@ MotionIncrement sum_controls(std::span<const Control> controls) {
     return sum;
 }
 
+MotionIncrement motion_increment(const SlamInput& input) {
+    MotionIncrement increment = sum_controls(input.controls);
+    increment.registered = input.registered;
+    return increment;
+}
+
 Eigen::Matrix3d Robot::jacobian(const Pose& pose, const MotionIncrement& increment) const {
     const Pose after = mean(pose, increment);
     Eigen::Matrix3d f = Eigen::Matrix3d::Identity();

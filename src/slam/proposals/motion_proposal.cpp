@@ -11,7 +11,7 @@ class MotionProposal final : public Proposal {
     explicit MotionProposal(const MotionParams& params) : robot_(make_robot(params)) {}
 
     void begin(const SlamInput& input, bool first) override {
-        increment_ = sum_controls(input.controls);
+        increment_ = motion_increment(input);
         first_ = first;
     }
     ProposedPose draw(const Hypothesis& before, RandomStream& random) const override {

@@ -1,0 +1,63 @@
+// Poses and what is known between them: the graph of key scans (Lu and Milios, 1997).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hitos/base/geometry.hpp"
+
+namespace hitos {
+
+/// A scan that the graph keeps.
+struct KeyPose {
+    Pose pose;               ///< of the robot in the world
+    std::uint64_t scan = 0;  ///< its number in the tour
+};
+
+enum class EdgeKind : std::uint8_t {
+    odometry,  ///< what the wheels say from one key to the next
+    scan,      ///< what the key's scan says against a key not long ago
+    loop       ///< what it says against one of an earlier passage
+};
+
+/// The pose of key `to` as key `from` saw it, with its information (the inverse of its covariance)
+/// of (x, y, theta) in the axes of `from` [1/m^2, 1/m^2, 1/rad^2]; singular where a corridor leaves
+/// a direction unknown.
+struct PoseEdge {
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+    Pose z;
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    EdgeKind kind = EdgeKind::odometry;
+};
+
+/// The error of an edge and its derivatives by both poses.
+struct EdgeError {
+    Eigen::Vector3d value;    ///< (x, y, theta) of from^-1 to, less z [m, m, rad]
+    Eigen::Matrix3d by_from;  ///< d(value)/d(from)
+    Eigen::Matrix3d by_to;    ///< d(value)/d(to)
+};
+EdgeError edge_error(const PoseEdge& edge, const Pose& from, const Pose& to);
+
+/// Weight of Cauchy's robust loss at a squared Mahalanobis distance, 1 / (1 + d2 / 9): at three
+/// standard deviations an error counts half.
+inline double robust_weight(double mahalanobis_squared) {
+    return 1.0 / (1.0 + mahalanobis_squared / 9.0);
+}
+
+/// How a graph is solved.
+struct GraphSolution {
+    int iterations = 10;
+    bool robust = true;  ///< whether edges far from the rest lose weight
+};
+
+/// Moves the keys to where the edges' errors, squared and weighted, are least: Gauss-Newton with a
+/// sparse Cholesky factorisation, the first key held. It stops where no key moves a millimetre.
+/// Returns the greatest move of a key [m] against where it began; keys stay as they are where the
+/// equations cannot be solved.
+double solve(std::vector<KeyPose>& keys, std::span<const PoseEdge> edges, const GraphSolution& how);
+
+}  // namespace hitos

@@ -1,0 +1,62 @@
+// Registration: every scan matched with what was seen before, loops closed, a path with covariance.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hitos/features/control.hpp"
+#include "hitos/registration/registered_step.hpp"
+#include "hitos/registration/registration_params.hpp"
+
+namespace hitos {
+
+/// A loop that was closed.
+struct ClosedLoop {
+    std::uint64_t scan = 0;     ///< at which
+    std::uint64_t earlier = 0;  ///< the scan of an earlier passage that it joins
+    double move_m = 0.0;        ///< greatest correction of a key by it
+};
+
+/// What a run may be trusted for, without any truth.
+struct RegistrationFigures {
+    std::uint64_t scans = 0;      ///< that were matched or could not be: those after a motion
+    std::uint64_t unmatched = 0;  ///< of these, those that fitted nothing
+    double mean_score = 0.0;      ///< of the matched ones, 0 … 1
+    std::uint64_t keys = 0;
+    std::uint64_t loop_searches = 0;  ///< places that could be an earlier one
+    std::uint64_t loops_refused = 0;  ///< that correlated and were refused or stayed alone
+    double largest_correction_m = 0.0;
+};
+
+/// Takes a tour scan by scan. Deterministic: nothing is drawn at random, one thread works.
+class Registration {
+  public:
+    explicit Registration(const RegistrationParams& params);
+    ~Registration();
+    Registration(Registration&&) noexcept;
+    Registration& operator=(Registration&&) noexcept;
+
+    /// Places the next scan. `controls` lead from the scan before to this one.
+    RegisteredStep add(const Scan& scan, std::span<const Control> controls);
+    /// What the last add() or finish() corrected, if anything. For a scan that closes a loop: after
+    /// the step of that scan.
+    std::optional<PathCorrection> correction() const;
+    /// The end of the tour: smooths the whole path. Further scans may follow.
+    void finish();
+
+    /// The pose at every scan so far, all corrections applied.
+    std::vector<Pose> path() const;
+    const std::vector<ClosedLoop>& loops() const;
+    std::span<const KeyPose> keys() const;
+    std::span<const PoseEdge> edges() const;
+    RegistrationFigures figures() const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace hitos
