@@ -1,9 +1,21 @@
 #include "hitos/features/control.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace hitos {
+
+DrivenWay driven_way(std::span<const Control> controls) {
+    DrivenWay sum;
+    for (const Control& control : controls) {
+        sum.pose_start_end =
+            compose(sum.pose_start_end, displacement(control.twist, control.duration_s));
+        sum.path_m += std::hypot(control.twist.v, control.twist.v_lateral) * control.duration_s;
+        sum.turned_rad += std::abs(control.twist.w) * control.duration_s;
+    }
+    return sum;
+}
 
 void ControlTrack::take(double until_s, std::vector<Control>& out) {
     while (pending_ || (pending_ = next_())) {

@@ -1,6 +1,6 @@
 #include "hitos/registration/pose_graph.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 

@@ -17,6 +17,17 @@ struct Control {
     friend bool operator==(const Control&, const Control&) = default;
 };
 
+/// What controls amount to.
+struct DrivenWay {
+    Pose pose_start_end;      ///< displacement in the robot frame at the start
+    double path_m = 0.0;      ///< length of the path driven
+    double turned_rad = 0.0;  ///< sum of absolute turns
+    bool moved() const { return path_m > 0.0 || turned_rad > 0.0; }
+};
+
+/// Sums the controls by [T eq 7.17] (its straight-line limit included).
+DrivenWay driven_way(std::span<const Control> controls);
+
 /// Cuts the stream of odometry readings at the scans' times: the reading that spans a scan is
 /// divided in proportion to time [T fig 9.11]. A scan whose line carries its own odometry takes
 /// every reading up to that line, whole. Scans older than readings already used get no control.

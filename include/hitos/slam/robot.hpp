@@ -15,16 +15,12 @@
 namespace hitos {
 
 /// What the controls between two scans amount to, the same for every particle.
-struct MotionIncrement {
-    Pose pose_start_end;      ///< displacement in the robot frame at the start
-    double path_m = 0.0;      ///< length of the path driven
-    double turned_rad = 0.0;  ///< sum of absolute turns
+struct MotionIncrement : DrivenWay {
     /// Where registration places the scans before and after; null where the run has none.
     const RegisteredStep* registered = nullptr;
-    bool moved() const { return path_m > 0.0 || turned_rad > 0.0; }
 };
 
-/// Sums the controls by [T eq 7.17] (its straight-line limit included).
+/// As driven_way().
 MotionIncrement sum_controls(std::span<const Control> controls);
 /// The same, with what registration says.
 MotionIncrement motion_increment(const SlamInput& input);

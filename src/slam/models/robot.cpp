@@ -1,26 +1,15 @@
 #include "hitos/slam/robot.hpp"
 
-#include <cmath>
-
 #include "robots.hpp"
 
 namespace hitos {
 
 MotionIncrement sum_controls(std::span<const Control> controls) {
-    MotionIncrement sum;
-    for (const Control& control : controls) {
-        sum.pose_start_end =
-            compose(sum.pose_start_end, displacement(control.twist, control.duration_s));
-        sum.path_m += std::hypot(control.twist.v, control.twist.v_lateral) * control.duration_s;
-        sum.turned_rad += std::abs(control.twist.w) * control.duration_s;
-    }
-    return sum;
+    return {driven_way(controls), nullptr};
 }
 
 MotionIncrement motion_increment(const SlamInput& input) {
-    MotionIncrement increment = sum_controls(input.controls);
-    increment.registered = input.registered;
-    return increment;
+    return {driven_way(input.controls), input.registered};
 }
 
 Eigen::Matrix3d Robot::jacobian(const Pose& pose, const MotionIncrement& increment) const {

@@ -1,0 +1,65 @@
+// Where in a window a set of points correlates best with a map, whatever the start.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hitos/base/geometry.hpp"
+#include "point_map.hpp"
+
+namespace hitos {
+
+/// A map as a picture of blurred points with coarser pictures over it, each cell of which holds the
+/// greatest value of a square of cells (Olson, 2009; Hess et al., 2016).
+class CorrelationMap {
+  public:
+    static constexpr double kCell = 0.1;  // [m]
+
+    /// Points further than `half_m` from the centre are left out. The coarsest of `levels` pictures
+    /// over the finest joins 2^levels cells a side.
+    CorrelationMap(std::span<const MapPoint> points, const Point2& centre, double half_m,
+                   int levels);
+
+    int levels() const { return static_cast<int>(pictures_.size()) - 1; }
+    /// The cell's number of a coordinate.
+    int column(double x) const;
+    int row(double y) const;
+    /// Sum over cells moved by (x, y), of the greatest value in the square of 2^level cells that
+    /// begins there.
+    struct Cell {
+        int column;
+        int row;
+    };
+    int sum(std::span<const Cell> cells, int x, int y, int level) const;
+
+  private:
+    void blur(std::span<const MapPoint> points);
+    void coarsen();
+
+    int side_;
+    double x0_;
+    double y0_;
+    std::vector<std::vector<std::uint8_t>> pictures_;
+};
+
+/// Half sizes of the window about a pose.
+struct SearchWindow {
+    double position_m;
+    double heading_rad;
+};
+
+struct Correlation {
+    Pose pose;
+    double score;  ///< mean value of the map under the points, 0 … 1
+};
+
+/// The pose in the window about `centre` with the greatest score, if that is `least_score` at
+/// least. Best first with bounds: the result is that of trying every cell and angle. Null too where
+/// 20 000 places were opened without an end.
+std::optional<Correlation> correlate(std::span<const SurfacePoint> points,
+                                     const CorrelationMap& map, const Pose& centre,
+                                     const SearchWindow& window, double least_score);
+
+}  // namespace hitos

@@ -1,0 +1,109 @@
+#include "key_graph.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+#include "odometry_step.hpp"
+
+namespace hitos {
+
+void KeyGraph::add(const KeyPose& pose, KeyScan scan) {
+    poses.push_back(pose);
+    scans.push_back(std::move(scan));
+    joined_.emplace_back();
+}
+
+void KeyGraph::join(std::uint32_t a, std::uint32_t b) {
+    joined_[a].push_back(b);
+    joined_[b].push_back(a);
+}
+
+void KeyGraph::reach(std::size_t from, std::vector<GraphReach>& reached, double way_m) const {
+    constexpr double kJointWay = 0.1;
+    constexpr double kJointVariance = 1e-4;     // (1 cm)^2
+    constexpr double kJointVarianceRad = 1e-6;  // (1 mrad)^2
+    reached.assign(size(), {});
+    reached[from] = {0.0, 0.0, 0.0};
+    using Open = std::pair<double, std::uint32_t>;
+    std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+    open.emplace(0.0, static_cast<std::uint32_t>(from));
+    while (!open.empty()) {
+        const auto [variance, i] = open.top();
+        open.pop();
+        if (variance > reached[i].variance_m2 || reached[i].way_m >= way_m) continue;
+        const auto go = [&](std::size_t j, double way, double variance_m2, double variance_rad2) {
+            const double dx = poses[j].pose.x - poses[from].pose.x;
+            const double dy = poses[j].pose.y - poses[from].pose.y;
+            const double there = variance + variance_m2 + variance_rad2 * (dx * dx + dy * dy);
+            if (there >= reached[j].variance_m2) return;
+            reached[j] = {reached[i].way_m + way, there, reached[i].variance_rad2 + variance_rad2};
+            open.emplace(there, static_cast<std::uint32_t>(j));
+        };
+        const auto along = [&](std::size_t step, std::size_t j) {  // from key step - 1 to key step
+            go(j, scans[step].travelled_m - scans[step - 1].travelled_m, scans[step].variance_m2,
+               scans[step].variance_rad2);
+        };
+        if (i > 0) along(i, i - 1);
+        if (i + 1 < size()) along(i + 1, i + 1);
+        for (const std::uint32_t j : joined_[i]) {
+            go(j, kJointWay, kJointVariance, kJointVarianceRad);
+        }
+    }
+}
+
+void KeyGraph::add_scan_edges(std::uint32_t to, const Pose& pose,
+                              std::span<const std::uint32_t> sources,
+                              std::span<const Linearization> by_source, double information,
+                              EdgeKind kind) {
+    constexpr int kFewestMatches = 8;
+    constexpr double kFar = 0.5;  // [m], a third of a radian counts a metre
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const Linearization& l = by_source[i];
+        if (sources[i] == to || l.matches < kFewestMatches) continue;
+        const Eigen::Matrix3d h = information * l.h;
+        // The unit matrix holds what the key does not determine.
+        const Eigen::Vector3d step =
+            -(h + Eigen::Matrix3d::Identity()).ldlt().solve(Eigen::Vector3d(information * l.b));
+        if (!(std::abs(step(0)) + std::abs(step(1)) + 3.0 * std::abs(step(2)) <= kFar)) continue;
+        const Pose& from = poses[sources[i]].pose;
+        const Pose seen{pose.x + step(0), pose.y + step(1), wrap_angle(pose.theta + step(2))};
+        edges.push_back({sources[i], to, between(from, seen), turned(h, -from.theta), kind});
+    }
+}
+
+void select_keys(const KeyGraph& graph, std::size_t end, const Pose& at, std::size_t newest,
+                 std::span<const GraphReach> reached, double way_m,
+                 std::vector<std::uint32_t>& selected) {
+    constexpr double kNear = 6.0;  // [m]
+    selected.clear();
+    const std::size_t first_new = end > newest ? end - newest : 0;
+    for (std::size_t j = first_new; j < end; ++j) {
+        selected.push_back(static_cast<std::uint32_t>(j));
+    }
+    std::vector<std::pair<double, std::uint32_t>> older;
+    for (std::size_t j = 0; j < std::min(first_new, reached.size()); ++j) {
+        if (reached[j].way_m >= way_m) continue;
+        const Pose& pose = graph.poses[j].pose;
+        const double distance = std::hypot(pose.x - at.x, pose.y - at.y);
+        if (distance < kNear) older.emplace_back(distance, static_cast<std::uint32_t>(j));
+    }
+    const std::size_t kept = std::min(older.size(), newest / 2);
+    std::partial_sort(older.begin(), older.begin() + static_cast<std::ptrdiff_t>(kept),
+                      older.end());
+    for (std::size_t i = 0; i < kept; ++i) selected.push_back(older[i].second);
+}
+
+void build_map(const KeyGraph& graph, std::span<const std::uint32_t> selected, const Pose& centre,
+               double half_m, PointMap& map) {
+    map.clear();
+    for (std::size_t i = 0; i < selected.size(); ++i) {
+        map.add(graph.scans[selected[i]].points, graph.poses[selected[i]].pose,
+                static_cast<std::uint32_t>(i));
+    }
+    map.build({centre.x, centre.y}, half_m);
+}
+
+}  // namespace hitos

@@ -1,0 +1,71 @@
+// The key scans of a tour with the edges between them, and how far they are from each other.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hitos/registration/pose_graph.hpp"
+#include "point_map.hpp"
+#include "scan_matcher.hpp"
+
+namespace hitos {
+
+/// What the graph keeps of a key beside its pose.
+struct KeyScan {
+    std::vector<SurfacePoint> points;  ///< robot frame
+    double travelled_m = 0.0;          ///< way driven up to it
+    /// Variance of the position and of the heading against the key before.
+    double variance_m2 = 0.0;
+    double variance_rad2 = 0.0;
+};
+
+/// How far a key is from another one along the graph.
+struct GraphReach {
+    static constexpr double kNever = 1e9;
+    double way_m = kNever;  ///< a joint between passages counts 0.1 m
+    double variance_m2 = kNever;
+    double variance_rad2 = kNever;
+};
+
+/// Keys in the order of the tour. Memory is linear in their number.
+class KeyGraph {
+  public:
+    std::vector<KeyPose> poses;
+    std::vector<KeyScan> scans;
+    std::vector<PoseEdge> edges;
+
+    std::size_t size() const { return poses.size(); }
+    void add(const KeyPose& pose, KeyScan scan);
+    /// That two keys of different passages saw the same walls.
+    void join(std::uint32_t a, std::uint32_t b);
+
+    /// Of every key from key `from`, by the way of least variance: each step adds its own and what
+    /// its heading does at the distance to `from`. Nothing beyond `way_m` along the graph is gone
+    /// on from.
+    void reach(std::size_t from, std::vector<GraphReach>& reached,
+               double way_m = GraphReach::kNever) const;
+
+    /// Edges from what a scan says against each key of a map at `pose`, where it became key `to`:
+    /// `by_source` belongs to the keys `sources`. Left out are those of fewer than 8 matches, or
+    /// where the key alone would move the scan by more than half a metre.
+    void add_scan_edges(std::uint32_t to, const Pose& pose, std::span<const std::uint32_t> sources,
+                        std::span<const Linearization> by_source, double information,
+                        EdgeKind kind);
+
+  private:
+    std::vector<std::vector<std::uint32_t>> joined_;
+};
+
+/// Which keys make the map about `at`: the `newest` keys before `end`, and of older ones that
+/// `reached` says are less than `way_m` away along the graph the nearest ones, half as many.
+void select_keys(const KeyGraph& graph, std::size_t end, const Pose& at, std::size_t newest,
+                 std::span<const GraphReach> reached, double way_m,
+                 std::vector<std::uint32_t>& selected);
+
+/// Puts those keys' points into a map about `centre`; a point's source is its key's place in
+/// `selected`.
+void build_map(const KeyGraph& graph, std::span<const std::uint32_t> selected, const Pose& centre,
+               double half_m, PointMap& map);
+
+}  // namespace hitos

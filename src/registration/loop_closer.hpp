@@ -1,0 +1,60 @@
+// Finds out whether the robot is where it has been before.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "correlation.hpp"
+#include "hitos/registration/registration_params.hpp"
+#include "key_graph.hpp"
+#include "scan_matcher.hpp"
+
+namespace hitos {
+
+/// A closed loop: where the newest key is, seen from an earlier passage.
+struct LoopFound {
+    Pose pose;
+    std::uint32_t key = 0;               ///< of the earlier passage, the nearest one
+    std::vector<std::uint32_t> sources;  ///< the earlier keys that were matched
+};
+
+/// Looks for an earlier passage of the newest key. Not one scan but the points of the last metres
+/// are correlated with an earlier stretch; the window is as wide as the graph is unsure; and only
+/// what three searches in a row say the same of is a loop: a single match is an accident of like
+/// places as often as not.
+class LoopCloser {
+  public:
+    LoopCloser(const RegistrationParams& params, const ScanMatcher& matcher)
+        : params_(params), matcher_(matcher) {}
+
+    /// The newest key's passage; `reached` is that of the newest key.
+    std::optional<LoopFound> search(const KeyGraph& graph, std::span<const GraphReach> reached);
+    /// The graph has moved: what was found before is of another frame.
+    void forget() { found_.clear(); }
+
+    std::uint64_t searches() const { return searches_; }
+    /// Searches that correlated but whose fit was poor, or bare of a direction.
+    std::uint64_t refused() const { return refused_; }
+
+  private:
+    /// That a search moved the newest key by `move`, in the world.
+    struct Found {
+        Pose move;
+        double travelled_m;
+    };
+
+    std::optional<std::uint32_t> candidate(const KeyGraph& graph,
+                                           std::span<const GraphReach> reached) const;
+    void gather_query(const KeyGraph& graph);
+    bool agreed(const Pose& now, const Pose& then, double travelled_m);
+
+    RegistrationParams params_;
+    ScanMatcher matcher_;
+    std::deque<Found> found_;
+    std::uint64_t searches_ = 0;
+    std::uint64_t refused_ = 0;
+    std::vector<SurfacePoint> query_;  // in the frame of the newest key
+};
+
+}  // namespace hitos

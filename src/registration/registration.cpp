@@ -1,0 +1,337 @@
+#include "hitos/registration/registration.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "key_graph.hpp"
+#include "loop_closer.hpp"
+#include "odometry_step.hpp"
+#include "scan_matcher.hpp"
+#include "step_matcher.hpp"
+#include "surface_points.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr double kMapHalf = 45.0;      // [m], of the local map
+constexpr double kOldKeysWay = 6.0;    // [m] along the graph, of old keys in the local map
+constexpr std::size_t kLoopEvery = 2;  // keys
+constexpr double kKeySlip = 0.01;      // [m] added to a key's standard deviation
+constexpr double kKeySlipRad = 0.002;  // [rad]
+
+}  // namespace
+
+class Registration::Impl {
+  public:
+    explicit Impl(const RegistrationParams& params)
+        : params_(params),
+          matcher_(params.point_sigma_m),
+          step_matcher_(params, matcher_),
+          closer_(params, matcher_) {}
+
+    RegisteredStep add(const Scan& scan, std::span<const Control> controls);
+    void finish();
+    std::vector<Pose> path() const;
+
+    const KeyGraph& graph() const { return graph_; }
+    const std::vector<ClosedLoop>& loops() const { return loops_; }
+    RegistrationFigures figures() const;
+    std::optional<PathCorrection> correction() const {
+        if (corrections_.empty()) return std::nullopt;
+        return PathCorrection{corrections_, graph_.poses, graph_.edges};
+    }
+
+  private:
+    /// A scan hangs on the newest key of its time.
+    struct Placed {
+        std::uint32_t key;
+        Pose pose_key_scan;
+    };
+
+    void step(const DrivenWay& way, RegisteredStep& out);
+    void learn(const DrivenWay& way, const Pose& corrected, const Eigen::Vector3d& variances,
+               const Pose& before, const MatchedStep& matched);
+    void refresh_map(const Pose& about);
+    bool key_due() const;
+    void add_key(std::uint64_t scan);
+    void close_loop();
+    void correct(const std::vector<Pose>& keys_before);
+    void register_anew(bool first);
+
+    RegistrationParams params_;
+    ScanMatcher matcher_;
+    StepMatcher step_matcher_;
+    LoopCloser closer_;
+    LateralCalibration calibration_;
+    KeyGraph graph_;
+    std::vector<Placed> placed_;  // by scan
+    Pose now_;
+    // Since the last key.
+    Pose odometry_;
+    Eigen::Vector3d odometry_variances_ = Eigen::Vector3d::Zero();
+    double variance_m2_ = 0.0;
+    double variance_rad2_ = 0.0;
+    double travelled_m_ = 0.0;
+
+    PointMap map_;
+    std::vector<std::uint32_t> map_keys_;
+    bool map_stale_ = true;
+    std::vector<GraphReach> reached_;
+    std::vector<SurfacePoint> points_;
+    std::vector<Linearization> by_source_;
+
+    std::vector<Pose> corrections_;  // by scan, of the last add() or finish()
+    std::vector<ClosedLoop> loops_;
+    RegistrationFigures figures_;
+};
+
+RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control> controls) {
+    corrections_.clear();
+    find_surface_points(scan, params_.range_m, points_);
+    RegisteredStep out;
+    out.scan = placed_.size();
+    out.before = now_;
+    const DrivenWay way = driven_way(controls);
+    out.path_m = way.path_m;
+    out.turned_rad = way.turned_rad;
+    const bool first = graph_.size() == 0;
+    if (!first && way.moved()) step(way, out);
+    out.pose = now_;
+    if (first || key_due()) {
+        add_key(out.scan);
+        out.key = true;
+    }
+    const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
+    placed_.push_back({newest, between(graph_.poses[newest].pose, now_)});
+    if (out.key && params_.loops && newest > static_cast<std::uint32_t>(params_.key_scans) &&
+        newest % kLoopEvery == 0) {
+        close_loop();
+    }
+    out.keys = graph_.poses;
+    out.edges = graph_.edges;
+    return out;
+}
+
+void Registration::Impl::step(const DrivenWay& way, RegisteredStep& out) {
+    const Pose before = now_;
+    const Pose raw = way.pose_start_end;
+    const Pose corrected = params_.calibrate ? calibration_.corrected(raw) : raw;
+    const Eigen::Vector3d variances = odometry_variances(raw, params_.odometry_scale);
+    const Eigen::Matrix3d information =
+        step_information(variances, before.theta + 0.5 * corrected.theta);
+    refresh_map(before);
+    const PosePrior prior{compose(before, corrected), information, params_.robust_prior};
+    const Eigen::Vector2d sigmas(std::sqrt(std::max(variances(0), variances(1))),
+                                 std::sqrt(variances(2)));
+    const MatchedStep matched = step_matcher_.match(points_, map_, prior, sigmas);
+    Eigen::Matrix3d posterior = information;
+    if (matched.matched) posterior += matcher_.information() * matched.fine.h;
+    out.covariance = turned(posterior.inverse(), -before.theta);
+    out.matched = matched.matched;
+    out.score = std::max(0.0, matched.score);
+    ++figures_.scans;
+    if (matched.matched) {
+        figures_.mean_score += out.score;
+        if (params_.calibrate) learn(way, corrected, variances, before, matched);
+    } else {
+        ++figures_.unmatched;
+    }
+    now_ = matched.pose;
+    const Pose moved = between(before, now_);
+    travelled_m_ += std::hypot(moved.x, moved.y);
+    odometry_ = compose(odometry_, corrected);
+    odometry_variances_ += odometry_variances(corrected, params_.odometry_scale);
+    variance_m2_ += 0.5 * (out.covariance(0, 0) + out.covariance(1, 1));
+    variance_rad2_ += out.covariance(2, 2);
+}
+
+/// Of the scan alone, without the odometry, where it says more of the way across than the odometry.
+void Registration::Impl::learn(const DrivenWay& way, const Pose& corrected,
+                               const Eigen::Vector3d& variances, const Pose& before,
+                               const MatchedStep& matched) {
+    const Eigen::Matrix3d information =
+        matcher_.information() * matched.fine.h + 1e-3 * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d covariance = information.inverse();
+    if (turned(covariance, -before.theta)(1, 1) >= 0.5 * variances(1)) return;
+    const Eigen::Vector3d step = -covariance * (matcher_.information() * matched.fine.b);
+    const Pose alone{matched.pose.x + step(0), matched.pose.y + step(1),
+                     wrap_angle(matched.pose.theta + step(2))};
+    calibration_.learn(way.pose_start_end, between(before, alone).y - corrected.y, variances(1));
+}
+
+void Registration::Impl::refresh_map(const Pose& about) {
+    if (!map_stale_) return;
+    select_keys(graph_, graph_.size(), about, static_cast<std::size_t>(params_.key_scans), reached_,
+                kOldKeysWay, map_keys_);
+    build_map(graph_, map_keys_, about, kMapHalf, map_);
+    map_stale_ = false;
+}
+
+bool Registration::Impl::key_due() const {
+    const Pose since = between(graph_.poses.back().pose, now_);
+    return std::hypot(since.x, since.y) > params_.key_distance_m ||
+           std::abs(since.theta) > params_.key_angle_rad;
+}
+
+void Registration::Impl::add_key(std::uint64_t scan) {
+    KeyScan key;
+    key.points = points_;
+    key.travelled_m = travelled_m_;
+    key.variance_m2 = variance_m2_ + kKeySlip * kKeySlip;
+    key.variance_rad2 = variance_rad2_ + kKeySlipRad * kKeySlipRad;
+    graph_.add({now_, scan}, std::move(key));
+    const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
+    if (newest > 0) {
+        graph_.edges.push_back({newest - 1, newest, odometry_,
+                                step_information(odometry_variances_, 0.5 * odometry_.theta),
+                                EdgeKind::odometry});
+        by_source_.assign(map_keys_.size(), {});
+        const Linearization l = matcher_.linearize(points_, map_, now_, kFineStage, 1, &by_source_);
+        const std::size_t first = graph_.edges.size();
+        if (l.matches >= kLeastMatches) {
+            graph_.add_scan_edges(newest, now_, map_keys_, by_source_, matcher_.information(),
+                                  EdgeKind::scan);
+        }
+        for (std::size_t i = first; i < graph_.edges.size(); ++i) {
+            PoseEdge& edge = graph_.edges[i];
+            if (newest - edge.from > static_cast<std::uint32_t>(params_.key_scans)) {
+                edge.kind = EdgeKind::loop;
+                graph_.join(edge.from, newest);
+            }
+        }
+    }
+    odometry_ = {};
+    odometry_variances_.setZero();
+    variance_m2_ = variance_rad2_ = 0.0;
+    map_stale_ = true;
+}
+
+void Registration::Impl::close_loop() {
+    const std::size_t newest = graph_.size() - 1;
+    graph_.reach(newest, reached_);
+    const auto found = closer_.search(graph_, reached_);
+    if (!found) return;
+    // The newest scan against the earlier keys: the query's pose is the prior, to some decimetres.
+    PointMap map;
+    build_map(graph_, found->sources, graph_.poses[found->key].pose, kMapHalf, map);
+    const std::vector<SurfacePoint>& scan = graph_.scans[newest].points;
+    const PosePrior prior{found->pose, 10.0 * Eigen::Matrix3d::Identity()};
+    const Pose pose = matcher_.fit(scan, map, found->pose, prior);
+    by_source_.assign(found->sources.size(), {});
+    matcher_.linearize(scan, map, pose, kFineStage, 1, &by_source_);
+    const std::size_t first = graph_.edges.size();
+    graph_.add_scan_edges(static_cast<std::uint32_t>(newest), pose, found->sources, by_source_,
+                          matcher_.information(), EdgeKind::loop);
+    closer_.forget();
+    if (graph_.edges.size() == first) return;
+    for (std::size_t i = first; i < graph_.edges.size(); ++i) {
+        graph_.join(graph_.edges[i].from, graph_.edges[i].to);
+    }
+    std::vector<Pose> before;
+    for (const KeyPose& key : graph_.poses) before.push_back(key.pose);
+    // First without robust weights: a large correction would be cut off by them.
+    double moved = solve(graph_.poses, graph_.edges, {6, false});
+    moved += solve(graph_.poses, graph_.edges, {6, true});
+    loops_.push_back({graph_.poses[newest].scan, graph_.poses[found->key].scan, moved});
+    figures_.largest_correction_m = std::max(figures_.largest_correction_m, moved);
+    correct(before);
+}
+
+void Registration::Impl::correct(const std::vector<Pose>& keys_before) {
+    std::vector<Pose> moves;
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+        moves.push_back(compose(graph_.poses[k].pose, inverse(keys_before[k])));
+    }
+    for (const Placed& placed : placed_) corrections_.push_back(moves[placed.key]);
+    now_ = compose(graph_.poses[placed_.back().key].pose, placed_.back().pose_key_scan);
+    map_stale_ = true;
+}
+
+void Registration::Impl::finish() {
+    corrections_.clear();
+    if (graph_.size() < 2) return;
+    std::vector<Pose> before;
+    for (const KeyPose& key : graph_.poses) before.push_back(key.pose);
+    solve(graph_.poses, graph_.edges, {10, true});
+    for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(pass == 0);
+    correct(before);
+}
+
+/// Every key's scan against its neighbours as they lie now.
+void Registration::Impl::register_anew(bool first) {
+    constexpr MatchStage kWide{0.4, 0.1, true};
+    std::erase_if(graph_.edges,
+                  [](const PoseEdge& edge) { return edge.kind != EdgeKind::odometry; });
+    std::vector<GraphReach> reached;
+    std::vector<std::uint32_t> keys;
+    PointMap map;
+    for (std::size_t k = 1; k < graph_.size(); ++k) {
+        graph_.reach(k, reached, 2.0 * kOldKeysWay);
+        const Pose& pose = graph_.poses[k].pose;
+        select_keys(graph_, k, pose, static_cast<std::size_t>(params_.key_scans), reached,
+                    2.0 * kOldKeysWay, keys);
+        build_map(graph_, keys, pose, kMapHalf, map);
+        by_source_.assign(keys.size(), {});
+        const Linearization l = matcher_.linearize(graph_.scans[k].points, map, pose,
+                                                   first ? kWide : kFineStage, 1, &by_source_);
+        if (l.matches < kLeastMatches) continue;
+        graph_.add_scan_edges(static_cast<std::uint32_t>(k), pose, keys, by_source_,
+                              matcher_.information(), EdgeKind::scan);
+    }
+    solve(graph_.poses, graph_.edges, {3, true});
+}
+
+std::vector<Pose> Registration::Impl::path() const {
+    std::vector<Pose> poses;
+    poses.reserve(placed_.size());
+    for (const Placed& placed : placed_) {
+        poses.push_back(compose(graph_.poses[placed.key].pose, placed.pose_key_scan));
+    }
+    return poses;
+}
+
+RegistrationFigures Registration::Impl::figures() const {
+    RegistrationFigures figures = figures_;
+    const std::uint64_t matched = figures.scans - figures.unmatched;
+    if (matched > 0) figures.mean_score /= static_cast<double>(matched);
+    figures.keys = graph_.size();
+    figures.loop_searches = closer_.searches();
+    figures.loops_refused = closer_.refused();
+    return figures;
+}
+
+Registration::Registration(const RegistrationParams& params)
+    : impl_(std::make_unique<Impl>(params)) {}
+Registration::~Registration() = default;
+Registration::Registration(Registration&&) noexcept = default;
+Registration& Registration::operator=(Registration&&) noexcept = default;
+
+RegisteredStep Registration::add(const Scan& scan, std::span<const Control> controls) {
+    return impl_->add(scan, controls);
+}
+std::optional<PathCorrection> Registration::correction() const {
+    return impl_->correction();
+}
+void Registration::finish() {
+    impl_->finish();
+}
+std::vector<Pose> Registration::path() const {
+    return impl_->path();
+}
+const std::vector<ClosedLoop>& Registration::loops() const {
+    return impl_->loops();
+}
+std::span<const KeyPose> Registration::keys() const {
+    return impl_->graph().poses;
+}
+std::span<const PoseEdge> Registration::edges() const {
+    return impl_->graph().edges;
+}
+RegistrationFigures Registration::figures() const {
+    return impl_->figures();
+}
+
+}  // namespace hitos

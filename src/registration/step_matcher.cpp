@@ -1,0 +1,75 @@
+#include "step_matcher.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "correlation.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr double kGoodScore = 0.7;   // no other start is tried
+constexpr double kPoorScore = 0.65;  // a search is worth its time
+constexpr double kLeastScore = 0.2;  // of a match at all
+constexpr double kDeparture = 0.05;  // score lost per metre and per radian from the odometry
+
+}  // namespace
+
+double StepMatcher::score(std::span<const SurfacePoint> scan, const PointMap& map, const Pose& pose,
+                          const Pose& odometry) const {
+    return match_score(scan, map, pose, 2) -
+           kDeparture * (std::abs(wrap_angle(pose.theta - odometry.theta)) +
+                         std::hypot(pose.x - odometry.x, pose.y - odometry.y));
+}
+
+void StepMatcher::search(std::span<const SurfacePoint> scan, const PointMap& map,
+                         const PosePrior& odometry, const Eigen::Vector2d& sigmas,
+                         Start& best) const {
+    constexpr double kMargin = 0.05;    // of score, for leaving the odometry
+    constexpr double kFar = 18.0;       // [m]
+    constexpr double kHalf = 20.0;      // [m], of the picture
+    constexpr std::size_t kMany = 120;  // points, above which every second one will do
+    constexpr std::size_t kFewest = 20;
+    std::vector<SurfacePoint> query;
+    const std::size_t stride = scan.size() > kMany ? 2 : 1;
+    for (std::size_t i = 0; i < scan.size(); i += stride) {
+        if (std::hypot(static_cast<double>(scan[i].x), static_cast<double>(scan[i].y)) < kFar) {
+            query.push_back(scan[i]);
+        }
+    }
+    if (query.size() <= kFewest) return;
+    const CorrelationMap picture(map.points(), {odometry.mean.x, odometry.mean.y}, kHalf, 3);
+    const SearchWindow window{std::min(2.0, 0.3 + 3.0 * sigmas(0)),
+                              std::min(0.8, 0.15 + 3.0 * sigmas(1))};
+    const auto found =
+        correlate(query, picture, odometry.mean, window, std::max(0.4, best.score + kMargin));
+    if (!found) return;
+    const PosePrior weak{found->pose, 0.01 * odometry.information, odometry.robust};
+    const Pose pose = matcher_.fit(scan, map, found->pose, weak);
+    const double its = score(scan, map, pose, odometry.mean);
+    if (its > best.score + kMargin) best = {pose, its};
+}
+
+MatchedStep StepMatcher::match(std::span<const SurfacePoint> scan, const PointMap& map,
+                               const PosePrior& odometry, const Eigen::Vector2d& sigmas) const {
+    Start best{odometry.mean, -1.0};
+    for (const double turn : {0.0, -0.1, 0.1, -0.22, 0.22}) {
+        const Pose start{odometry.mean.x, odometry.mean.y, odometry.mean.theta + turn};
+        const Pose pose = matcher_.fit(scan, map, start, odometry);
+        const double its = score(scan, map, pose, odometry.mean);
+        if (its > best.score + 1e-3) best = {pose, its};
+        if (turn == 0.0 && its > kGoodScore) break;
+    }
+    if (params_.search && best.score < kPoorScore) search(scan, map, odometry, sigmas, best);
+
+    MatchedStep step;
+    step.pose = best.pose;
+    step.score = best.score;
+    step.fine = matcher_.linearize(scan, map, best.pose, kFineStage);
+    step.matched = step.fine.matches >= kLeastMatches && best.score > kLeastScore;
+    if (!step.matched) step.pose = odometry.mean;
+    return step;
+}
+
+}  // namespace hitos
