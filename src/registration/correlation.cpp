@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <queue>
+#include <utility>
 
 namespace hitos {
 namespace {
@@ -36,64 +37,72 @@ struct Square {
 
 }  // namespace
 
-CorrelationMap::CorrelationMap(std::span<const MapPoint> points, const Point2& centre,
-                               double half_m, int levels)
-    : side_(static_cast<int>(2.0 * half_m / kCell) + 1),
-      x0_(centre.x - half_m),
-      y0_(centre.y - half_m),
-      pictures_(static_cast<std::size_t>(levels) + 1) {
-    blur(points);
-    coarsen();
+CorrelationMap::CorrelationMap(const PointMap& map, double half_m, int levels) {
+    blur(map, half_m);
+    for (int level = 1; level <= levels; ++level) {
+        pictures_.push_back(coarser(pictures_.back(), std::size_t{1} << (level - 1)));
+    }
 }
 
-int CorrelationMap::column(double x) const {
-    return static_cast<int>(std::floor(std::clamp((x - x0_) / kCell, -1e6, 1e6)));
+CorrelationMap::Cell CorrelationMap::cell(double x, double y) const {
+    const auto number = [](double offset) {
+        return static_cast<int>(std::floor(std::clamp(offset / kCell, -1e6, 1e6)));
+    };
+    return {number(x - x0_), number(y - y0_)};
 }
 
-int CorrelationMap::row(double y) const {
-    return static_cast<int>(std::floor(std::clamp((y - y0_) / kCell, -1e6, 1e6)));
-}
-
-void CorrelationMap::blur(std::span<const MapPoint> points) {
-    std::vector<std::uint8_t>& finest = pictures_.front();
-    finest.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), 0);
-    for (const MapPoint& point : points) {
-        const int a = column(static_cast<double>(point.x));
-        const int b = row(static_cast<double>(point.y));
-        if (a < kReach || b < kReach || a >= side_ - kReach || b >= side_ - kReach) continue;
+void CorrelationMap::blur(const PointMap& map, double half_m) {
+    Bounds bounds;  // no greater than the points: most places are long and thin
+    const auto inside = [half_m](const MapPoint& p) {
+        return std::abs(static_cast<double>(p.x)) <= half_m &&
+               std::abs(static_cast<double>(p.y)) <= half_m;
+    };
+    for (const MapPoint& p : map.points()) {
+        if (inside(p)) bounds.hold({static_cast<double>(p.x), static_cast<double>(p.y)});
+    }
+    // Cells count from the centre, whatever the bounds.
+    const double first_column = std::floor(bounds.low.x / kCell) - kReach;
+    const double first_row = std::floor(bounds.low.y / kCell) - kReach;
+    columns_ = static_cast<int>(std::floor(bounds.high.x / kCell) - first_column) + kReach + 1;
+    rows_ = static_cast<int>(std::floor(bounds.high.y / kCell) - first_row) + kReach + 1;
+    x0_ = map.centre().x + first_column * kCell;
+    y0_ = map.centre().y + first_row * kCell;
+    Picture finest(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    for (const MapPoint& p : map.points()) {
+        if (!inside(p)) continue;
+        const auto a =
+            static_cast<int>(std::floor(static_cast<double>(p.x) / kCell) - first_column);
+        const auto b = static_cast<int>(std::floor(static_cast<double>(p.y) / kCell) - first_row);
         for (int v = -kReach; v <= kReach; ++v) {
+            const auto line = static_cast<std::size_t>(b + v) * static_cast<std::size_t>(columns_);
             for (int u = -kReach; u <= kReach; ++u) {
-                std::uint8_t& cell =
-                    finest[static_cast<std::size_t>(b + v) * static_cast<std::size_t>(side_) +
-                           static_cast<std::size_t>(a + u)];
-                cell = std::max(cell, kBlur[static_cast<std::size_t>(std::abs(u))]
-                                           [static_cast<std::size_t>(std::abs(v))]);
+                std::uint8_t& value = finest[line + static_cast<std::size_t>(a + u)];
+                value = std::max(value, kBlur[static_cast<std::size_t>(std::abs(u))]
+                                             [static_cast<std::size_t>(std::abs(v))]);
             }
         }
     }
+    pictures_.push_back(std::move(finest));
 }
 
-void CorrelationMap::coarsen() {
-    const auto side = static_cast<std::size_t>(side_);
-    std::vector<std::uint8_t> wide(side * side);
-    for (std::size_t level = 1; level < pictures_.size(); ++level) {
-        const std::vector<std::uint8_t>& fine = pictures_[level - 1];
-        std::vector<std::uint8_t>& coarse = pictures_[level];
-        const std::size_t half = std::size_t{1} << (level - 1);
-        coarse.resize(side * side);
-        for (std::size_t y = 0; y < side; ++y) {
-            for (std::size_t x = 0; x < side; ++x) {
-                const std::size_t i = y * side + x;
-                wide[i] = x + half < side ? std::max(fine[i], fine[i + half]) : fine[i];
-            }
-        }
-        for (std::size_t y = 0; y < side; ++y) {
-            for (std::size_t x = 0; x < side; ++x) {
-                const std::size_t i = y * side + x;
-                coarse[i] = y + half < side ? std::max(wide[i], wide[i + half * side]) : wide[i];
-            }
-        }
+/// Running maxima over squares of twice the size; whole rows at a time, which the compiler makes
+/// vectors of.
+CorrelationMap::Picture CorrelationMap::coarser(const Picture& fine, std::size_t half) const {
+    const auto columns = static_cast<std::size_t>(columns_);
+    const auto rows = static_cast<std::size_t>(rows_);
+    Picture coarse = fine;
+    for (std::size_t y = 0; y < rows; ++y) {
+        const std::uint8_t* const from = fine.data() + y * columns;
+        std::uint8_t* const to = coarse.data() + y * columns;
+        for (std::size_t x = 0; x + half < columns; ++x) to[x] = std::max(from[x], from[x + half]);
     }
+    // From the first row on: the rows ahead are still those of the first pass.
+    for (std::size_t y = 0; y + half < rows; ++y) {
+        std::uint8_t* const to = coarse.data() + y * columns;
+        const std::uint8_t* const ahead = to + half * columns;
+        for (std::size_t x = 0; x < columns; ++x) to[x] = std::max(to[x], ahead[x]);
+    }
+    return coarse;
 }
 
 int CorrelationMap::sum(std::span<const Cell> cells, int x, int y, int level) const {
@@ -106,8 +115,8 @@ int CorrelationMap::sum(std::span<const Cell> cells, int x, int y, int level) co
         // A square that begins outside may reach into the map.
         if (a < 0 && a > -reach) a = 0;
         if (b < 0 && b > -reach) b = 0;
-        if (a < 0 || b < 0 || a >= side_ || b >= side_) continue;
-        sum += picture[static_cast<std::size_t>(b) * static_cast<std::size_t>(side_) +
+        if (a < 0 || b < 0 || a >= columns_ || b >= rows_) continue;
+        sum += picture[static_cast<std::size_t>(b) * static_cast<std::size_t>(columns_) +
                        static_cast<std::size_t>(a)];
     }
     return sum;
@@ -137,8 +146,7 @@ std::optional<Correlation> correlate(std::span<const SurfacePoint> points,
         for (const SurfacePoint& p : points) {
             const double x = static_cast<double>(p.x);
             const double y = static_cast<double>(p.y);
-            cells.push_back(
-                {map.column(centre.x + c * x - s * y), map.row(centre.y + s * x + c * y)});
+            cells.push_back(map.cell(centre.x + c * x - s * y, centre.y + s * x + c * y));
         }
     }
     const auto count = static_cast<double>(points.size());

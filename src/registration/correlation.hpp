@@ -17,31 +17,32 @@ class CorrelationMap {
   public:
     static constexpr double kCell = 0.1;  // [m]
 
-    /// Points further than `half_m` from the centre are left out. The coarsest of `levels` pictures
-    /// over the finest joins 2^levels cells a side.
-    CorrelationMap(std::span<const MapPoint> points, const Point2& centre, double half_m,
-                   int levels);
+    /// Points further than `half_m` from the map's centre are left out. The coarsest of `levels`
+    /// pictures over the finest joins 2^levels cells a side.
+    CorrelationMap(const PointMap& map, double half_m, int levels);
 
     int levels() const { return static_cast<int>(pictures_.size()) - 1; }
-    /// The cell's number of a coordinate.
-    int column(double x) const;
-    int row(double y) const;
-    /// Sum over cells moved by (x, y), of the greatest value in the square of 2^level cells that
-    /// begins there.
     struct Cell {
         int column;
         int row;
     };
+    /// That of a point of the world.
+    Cell cell(double x, double y) const;
+    /// Sum over cells moved by (x, y), of the greatest value in the square of 2^level cells that
+    /// begins there.
     int sum(std::span<const Cell> cells, int x, int y, int level) const;
 
   private:
-    void blur(std::span<const MapPoint> points);
-    void coarsen();
+    using Picture = std::vector<std::uint8_t>;
 
-    int side_;
-    double x0_;
-    double y0_;
-    std::vector<std::vector<std::uint8_t>> pictures_;
+    void blur(const PointMap& map, double half_m);
+    Picture coarser(const Picture& fine, std::size_t half) const;
+
+    int columns_ = 0;
+    int rows_ = 0;
+    double x0_ = 0.0;  // of the world
+    double y0_ = 0.0;
+    std::vector<Picture> pictures_;
 };
 
 /// Half sizes of the window about a pose.

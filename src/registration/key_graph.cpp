@@ -98,12 +98,12 @@ void select_keys(const KeyGraph& graph, std::size_t end, const Pose& at, std::si
 
 void build_map(const KeyGraph& graph, std::span<const std::uint32_t> selected, const Pose& centre,
                double half_m, PointMap& map) {
-    map.clear();
+    map.begin({centre.x, centre.y}, half_m);
     for (std::size_t i = 0; i < selected.size(); ++i) {
         map.add(graph.scans[selected[i]].points, graph.poses[selected[i]].pose,
                 static_cast<std::uint32_t>(i));
     }
-    map.build({centre.x, centre.y}, half_m);
+    map.build();
 }
 
 }  // namespace hitos

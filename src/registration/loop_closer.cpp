@@ -128,7 +128,7 @@ std::optional<LoopFound> LoopCloser::search(const KeyGraph& graph,
     const Pose& old = graph.poses[*found].pose;
     PointMap map;
     build_map(graph, loop.sources, old, 40.0, map);
-    const CorrelationMap picture(map.points(), {old.x, old.y}, 25.0 + 0.5 * window.position_m, 4);
+    const CorrelationMap picture(map, 25.0 + 0.5 * window.position_m, 4);
     const Pose now = graph.poses[newest].pose;
     const auto correlated = correlate(query_, picture, now, window, params_.loop_score);
     if (!correlated) return std::nullopt;

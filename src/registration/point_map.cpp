@@ -2,91 +2,117 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace hitos {
 namespace {
 
 constexpr double kBucket = 0.3;  // [m]
-constexpr std::uint32_t kOutside = UINT32_MAX;
+
+/// The bucket that a coordinate lies in, -1 before the first of `count`, `count` behind the last.
+int bucket(double offset, int count) {
+    // Truncation rounds down where nothing is negative.
+    return static_cast<int>(std::clamp(offset / kBucket + 1.0, 0.0, count + 1.0)) - 1;
+}
 
 }  // namespace
+
+void PointMap::begin(const Point2& centre, double half_m) {
+    centre_ = centre;
+    half_m_ = half_m;
+    added_.clear();
+}
 
 void PointMap::add(std::span<const SurfacePoint> points, const Pose& pose, std::uint32_t source) {
     const double c = std::cos(pose.theta);
     const double s = std::sin(pose.theta);
+    const double x0 = pose.x - centre_.x;
+    const double y0 = pose.y - centre_.y;
     for (const SurfacePoint& p : points) {
         const double x = static_cast<double>(p.x);
         const double y = static_cast<double>(p.y);
+        const double placed_x = x0 + c * x - s * y;
+        const double placed_y = y0 + s * x + c * y;
+        if (!(std::abs(placed_x) <= half_m_ && std::abs(placed_y) <= half_m_)) continue;
         const double nx = static_cast<double>(p.nx);
         const double ny = static_cast<double>(p.ny);
         MapPoint placed;
-        placed.x = static_cast<float>(pose.x + c * x - s * y);
-        placed.y = static_cast<float>(pose.y + s * x + c * y);
+        placed.x = static_cast<float>(placed_x);
+        placed.y = static_cast<float>(placed_y);
         placed.nx = static_cast<float>(c * nx - s * ny);
         placed.ny = static_cast<float>(s * nx + c * ny);
         placed.source = source;
-        points_.push_back(placed);
+        added_.push_back(placed);
     }
 }
 
-int PointMap::bucket(double offset) const {
-    return static_cast<int>(std::floor(std::clamp(offset / kBucket, -1.0, side_ + 1.0)));
+void PointMap::build() {
+    Bounds bounds;
+    for (const MapPoint& p : added_) {
+        bounds.hold({static_cast<double>(p.x), static_cast<double>(p.y)});
+    }
+    x0_ = bounds.low.x;
+    y0_ = bounds.low.y;
+    columns_ = static_cast<int>((bounds.high.x - bounds.low.x) / kBucket) + 1;
+    rows_ = static_cast<int>((bounds.high.y - bounds.low.y) / kBucket) + 1;
+    const auto buckets = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    starts_.assign(buckets + 2, 0);
+    places_.resize(added_.size());
+    for (std::size_t i = 0; i < added_.size(); ++i) {
+        const int column = bucket(static_cast<double>(added_[i].x) - x0_, columns_);
+        const int row = bucket(static_cast<double>(added_[i].y) - y0_, rows_);
+        places_[i] = static_cast<std::uint32_t>(row * columns_ + column);
+        ++starts_[places_[i] + 2];
+    }
+    // One place further than needed: filling moves each start on to where it belongs.
+    for (std::size_t b = 2; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
+    points_.resize(added_.size());
+    for (std::size_t i = 0; i < added_.size(); ++i) points_[starts_[places_[i] + 1]++] = added_[i];
 }
 
-void PointMap::build(const Point2& centre, double half_m) {
-    side_ = static_cast<int>(std::ceil(2.0 * half_m / kBucket)) + 1;
-    x0_ = centre.x - half_m;
-    y0_ = centre.y - half_m;
-    const auto buckets = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
-    starts_.assign(buckets + 1, 0);
-    places_.resize(points_.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const int column = bucket(static_cast<double>(points_[i].x) - x0_);
-        const int row = bucket(static_cast<double>(points_[i].y) - y0_);
-        if (column < 0 || row < 0 || column >= side_ || row >= side_) {
-            places_[i] = kOutside;
-            continue;
-        }
-        places_[i] = static_cast<std::uint32_t>(row * side_ + column);
-        ++starts_[places_[i] + 1];
+void PointMap::search_row(int row, int first_column, int last_column, float x, float y,
+                          Nearest& best) const {
+    const auto line = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+    // The buckets of a row lie one after the other.
+    const MapPoint* p = points_.data() + starts_[line + static_cast<std::size_t>(first_column)];
+    const MapPoint* const end =
+        points_.data() + starts_[line + static_cast<std::size_t>(last_column) + 1];
+    for (; p != end; ++p) {
+        const float dx = p->x - x;
+        const float dy = p->y - y;
+        const float d2 = dx * dx + dy * dy;
+        if (d2 < best.d2) best = {d2, p};
     }
-    for (std::size_t b = 0; b < buckets; ++b) starts_[b + 1] += starts_[b];
-    sorted_.resize(starts_[buckets]);
-    std::vector<std::uint32_t>& next = starts_;  // moves on while filling, put back below
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (places_[i] != kOutside) sorted_[next[places_[i]]++] = points_[i];
-    }
-    for (std::size_t b = buckets; b > 0; --b) starts_[b] = starts_[b - 1];
-    starts_[0] = 0;
-    std::swap(points_, sorted_);
 }
 
 const MapPoint* PointMap::nearest(double x, double y, double radius_m, double* distance2_m2) const {
-    const int first_column = std::max(bucket(x - radius_m - x0_), 0);
-    const int last_column = std::min(bucket(x + radius_m - x0_), side_ - 1);
-    const int first_row = std::max(bucket(y - radius_m - y0_), 0);
-    const int last_row = std::min(bucket(y + radius_m - y0_), side_ - 1);
-    double best2 = radius_m * radius_m;
-    const MapPoint* best = nullptr;
-    for (int row = first_row; row <= last_row && first_column <= last_column; ++row) {
-        const auto line = static_cast<std::size_t>(row) * static_cast<std::size_t>(side_);
-        // The buckets of a row lie one after the other.
-        const MapPoint* p = points_.data() + starts_[line + static_cast<std::size_t>(first_column)];
-        const MapPoint* const end =
-            points_.data() + starts_[line + static_cast<std::size_t>(last_column) + 1];
-        for (; p != end; ++p) {
-            const double dx = static_cast<double>(p->x) - x;
-            const double dy = static_cast<double>(p->y) - y;
-            const double d2 = dx * dx + dy * dy;
-            if (d2 < best2) {
-                best2 = d2;
-                best = p;
-            }
-        }
+    const double u = x - x0_;
+    const double v = y - y0_;
+    const int first_column = std::max(bucket(u - radius_m, columns_), 0);
+    const int last_column = std::min(bucket(u + radius_m, columns_), columns_ - 1);
+    const int first_row = std::max(bucket(v - radius_m, rows_), 0);
+    const int last_row = std::min(bucket(v + radius_m, rows_), rows_ - 1);
+    if (first_column > last_column || first_row > last_row) return nullptr;
+
+    const auto fx = static_cast<float>(x);
+    const auto fy = static_cast<float>(y);
+    Nearest best{static_cast<float>(radius_m * radius_m), nullptr};
+    // From the middle row out, as long as rows are nearer than what was found.
+    const int middle = std::clamp(bucket(v, rows_), first_row, last_row);
+    search_row(middle, first_column, last_column, fx, fy, best);
+    for (int row = middle + 1; row <= last_row; ++row) {
+        const double gap = row * kBucket - v;
+        if (gap > 0.0 && gap * gap > static_cast<double>(best.d2)) break;
+        search_row(row, first_column, last_column, fx, fy, best);
     }
-    if (best != nullptr && distance2_m2 != nullptr) *distance2_m2 = best2;
-    return best;
+    for (int row = middle - 1; row >= first_row; --row) {
+        const double gap = v - (row + 1) * kBucket;
+        if (gap > 0.0 && gap * gap > static_cast<double>(best.d2)) break;
+        search_row(row, first_column, last_column, fx, fy, best);
+    }
+    if (best.point != nullptr && distance2_m2 != nullptr) {
+        *distance2_m2 = static_cast<double>(best.d2);
+    }
+    return best.point;
 }
 
 }  // namespace hitos

@@ -10,38 +10,50 @@
 
 namespace hitos {
 
-/// A point of a map and which of the map's scans it is of.
+/// A point of a map, from the map's centre on in the axes of the world, and which of the map's
+/// scans it is of.
 struct MapPoint : SurfacePoint {
     std::uint32_t source = 0;
 };
 
 /// Nearest points within radii of decimetres: square buckets are quicker here than a tree, to build
-/// and to ask. Points further than `half_m` from the centre, in x or y, are left out.
+/// and to ask. Coordinates count from the centre, so that a tour may be as far from the origin as
+/// it likes.
 class PointMap {
   public:
-    void clear() { points_.clear(); }
-    /// Adds a scan's points, seen from `pose`.
+    /// Empty, about `centre`. Points further than `half_m` from it, in x or y, will be left out.
+    void begin(const Point2& centre, double half_m);
+    /// Adds a scan's points, seen from `pose` in the world.
     void add(std::span<const SurfacePoint> points, const Pose& pose, std::uint32_t source);
     /// Puts what was added into buckets.
-    void build(const Point2& centre, double half_m);
+    void build();
 
-    /// The nearest point within `radius_m`, null where there is none; of two as near the one added
-    /// first. `distance2_m2`, where given, takes its squared distance.
+    const Point2& centre() const { return centre_; }
+    /// The point nearest to (x, y), from the centre on, within `radius_m`; null where there is
+    /// none. `distance2_m2`, where given, takes its squared distance.
     const MapPoint* nearest(double x, double y, double radius_m,
                             double* distance2_m2 = nullptr) const;
-    /// All points, in no useful order after build().
+    /// All points, bucket by bucket.
     std::span<const MapPoint> points() const { return points_; }
 
   private:
-    int bucket(double offset) const;
+    struct Nearest {
+        float d2;
+        const MapPoint* point;
+    };
+    void search_row(int row, int first_column, int last_column, float x, float y,
+                    Nearest& best) const;
 
-    std::vector<MapPoint> points_;       // bucket by bucket after build()
+    Point2 centre_;
+    double half_m_ = 0.0;
+    std::vector<MapPoint> added_;
+    std::vector<MapPoint> points_;
     std::vector<std::uint32_t> starts_;  // of each bucket in points_
-    std::vector<MapPoint> sorted_;       // scratch
     std::vector<std::uint32_t> places_;  // scratch: the bucket of each point
-    double x0_ = 0.0;
+    double x0_ = 0.0;                    // corner of the first bucket
     double y0_ = 0.0;
-    int side_ = 0;  // buckets
+    int columns_ = 0;
+    int rows_ = 0;
 };
 
 }  // namespace hitos

@@ -40,18 +40,17 @@ struct Sums {
     }
 };
 
-/// A point of the scan at its place in the world, with the point of the map that is nearest.
+/// A point of the scan: where it is from the robot on, in the world's axes, and from the map's
+/// centre on; with the point of the map that is nearest.
 struct Match {
+    double dx, dy;
     double x, y;
     const SurfacePoint& seen;
     const MapPoint& map;
 };
 
 /// Adds what a match says; false where it says nothing.
-bool add_match(const Match& m, const Pose& pose, double c, double s, const MatchStage& stage,
-               Sums& sums) {
-    const double dx = m.x - pose.x;
-    const double dy = m.y - pose.y;
+bool add_match(const Match& m, double c, double s, const MatchStage& stage, Sums& sums) {
     const double ex = m.x - static_cast<double>(m.map.x);
     const double ey = m.y - static_cast<double>(m.map.y);
     if (m.map.has_normal()) {
@@ -64,13 +63,13 @@ bool add_match(const Match& m, const Pose& pose, double c, double s, const Match
         }
         const double error = ex * nx + ey * ny;
         const double half2 = stage.half_weight_m * stage.half_weight_m;
-        sums.add(nx, ny, ny * dx - nx * dy, error, 1.0 / (1.0 + error * error / half2));
+        sums.add(nx, ny, ny * m.dx - nx * m.dy, error, 1.0 / (1.0 + error * error / half2));
         return true;
     }
     if (m.seen.has_normal()) return false;
     const double weight = kLoosePointWeight / (1.0 + (ex * ex + ey * ey) / kLoosePointHalf2);
-    sums.add(1.0, 0.0, -dy, ex, weight);
-    sums.add(0.0, 1.0, dx, ey, weight);
+    sums.add(1.0, 0.0, -m.dy, ex, weight);
+    sums.add(0.0, 1.0, m.dx, ey, weight);
     return true;
 }
 
@@ -87,13 +86,15 @@ double match_score(std::span<const SurfacePoint> scan, const PointMap& map, cons
     constexpr double kTwoVariances = 2.0 * 0.08 * 0.08;  // [m^2]
     const double c = std::cos(pose.theta);
     const double s = std::sin(pose.theta);
+    const double x0 = pose.x - map.centre().x;
+    const double y0 = pose.y - map.centre().y;
     double sum = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < scan.size(); i += static_cast<std::size_t>(stride)) {
         const double px = static_cast<double>(scan[i].x);
         const double py = static_cast<double>(scan[i].y);
         double d2 = 0.0;
-        if (map.nearest(pose.x + c * px - s * py, pose.y + s * px + c * py, 0.3, &d2) != nullptr) {
+        if (map.nearest(x0 + c * px - s * py, y0 + s * px + c * py, 0.3, &d2) != nullptr) {
             sum += std::exp(-d2 / kTwoVariances);
         }
         ++count;
@@ -106,22 +107,26 @@ Linearization ScanMatcher::linearize(std::span<const SurfacePoint> scan, const P
                                      std::vector<Linearization>* by_source) const {
     const double c = std::cos(pose.theta);
     const double s = std::sin(pose.theta);
+    const double x0 = pose.x - map.centre().x;
+    const double y0 = pose.y - map.centre().y;
     Linearization sum;
     Sums sums;
     for (std::size_t i = 0; i < scan.size(); i += static_cast<std::size_t>(stride)) {
         const double px = static_cast<double>(scan[i].x);
         const double py = static_cast<double>(scan[i].y);
-        const double x = pose.x + c * px - s * py;
-        const double y = pose.y + s * px + c * py;
+        const double dx = c * px - s * py;
+        const double dy = s * px + c * py;
+        const double x = x0 + dx;
+        const double y = y0 + dy;
         const MapPoint* const nearest = map.nearest(x, y, stage.radius_m);
         if (nearest == nullptr) continue;
-        const Match match{x, y, scan[i], *nearest};
+        const Match match{dx, dy, x, y, scan[i], *nearest};
         if (by_source == nullptr) {
-            if (add_match(match, pose, c, s, stage, sums)) ++sum.matches;
+            if (add_match(match, c, s, stage, sums)) ++sum.matches;
             continue;
         }
         Sums one;
-        if (!add_match(match, pose, c, s, stage, one)) continue;
+        if (!add_match(match, c, s, stage, one)) continue;
         ++sum.matches;
         one.add_to(sum, stride);
         Linearization& source = (*by_source)[nearest->source];

@@ -39,7 +39,7 @@ void StepMatcher::search(std::span<const SurfacePoint> scan, const PointMap& map
         }
     }
     if (query.size() <= kFewest) return;
-    const CorrelationMap picture(map.points(), {odometry.mean.x, odometry.mean.y}, kHalf, 3);
+    const CorrelationMap picture(map, kHalf, 3);
     const SearchWindow window{std::min(2.0, 0.3 + 3.0 * sigmas(0)),
                               std::min(0.8, 0.15 + 3.0 * sigmas(1))};
     const auto found =
