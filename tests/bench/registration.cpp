@@ -2,9 +2,12 @@
 //
 // usage: build/release/bench/bench_registration [--copies N] [--set NAME=VALUE]... TOUR...
 //
-// TOUR.log.gz and TOUR.gt.tum.gz are read. Copies are of the kind that tests/bench/real_tours makes:
-// the first 3 n seconds left out, 10 mm of noise on ranges, 3 % on every step of the odometry and
-// 3 mrad on its heading; copy 0 is the log as it is.
+// TOUR is a world (.toml), whose copies have other seeds, or TOUR.log.gz and TOUR.gt.tum.gz are
+// read. Copies are of the kind that tests/bench/real_tours makes: the first 3 n seconds left out,
+// 10 mm of noise on ranges, 3 % on every step of the odometry and 3 mrad on its heading; copy 0 is
+// the log as it is.
+
+#include "hitos/registration/registration.hpp"
 
 #include <fmt/core.h>
 
@@ -17,10 +20,9 @@
 #include <vector>
 
 #include "hitos/features/control.hpp"
-#include "hitos/registration/registration.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
-#include "hitos/services/run/open_source.hpp"
+#include "hitos/workbench/open_tour.hpp"
 
 namespace {
 
@@ -103,11 +105,13 @@ double ate(const Trajectory& stamps, const std::vector<Pose>& poses, const Traje
 
 void run(const std::string& tour, int copy, const RegistrationParams& params) {
     SourceParams source;
-    source.file = tour + ".log.gz";
-    const auto log = open_source(source);
-    const Trajectory reference = read_trajectory(tour + ".gt.tum.gz");
+    source.file = is_world_file(tour) ? tour : tour + ".log.gz";
+    const auto log = open_tour(source, static_cast<std::uint64_t>(copy) + 1);
+    const Trajectory reference =
+        is_world_file(tour) ? log->truth()->path : read_trajectory(tour + ".gt.tum.gz");
+
     ControlTrack track([&] { return log->next_odometry(); });
-    Noise noise(copy);
+    Noise noise(is_world_file(tour) ? 0 : copy);  // a world has noise of its own
     Registration registration(params);
     OdometryPath odometry;
     std::vector<Pose> online;

@@ -55,10 +55,20 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
             summary.map_error->reference_found, summary.map_error->reference_landmarks);
     }
     if (summary.trajectory_error && summary.odometry_error) {
-        fmt::print("trajectory error (ATE) {:.3f} m, odometry alone {:.3f} m\n",
-                   summary.trajectory_error->rmse_m, summary.odometry_error->rmse_m);
+        fmt::print(
+            "trajectory error (ATE) {:.3f} m, while driving {:.3f} m, odometry alone {:.3f} m\n",
+            summary.trajectory_error->rmse_m, summary.online_error->rmse_m,
+            summary.odometry_error->rmse_m);
     }
     if (!summary.distances.empty()) fmt::print("{}", distance_table(summary.distances));
+    if (const auto& figures = summary.quality.registration) {
+        fmt::print("{} of {} scans fitted, {} loops closed, largest correction {:.2f} m\n",
+                   figures->scans - figures->unmatched, figures->scans, summary.quality.loops,
+                   figures->largest_correction_m);
+    }
+    for (const Advice& warning : summary.quality.warnings) {
+        fmt::print("warning: {}\n", warning.words());
+    }
     for (const Advice& advice : summary.advice) fmt::print("note: {}\n", advice.words());
     for (const std::string& missing : summary.not_drawn) fmt::print("not drawn: {}\n", missing);
     fmt::print("results in {}\n", folder);

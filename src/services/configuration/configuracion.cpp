@@ -24,6 +24,7 @@ std::span<const ParameterGroupFacts> parameter_groups() {
          HITOS_TEXT("ParameterGroup", "Split and Merge algorithm"),
          {"features", "split_merge", "ransac"}},
         {Group::resampling, HITOS_TEXT("ParameterGroup", "Resampling"), {"resampling"}},
+        {Group::registration, HITOS_TEXT("ParameterGroup", "Registration"), {"registration"}},
         {Group::grid, HITOS_TEXT("ParameterGroup", "Grid map"), {"grid"}},
         {Group::run, HITOS_TEXT("ParameterGroup", "Run"), {"run"}},
     };

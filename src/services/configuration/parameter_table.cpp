@@ -5,6 +5,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/features/extraction_parameters.hpp"
 #include "hitos/features/line_methods.hpp"
+#include "hitos/registration/registration_parameters.hpp"
 #include "hitos/slam/filter_parameters.hpp"
 #include "hitos/slam/filters.hpp"
 #include "hitos/slam/proposal.hpp"
@@ -117,6 +118,12 @@ void join_layers(Table& table) {
     for (const char* key : {"observation.var_rho", "observation.var_theta"}) {
         at(table, key).conditions.push_back(where(at(table, "observation.covariance"), {"fixed"}));
     }
+    for (ConfigParameter& parameter : table) {
+        if (parameter.table() != "registration") continue;
+        parameter.conditions.insert(parameter.conditions.begin(),
+                                    {"motion.model", "registered",
+                                     [](const Config& c) { return needs_registration(c.filter); }});
+    }
 }
 
 /// What an entry says it reads must be there: a misspelt key would never turn grey.
@@ -148,6 +155,7 @@ std::vector<ConfigParameter> make_parameter_table() {
     Table table;
     add_source(table);
     add_lifted(table, filter_parameters(), &Config::filter);
+    add_lifted(table, registration_parameters(), &Config::registration);
     add_lifted(table, extraction_parameters(), &Config::extraction);
     add_lifted(table, grid_parameters(), &Config::grid);
     add_run(table);

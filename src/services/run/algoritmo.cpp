@@ -1,5 +1,6 @@
 #include "hitos/services/run/algoritmo.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "hitos/base/error.hpp"
@@ -27,7 +28,13 @@ void Algoritmo::begin() {
         make_filter(configuration_.filter, configuration_.run.seed, configuration_.run.threads);
     controls_ =
         std::make_unique<ControlTrack>([from = reader_.get()] { return from->next_odometry(); });
+    registration_ = needs_registration(configuration_.filter)
+                        ? std::make_unique<Registration>(configuration_.registration)
+                        : nullptr;
     step_grid_.clear();
+    step_grid_redrawn_ = 0;
+    key_scans_.clear();
+    online_.clear();
     line_extents_.clear();
     suitability_.clear();
     uncertainty_.clear();
@@ -55,19 +62,48 @@ bool Algoritmo::step() {
                 reader().name(), 0,
                 problem + "; expected at least one scan: check the file and its format");
         }
+        finish();
         return false;
     }
     scan_ = std::move(*scan);
     controls_->controls_until(scan_, step_controls_);
     extractor_->extract(scan_, observation_);
-    filter_->step({scan_, step_controls_, observation_});
+    std::optional<RegisteredStep> registered;
+    if (registration_) registered = registration_->add(scan_, step_controls_);
+    filter_->step({scan_, step_controls_, observation_, registered ? &*registered : nullptr});
+    if (registered && registered->key && options_.step_grid) key_scans_.push_back(scan_);
+    note_scan();
+    if (registration_) take_correction();
+    online_.push_back({scan_.time_s, filter_->best_pose()});
+    return true;
+}
+
+void Algoritmo::note_scan() {
     line_extents_.note(*filter_, observation_);
     suitability_.note(step_controls_, observation_, filter_->associations());
     if (options_.uncertainty) uncertainty_.note(scan_.time_s, filter_->best_map());
-
     odometry_.add(scan_.time_s, step_controls_);
     if (options_.step_grid) step_grid_.add(scan_, filter_->best_pose());
-    return true;
+}
+
+void Algoritmo::finish() {
+    if (!registration_) return;
+    registration_->finish();
+    take_correction();
+}
+
+void Algoritmo::take_correction() {
+    const auto correction = registration_->correction();
+    if (!correction) return;
+    filter_->correct(*correction);
+    if (!options_.step_grid) return;
+    step_grid_.clear();
+    const std::vector<Pose> path = filter_->best_history();
+    const std::span<const KeyPose> keys = registration_->keys();
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        step_grid_.add(key_scans_[k], path[keys[k].scan]);
+    }
+    ++step_grid_redrawn_;
 }
 
 void Algoritmo::restart() {

@@ -43,6 +43,24 @@ ordered_json json_of(const MeasuredDistance& measured) {
     return json;
 }
 
+ordered_json json_of(const RunQuality& quality) {
+    ordered_json json{{"cells_per_point", quality.cells_per_point},
+                      {"odometry_cells_per_point", quality.odometry_cells_per_point}};
+    if (const auto& figures = quality.registration) {
+        json["mean_score"] = figures->mean_score;
+        json["scans_compared"] = figures->scans;
+        json["scans_unmatched"] = figures->unmatched;
+        json["key_scans"] = figures->keys;
+        json["loops_closed"] = quality.loops;
+        json["loop_searches"] = figures->loop_searches;
+        json["loops_refused"] = figures->loops_refused;
+        json["largest_correction_m"] = figures->largest_correction_m;
+    }
+    json["warnings"] = ordered_json::array();
+    for (const Advice& warning : quality.warnings) json["warnings"].push_back(warning.words());
+    return json;
+}
+
 }  // namespace
 
 std::string version() {
@@ -67,6 +85,7 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
     summary.report = run.report();
     summary.suitability = run.suitability().figures();
     summary.advice = run.advice();
+    summary.quality = judge(run);
     const LandmarkMap map = run.filter().best_map();
     if (references.map) {
         summary.map_error = map_error(map, *references.map);
@@ -75,6 +94,7 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
     summary.distances = measure_distances(map, references.distances);
     if (references.trajectory) {
         summary.trajectory_error = trajectory_error(run.best_trajectory(), *references.trajectory);
+        summary.online_error = trajectory_error(run.online_trajectory(), *references.trajectory);
         summary.odometry_error =
             trajectory_error(run.odometry_trajectory(), *references.trajectory);
     }
@@ -111,6 +131,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
         json["map_error_aligned"] = json_of(summary.aligned_map_error->error);
     }
     if (summary.trajectory_error) json["trajectory_error"] = json_of(*summary.trajectory_error);
+    if (summary.online_error) json["online_error"] = json_of(*summary.online_error);
     if (summary.odometry_error) json["odometry_error"] = json_of(*summary.odometry_error);
     for (const MeasuredDistance& measured : summary.distances)
         json["distances"].push_back(json_of(measured));
@@ -120,6 +141,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
                            {"advice", ordered_json::array()}};
     for (const Advice& advice : summary.advice)
         json["suitability"]["advice"].push_back(advice.words());
+    json["quality"] = json_of(summary.quality);
     // Text from a damaged log may be no UTF-8: replace what is not instead of failing.
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

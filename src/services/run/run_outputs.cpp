@@ -149,6 +149,10 @@ std::vector<RunOutput> make_outputs() {
                [](const Run& r, const Folder& file) { write_segments(r.map, r.segments, file); }),
         always("trajectory.tum",
                [](const Run& r, const Folder& file) { write_trajectory(r.best, file); }),
+        always("trajectory_online.tum",
+               [](const Run& r, const Folder& file) {
+                   write_trajectory(r.run.online_trajectory(), file);
+               }),
         always("odometry.tum",
                [](const Run& r, const Folder& file) { write_trajectory(odometry_path(r), file); }),
         grid(

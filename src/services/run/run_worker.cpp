@@ -140,6 +140,7 @@ void RunWorker::work(const std::stop_token& stop) {
 void RunWorker::do_restart() {
     std::string error;
     tiler_.clear();
+    grid_redrawn_ = 0;
     try {
         run_.restart();
     } catch (const std::exception& failure) {
@@ -163,7 +164,13 @@ void RunWorker::do_step() {
         error = failure.what();
     }
     const auto end = std::chrono::steady_clock::now();
-    if (more) tiler_.note_change(run_.step_grid().last_change());
+    if (run_.step_grid_redrawn() != grid_redrawn_) {
+        grid_redrawn_ = run_.step_grid_redrawn();
+        tiler_.clear();
+        tiler_.note_change(run_.step_grid().area());
+    } else if (more) {
+        tiler_.note_change(run_.step_grid().last_change());
+    }
 
     const std::scoped_lock lock(mutex_);
     stepping_ = false;
@@ -213,6 +220,12 @@ void RunWorker::publish_snapshot() {
     snapshot->best_map = run_.filter().best_map();
     snapshot->hypotheses = run_.filter().hypotheses();
     snapshot->best_trajectory = run_.best_trajectory();
+    snapshot->online_trajectory = run_.online_trajectory();
+    if (const Registration* registration = run_.registration()) {
+        const auto keys = registration->keys();
+        snapshot->keys.assign(keys.begin(), keys.end());
+        snapshot->loops = registration->loops();
+    }
     snapshot->advice = run_.advice();
     snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
     snapshot->odometry_trajectory = run_.odometry_trajectory();

@@ -25,7 +25,7 @@ constexpr double kManyUnmatched = 0.3;
 std::string Advice::words() const {
     std::string words(text);
     words.replace(words.find("%1"), 2, figure);
-    return fmt::format("{} Try --preset {}.", words, preset);
+    return preset.empty() ? words : fmt::format("{} Try --preset {}.", words, preset);
 }
 
 void Suitability::note(std::span<const Control> controls, const Observation& seen,

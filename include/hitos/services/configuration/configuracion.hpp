@@ -11,6 +11,7 @@
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/features/extractor.hpp"
+#include "hitos/registration/registration_params.hpp"
 #include "hitos/services/run/grid.hpp"
 #include "hitos/slam/params.hpp"
 
@@ -38,6 +39,7 @@ struct Configuracion {
     SourceParams source;
     RunParams run;
     FilterParams filter;
+    RegistrationParams registration;
     ExtractionParams extraction;
     GridParams grid;
 };
@@ -50,6 +52,7 @@ enum class ParameterGroup {
     observation,
     split_merge,
     resampling,
+    registration,
     grid,
     run
 };

@@ -9,6 +9,7 @@
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/features/control.hpp"
 #include "hitos/features/extractor.hpp"
+#include "hitos/registration/registration.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/evaluation/uncertainty.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
@@ -50,10 +51,15 @@ class Algoritmo {
     const AlgoritmoOptions& options() const { return options_; }
     const TourReader& reader() const { return *reader_; }
     const SlamFilter& filter() const { return *filter_; }
+    /// Null where the algorithm asks for none.
+    const Registration* registration() const { return registration_.get(); }
     const Scan& scan() const { return scan_; }                       ///< the last one
     const Observation& observation() const { return observation_; }  ///< its features
     const ReadReport& report() const { return reader_->report(); }
+    /// After a correction by registration it is drawn anew, of the key scans so far.
     const Grid& step_grid() const { return step_grid_; }
+    /// How often that happened.
+    std::uint64_t step_grid_redrawn() const { return step_grid_redrawn_; }
     /// Where lines were seen at every scan so far.
     const LineExtents& line_extents() const { return line_extents_; }
     /// Whether tour and configuration suit each other, as far as the run shows.
@@ -70,6 +76,9 @@ class Algoritmo {
     double duration_s() const;
     /// The best hypothesis' pose at every scan so far.
     Trajectory best_trajectory() const;
+    /// What the robot would have had while driving: the best hypothesis' pose at every scan so far
+    /// as it was at that scan, before anything later corrected it.
+    const Trajectory& online_trajectory() const { return online_; }
     /// Any hypothesis' pose at every scan so far.
     Trajectory trajectory_of(std::size_t hypothesis) const;
     /// The pose by odometry alone at every scan so far, from (0, 0, 0) at the first reading.
@@ -77,6 +86,12 @@ class Algoritmo {
 
   private:
     void begin();
+    /// Takes the scan into every part of the run that keeps something of it.
+    void note_scan();
+    /// The end of the source.
+    void finish();
+    /// Carries a correction by registration, if there is one, to the filter and the grid.
+    void take_correction();
     Trajectory stamped(const std::vector<Pose>& poses) const;
 
     Configuracion configuration_;
@@ -84,8 +99,12 @@ class Algoritmo {
     std::unique_ptr<TourReader> reader_;
     std::unique_ptr<ControlTrack> controls_;
     std::unique_ptr<Extractor> extractor_;
+    std::unique_ptr<Registration> registration_;
     std::unique_ptr<SlamFilter> filter_;
     Grid step_grid_;
+    std::vector<Scan> key_scans_;  ///< of registration, from which the grid is drawn anew
+    std::uint64_t step_grid_redrawn_ = 0;
+    Trajectory online_;
     LineExtents line_extents_;
     Suitability suitability_;
     UncertaintyRecord uncertainty_;

@@ -10,6 +10,7 @@
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/maps/paths_picture.hpp"
 #include "hitos/services/run/algoritmo.hpp"
+#include "hitos/services/run/quality.hpp"
 
 namespace hitos {
 
@@ -41,10 +42,12 @@ struct RunSummary {
     std::optional<MapError> map_error;
     std::optional<AlignedMapError> aligned_map_error;
     std::optional<TrajectoryError> trajectory_error;
+    std::optional<TrajectoryError> online_error;  ///< of Algoritmo::online_trajectory()
     std::optional<TrajectoryError> odometry_error;
     std::vector<MeasuredDistance> distances;
     SuitabilityFigures suitability;
     std::vector<Advice> advice;
+    RunQuality quality;
     std::vector<std::string> not_drawn;  ///< pictures that are missing, each with the reason
 };
 
@@ -57,7 +60,8 @@ std::string to_json(const RunSummary& summary, double seconds);
 /// long run does not end in vain. Throws FileError.
 void prepare_output_folder(const std::filesystem::path& folder);
 
-/// Writes map.txt, segments.txt, map.dxf, trajectory.tum, odometry.tum, grid_best_steps, grid_best
+/// Writes map.txt, segments.txt, map.dxf, trajectory.tum, trajectory_online.tum, odometry.tum,
+/// grid_best_steps, grid_best
 /// and grid_odometry (each as .png and .jpg), config.cfg and summary.json; distances.csv where
 /// distances are given; paths.png and its script where a trajectory is given; odometry_scans.png
 /// and its script where the true walls are known; uncertainty.csv, .png and their script where the

@@ -29,6 +29,9 @@ struct Snapshot {
     std::vector<LineExtent> line_extents;  ///< segments of the lines of best_map
     std::vector<WeightedPose> hypotheses;
     Trajectory best_trajectory;
+    Trajectory online_trajectory;   ///< as Algoritmo::online_trajectory()
+    std::vector<KeyPose> keys;      ///< of registration; empty without
+    std::vector<ClosedLoop> loops;  ///< likewise
     Trajectory odometry_trajectory;
     GridTiles step_grid;
     std::vector<Advice> advice;  ///< what speaks against the configuration so far
@@ -119,6 +122,7 @@ class RunWorker {
 
     Algoritmo run_;    // the worker's own, once it runs
     GridTiler tiler_;  // likewise
+    std::uint64_t grid_redrawn_ = 0;
 
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;

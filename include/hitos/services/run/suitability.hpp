@@ -22,9 +22,9 @@ struct SuitabilityFigures {
 
 /// A reason to take another configuration.
 struct Advice {
-    std::string_view text;  ///< translated in the context "Advice"; %1 stands for the figure
-    std::string figure;     ///< with its unit: "0.54 m", "31 %"
-    std::string_view preset;
+    std::string_view text;    ///< translated in the context "Advice"; %1 stands for the figure
+    std::string figure;       ///< with its unit: "0.54 m", "31 %"
+    std::string_view preset;  ///< to try, or empty
 
     /// The text in English, with the preset to try.
     std::string words() const;

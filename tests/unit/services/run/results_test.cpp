@@ -22,11 +22,20 @@ using ::testing::StartsWith;
 
 const std::filesystem::path kSource = HITOS_SOURCE_DIR;
 
-const std::set<std::string> kAlways = {
-    "map.txt",       "segments.txt",        "map.dxf",       "trajectory.tum",
-    "odometry.tum",  "grid_best_steps.png", "grid_best.png", "grid_odometry.png",
-    "grid_best.jpg", "grid_best_steps.jpg", "config.cfg",    "grid_odometry.jpg",
-    "summary.json"};
+const std::set<std::string> kAlways = {"map.txt",
+                                       "segments.txt",
+                                       "map.dxf",
+                                       "trajectory.tum",
+                                       "trajectory_online.tum",
+                                       "odometry.tum",
+                                       "grid_best_steps.png",
+                                       "grid_best.png",
+                                       "grid_odometry.png",
+                                       "grid_best.jpg",
+                                       "grid_best_steps.jpg",
+                                       "config.cfg",
+                                       "grid_odometry.jpg",
+                                       "summary.json"};
 
 class ResultsTest : public testing::Test {
   protected:

@@ -1,0 +1,13 @@
+// The parameters of registration, one entry for each.
+#pragma once
+
+#include <span>
+
+#include "hitos/base/parameter.hpp"
+#include "hitos/registration/registration_params.hpp"
+
+namespace hitos {
+
+std::span<const Parameter<RegistrationParams>> registration_parameters();
+
+}  // namespace hitos

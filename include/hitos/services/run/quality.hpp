@@ -1,0 +1,24 @@
+// What a finished run is worth, judged without any truth.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "hitos/services/run/algoritmo.hpp"
+
+namespace hitos {
+
+struct RunQuality {
+    /// Crispness of the map as MapCrispness has it, along the best path and along the odometry.
+    double cells_per_point = 0.0;
+    double odometry_cells_per_point = 0.0;
+    std::optional<RegistrationFigures> registration;  ///< of a run that has one
+    std::uint64_t loops = 0;                          ///< that it closed
+    std::vector<Advice> warnings;                     ///< why the map should not be trusted
+};
+
+/// Reads the tour once more.
+RunQuality judge(const Algoritmo& run);
+
+}  // namespace hitos
