@@ -34,7 +34,7 @@ class LoopCloser {
     void forget() { found_.clear(); }
 
     std::uint64_t searches() const { return searches_; }
-    /// Searches that correlated but whose fit was poor, or bare of a direction.
+    /// Searches that correlated but whose fit was poor, bare of a direction, or through walls.
     std::uint64_t refused() const { return refused_; }
 
   private:
@@ -47,6 +47,7 @@ class LoopCloser {
     std::optional<std::uint32_t> candidate(const KeyGraph& graph,
                                            std::span<const GraphReach> reached) const;
     void gather_query(const KeyGraph& graph);
+    bool contradicted(const KeyGraph& graph, const LoopFound& loop, const PointMap& map) const;
     bool agreed(const Pose& now, const Pose& then, double travelled_m);
 
     RegistrationParams params_;
@@ -55,6 +56,7 @@ class LoopCloser {
     std::uint64_t searches_ = 0;
     std::uint64_t refused_ = 0;
     std::vector<SurfacePoint> query_;  // in the frame of the newest key
+    std::size_t query_keys_ = 0;       // that it is of
 };
 
 }  // namespace hitos

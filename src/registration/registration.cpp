@@ -58,7 +58,8 @@ class Registration::Impl {
     bool key_due() const;
     void add_key(std::uint64_t scan);
     void close_loop();
-    void correct(const std::vector<Pose>& keys_before);
+    double tension(std::span<const PoseEdge> edges) const;
+    void correct(const std::vector<KeyPose>& keys_before);
     void register_anew(bool first);
 
     RegistrationParams params_;
@@ -227,23 +228,42 @@ void Registration::Impl::close_loop() {
                           matcher_.information(), EdgeKind::loop);
     closer_.forget();
     if (graph_.edges.size() == first) return;
+    const std::vector<KeyPose> before = graph_.poses;
+    const double tension_before = tension(std::span(graph_.edges).first(first));
+    // First without robust weights: a large correction would be cut off by them.
+    double moved = solve(graph_.poses, graph_.edges, {6, false});
+    // What three standard deviations in each direction explain, and the new edges' own.
+    const double allowed = 3.0 * 9.0 + 3.0 * static_cast<double>(graph_.edges.size() - first);
+    if (tension(graph_.edges) - tension_before > allowed) {
+        graph_.poses = before;
+        graph_.edges.resize(first);
+        ++figures_.loops_refused;
+        return;
+    }
     for (std::size_t i = first; i < graph_.edges.size(); ++i) {
         graph_.join(graph_.edges[i].from, graph_.edges[i].to);
     }
-    std::vector<Pose> before;
-    for (const KeyPose& key : graph_.poses) before.push_back(key.pose);
-    // First without robust weights: a large correction would be cut off by them.
-    double moved = solve(graph_.poses, graph_.edges, {6, false});
     moved += solve(graph_.poses, graph_.edges, {6, true});
     loops_.push_back({graph_.poses[newest].scan, graph_.poses[found->key].scan, moved});
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, moved);
     correct(before);
 }
 
-void Registration::Impl::correct(const std::vector<Pose>& keys_before) {
+/// Sum of the squared Mahalanobis distances of edges.
+double Registration::Impl::tension(std::span<const PoseEdge> edges) const {
+    double sum = 0.0;
+    for (const PoseEdge& edge : edges) {
+        const Eigen::Vector3d error =
+            edge_error(edge, graph_.poses[edge.from].pose, graph_.poses[edge.to].pose).value;
+        sum += error.dot(edge.information * error);
+    }
+    return sum;
+}
+
+void Registration::Impl::correct(const std::vector<KeyPose>& keys_before) {
     std::vector<Pose> moves;
     for (std::size_t k = 0; k < graph_.size(); ++k) {
-        moves.push_back(compose(graph_.poses[k].pose, inverse(keys_before[k])));
+        moves.push_back(compose(graph_.poses[k].pose, inverse(keys_before[k].pose)));
     }
     for (const Placed& placed : placed_) corrections_.push_back(moves[placed.key]);
     now_ = compose(graph_.poses[placed_.back().key].pose, placed_.back().pose_key_scan);
@@ -253,8 +273,7 @@ void Registration::Impl::correct(const std::vector<Pose>& keys_before) {
 void Registration::Impl::finish() {
     corrections_.clear();
     if (graph_.size() < 2) return;
-    std::vector<Pose> before;
-    for (const KeyPose& key : graph_.poses) before.push_back(key.pose);
+    const std::vector<KeyPose> before = graph_.poses;
     solve(graph_.poses, graph_.edges, {10, true});
     for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(pass == 0);
     correct(before);
@@ -299,7 +318,7 @@ RegistrationFigures Registration::Impl::figures() const {
     if (matched > 0) figures.mean_score /= static_cast<double>(matched);
     figures.keys = graph_.size();
     figures.loop_searches = closer_.searches();
-    figures.loops_refused = closer_.refused();
+    figures.loops_refused += closer_.refused();
     return figures;
 }
 

@@ -1,0 +1,70 @@
+#include "free_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace hitos {
+
+FreeView::FreeView(std::span<const SurfacePoint> scan, const Pose& pose_world_robot)
+    : pose_robot_world_(inverse(pose_world_robot)) {
+    sectors_.fill({});
+    for (const SurfacePoint& p : scan) {
+        const double x = static_cast<double>(p.x);
+        const double y = static_cast<double>(p.y);
+        const auto range = static_cast<float>(std::hypot(x, y));
+        const auto place = static_cast<std::size_t>(
+            std::min((std::atan2(y, x) + kPi) / (2.0 * kPi) * kSectors, kSectors - 1.0));
+        Sector& sector = sectors_[place];
+        sector.nearest = sector.furthest == 0.0F ? range : std::min(sector.nearest, range);
+        sector.furthest = std::max(sector.furthest, range);
+    }
+}
+
+FreeView::Said FreeView::of(const Point2& world) const {
+    constexpr double kNear = 0.3;       // [m]
+    constexpr double kPast = 0.5;       // [m]
+    constexpr double kLeast = 0.3;      // [m]; nearer is the robot
+    constexpr double kFurthest = 15.0;  // [m]; a degree there is a quarter of a metre
+    const Point2 p = transform(pose_robot_world_, world);
+    const double range = std::hypot(p.x, p.y);
+    if (range < kLeast || range > kFurthest) return Said::nothing;
+    const int place = static_cast<int>(
+        std::min((std::atan2(p.y, p.x) + kPi) / (2.0 * kPi) * kSectors, kSectors - 1.0));
+    bool through = true;
+    for (const int side : {-1, 0, 1}) {
+        const Sector& sector =
+            sectors_[static_cast<std::size_t>((place + side + kSectors) % kSectors)];
+        if (sector.furthest == 0.0F) {
+            through = false;
+            continue;
+        }
+        const auto nearest = static_cast<double>(sector.nearest);
+        const auto furthest = static_cast<double>(sector.furthest);
+        if (range > nearest - kNear && range < furthest + kNear) return Said::there;
+        if (nearest < range + kPast) through = false;
+    }
+    return through ? Said::through : Said::nothing;
+}
+
+double contradiction(std::span<const Point2> points, std::span<const FreeView> views) {
+    constexpr int kFewest = 30;
+    int told = 0;
+    int through = 0;
+    for (const Point2& point : points) {
+        bool there = false;
+        bool seen_through = false;
+        for (const FreeView& view : views) {
+            const FreeView::Said said = view.of(point);
+            there |= said == FreeView::Said::there;
+            seen_through |= said == FreeView::Said::through;
+        }
+        if (!there && !seen_through) continue;
+        ++told;
+        // What one view saw there, another may have looked past at a shallow angle.
+        if (!there) ++through;
+    }
+    return told >= kFewest ? static_cast<double>(through) / told : 0.0;
+}
+
+}  // namespace hitos
