@@ -24,6 +24,7 @@ Likelihood compared(const Vector2& nu, const Matrix2& s) {
 EkfSlam::EkfSlam(const FilterParams& params)
     : params_(params),
       robot_(make_robot(params.motion)),
+      registered_(motion_models().find(params.motion.model).registered),
       rule_(params.association),
       twins_(params.association, false),
       new_gate_(chi_square_gate(params.association.new_probability)) {
@@ -33,6 +34,12 @@ EkfSlam::EkfSlam(const FilterParams& params)
 void EkfSlam::step(const SlamInput& input) {
     predict(motion_increment(input));
     measure(input.observation, params_.observation, measurements_);
+    reaches_.clear();
+    for_each_kind([&]<class S>() {
+        for (std::size_t i = 0; registered_ && i < S::count(input.observation); ++i) {
+            reaches_.add<S>(S::reach(input.observation, i));
+        }
+    });
     associations_.clear();
     rows_.clear();
     if (params_.association.method == AssociationMethod::joint_compatibility) {
@@ -45,6 +52,7 @@ void EkfSlam::step(const SlamInput& input) {
     for_each_kind([&]<class S>() { add_new<S>(); });
     for_each_kind([&]<class S>() { update_new<S>(); });
     normalize();
+    note_all_seen();
     point_into_map();
     history_.push_back(state_.pose());
 }
@@ -157,14 +165,6 @@ void EkfSlam::associate_together() {
 
 void EkfSlam::update() {
     state_.update(rows_);
-    for_each_kind([&]<class S>() {
-        for (const Association& association : associations_) {
-            if (association.kind == S::kKind &&
-                association.outcome == Association::Outcome::matched) {
-                ++marks<S>()[static_cast<std::size_t>(association.landmark)].observations;
-            }
-        }
-    });
     normalize();
 }
 
@@ -181,7 +181,7 @@ void EkfSlam::add_new() {
             state_.append(S::to_state(S::inverse(pose, seen.z)),
                           S::inverse_pose_jacobian(pose, seen.z), by_z * seen.r * by_z.transpose());
         association.landmark = static_cast<std::int32_t>(marks<S>().size());
-        marks<S>().push_back({at, 1});
+        marks<S>().push_back({at});
     }
 }
 
@@ -207,8 +207,7 @@ void EkfSlam::update_new() {
         if (association.kind != S::kKind) continue;
         association.outcome = Association::Outcome::matched;
         association.landmark = associations_[first].landmark;
-        Mark& mark = marks<S>()[static_cast<std::size_t>(association.landmark)];
-        ++mark.observations;
+        const Mark& mark = marks<S>()[static_cast<std::size_t>(association.landmark)];
         const Measurement& seen = measurements_.of<S>()[association.observed];
         const JointInnovation innovation =
             S::joint_innovation(seen.z, state_.pose(), S::from_state(state_.landmark(mark.at)));
@@ -254,7 +253,7 @@ LandmarkMap EkfSlam::best_map() const {
     for_each_kind([&]<class S>() {
         for (const Mark& mark : marks<S>()) {
             map.push_back({S::from_state(state_.landmark(mark.at)),
-                           state_.landmark_covariance(mark.at), mark.observations});
+                           state_.landmark_covariance(mark.at), mark.record.observations});
         }
     });
     return map;

@@ -12,6 +12,7 @@
 #include "hitos/slam/robot.hpp"
 #include "joint_innovation.hpp"
 #include "joint_state.hpp"
+#include "map_correction.hpp"
 #include "measurement.hpp"
 #include "scan_twins.hpp"
 
@@ -23,6 +24,7 @@ class EkfSlam final : public SlamFilter {
     explicit EkfSlam(const FilterParams& params);
 
     void step(const SlamInput& input) override;
+    void correct(const PathCorrection& correction) override;
 
     std::uint64_t steps() const override { return history_.size(); }
     Pose best_pose() const override { return state_.pose(); }
@@ -41,7 +43,9 @@ class EkfSlam final : public SlamFilter {
     /// A landmark's place in the joint state.
     struct Mark {
         Eigen::Index at = 0;
-        int observations = 0;
+        LandmarkRecord record = {};
+        Extent extent = {};
+        Vector2 extent_of = Vector2::Zero();  ///< the estimate that the extent refers to
     };
 
     /// What a candidate of the joint search stands for.
@@ -78,6 +82,25 @@ class EkfSlam final : public SlamFilter {
     void update_new();
     /// Brings headings, angles and the signs of lines to normal form.
     void normalize();
+    /// Notes which landmarks have been seen in this step, and where.
+    void note_all_seen();
+    template <Sensor S>
+    void note_seen(const Association& association);
+    /// Moves the landmarks of a kind, their covariances left to the `turns` that it appends.
+    template <Sensor S>
+    void move(std::span<const Pose> by_scan, std::vector<JointState::Turn>& turns);
+    /// Makes one landmark of those of a kind that are the same.
+    template <Sensor S>
+    NewPlaces merge();
+    template <Sensor S>
+    bool same(const Mark& a, const Mark& b) const;
+    /// Makes the first landmark what both are together; the second is left to remove().
+    template <Sensor S>
+    void take_in(Mark& mark, const Mark& other);
+    void remove(Eigen::Index at);
+    /// The extent along the landmark as it is estimated now.
+    template <Sensor S>
+    Extent extent(const Mark& mark) const;
     /// Makes the landmarks of associations places in the map instead of places in their kind.
     void point_into_map();
 
@@ -92,6 +115,7 @@ class EkfSlam final : public SlamFilter {
 
     FilterParams params_;
     std::shared_ptr<const Robot> robot_;
+    bool registered_;  // the motion model follows registration, whose corrections move all
     AssociationRule rule_;
     ScanTwins twins_;
     double
@@ -103,6 +127,7 @@ class EkfSlam final : public SlamFilter {
     FilterStatistics statistics_;
     // Working memory of a step.
     Measurements measurements_;
+    KindRow<SeenReach> reaches_;
     std::vector<JointState::Row> rows_;
     std::vector<std::pair<std::size_t, std::size_t>> second_of_;  // twin set aside, its first
     JointSearch search_;

@@ -9,12 +9,13 @@
 #include "hitos/slam/proposal.hpp"
 #include "hitos/slam/resampler.hpp"
 #include "hitos/slam/robot.hpp"
+#include "parameter_tables.hpp"
 
 namespace hitos {
 namespace {
 
 using namespace declare;
-using Table = std::vector<Parameter<FilterParams>>;
+using Table = FilterTable;
 using Filter = FilterParams;
 
 void add_filter(Table& table) {
@@ -272,6 +273,7 @@ void add_motion(Table& table) {
                                    "of it; a higher value trusts it less."),
          .label = HITOS_TEXT("ParameterLabel", "Ratio θ"),
          .card = "motion"}));
+    add_registered_motion(table);
 }
 
 void add_observation(Table& table) {

@@ -1,41 +1,51 @@
 #include "filtro_particulas.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <string>
-#include <thread>
 #include <vector>
+
+#include "hitos/slam/robot.hpp"
+#include "map_correction.hpp"
 
 namespace hitos {
 namespace {
 
-/// Below this many particle x landmark x observation evaluations a step gains nothing from a
-/// second thread (measured with tests/bench).
-constexpr std::size_t kParallelWork = 30000;
-constexpr std::size_t kGrain = 32;
+/// What of a step concerns its updates.
+struct UpdateContext {
+    std::uint32_t scan = 0;
+    bool extents = false;  ///< whether anything asks for the landmarks' extents
+};
 
 template <Sensor S>
 void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
-           const Measurement& measured) {
+           const SeenFeature& seen, const UpdateContext& context) {
     if (decision.outcome == Association::Outcome::ignored) return;
-    const EKF<S> ekf(measured.r);
-    const Vector2& z = measured.z;
+    const EKF<S> ekf(seen.measured.r);
+    const Vector2& z = seen.measured.z;
     if (decision.outcome == Association::Outcome::created) {
         const std::size_t index = landmarks.append();
-        landmarks.set(index, ekf.first(pose, z));
-        landmarks.observations(index) = 1;
+        const LandmarkEstimate<S> first = ekf.first(pose, z);
+        landmarks.set(index, first);
+        if (context.extents) {
+            landmarks.set_extent(index, S::placed(seen.reach, pose, first.mean));
+        }
+        landmarks.record(index) = {1, context.scan};
         decision.landmark = static_cast<std::uint32_t>(index);
         return;
     }
-    auto estimate = landmarks.get(decision.landmark);
-    ekf.update(estimate, landmarks.innovation(decision.landmark, z, pose));
-    landmarks.set(decision.landmark, estimate);
-    ++landmarks.observations(decision.landmark);
+    const std::size_t index = decision.landmark;
+    auto estimate = landmarks.get(index);
+    const auto before = estimate.mean;
+    ekf.update(estimate, landmarks.innovation(index, z, pose));
+    landmarks.set(index, estimate);
+    if (context.extents) {
+        landmarks.set_extent(index, S::carried(landmarks.extent(index), before, estimate.mean)
+                                        .joined(S::placed(seen.reach, pose, estimate.mean)));
+    }
+    LandmarkRecord& record = landmarks.record(index);
+    ++record.observations;
+    record.last_seen = context.scan;
 }
 
 }  // namespace
@@ -48,12 +58,9 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
       twins_(params.association, true),
       resampler_(make_resampler(params.resampling)),
       resampling_(resampling_methods().find(params.resampling.method).make(params.resampling)),
-      arena_(threads > 0 ? threads : tbb::task_arena::automatic),
+      registered_(motion_models().find(params.motion.model).registered),
+      for_each_(threads),
       particles_(static_cast<std::size_t>(params.particles)) {
-    if (threads > tbb::info::default_concurrency()) {
-        more_threads_.emplace(tbb::global_control::max_allowed_parallelism,
-                              static_cast<std::size_t>(threads));
-    }
     // All particles start as copies of one: same pose, same empty map.
     const MapStore::Handle empty = maps_.create();
     for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -68,13 +75,13 @@ void FiltroParticulas::step(const SlamInput& input) {
     observe(input.observation);
     if (!seen_.empty()) {  // else nothing is weighed or resampled
         detach_maps();
-        for_each(particles_.size(), seen_.size() * (maps_.size(particles_[best_].map) + 8),
-                 [&](std::size_t i) {
-                     const std::span decisions(&decisions_[i * seen_.size()], seen_.size());
-                     associate(particles_[i], decisions);
-                     update(particles_[i], decisions);
-                     weigh(particles_[i], decisions);
-                 });
+        for_each_(particles_.size(), seen_.size() * (maps_.size(particles_[best_].map) + 8),
+                  [&](std::size_t i) {
+                      const std::span decisions(&decisions_[i * seen_.size()], seen_.size());
+                      associate(particles_[i], decisions);
+                      update(particles_[i], decisions);
+                      weigh(particles_[i], decisions);
+                  });
         choose_best();
     }
     statistics_.searches_cut = searches_cut_;
@@ -86,7 +93,7 @@ void FiltroParticulas::step(const SlamInput& input) {
 
 void FiltroParticulas::propose(const SlamInput& input) {
     proposal_->begin(input, steps_ == 0);
-    for_each(particles_.size(), 10, [&](std::size_t i) {
+    for_each_(particles_.size(), 10, [&](std::size_t i) {
         Particula& particle = particles_[i];
         RandomStream random(seed_, RandomPurpose::motion, steps_, static_cast<std::uint32_t>(i));
         const ParticleMap map(maps_, particle.map);
@@ -101,8 +108,12 @@ void FiltroParticulas::observe(const Observation& observation) {
     twins_.find(measurements_);
     seen_.clear();
     for_each_kind([&]<class S>() {
+        std::size_t i = 0;
         for (const Measurement& measured : measurements_.of<S>()) {
-            seen_.add<S>(associator_.seen(measured));
+            SeenFeature seen = associator_.seen(measured);
+            if (registered_) seen.reach = S::reach(observation, i);
+            seen_.add<S>(seen);
+            ++i;
         }
     });
     decisions_.resize(seen_.size() * particles_.size());
@@ -115,8 +126,8 @@ void FiltroParticulas::detach_maps() {
         if (source != particle.map) copies_.emplace_back(source, particle.map);
     }
     for_each_kind([&]<class S>() { maps_.reserve_more<S>(seen_.of<S>().size()); });
-    for_each(copies_.size(), 20,
-             [&](std::size_t i) { maps_.copy(copies_[i].first, copies_[i].second); });
+    for_each_(copies_.size(), 20,
+              [&](std::size_t i) { maps_.copy(copies_[i].first, copies_[i].second); });
 }
 
 void FiltroParticulas::associate(const Particula& particle, std::span<Decision> decisions) {
@@ -150,6 +161,7 @@ void FiltroParticulas::associate_together(const Particula& particle,
 
 void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions) {
     using Outcome = Association::Outcome;
+    const UpdateContext context{static_cast<std::uint32_t>(steps_), registered_};
     for_each_kind([&]<class S>() {
         auto landmarks = maps_.landmarks<S>(particle.map);
         std::size_t next = seen_.first<S>();
@@ -164,7 +176,7 @@ void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions
                 }
             }
             ++next;
-            apply<S>(decision, landmarks, particle.pose, seen.measured);
+            apply<S>(decision, landmarks, particle.pose, seen, context);
         }
     });
 }
@@ -239,13 +251,42 @@ void FiltroParticulas::resample() {
     best_ = new_best;
 }
 
+void FiltroParticulas::correct(const PathCorrection& correction) {
+    if (!registered_) return;  // its path is its own
+    check(correction, steps_);
+    std::vector<PoseHistory::Node> leaves;
+    std::vector<MapStore::Handle> maps;
+    for (Particula& particle : particles_) {
+        particle.pose = compose(correction.by_scan.back(), particle.pose);
+        leaves.push_back(particle.history);
+        maps.push_back(particle.map);
+    }
+    history_.move(leaves, correction.by_scan);
+    const MapStore::Handle best = particles_[best_].map;
+    std::array<NewPlaces, LandmarkKinds::kSize> best_places;
+    std::ranges::sort(maps);
+    maps.erase(std::ranges::unique(maps).begin(), maps.end());
+    const std::size_t landmarks_each = maps_.size(best) + 8;
+    for_each_(maps.size(), landmarks_each * landmarks_each, [&](std::size_t i) {
+        for_each_kind([&]<class S>() {
+            auto landmarks = maps_.landmarks<S>(maps[i]);
+            NewPlaces places = correct_landmarks<S>(landmarks, correction.by_scan);
+            if (maps[i] == best) best_places[LandmarkKinds::place<S>()] = std::move(places);
+        });
+    });
+    std::array<std::size_t, LandmarkKinds::kSize> sizes{};
+    for_each_kind([&]<class S>() { sizes[LandmarkKinds::place<S>()] = best_count<S>(); });
+    follow(associations_, best_places, sizes);
+}
+
 LandmarkMap FiltroParticulas::best_map() const {
     LandmarkMap map;
     map.reserve(maps_.size(particles_[best_].map));
     for_each_kind([&]<class S>() {
         const auto landmarks = maps_.landmarks<S>(particles_[best_].map);
         for (std::size_t i = 0; i < landmarks.size(); ++i) {
-            map.push_back({landmarks.mean(i), landmarks.covariance(i), landmarks.observations(i)});
+            map.push_back(
+                {landmarks.mean(i), landmarks.covariance(i), landmarks.record(i).observations});
         }
     });
     return map;
@@ -293,32 +334,6 @@ Matrix3 FiltroParticulas::pose_covariance() const {
         second += hypothesis.weight * (away * away.transpose());
     }
     return second - mean * mean.transpose();
-}
-
-template <class Body>
-void FiltroParticulas::for_each(std::size_t count, std::size_t work_each, const Body& body) {
-    if (arena_.max_concurrency() == 1 || count * work_each < kParallelWork) {
-        for (std::size_t i = 0; i < count; ++i) body(i);
-        return;
-    }
-#ifdef HITOS_THREAD_SANITIZER
-    // The sanitizer cannot see how TBB, which is not built for it, hands work over. The same bodies
-    // on threads that it knows show every race between them.
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < count; i = next++) body(i);
-    };
-    std::vector<std::jthread> others;
-    for (int i = 1; i < arena_.max_concurrency(); ++i) others.emplace_back(work);
-    work();
-#else
-    arena_.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
-                          [&](const tbb::blocked_range<std::size_t>& range) {
-                              for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
-                          });
-    });
-#endif
 }
 
 SlamAlgorithmEntry fastslam_algorithm() {

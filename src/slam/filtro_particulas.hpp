@@ -1,13 +1,9 @@
 // FastSLAM 1.0 [T ch. 3, tables 3.2 and 6.3].
 #pragma once
 
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +14,7 @@
 #include "hitos/slam/resampler.hpp"
 #include "joint_association.hpp"
 #include "map_store.hpp"
+#include "particle_loop.hpp"
 #include "pose_history.hpp"
 #include "scan_twins.hpp"
 
@@ -37,6 +34,7 @@ class FiltroParticulas final : public SlamFilter {
     FiltroParticulas(const FilterParams& params, std::uint64_t seed, int threads);
 
     void step(const SlamInput& input) override;
+    void correct(const PathCorrection& correction) override;
 
     std::uint64_t steps() const override { return steps_; }
     Pose best_pose() const override { return particles_[best_].pose; }
@@ -75,10 +73,6 @@ class FiltroParticulas final : public SlamFilter {
     template <Sensor S>
     std::size_t best_count() const;
 
-    /// Calls body(0 … count - 1), in parallel where the work is worth it.
-    template <class Body>
-    void for_each(std::size_t count, std::size_t work_each, const Body& body);
-
     FilterParams params_;
     std::uint64_t seed_;
     std::unique_ptr<Proposal> proposal_;
@@ -86,8 +80,8 @@ class FiltroParticulas final : public SlamFilter {
     ScanTwins twins_;
     std::unique_ptr<Resampler> resampler_;
     std::unique_ptr<ResamplingMethod> resampling_;
-    std::optional<tbb::global_control> more_threads_;  // where more than the machine has are asked
-    tbb::task_arena arena_;
+    bool registered_;  // the motion model follows registration, whose corrections move all
+    ParticleLoop for_each_;
 
     std::vector<Particula> particles_;
     MapStore maps_;

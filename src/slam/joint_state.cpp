@@ -67,6 +67,60 @@ void JointState::negate(Eigen::Index component) {
     covariance_.col(component).segment(component + 1, size_ - component - 1) *= -1.0;
 }
 
+Matrix2 JointState::difference_covariance(Eigen::Index first, Eigen::Index second,
+                                          double sign) const {
+    Matrix2 f = Matrix2::Identity();
+    f(0, 0) = sign;
+    const Matrix2 cross = landmarks_covariance(first, second) * f.transpose();
+    return landmark_covariance(first) + f * landmark_covariance(second) * f.transpose() - cross -
+           cross.transpose();
+}
+
+void JointState::join(Eigen::Index first, Eigen::Index second, const Vector2& nu, double sign,
+                      const Matrix2& r) {
+    Matrix2 f = Matrix2::Identity();
+    f(0, 0) = sign;
+    columns_.resize(size_, 4);
+    read_columns<2>(first, columns_.leftCols<2>());
+    read_columns<2>(second, columns_.rightCols<2>());
+    w_ = columns_.leftCols<2>() - columns_.rightCols<2>() * f;
+    const Matrix2 s = difference_covariance(first, second, sign) + r;
+    const Eigen::LLT<Matrix2> factor(s);
+    if (factor.info() != Eigen::Success) return;
+    mean_.head(size_).noalias() -= w_ * factor.solve(nu);
+    factor.matrixU().solveInPlace<Eigen::OnTheRight>(w_);
+    covariance_.topLeftCorner(size_, size_).selfadjointView<Eigen::Lower>().rankUpdate(w_, -1.0);
+}
+
+void JointState::remove(Eigen::Index at) {
+    const Eigen::Index behind = size_ - at - 2;
+    mean_.segment(at, behind) = mean_.segment(at + 2, behind).eval();
+    covariance_.block(at, 0, behind, at) = covariance_.block(at + 2, 0, behind, at).eval();
+    covariance_.block(at, at, behind, behind) =
+        covariance_.block(at + 2, at + 2, behind, behind).eval();
+    size_ -= 2;
+}
+
+void JointState::transform(const Matrix3& by_pose, std::span<const Turn> landmarks) {
+    const auto left = [&](Eigen::Index row, Eigen::Index rows, const auto& by) {
+        covariance_.block(row, 0, rows, row) = (by * covariance_.block(row, 0, rows, row)).eval();
+    };
+    const auto right = [&](Eigen::Index column, Eigen::Index columns, const auto& by) {
+        const Eigen::Index below = size_ - column - columns;
+        auto block = covariance_.block(column + columns, column, below, columns);
+        block = (block * by.transpose()).eval();
+    };
+    const Matrix3 pose = by_pose * pose_covariance() * by_pose.transpose();
+    covariance_.topLeftCorner<3, 3>() = pose;
+    right(0, kPose, by_pose);
+    for (const Turn& turn : landmarks) {
+        left(turn.at, 2, turn.by);
+        right(turn.at, 2, turn.by);
+        const Matrix2 own = turn.by * landmark_covariance(turn.at) * turn.by.transpose();
+        covariance_.block<2, 2>(turn.at, turn.at) = own;
+    }
+}
+
 void JointState::grow(Eigen::Index size) {
     if (size <= covariance_.rows()) return;
     const Eigen::Index capacity = std::max<Eigen::Index>(2 * covariance_.rows(), 32);

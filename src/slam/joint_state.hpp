@@ -52,6 +52,26 @@ class JointState {
     /// that is there, G = d(landmark)/d(pose) [P eq 29-34]. Returns its place.
     Eigen::Index append(const Vector2& mean, const Matrix23& by_pose, const Matrix2& own);
 
+    /// Two landmarks are said to be one: of the components of the first minus those of the second,
+    /// with the second's first one times `sign`, the difference `nu` should be 0 up to a noise of
+    /// covariance R. Learns that as update() learns a measurement, for pose and all landmarks.
+    void join(Eigen::Index first, Eigen::Index second, const Vector2& nu, double sign,
+              const Matrix2& r);
+    /// Covariance of that difference.
+    Matrix2 difference_covariance(Eigen::Index first, Eigen::Index second, double sign) const;
+    /// Takes a landmark out; those behind it move up by two components.
+    void remove(Eigen::Index at);
+
+    /// How a landmark is transformed: its covariances by this Jacobian.
+    struct Turn {
+        Eigen::Index at = 0;
+        Matrix2 by;
+    };
+    /// P = J P J' with J of one block for the pose and one for every landmark; the caller sets the
+    /// means. `landmarks` are all there are, in the order of their places.
+    void transform(const Matrix3& by_pose, std::span<const Turn> landmarks);
+
+    void set_pose(const Pose& pose) { mean_.head<3>() << pose.x, pose.y, pose.theta; }
     void set_heading(double theta) { mean_(2) = theta; }
     void set_landmark(Eigen::Index at, const Vector2& mean) { mean_.segment<2>(at) = mean; }
     /// Turns the sign of one component's covariances with all others; the caller sets its mean.

@@ -21,7 +21,7 @@ class LandmarkTable {
 
     View operator[](std::size_t block) {
         return {values_.data() + block * View::kColumns * capacity_,
-                observations_.data() + block * capacity_, &sizes_[block], capacity_};
+                records_.data() + block * capacity_, &sizes_[block], capacity_};
     }
 
     /// For reading only: the view of a const table cannot be told from another's.
@@ -35,7 +35,7 @@ class LandmarkTable {
     void add_block() {
         sizes_.push_back(0);
         values_.resize(sizes_.size() * View::kColumns * capacity_);
-        observations_.resize(sizes_.size() * capacity_);
+        records_.resize(sizes_.size() * capacity_);
     }
     void clear(std::size_t block) { sizes_[block] = 0; }
 
@@ -48,7 +48,7 @@ class LandmarkTable {
                         target.column(static_cast<int>(c)));
         }
         if (source.size() > 0) {
-            std::copy_n(&source.observations(0), source.size(), &target.observations(0));
+            std::copy_n(&source.record(0), source.size(), &target.record(0));
         }
     }
 
@@ -61,22 +61,22 @@ class LandmarkTable {
         larger.capacity_ = std::max(largest + extra, capacity_ + capacity_ / 2 + 8);
         larger.sizes_ = sizes_;
         larger.values_.resize(sizes_.size() * View::kColumns * larger.capacity_);
-        larger.observations_.resize(sizes_.size() * larger.capacity_);
+        larger.records_.resize(sizes_.size() * larger.capacity_);
         for (std::size_t block = 0; block < sizes_.size(); ++block) {
             View source = (*this)[block];
             View target = larger[block];
             for (int c = 0; c < static_cast<int>(View::kColumns); ++c) {
                 std::copy_n(source.column(c), source.size(), target.column(c));
             }
-            std::copy_n(observations_.data() + block * capacity_, source.size(),
-                        larger.observations_.data() + block * larger.capacity_);
+            std::copy_n(records_.data() + block * capacity_, source.size(),
+                        larger.records_.data() + block * larger.capacity_);
         }
         *this = std::move(larger);
     }
 
   private:
     std::vector<double> values_;
-    std::vector<std::int32_t> observations_;
+    std::vector<LandmarkRecord> records_;
     std::vector<std::uint32_t> sizes_;
     std::size_t capacity_ = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
@@ -38,6 +39,20 @@ class PoseHistory {
         while (node != kNone && --nodes_[node].references == 0) {
             free_.push_back(node);
             node = nodes_[node].parent;
+        }
+    }
+
+    /// Moves all poses that these nodes, all of the newest scan, have behind them and their own:
+    /// each by the motion of its scan.
+    void move(std::span<const Node> newest, std::span<const Pose> by_scan) {
+        std::vector<bool> moved(nodes_.size(), false);
+        for (Node node : newest) {
+            for (std::size_t scan = by_scan.size(); node != kNone && !moved[node];) {
+                Entry& entry = nodes_[node];
+                entry.pose = compose(by_scan[--scan], entry.pose);
+                moved[node] = true;
+                node = entry.parent;
+            }
         }
     }
 

@@ -28,6 +28,10 @@ struct MotionParams {
     double ratio_x = 0.1;                  ///< increments: sigma of the step ahead, m per m of it
     double ratio_y = 0.1;                  ///< increments: of the step sideways
     double ratio_theta = 0.1;              ///< increments: of the turn, rad per rad
+    double registered_memory_m = 3.0;  ///< registered: way after which 1/e of a deviation is left
+    double registered_share = 0.1;     ///< registered: of the step's covariance in its spread
+    double registered_sigma_m = 0.01;  ///< registered: and of the position besides
+    double registered_heading_rad = 0.002;  ///< registered: and of the heading
 };
 
 /// Variances of an observed line (rho, theta); a corner's range and bearing use the same two.

@@ -46,7 +46,7 @@ struct ProposalEntry : RegistryEntry {
     std::function<std::unique_ptr<Proposal>(const FilterParams&)> make;
 };
 
-/// Those that the program knows: "motion" and what was added.
+/// Those that the program knows: "motion", "posterior" and what was added.
 Registry<ProposalEntry>& proposals();
 
 }  // namespace hitos

@@ -55,8 +55,8 @@ struct MotionModelEntry : RegistryEntry {
     std::function<std::unique_ptr<Robot>(const MotionParams&)> make;
 };
 
-/// Those that the program knows: "odometry", "no-odometry", "proportional", "increments" and what
-/// was added.
+/// Those that the program knows: "odometry", "no-odometry", "proportional", "increments",
+/// "registered" and what was added.
 Registry<MotionModelEntry>& motion_models();
 
 /// The robot that `params.model` names. Throws ConfigError for a word that is not known.

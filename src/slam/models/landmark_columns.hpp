@@ -21,17 +21,17 @@ class LandmarkColumns {
     static constexpr int kExtra = 5;
     static constexpr std::size_t kColumns = kExtra + Extra;
 
-    LandmarkColumns(double* values, std::int32_t* observations, std::uint32_t* size,
+    LandmarkColumns(double* values, LandmarkRecord* records, std::uint32_t* size,
                     std::size_t capacity)
-        : values_(values), observations_(observations), size_(size), capacity_(capacity) {}
+        : values_(values), records_(records), size_(size), capacity_(capacity) {}
 
     std::size_t size() const { return *size_; }
     double* column(int index) { return values_ + static_cast<std::size_t>(index) * capacity_; }
     const double* column(int index) const {
         return values_ + static_cast<std::size_t>(index) * capacity_;
     }
-    std::int32_t& observations(std::size_t i) { return observations_[i]; }
-    std::int32_t observations(std::size_t i) const { return observations_[i]; }
+    LandmarkRecord& record(std::size_t i) { return records_[i]; }
+    const LandmarkRecord& record(std::size_t i) const { return records_[i]; }
 
     typename S::Landmark mean(std::size_t i) const {
         return S::from_state({column(kState0)[i], column(kState1)[i]});
@@ -53,13 +53,24 @@ class LandmarkColumns {
 
     /// Adds a landmark without values; returns its index. The table must have the room.
     std::size_t append() {
-        observations_[*size_] = 0;
+        records_[*size_] = {};
         return (*size_)++;
     }
 
+    /// Landmark `to` becomes what landmark `from` is.
+    void copy(std::size_t from, std::size_t to) {
+        for (std::size_t c = 0; c < kColumns; ++c) {
+            double* values = column(static_cast<int>(c));
+            values[to] = values[from];
+        }
+        records_[to] = records_[from];
+    }
+    /// Only the first `size` landmarks stay.
+    void cut(std::size_t size) { *size_ = static_cast<std::uint32_t>(size); }
+
   private:
     double* values_;
-    std::int32_t* observations_;
+    LandmarkRecord* records_;
     std::uint32_t* size_;
     std::size_t capacity_;
 };

@@ -21,9 +21,10 @@ Eigen::Matrix3d Robot::jacobian(const Pose& pose, const MotionIncrement& increme
 }
 
 Registry<MotionModelEntry>& motion_models() {
-    static Registry<MotionModelEntry> registry("motion model", "motion.model",
-                                               {robot_with_odometry(), robot_without_odometry(),
-                                                robot_proportional(), robot_increments()});
+    static Registry<MotionModelEntry> registry(
+        "motion model", "motion.model",
+        {robot_with_odometry(), robot_without_odometry(), robot_proportional(), robot_increments(),
+         robot_registered()});
     return registry;
 }
 

@@ -9,5 +9,6 @@ MotionModelEntry robot_with_odometry();
 MotionModelEntry robot_without_odometry();
 MotionModelEntry robot_proportional();
 MotionModelEntry robot_increments();
+MotionModelEntry robot_registered();
 
 }  // namespace hitos

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
 #include "hitos/features/caracteristica.hpp"
 #include "hitos/features/extractor.hpp"
@@ -44,10 +47,55 @@ struct LandmarkEstimate {
     Matrix2 covariance;
 };
 
+/// Between which points of the robot's frame a feature was seen, where that is known: the feet of a
+/// line's outermost supporting points.
+struct SeenReach {
+    bool known = false;
+    Point2 from;
+    Point2 to;
+};
+
 /// A measurement, the same for all particles.
 struct SeenFeature {
     Measurement measured;
     double slack = 0.0;  ///< squared Mahalanobis distance from which no landmark can be it
+    SeenReach reach = {};
+};
+
+/// Where on a landmark something was seen: of a line the places along it [m], from its foot
+/// (PreparedRecta::along()); the whole line where nothing is known. Corners have none.
+struct Extent {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+
+    /// Both and what lies between.
+    Extent joined(const Extent& other) const {
+        return {std::min(low, other.low), std::max(high, other.high)};
+    }
+    /// How far apart the two are [m]; 0 or less where they overlap.
+    double gap(const Extent& other) const {
+        return std::max(low, other.low) - std::min(high, other.high);
+    }
+};
+
+/// What is kept of a landmark beside its estimate.
+struct LandmarkRecord {
+    std::int32_t observations = 0;
+    std::uint32_t last_seen = 0;  ///< scan that saw it last
+};
+
+/// One landmark minus another, angles wrapped, once the other has been brought to the side of the
+/// first: its first component times `sign`.
+struct LandmarkDifference {
+    Vector2 nu;
+    double sign = 1.0;
+
+    /// Covariance of the other on the first one's side.
+    Matrix2 turned(Matrix2 covariance) const {
+        covariance(0, 1) *= sign;
+        covariance(1, 0) *= sign;
+        return covariance;
+    }
 };
 
 /// A measurement prepared for a particle: with its direction in the world, for the quick rejection.
@@ -63,16 +111,27 @@ struct PreparedObservation {
 template <class S>
 concept Sensor = requires(const Pose& pose, const Vector2& z, const typename S::Landmark& landmark,
                           typename S::Landmark& writable, const Observation& observation,
-                          const Matrix2& fixed, std::size_t i) {
+                          const Matrix2& fixed, std::size_t i, const Extent& extent,
+                          const SeenReach& reach) {
     { S::kKind } -> std::convertible_to<FeatureKind>;
     { S::measurement(landmark) } -> std::convertible_to<Vector2>;
     { S::count(observation) } -> std::same_as<std::size_t>;
     { S::observed(observation, i, fixed) } -> std::same_as<Measurement>;
+    { S::reach(observation, i) } -> std::same_as<SeenReach>;
+    { S::placed(reach, pose, landmark) } -> std::same_as<Extent>;
+    { S::carried(extent, landmark, landmark) } -> std::same_as<Extent>;
+    { S::moved(pose, landmark) } -> std::same_as<typename S::Landmark>;
+    { S::moved(pose, landmark, extent) } -> std::same_as<Extent>;
+    { S::moved_jacobian(pose, landmark) } -> std::convertible_to<Matrix2>;
+    { S::difference(landmark, landmark) } -> std::same_as<LandmarkDifference>;
+    { S::same(landmark, extent, landmark, extent, fixed) } -> std::same_as<bool>;
+    { S::tolerance(landmark, extent, extent) } -> std::convertible_to<Matrix2>;
     { S::predict(pose, landmark) } -> std::convertible_to<Vector2>;
     { S::jacobian(pose, landmark) } -> std::convertible_to<Matrix2>;
     { S::pose_jacobian(pose, landmark) } -> std::convertible_to<Matrix23>;
     { S::innovation(z, pose, landmark) } -> std::same_as<Innovation>;
     { S::joint_innovation(z, pose, landmark) } -> std::same_as<JointInnovation>;
+    { S::greatest_variances(Matrix3()) } -> std::convertible_to<Vector2>;
     { S::inverse(pose, z) } -> std::same_as<typename S::Landmark>;
     { S::inverse_jacobian(pose, z) } -> std::convertible_to<Matrix2>;
     { S::inverse_pose_jacobian(pose, z) } -> std::convertible_to<Matrix23>;

@@ -73,6 +73,12 @@ struct SensorEsquina {
         return {seen.nu, pose_jacobian(pose, landmark), seen.jacobian};
     }
 
+    /// As SensorRecta's; the bearing of a corner at hand may be anything.
+    static Vector2 greatest_variances(const Matrix3& pose_covariance) {
+        return {pose_covariance(0, 0) + pose_covariance(1, 1),
+                std::numeric_limits<double>::infinity()};
+    }
+
     static Esquina inverse(const Pose& pose, const Vector2& z) {
         return {pose.x + z(0) * std::cos(z(1) + pose.theta),
                 pose.y + z(0) * std::sin(z(1) + pose.theta)};
@@ -96,6 +102,41 @@ struct SensorEsquina {
     static double normalize(Esquina& /*landmark*/) { return 1.0; }
     static Esquina from_state(const Vector2& state) { return {state(0), state(1)}; }
     static Vector2 to_state(const Esquina& landmark) { return {landmark.x, landmark.y}; }
+
+    static SeenReach reach(const Observation& /*observation*/, std::size_t /*i*/) { return {}; }
+    static Extent placed(const SeenReach& /*reach*/, const Pose& /*pose*/,
+                         const Esquina& /*landmark*/) {
+        return {};
+    }
+    static Extent carried(const Extent& extent, const Esquina& /*from*/, const Esquina& /*to*/) {
+        return extent;
+    }
+    static Esquina moved(const Pose& motion, const Esquina& landmark) {
+        return transform(motion, landmark);
+    }
+    static Matrix2 moved_jacobian(const Pose& motion, const Esquina& /*landmark*/) {
+        Matrix2 turn;
+        turn << std::cos(motion.theta), -std::sin(motion.theta), std::sin(motion.theta),
+            std::cos(motion.theta);
+        return turn;
+    }
+    static Extent moved(const Pose& /*motion*/, const Esquina& /*landmark*/, const Extent& extent) {
+        return extent;
+    }
+    static LandmarkDifference difference(const Esquina& a, const Esquina& b) {
+        return {{a.x - b.x, a.y - b.y}, 1.0};
+    }
+    /// As SensorRecta's: corners nearer to each other than any two that are told apart.
+    static bool same(const Esquina& a, const Extent& /*extent_a*/, const Esquina& b,
+                     const Extent& /*extent_b*/, const Matrix2& /*covariance*/) {
+        constexpr double kNear = 0.25;
+        return std::hypot(a.x - b.x, a.y - b.y) < kNear;
+    }
+    static Matrix2 tolerance(const Esquina& /*a*/, const Extent& /*extent_a*/,
+                             const Extent& /*b_on_a*/) {
+        constexpr double kDistance2 = 0.05 * 0.05;
+        return kDistance2 * Matrix2::Identity();
+    }
 };
 
 /// Corners of one map.
@@ -103,6 +144,8 @@ class CornerColumns : public LandmarkColumns<SensorEsquina, 0> {
   public:
     using LandmarkColumns::LandmarkColumns;
 
+    Extent extent(std::size_t /*i*/) const { return {}; }
+    void set_extent(std::size_t /*i*/, const Extent& /*extent*/) {}
     Innovation innovation(std::size_t i, const Vector2& z, const Pose& pose) const {
         return SensorEsquina::innovation(z, pose, mean(i));
     }

@@ -84,6 +84,11 @@ struct SensorRecta {
         return joint;
     }
 
+    /// The greatest variances that a pose of that covariance gives the components of any line's z.
+    static Vector2 greatest_variances(const Matrix3& pose_covariance) {
+        return {pose_covariance(0, 0) + pose_covariance(1, 1), pose_covariance(2, 2)};
+    }
+
     /// The landmark that gives z from the pose, theta = theta' + theta_r,
     /// rho = rho' + x cos theta + y sin theta, before it is brought to normal form.
     static Recta inverse(const Pose& pose, const Vector2& z) {
@@ -118,20 +123,105 @@ struct SensorRecta {
 
     static Recta from_state(const Vector2& state) { return {state(0), state(1)}; }
     static Vector2 to_state(const Recta& landmark) { return {landmark.rho, landmark.theta}; }
+
+    static SeenReach reach(const Observation& observation, std::size_t i) {
+        const DetectedLine& line = observation.lines[i];
+        const std::span<const Point2> points = observation.support_of(line);
+        if (points.empty()) return {};
+        const PreparedRecta prepared(line.recta);
+        const auto [low, high] =
+            std::ranges::minmax(points, {}, [&](const Point2& p) { return prepared.along(p); });
+        return {true, prepared.at(prepared.along(low)), prepared.at(prepared.along(high))};
+    }
+    /// Where on the landmark that is, seen from the pose.
+    static Extent placed(const SeenReach& reach, const Pose& pose, const Recta& landmark) {
+        if (!reach.known) return {};
+        const PreparedRecta line(landmark);
+        const double a = line.along(transform(pose, reach.from));
+        const double b = line.along(transform(pose, reach.to));
+        return {std::min(a, b), std::max(a, b)};
+    }
+    /// The stretch of `from` as places along `to`. A point rho n + t u of the first has
+    /// rho n.u' + t u.u' along the second, whose foot, and maybe direction, is another.
+    static Extent carried(const Extent& extent, const Recta& from, const Recta& to) {
+        const double shift = from.rho * std::sin(from.theta - to.theta);
+        const double along = std::cos(from.theta - to.theta);
+        const double a = shift + along * extent.low;
+        const double b = shift + along * extent.high;
+        return {std::min(a, b), std::max(a, b)};
+    }
+
+    /// The line moved by a rigid motion of the world, before it is brought to normal form: what the
+    /// inverse model does, which takes a line from the robot's frame to the world's.
+    static Recta moved(const Pose& motion, const Recta& landmark) {
+        return inverse(motion, measurement(landmark));
+    }
+    static Matrix2 moved_jacobian(const Pose& motion, const Recta& landmark) {
+        return inverse_jacobian(motion, measurement(landmark));
+    }
+    /// Where its extent is then, along the line as moved() gives it: t + g.u'.
+    static Extent moved(const Pose& motion, const Recta& landmark, const Extent& extent) {
+        const double theta = landmark.theta + motion.theta;
+        const double shift = motion.y * std::cos(theta) - motion.x * std::sin(theta);
+        return {extent.low + shift, extent.high + shift};
+    }
+
+    static LandmarkDifference difference(const Recta& a, const Recta& b) {
+        const double turn = wrap_angle(a.theta - b.theta);
+        if (std::abs(turn) <= kPi / 2.0) return {{a.rho - b.rho, turn}, 1.0};
+        return {{a.rho + b.rho, turn - std::copysign(kPi, turn)}, -1.0};
+    }
+    /// Pieces of one wall, once a correction has laid one passage upon another: nearly parallel, by
+    /// distance and angle within what a corrected path leaves, and hardly a gap between them.
+    /// `covariance` is that of their difference.
+    static bool same(const Recta& a, const Extent& extent_a, const Recta& b, const Extent& extent_b,
+                     const Matrix2& covariance) {
+        constexpr double kFarthest2 = 6.0;  // squared Mahalanobis distance
+        constexpr double kTurn = 0.1;
+        constexpr double kGap = 0.5;
+        const LandmarkDifference apart = difference(a, b);
+        if (std::abs(apart.nu(1)) >= kTurn) return false;
+        const Extent b_on_a = carried(extent_b, b, a);
+        if (extent_a.gap(b_on_a) >= kGap) return false;
+        const Matrix2 s = covariance + tolerance(a, extent_a, b_on_a);
+        const double d2 = s(1, 1) * apart.nu(0) * apart.nu(0) -
+                          2.0 * s(0, 1) * apart.nu(0) * apart.nu(1) +
+                          s(0, 0) * apart.nu(1) * apart.nu(1);
+        return d2 < kFarthest2 * s.determinant();
+    }
+    /// What a corrected path leaves, 0.05 m and 0.02 rad at the middle of what both extents share:
+    /// a turn about a place t along the line changes rho by t times the turn.
+    static Matrix2 tolerance(const Recta& /*a*/, const Extent& extent_a, const Extent& b_on_a) {
+        constexpr double kDistance2 = 0.05 * 0.05;
+        constexpr double kAngle2 = 0.02 * 0.02;
+        const double middle =
+            0.5 * (std::max(extent_a.low, b_on_a.low) + std::min(extent_a.high, b_on_a.high));
+        const double t = std::isfinite(middle) ? middle : 0.0;
+        Matrix2 tolerated;
+        tolerated << kDistance2 + t * t * kAngle2, t * kAngle2, t * kAngle2, kAngle2;
+        return tolerated;
+    }
 };
 
 /// Lines of one map. Cosine and sine of theta are kept beside it: the filter asks for them at every
-/// step, and they change only when the landmark does.
-class LineColumns : public LandmarkColumns<SensorRecta, 2> {
+/// step, and they change only when the landmark does. So is the extent, where the filter heeds it.
+class LineColumns : public LandmarkColumns<SensorRecta, 4> {
   public:
     static constexpr int kCosine = kExtra;
     static constexpr int kSine = kExtra + 1;
+    static constexpr int kLow = kExtra + 2;
+    static constexpr int kHigh = kExtra + 3;
     using LandmarkColumns::LandmarkColumns;
 
     void set(std::size_t i, const LandmarkEstimate<SensorRecta>& estimate) {
         LandmarkColumns::set(i, estimate);
         column(kCosine)[i] = std::cos(estimate.mean.theta);
         column(kSine)[i] = std::sin(estimate.mean.theta);
+    }
+    Extent extent(std::size_t i) const { return {column(kLow)[i], column(kHigh)[i]}; }
+    void set_extent(std::size_t i, const Extent& extent) {
+        column(kLow)[i] = extent.low;
+        column(kHigh)[i] = extent.high;
     }
     Innovation innovation(std::size_t i, const Vector2& z, const Pose& pose) const {
         return SensorRecta::innovation(z, pose, mean(i), column(kCosine)[i], column(kSine)[i]);

@@ -3,7 +3,8 @@
 namespace hitos {
 
 Registry<ProposalEntry>& proposals() {
-    static Registry<ProposalEntry> registry("proposal", "filter.proposal", {motion_proposal()});
+    static Registry<ProposalEntry> registry("proposal", "filter.proposal",
+                                            {motion_proposal(), posterior_proposal()});
     return registry;
 }
 

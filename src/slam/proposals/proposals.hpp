@@ -6,5 +6,6 @@
 namespace hitos {
 
 ProposalEntry motion_proposal();
+ProposalEntry posterior_proposal();
 
 }  // namespace hitos

@@ -85,7 +85,7 @@ TEST(LandmarkTable, KeepsValuesWhileItGrows) {
             auto lines = table[block];
             const std::size_t index = lines.append();
             lines.set(index, {{1.0 * i + static_cast<double>(block), 0.01 * i}, covariance});
-            lines.observations(index) = i;
+            lines.record(index).observations = i;
         }
     }
     EXPECT_EQ(table.size(1), 0U);
@@ -97,7 +97,7 @@ TEST(LandmarkTable, KeepsValuesWhileItGrows) {
         EXPECT_EQ(copy.get(i).mean.rho, static_cast<double>(i) + 2.0);
         EXPECT_EQ(copy.get(i).covariance(1, 1), 2.0 * static_cast<double>(i));
         EXPECT_EQ(copy.column(LineColumns::kSine)[i], std::sin(0.01 * static_cast<double>(i)));
-        EXPECT_EQ(copy.observations(i), static_cast<int>(i));
+        EXPECT_EQ(copy.record(i).observations, static_cast<int>(i));
     }
 }
 

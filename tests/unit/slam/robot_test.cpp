@@ -263,7 +263,8 @@ TEST(Robot, ProportionalNoiseLiesAlongTheMeanHeading) {
 }
 
 TEST(Robot, MotionModelsAreRegistered) {
-    EXPECT_EQ(motion_models().words(), "odometry, no-odometry, proportional, increments");
+    EXPECT_EQ(motion_models().words(),
+              "odometry, no-odometry, proportional, increments, registered");
     for (const MotionModelEntry& entry : motion_models().entries()) {
         EXPECT_NE(entry.make({}), nullptr);
         EXPECT_FALSE(entry.label.empty() || entry.purpose.empty());

@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 62U);
+    EXPECT_EQ(keys.size(), 66U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -104,6 +104,8 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
     const Keys rates = {"motion.var_along", "motion.var_across", "motion.var_theta_per_rad",
                         "motion.var_theta_per_m"};
     const Keys ratios = {"motion.ratio_x", "motion.ratio_y", "motion.ratio_theta"};
+    const Keys registered = {"motion.registered_memory", "motion.registered_share",
+                             "motion.registered_sigma", "motion.registered_heading"};
     const Keys fixed = {"observation.var_rho", "observation.var_theta"};
     const Keys points = {"observation.point_sigma", "observation.common_sigma"};
     const Keys split = {"split_merge.dmax", "split_merge.fit", "split_merge.gap",
@@ -116,11 +118,13 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
                  "resampling.neff_threshold",
                  "source.tour_seed",
                  "source.world_set"};
-    for (const Keys& keys : {rates, ratios, points, ransac}) idle.insert(keys.begin(), keys.end());
+    for (const Keys& keys : {rates, ratios, registered, points, ransac})
+        idle.insert(keys.begin(), keys.end());
     EXPECT_EQ(idle_with({}), idle);
     EXPECT_EQ(idle_with({"motion.model=no-odometry"}), idle);
     EXPECT_EQ(idle_with({"motion.model=proportional"}), with(idle, sigmas, rates));
     EXPECT_EQ(idle_with({"motion.model=increments"}), with(idle, sigmas, ratios));
+    EXPECT_EQ(idle_with({"motion.model=registered"}), with(idle, sigmas, registered));
     EXPECT_EQ(idle_with({"observation.covariance=points"}), with(idle, fixed, points));
     EXPECT_EQ(idle_with({"features.method=ransac"}),
               with(with(idle, split, ransac), {"features.corner_lines"}, {}));
@@ -198,7 +202,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.filter.algorithm = "ekf-slam";
     c.filter.particles = 77;
     c.filter.motion = {"proportional",       0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17,
-                       MotionUnit::variance, 0.18, 0.19, 0.2};
+                       MotionUnit::variance, 0.18, 0.19, 0.2,  0.23, 0.24, 0.25, 0.26};
     c.filter.observation = {0.21, 0.22};
     c.filter.association = {AssociationMethod::gated_nearest, 0.31, 0.91, 0.92,
                             AmbiguityRule::new_landmark,      0.33, 0.93};
@@ -245,6 +249,10 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"motion.ratio_x", "0.18"},
         {"motion.ratio_y", "0.19"},
         {"motion.ratio_theta", "0.2"},
+        {"motion.registered_memory", "0.23"},
+        {"motion.registered_share", "0.24"},
+        {"motion.registered_sigma", "0.25"},
+        {"motion.registered_heading", "0.26"},
         {"observation.var_rho", "0.21"},
         {"observation.var_theta", "0.22"},
         {"observation.covariance", "points"},
