@@ -65,4 +65,66 @@ Eigen::MatrixXd NormalEquations::marginal(std::size_t variable) const {
     return cholesky_->solve(unit).middleRows(offsets_[variable], sizes_[variable]);
 }
 
+std::vector<Eigen::MatrixXd> NormalEquations::marginals() const {
+    // H = P' L D L' P. With Z the inverse of L D L', Z L = L'^-1 D^-1 gives, for entries on and
+    // below the diagonal, Z_jj = 1 / D_j - sum_k Z_kj L_kj and Z_ij = -sum_k Z_ik L_kj, k over the
+    // entries of column j of L. Every Z_ik asked for lies where L has an entry.
+    const Matrix& l = cholesky_->matrixL().nestedExpression();
+    const auto& place = cholesky_->permutationP().indices();
+    const int* const begin = l.outerIndexPtr();
+    const int* const row = l.innerIndexPtr();
+    std::vector<double> z(static_cast<std::size_t>(l.nonZeros()));
+    Eigen::VectorXd diagonal(size_);
+    std::vector<int> among(static_cast<std::size_t>(size_), -1);  // place among j's entries
+    Eigen::VectorXd sums(size_);
+    for (Eigen::Index j = size_; j-- > 0;) {
+        const int first = begin[j];
+        const int count = begin[j + 1] - first;
+        const Eigen::Map<const Eigen::VectorXd> l_j(l.valuePtr() + first, count);
+        for (int a = 0; a < count; ++a) among[static_cast<std::size_t>(row[first + a])] = a;
+        auto sum = sums.head(count);
+        sum.setZero();
+        for (int a = 0; a < count; ++a) {
+            const int k = row[first + a];
+            sum(a) += diagonal(k) * l_j(a);
+            for (int at = begin[k]; at < begin[k + 1]; ++at) {
+                const int b = among[static_cast<std::size_t>(row[at])];
+                if (b < 0) continue;
+                sum(b) += z[static_cast<std::size_t>(at)] * l_j(a);
+                sum(a) += z[static_cast<std::size_t>(at)] * l_j(b);
+            }
+        }
+        for (int a = 0; a < count; ++a) {
+            z[static_cast<std::size_t>(first + a)] = -sum(a);
+            among[static_cast<std::size_t>(row[first + a])] = -1;
+        }
+        diagonal(j) = 1.0 / cholesky_->vectorD()(j) + sum.dot(l_j);
+    }
+    const auto entry = [&](Eigen::Index a, Eigen::Index b) {
+        const int i = std::max(place(a), place(b));
+        const int j = std::min(place(a), place(b));
+        if (i == j) return diagonal(i);
+        const int* const found = std::lower_bound(row + begin[j], row + begin[j + 1], i);
+        const bool there = found != row + begin[j + 1] && *found == i;
+        return there ? z[static_cast<std::size_t>(found - row)] : 0.0;  // only held: no block
+    };
+    std::vector<Eigen::MatrixXd> blocks(offsets_.size());
+    for (std::size_t v = 0; v < offsets_.size(); ++v) {
+        blocks[v] =
+            Eigen::MatrixXd::NullaryExpr(sizes_[v], sizes_[v], [&](Eigen::Index a, Eigen::Index b) {
+                return entry(offsets_[v] + a, offsets_[v] + b);
+            });
+    }
+    return blocks;
+}
+
+Eigen::MatrixXd NormalEquations::covariance(std::size_t first, const Eigen::MatrixXd& j_first,
+                                            std::size_t second,
+                                            const Eigen::MatrixXd& j_second) const {
+    Eigen::MatrixXd j = Eigen::MatrixXd::Zero(size_, j_first.rows());
+    j.middleRows(offsets_[first], sizes_[first]) += j_first.transpose();
+    j.middleRows(offsets_[second], sizes_[second]) += j_second.transpose();
+    return j.transpose() * cholesky_->solve(j);
+}
+
 }  // namespace hitos

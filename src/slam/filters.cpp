@@ -2,14 +2,16 @@
 
 #include "ekf_slam.hpp"
 #include "filtro_particulas.hpp"
+#include "graph/graph_slam.hpp"
 #include "hitos/slam/filter_parameters.hpp"
 #include "hitos/slam/robot.hpp"
 
 namespace hitos {
 
 Registry<SlamAlgorithmEntry>& slam_algorithms() {
-    static Registry<SlamAlgorithmEntry> registry("SLAM algorithm", "filter.algorithm",
-                                                 {fastslam_algorithm(), ekf_slam_algorithm()});
+    static Registry<SlamAlgorithmEntry> registry(
+        "SLAM algorithm", "filter.algorithm",
+        {fastslam_algorithm(), ekf_slam_algorithm(), graph_slam_algorithm()});
     return registry;
 }
 

@@ -48,6 +48,13 @@ class NormalEquations {
     }
     /// Its block of H^-1, after solve(): the covariance of the variable.
     Eigen::MatrixXd marginal(std::size_t variable) const;
+    /// Those of all variables, each as of marginal(), in about the time of two factorisations:
+    /// H^-1 where the factor L has entries, column by column from the last (Takahashi, Fagan and
+    /// Chen, 1973).
+    std::vector<Eigen::MatrixXd> marginals() const;
+    /// The covariance of j_first x_first + j_second x_second, after solve().
+    Eigen::MatrixXd covariance(std::size_t first, const Eigen::MatrixXd& j_first,
+                               std::size_t second, const Eigen::MatrixXd& j_second) const;
 
   private:
     using Matrix = Eigen::SparseMatrix<double>;

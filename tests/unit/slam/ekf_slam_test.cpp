@@ -294,7 +294,7 @@ TEST(EkfSlam, TheWeightIsTheProductOfTheLikelihoods) {
 }
 
 TEST(EkfSlam, ReadsWhatItsEntrySays) {
-    EXPECT_EQ(slam_algorithms().words(), "fastslam, ekf-slam");
+    EXPECT_EQ(slam_algorithms().words(), "fastslam, ekf-slam, graph-slam");
     EXPECT_TRUE(slam_algorithms().reads("ekf-slam", "association.new_probability"));
     EXPECT_FALSE(slam_algorithms().reads("fastslam", "association.new_probability"));
     EXPECT_FALSE(slam_algorithms().reads("ekf-slam", "filter.particles"));

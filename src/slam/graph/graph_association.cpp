@@ -1,0 +1,154 @@
+#include "graph_association.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hitos {
+namespace {
+
+/// No landmark further off than this is evaluated: relative to the keys of the window no pose is as
+/// uncertain [m, rad].
+constexpr double kFarthest = 3.0;
+constexpr double kMostTurned = 0.7;
+/// Of a line whose points are not known: as far as any laser sees [m].
+constexpr double kUnknownEnd = 1e3;
+/// What an observation has to see of two lines to say that they are one [m], or of its own length.
+constexpr double kBridged = 0.3;
+constexpr double kBridgedPart = 0.25;
+
+/// The ends of what was seen of a line, in the robot's frame.
+std::pair<Point2, Point2> ends_of(const Observation& observation, const DetectedLine& line) {
+    const PreparedRecta prepared(line.recta);
+    if (line.count < 2) return {prepared.at(-kUnknownEnd), prepared.at(kUnknownEnd)};
+    double low = kUnknownEnd;
+    double high = -kUnknownEnd;
+    for (const Point2& point : observation.support_of(line)) {
+        low = std::min(low, prepared.along(point));
+        high = std::max(high, prepared.along(point));
+    }
+    return {prepared.at(low), prepared.at(high)};
+}
+
+Extent seen_along(const LandmarkPlace& line, const Pose& pose, const FoundFeature& feature) {
+    return extent_along(line, transform(pose, feature.low), transform(pose, feature.high));
+}
+
+}  // namespace
+
+GraphAssociation::GraphAssociation(const FilterParams& params)
+    : observation_(params.observation),
+      rule_(params.association),
+      log_ratio_(std::log(params.association.ambiguity_ratio)),
+      twins_(params.association, false),
+      new_gate_(chi_square_gate(params.association.new_probability)) {}
+
+void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& window,
+                            const BelievedPose& believed, const Observation& observation) {
+    measure(observation, observation_, measurements_);
+    found_.clear();
+    bridged_.clear();
+    for_each_kind([&]<class S>() {
+        std::uint32_t observed = 0;
+        for (const Measurement& measured : measurements_.of<S>()) {
+            FoundFeature feature;
+            feature.kind = S::kKind;
+            feature.observed = observed;
+            feature.measured = measured;
+            feature.first = found_.size();
+            if constexpr (S::kKind == FeatureKind::line) {
+                std::tie(feature.low, feature.high) =
+                    ends_of(observation, observation.lines[observed]);
+            }
+            find<S>(graph, window, believed, feature);
+            found_.push_back(feature);
+            ++observed;
+        }
+    });
+    find_twins();
+}
+
+template <Sensor S>
+void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& window,
+                            const BelievedPose& believed, FoundFeature& feature) {
+    BestTwo inside;  // of the landmarks whose gate it lies in, by distance
+    inside_.clear();
+    double nearest = std::numeric_limits<double>::infinity();
+    double seen_m = 0.0;
+    for (const std::uint32_t i : window.reachable()) {
+        const GraphLandmark& landmark = graph.landmarks()[i];
+        if (landmark.kind != S::kKind) continue;
+        double shared_m = 0.0;
+        if constexpr (S::kKind == FeatureKind::line) {
+            const double turn = feature.measured.z(1) + believed.pose.theta - landmark.place.angle;
+            if (std::cos(turn) < std::cos(kMostTurned)) continue;
+            const Extent seen = seen_along(landmark.place, believed.pose, feature);
+            shared_m = shared_length(seen, landmark.extent);
+            seen_m = seen.length();
+            if (shared_m < -kReach) continue;
+        }
+        const SightingError error = sighting_error(feature.measured.z, believed.pose, landmark);
+        if (std::abs(error.value(0)) > kFarthest) continue;
+        const Matrix23 across = window.cross_covariance(i) * believed.by_key.transpose();
+        const Matrix2 both = error.by_landmark * across * error.by_pose.transpose();
+        const Matrix2 s = error.by_pose * believed.covariance * error.by_pose.transpose() +
+                          error.by_landmark * window.landmark_covariance(graph, i) *
+                              error.by_landmark.transpose() +
+                          both + both.transpose() + feature.measured.r;
+        const Likelihood close = likelihood_of(error.value, s);
+        // Rounding can cost S its positivity where variances are next to nothing.
+        if (!(s.determinant() > 0.0) || !(close.mahalanobis_squared >= 0.0)) continue;
+        nearest = std::min(nearest, close.mahalanobis_squared);
+        if (close.mahalanobis_squared > rule_.gate()) continue;
+        inside.offer(i, -close.mahalanobis_squared, close.log_likelihood);
+        inside_.push_back({i, close.log_likelihood, shared_m});
+    }
+    if (inside.none()) {
+        if (nearest > new_gate_) feature.outcome = Association::Outcome::created;
+    } else if (!rule_.ambiguous(inside)) {
+        feature.outcome = Association::Outcome::matched;
+        feature.landmark = inside.best();
+        feature.log_likelihood = inside.best_log();
+    } else if (S::kKind == FeatureKind::line) {
+        note_bridges(graph, inside, seen_m);
+    }
+}
+
+void GraphAssociation::note_bridges(const LandmarkGraph& graph, const BestTwo& inside,
+                                    double seen_m) {
+    const auto covered = [&](const Candidate& candidate) {
+        const double length =
+            std::min(seen_m, graph.landmarks()[candidate.landmark].extent.length());
+        return candidate.shared_m >= std::min(kBridged, kBridgedPart * length);
+    };
+    const auto best = std::ranges::find(inside_, inside.best(), &Candidate::landmark);
+    if (!covered(*best)) return;
+    for (const Candidate& rival : inside_) {
+        if (rival.landmark != best->landmark && covered(rival) &&
+            rival.log_likelihood > best->log_likelihood + log_ratio_) {
+            bridged_.emplace_back(std::min(best->landmark, rival.landmark),
+                                  std::max(best->landmark, rival.landmark));
+        }
+    }
+}
+
+void GraphAssociation::find_twins() {
+    twins_.find(measurements_);
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+        FoundFeature& later = found_[i];
+        if (later.outcome != Association::Outcome::created) continue;
+        const auto twin = twins_.of(i, [&](std::size_t k) {
+            const FoundFeature& earlier = found_[k];
+            if (earlier.outcome != Association::Outcome::created || earlier.first != k) {
+                return false;
+            }
+            if (later.kind != FeatureKind::line) return true;
+            const LandmarkPlace line = LocalCoordinates<SensorRecta>::place(
+                {earlier.measured.z(0), earlier.measured.z(1)});
+            return shared_length(extent_along(line, earlier.low, earlier.high),
+                                 extent_along(line, later.low, later.high)) >= -kReach;
+        });
+        if (twin) later.first = *twin;
+    }
+}
+
+}  // namespace hitos

@@ -1,0 +1,260 @@
+#include "graph_slam.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <stdexcept>
+
+#include "graph_merging.hpp"
+#include "hitos/base/error.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr int kMergings = 3;  // rounds after a correction
+
+/// d(compose(a, b))/da.
+Matrix3 by_first(const Pose& a, const Pose& b) {
+    Matrix3 j = Matrix3::Identity();
+    j(0, 2) = -std::sin(a.theta) * b.x - std::cos(a.theta) * b.y;
+    j(1, 2) = std::cos(a.theta) * b.x - std::sin(a.theta) * b.y;
+    return j;
+}
+
+/// Covariance of compose(a, b), both with their own; b's in the axes of a.
+Matrix3 composed(const Pose& a, const Matrix3& of_a, const Pose& b, const Matrix3& of_b) {
+    Matrix3 turn = Matrix3::Identity();
+    turn.topLeftCorner<2, 2>() << std::cos(a.theta), -std::sin(a.theta), std::sin(a.theta),
+        std::cos(a.theta);
+    const Matrix3 f = by_first(a, b);
+    return f * of_a * f.transpose() + turn * of_b * turn.transpose();
+}
+
+}  // namespace
+
+GraphSlam::GraphSlam(const FilterParams& params) : association_(params) {
+    statistics_.neff = 1.0;
+}
+
+void GraphSlam::step(const SlamInput& input) {
+    if (input.registered == nullptr) {
+        throw ConfigError("filter.algorithm",
+                          "graph-slam needs registration, and the run has none");
+    }
+    const RegisteredStep& registered = *input.registered;
+    // The first scan is where the world begins; there is no step to it.
+    if (steps() > 0) {
+        const Pose motion = between(registered.before, registered.pose);
+        covariance_ = composed(pose_, covariance_, motion, registered.covariance);
+        since_key_.covariance =
+            composed(since_key_.pose, since_key_.covariance, motion, registered.covariance);
+        since_key_.pose = compose(since_key_.pose, motion);
+    } else {
+        since_key_.pose = registered.pose;
+    }
+    const BelievedPose now = believed();
+    pose_ = now.pose;
+    association_.find(graph_, window_, now, input.observation);
+    if (registered.key) add_key(registered);
+    note_associations(registered.key);
+    history_.push_back({graph_.keys().size(), since_key_.pose});
+}
+
+BelievedPose GraphSlam::believed() const {
+    if (graph_.keys().empty()) return {since_key_.pose, since_key_.covariance, Matrix3::Zero()};
+    const Pose& key = graph_.keys().back().pose;
+    return {compose(key, since_key_.pose),
+            composed(key, window_.key_covariance(), since_key_.pose, since_key_.covariance),
+            by_first(key, since_key_.pose)};
+}
+
+void GraphSlam::add_key(const RegisteredStep& registered) {
+    if (registered.keys.size() != graph_.keys().size() + 1 ||
+        registered.edges.size() < graph_.edges().size()) {
+        throw std::logic_error("graph-slam missed keys of registration");
+    }
+    graph_.add_key({pose_, registered.scan});
+    graph_.add_edges(registered.edges.subspan(graph_.edges().size()));
+    since_key_ = {};
+    add_sightings();
+    window_.solve(graph_);
+    merge_bridged();
+    pose_ = graph_.keys().back().pose;
+    map_.reset();
+}
+
+void GraphSlam::add_sightings() {
+    const auto key = static_cast<std::uint32_t>(graph_.keys().size() - 1);
+    landmarks_of_.clear();
+    for (const FoundFeature& feature : association_.found()) {
+        std::int32_t landmark = -1;
+        if (feature.outcome == Association::Outcome::matched) {
+            landmark = static_cast<std::int32_t>(feature.landmark);
+        } else if (feature.outcome == Association::Outcome::created) {
+            if (feature.first < landmarks_of_.size()) {
+                landmark = landmarks_of_[feature.first];  // a twin
+            } else {
+                for_kind(feature.kind, [&]<class S>() {
+                    landmark = static_cast<std::int32_t>(graph_.add_landmark(
+                        S::kKind,
+                        LocalCoordinates<S>::place(S::inverse(pose_, feature.measured.z))));
+                });
+            }
+        }
+        landmarks_of_.push_back(landmark);
+        if (landmark < 0) continue;
+        graph_.add({key, static_cast<std::uint32_t>(landmark), feature.measured.z,
+                    feature.measured.r.inverse(), feature.low, feature.high});
+    }
+}
+
+void GraphSlam::merge_bridged() {
+    std::vector<std::uint32_t> leader(graph_.landmarks().size());
+    for (std::uint32_t i = 0; i < leader.size(); ++i) leader[i] = i;
+    bool any = false;
+    for (const auto& [a, b] : association_.bridged()) {
+        if (leader[a] != a || leader[b] != b) continue;
+        const LandmarkDifference apart = difference(graph_.landmarks()[a], graph_.landmarks()[b]);
+        if (!is_none(apart, window_.covariance(graph_, a, apart.by_first, b, apart.by_second),
+                     graph_.landmarks()[a].kind, association_.gate())) {
+            continue;
+        }
+        leader[b] = a;
+        any = true;
+    }
+    if (!any) return;
+    merge(leader);
+    window_.solve(graph_);
+}
+
+void GraphSlam::merge(std::span<const std::uint32_t> leader) {
+    const std::vector<std::uint32_t> now = graph_.merge(leader);
+    for (std::int32_t& landmark : landmarks_of_) {
+        if (landmark >= 0) {
+            landmark = static_cast<std::int32_t>(now[static_cast<std::size_t>(landmark)]);
+        }
+    }
+}
+
+std::vector<std::int32_t> GraphSlam::places_in_map() const {
+    std::vector<std::int32_t> places(graph_.landmarks().size());
+    std::int32_t next = 0;
+    for_each_kind([&]<class S>() {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (graph_.landmarks()[i].kind == S::kKind) places[i] = next++;
+        }
+    });
+    return places;
+}
+
+void GraphSlam::note_associations(bool key) {
+    using Outcome = Association::Outcome;
+    const std::vector<std::int32_t> places = places_in_map();
+    associations_.clear();
+    if (!key) landmarks_of_.clear();
+    std::size_t i = 0;
+    for (const FoundFeature& feature : association_.found()) {
+        Association association{feature.kind, feature.observed, feature.outcome};
+        if (feature.outcome == Outcome::matched) {
+            statistics_.best_log_weight += feature.log_likelihood;
+        } else if (feature.first != i && feature.outcome == Outcome::created) {
+            association.outcome = Outcome::matched;
+        }
+        if (!key) {
+            // Only keys make landmarks.
+            const bool matched = feature.outcome == Outcome::matched;
+            if (!matched) association.outcome = Outcome::ignored;
+            landmarks_of_.push_back(matched ? static_cast<std::int32_t>(feature.landmark) : -1);
+        }
+        if (landmarks_of_[i] >= 0) {
+            association.landmark = places[static_cast<std::size_t>(landmarks_of_[i])];
+        }
+        associations_.push_back(association);
+        ++i;
+    }
+}
+
+void GraphSlam::correct(const PathCorrection& correction) {
+    if (graph_.keys().empty()) return;
+    for (std::size_t i = 0; i < graph_.landmarks().size(); ++i) {
+        const Sighting& last = graph_.sightings()[graph_.landmarks()[i].sightings.back()];
+        graph_.transform_landmark(i, correction.by_scan[graph_.keys()[last.key].scan]);
+    }
+    for (std::size_t i = 0; i < graph_.keys().size(); ++i) {
+        graph_.pose(i) = compose(correction.by_scan[graph_.keys()[i].scan], graph_.keys()[i].pose);
+    }
+    graph_.replace_edges(correction.edges);
+    for (std::size_t i = 0; i < graph_.landmarks().size(); ++i) graph_.remeasure(i);
+    GraphSolver solver;
+    bool solved = solver.solve(graph_);
+    for (int round = 0; solved && round < kMergings; ++round) {
+        const auto leader =
+            find_duplicates(graph_, association_.gate(),
+                            [&](std::size_t a, const Matrix2& j_a, std::size_t b,
+                                const Matrix2& j_b) { return solver.covariance(a, j_a, b, j_b); });
+        if (!leader) break;
+        merge(*leader);
+        solved = solver.solve(graph_);
+    }
+    if (solved) {
+        covariance_ =
+            composed(graph_.keys().back().pose, solver.key_covariance(graph_.keys().size() - 1),
+                     since_key_.pose, since_key_.covariance);
+    }
+    window_.solve(graph_);
+    pose_ = compose(graph_.keys().back().pose, since_key_.pose);
+    const std::vector<std::int32_t> places = places_in_map();
+    for (std::size_t i = 0; i < associations_.size(); ++i) {
+        if (landmarks_of_[i] >= 0) {
+            associations_[i].landmark = places[static_cast<std::size_t>(landmarks_of_[i])];
+        }
+    }
+    map_.reset();
+}
+
+LandmarkMap GraphSlam::best_map() const {
+    if (map_) return *map_;
+    GraphSolver solver;
+    std::vector<Matrix2> covariances(graph_.landmarks().size(), Matrix2::Zero());
+    if (solver.linearize(graph_)) covariances = solver.landmark_covariances();
+    LandmarkMap map;
+    for_each_kind([&]<class S>() {
+        for (std::size_t i = 0; i < covariances.size(); ++i) {
+            const GraphLandmark& landmark = graph_.landmarks()[i];
+            if (landmark.kind != S::kKind) continue;
+            const Matrix2 j = LocalCoordinates<S>::jacobian(landmark.place);
+            LandmarkEstimate<S> estimate{LocalCoordinates<S>::landmark(landmark.place),
+                                         j * covariances[i] * j.transpose()};
+            normalize(estimate);
+            map.push_back(
+                {estimate.mean, estimate.covariance, static_cast<int>(landmark.sightings.size())});
+        }
+    });
+    map_ = map;
+    return map;
+}
+
+std::vector<Pose> GraphSlam::best_history() const {
+    std::vector<Pose> poses;
+    poses.reserve(history_.size());
+    for (const Placed& placed : history_) {
+        poses.push_back(placed.keys == 0
+                            ? placed.from_key
+                            : compose(graph_.keys()[placed.keys - 1].pose, placed.from_key));
+    }
+    return poses;
+}
+
+SlamAlgorithmEntry graph_slam_algorithm() {
+    SlamAlgorithmEntry entry;
+    entry.word = "graph-slam";
+    entry.label = HITOS_TEXT("ParameterChoice", "Graph-SLAM");
+    entry.purpose = "registered poses and all landmarks as one least-squares problem";
+    entry.reads = {"association.gate_probability", "association.new_probability"};
+    entry.make = [](const FilterParams& params, std::uint64_t /*seed*/, int /*threads*/) {
+        return std::make_unique<GraphSlam>(params);
+    };
+    entry.registered = true;
+    return entry;
+}
+
+}  // namespace hitos

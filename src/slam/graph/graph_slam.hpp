@@ -1,0 +1,78 @@
+// graph-slam: key poses and landmarks as one least-squares problem.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "graph_association.hpp"
+#include "graph_solver.hpp"
+#include "hitos/slam/filters.hpp"
+
+namespace hitos {
+
+/// Poses of registration's keys and the landmarks that their scans show, in one graph: from scan to
+/// scan its newest part is solved, after a correction the whole. One hypothesis, nothing drawn at
+/// random. Needs SlamInput::registered.
+class GraphSlam final : public SlamFilter {
+  public:
+    explicit GraphSlam(const FilterParams& params);
+
+    /// Throws ConfigError where the run has no registration.
+    void step(const SlamInput& input) override;
+    void correct(const PathCorrection& correction) override;
+
+    std::uint64_t steps() const override { return history_.size(); }
+    Pose best_pose() const override { return pose_; }
+    /// Sets up the whole graph once more for the covariances, unless nothing changed since.
+    LandmarkMap best_map() const override;
+    std::vector<Pose> best_history() const override;
+    int best_count(FeatureKind kind) const override { return graph_.count(kind); }
+    std::span<const Association> associations() const override { return associations_; }
+    std::vector<WeightedPose> hypotheses() const override { return {{pose_, 1.0}}; }
+    FilterStatistics statistics() const override { return statistics_; }
+    /// That of the newest key after the last solution of the whole graph, in the frame of the
+    /// first, and what the steps since have added.
+    Matrix3 pose_covariance() const override { return covariance_; }
+
+    const LandmarkGraph& graph() const { return graph_; }
+
+  private:
+    /// A motion from a known frame on, with its covariance in that frame's axes.
+    struct Motion {
+        Pose pose;
+        Matrix3 covariance = Matrix3::Zero();
+    };
+    /// A scan's pose, from its key on; or where there was no key yet from the origin.
+    struct Placed {
+        std::size_t keys = 0;  ///< so far; the last of them is the scan's
+        Pose from_key;
+    };
+
+    BelievedPose believed() const;
+    /// Makes the scan the newest key, with what it saw.
+    void add_key(const RegisteredStep& registered);
+    void add_sightings();
+    /// Merges landmarks that the scan has shown to be one.
+    void merge_bridged();
+    void merge(std::span<const std::uint32_t> leader);
+    void note_associations(bool key);
+    /// Places of landmarks in the map, which lists them kind by kind.
+    std::vector<std::int32_t> places_in_map() const;
+
+    GraphAssociation association_;
+    LandmarkGraph graph_;
+    GraphWindow window_;
+    Pose pose_;
+    Matrix3 covariance_ = Matrix3::Zero();
+    Motion since_key_;
+    std::vector<Placed> history_;
+    std::vector<Association> associations_;
+    std::vector<std::int32_t> landmarks_of_;  // of the graph, by association; -1: none
+    FilterStatistics statistics_;
+    mutable std::optional<LandmarkMap> map_;  // while nothing has changed
+};
+
+/// "graph-slam".
+SlamAlgorithmEntry graph_slam_algorithm();
+
+}  // namespace hitos

@@ -1,0 +1,107 @@
+#include "graph_solver.hpp"
+
+#include <Eigen/LU>
+
+namespace hitos {
+namespace {
+
+constexpr int kIterations = 15;
+constexpr double kStill = 1e-4;    // [m]
+constexpr double kRegular = 1e-6;  // information of a pose that nothing ties
+
+}  // namespace
+
+void GraphSolver::lay_out(const LandmarkGraph& graph) {
+    equations_ = NormalEquations();
+    keys_ = graph.keys().size();
+    landmarks_ = graph.landmarks().size();
+    for (std::size_t i = 1; i < keys_; ++i) equations_.add_variable(3);
+    for (std::size_t i = 0; i < landmarks_; ++i) equations_.add_variable(2);
+}
+
+bool GraphSolver::iterate(const LandmarkGraph& graph) {
+    if (equations_.variables() == 0) return false;
+    equations_.begin();
+    for (std::size_t i = 1; i < keys_; ++i) equations_.hold(variable_of_key(i), kRegular);
+    for (const PoseEdge& edge : graph.edges()) add(edge, graph);
+    for (const Sighting& sighting : graph.sightings()) add(sighting, graph);
+    return equations_.solve();
+}
+
+void GraphSolver::add(const PoseEdge& edge, const LandmarkGraph& graph) {
+    const EdgeError error =
+        edge_error(edge, graph.keys()[edge.from].pose, graph.keys()[edge.to].pose);
+    const Matrix3 weight =
+        robust_weight(error.value.dot(edge.information * error.value)) * edge.information;
+    if (edge.from == 0) {
+        equations_.add(variable_of_key(edge.to), error.by_to, weight, error.value);
+    } else if (edge.to == 0) {
+        equations_.add(variable_of_key(edge.from), error.by_from, weight, error.value);
+    } else if (edge.from < edge.to) {
+        equations_.add(variable_of_key(edge.from), error.by_from, variable_of_key(edge.to),
+                       error.by_to, weight, error.value);
+    } else {
+        equations_.add(variable_of_key(edge.to), error.by_to, variable_of_key(edge.from),
+                       error.by_from, weight, error.value);
+    }
+}
+
+void GraphSolver::add(const Sighting& sighting, const LandmarkGraph& graph) {
+    const SightingError error = graph.error_of(sighting);
+    const Matrix2 weight =
+        robust_weight(error.value.dot(sighting.information * error.value)) * sighting.information;
+    const std::size_t landmark = variable_of_landmark(sighting.landmark);
+    if (sighting.key == 0) {
+        equations_.add(landmark, error.by_landmark, weight, error.value);
+    } else {
+        equations_.add(variable_of_key(sighting.key), error.by_pose, landmark, error.by_landmark,
+                       weight, error.value);
+    }
+}
+
+bool GraphSolver::solve(LandmarkGraph& graph) {
+    lay_out(graph);
+    for (int iteration = 0; iteration < kIterations; ++iteration) {
+        if (!iterate(graph)) return false;
+        double greatest = 0.0;
+        for (std::size_t i = 1; i < keys_; ++i) {
+            const Eigen::Vector3d step = equations_.step(variable_of_key(i));
+            Pose& pose = graph.pose(i);
+            pose = {pose.x + step(0), pose.y + step(1), wrap_angle(pose.theta + step(2))};
+            greatest = std::max(greatest, std::abs(step(0)) + std::abs(step(1)));
+        }
+        for (std::size_t i = 0; i < landmarks_; ++i) {
+            const Vector2 step = equations_.step(variable_of_landmark(i));
+            graph.move_landmark(i, step);
+            greatest = std::max(greatest, std::abs(step(0)) + std::abs(step(1)));
+        }
+        if (greatest < kStill) break;
+    }
+    return true;
+}
+
+bool GraphSolver::linearize(const LandmarkGraph& graph) {
+    lay_out(graph);
+    return iterate(graph);
+}
+
+Matrix3 GraphSolver::key_covariance(std::size_t key) const {
+    if (key == 0) return Matrix3::Zero();
+    return equations_.marginal(variable_of_key(key));
+}
+
+std::vector<Matrix2> GraphSolver::landmark_covariances() const {
+    const std::vector<Eigen::MatrixXd> all = equations_.marginals();
+    std::vector<Matrix2> covariances;
+    for (std::size_t i = 0; i < landmarks_; ++i) {
+        covariances.push_back(all[variable_of_landmark(i)]);
+    }
+    return covariances;
+}
+
+Matrix2 GraphSolver::covariance(std::size_t a, const Matrix2& j_a, std::size_t b,
+                                const Matrix2& j_b) const {
+    return equations_.covariance(variable_of_landmark(a), j_a, variable_of_landmark(b), j_b);
+}
+
+}  // namespace hitos

@@ -1,0 +1,62 @@
+// The graph of graph-slam: key poses and landmarks, and what ties them to each other.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "graph_landmark.hpp"
+#include "hitos/registration/pose_graph.hpp"
+
+namespace hitos {
+
+/// Poses of keys, landmarks, edges between keys and sightings of landmarks by keys. The first key
+/// never moves: it holds the frame.
+class LandmarkGraph {
+  public:
+    const std::vector<KeyPose>& keys() const { return keys_; }
+    const std::vector<PoseEdge>& edges() const { return edges_; }
+    const std::vector<GraphLandmark>& landmarks() const { return landmarks_; }
+    const std::vector<Sighting>& sightings() const { return sightings_; }
+    /// Indices into edges() and sightings() of those that have to do with a key.
+    std::span<const std::uint32_t> edges_of(std::size_t key) const { return edges_of_[key]; }
+    std::span<const std::uint32_t> sightings_of(std::size_t key) const {
+        return sightings_of_[key];
+    }
+
+    void add_key(const KeyPose& key);
+    void add_edges(std::span<const PoseEdge> edges);
+    void replace_edges(std::span<const PoseEdge> edges);
+    /// A landmark without sightings. Returns its index.
+    std::uint32_t add_landmark(FeatureKind kind, const LandmarkPlace& place);
+    void add(const Sighting& sighting);
+    /// Makes one landmark of each group: `leader[i]` is the landmark, not after i, that i becomes
+    /// part of, or i itself. Their sightings are pooled. Returns what each landmark's index has
+    /// become.
+    std::vector<std::uint32_t> merge(std::span<const std::uint32_t> leader);
+
+    Pose& pose(std::size_t key) { return keys_[key].pose; }
+    void move_landmark(std::size_t landmark, const Vector2& step) {
+        move(landmarks_[landmark], step);
+    }
+    /// Moves it as a whole.
+    void transform_landmark(std::size_t landmark, const Pose& motion);
+    /// Measures a line's extent anew from its sightings, and takes its point to the middle.
+    void remeasure(std::size_t landmark);
+
+    SightingError error_of(const Sighting& sighting) const {
+        return sighting_error(sighting.z, keys_[sighting.key].pose, landmarks_[sighting.landmark]);
+    }
+    /// Of the landmark's local coordinates, were all poses certain.
+    Matrix2 covariance_given_poses(std::size_t landmark) const;
+    int count(FeatureKind kind) const;
+
+  private:
+    std::vector<KeyPose> keys_;
+    std::vector<PoseEdge> edges_;
+    std::vector<GraphLandmark> landmarks_;
+    std::vector<Sighting> sightings_;
+    std::vector<std::vector<std::uint32_t>> edges_of_;
+    std::vector<std::vector<std::uint32_t>> sightings_of_;
+};
+
+}  // namespace hitos
