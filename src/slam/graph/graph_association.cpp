@@ -82,7 +82,7 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
             const double turn = feature.measured.z(1) + believed.pose.theta - landmark.place.angle;
             if (std::cos(turn) < std::cos(kMostTurned)) continue;
             const Extent seen = seen_along(landmark.place, believed.pose, feature);
-            shared_m = shared_length(seen, landmark.extent);
+            shared_m = -seen.gap(landmark.extent);
             seen_m = seen.length();
             if (shared_m < -kReach) continue;
         }
@@ -144,8 +144,8 @@ void GraphAssociation::find_twins() {
             if (later.kind != FeatureKind::line) return true;
             const LandmarkPlace line = LocalCoordinates<SensorRecta>::place(
                 {earlier.measured.z(0), earlier.measured.z(1)});
-            return shared_length(extent_along(line, earlier.low, earlier.high),
-                                 extent_along(line, later.low, later.high)) >= -kReach;
+            return extent_along(line, earlier.low, earlier.high)
+                       .gap(extent_along(line, later.low, later.high)) <= kReach;
         });
         if (twin) later.first = *twin;
     }

@@ -17,24 +17,6 @@ struct LandmarkPlace {
     double angle = 0.0;  ///< [rad]; of a line
 };
 
-/// The part of a line that was seen, from its place's point along (-sin angle, cos angle) [m].
-struct Extent {
-    double low = 0.0;
-    double high = 0.0;
-
-    double middle() const { return 0.5 * (low + high); }
-    double length() const { return high - low; }
-    void hold(const Extent& other) {
-        low = std::min(low, other.low);
-        high = std::max(high, other.high);
-    }
-};
-
-/// How long a part two extents share [m]; negative: how far they are apart.
-inline double shared_length(const Extent& a, const Extent& b) {
-    return std::min(a.high, b.high) - std::max(a.low, b.low);
-}
-
 /// The two coordinates by which a landmark of a kind is moved in a step, and what they do to the
 /// state of its kind.
 template <Sensor S>

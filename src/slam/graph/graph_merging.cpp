@@ -28,7 +28,7 @@ Extent along(const GraphLandmark& a, const GraphLandmark& b) {
 
 }  // namespace
 
-LandmarkDifference difference(const GraphLandmark& a, const GraphLandmark& b) {
+PlaceDifference difference(const GraphLandmark& a, const GraphLandmark& b) {
     if (a.kind != FeatureKind::line) {
         return {{b.place.point.x - a.place.point.x, b.place.point.y - a.place.point.y},
                 -Matrix2::Identity(),
@@ -48,7 +48,7 @@ LandmarkDifference difference(const GraphLandmark& a, const GraphLandmark& b) {
         j << 1.0, s * dx - c * dy, 0.0, 1.0;
         return -(c * dx + s * dy);
     };
-    LandmarkDifference apart;
+    PlaceDifference apart;
     const double first = pass(a.place, apart.by_first);
     const double second = pass(b.place, apart.by_second);
     apart.by_first *= -1.0;
@@ -64,10 +64,10 @@ bool may_be_one(const GraphLandmark& a, const GraphLandmark& b) {
     }
     if (std::abs(wrap_angle(b.place.angle - a.place.angle)) > kNearAngle) return false;
     const double shorter = std::min(a.extent.length(), b.extent.length());
-    return shared_length(a.extent, along(a, b)) >= std::min(kShared, kSharedPart * shorter);
+    return -a.extent.gap(along(a, b)) >= std::min(kShared, kSharedPart * shorter);
 }
 
-bool is_none(const LandmarkDifference& apart, const Matrix2& covariance, FeatureKind kind,
+bool is_none(const PlaceDifference& apart, const Matrix2& covariance, FeatureKind kind,
              double gate) {
     const bool line = kind == FeatureKind::line;
     const Vector2 sigma =

@@ -11,12 +11,12 @@ namespace hitos {
 /// How far the second of two landmarks is from the first, and the derivatives by the local
 /// coordinates of both: of lines (place across [m], direction [rad]) in the middle between them, of
 /// corners (x, y) [m].
-struct LandmarkDifference {
+struct PlaceDifference {
     Vector2 value;
     Matrix2 by_first;
     Matrix2 by_second;
 };
-LandmarkDifference difference(const GraphLandmark& a, const GraphLandmark& b);
+PlaceDifference difference(const GraphLandmark& a, const GraphLandmark& b);
 
 /// Whether two landmarks of a map that is not bent can be the same: of one kind, lines seen from
 /// the same side that share a part, near each other. How sure they are does not matter.
@@ -26,7 +26,7 @@ bool may_be_one(const GraphLandmark& a, const GraphLandmark& b);
 /// differ by more than their covariances say, since walls are not straight to the millimetre and
 /// the errors of a scan are not independent; and where the difference is not known to a few
 /// decimetres nothing is said.
-bool is_none(const LandmarkDifference& difference, const Matrix2& covariance, FeatureKind kind,
+bool is_none(const PlaceDifference& difference, const Matrix2& covariance, FeatureKind kind,
              double gate);
 
 /// The landmark that each landmark is to become part of, for LandmarkGraph::merge(); nothing where
@@ -42,7 +42,7 @@ std::optional<std::vector<std::uint32_t>> find_duplicates(const LandmarkGraph& g
         leader[b] = b;
         for (std::uint32_t a = 0; a < b && leader[b] == b; ++a) {
             if (leader[a] != a || !may_be_one(landmarks[a], landmarks[b])) continue;
-            const LandmarkDifference apart = difference(landmarks[a], landmarks[b]);
+            const PlaceDifference apart = difference(landmarks[a], landmarks[b]);
             if (is_none(apart, covariance(a, apart.by_first, b, apart.by_second), landmarks[a].kind,
                         gate)) {
                 leader[b] = a;

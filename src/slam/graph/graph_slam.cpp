@@ -113,7 +113,7 @@ void GraphSlam::merge_bridged() {
     bool any = false;
     for (const auto& [a, b] : association_.bridged()) {
         if (leader[a] != a || leader[b] != b) continue;
-        const LandmarkDifference apart = difference(graph_.landmarks()[a], graph_.landmarks()[b]);
+        const PlaceDifference apart = difference(graph_.landmarks()[a], graph_.landmarks()[b]);
         if (!is_none(apart, window_.covariance(graph_, a, apart.by_first, b, apart.by_second),
                      graph_.landmarks()[a].kind, association_.gate())) {
             continue;

@@ -41,7 +41,7 @@ void LandmarkGraph::add(const Sighting& sighting) {
     const Extent seen =
         extent_along(landmark.place, transform(pose, sighting.low), transform(pose, sighting.high));
     if (landmark.sightings.size() == 1) landmark.extent = seen;
-    landmark.extent.hold(seen);
+    landmark.extent = landmark.extent.joined(seen);
 }
 
 std::vector<std::uint32_t> LandmarkGraph::merge(std::span<const std::uint32_t> leader) {
@@ -80,7 +80,7 @@ void LandmarkGraph::remeasure(std::size_t index) {
         const Extent seen = extent_along(landmark.place, transform(pose, sighting.low),
                                          transform(pose, sighting.high));
         if (first) landmark.extent = seen;
-        landmark.extent.hold(seen);
+        landmark.extent = landmark.extent.joined(seen);
         first = false;
     }
     const double middle = landmark.extent.middle();

@@ -68,6 +68,8 @@ struct Extent {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
 
+    double middle() const { return 0.5 * (low + high); }
+    double length() const { return high - low; }
     /// Both and what lies between.
     Extent joined(const Extent& other) const {
         return {std::min(low, other.low), std::max(high, other.high)};
