@@ -75,7 +75,7 @@ TEST(GraphSlam, DifferenceOfLandmarksHasItsDerivatives) {
     constexpr double kSmall = 1e-6;
     const GraphLandmark a{FeatureKind::line, {{30.0, 4.0}, 1.50}, {-2.0, 2.0}, {}};
     const GraphLandmark b{FeatureKind::line, {{28.0, 4.2}, 1.56}, {-1.0, 4.0}, {}};
-    const LandmarkDifference apart = difference(a, b);
+    const PlaceDifference apart = difference(a, b);
     for (int c = 0; c < 2; ++c) {
         const auto at = [&](double by_a, double by_b) {
             GraphLandmark first = a;
