@@ -1,0 +1,75 @@
+#include "correlation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drawn_scan.hpp"
+
+namespace hitos {
+namespace {
+
+PointMap map_of(const Walls& walls, const Pose& pose) {
+    PointMap map;
+    map.begin({pose.x, pose.y}, 30.0);
+    map.add(test::drawn_points(walls, pose), pose, 0);
+    map.build();
+    return map;
+}
+
+/// The greatest score of all cells and angles of the window, each tried.
+double tried(const std::vector<SurfacePoint>& points, const CorrelationMap& map, const Pose& centre,
+             const SearchWindow& window) {
+    double far = 1.0;
+    for (const SurfacePoint& p : points) {
+        far = std::max(far, static_cast<double>(std::hypot(p.x, p.y)));
+    }
+    const double step = std::clamp(0.12 / std::min(far, 10.0), 0.012, 0.03);
+    const int angles = static_cast<int>(std::ceil(window.heading_rad / step));
+    const int reach = static_cast<int>(std::ceil(window.position_m / CorrelationMap::kCell));
+    int best = 0;
+    for (int a = -angles; a <= angles; ++a) {
+        std::vector<CorrelationMap::Cell> cells;
+        for (const SurfacePoint& p : points) {
+            const Point2 at = transform({centre.x, centre.y, centre.theta + a * step},
+                                        Point2{static_cast<double>(p.x), static_cast<double>(p.y)});
+            cells.push_back(map.cell(at.x, at.y));
+        }
+        for (int x = -reach; x <= reach; ++x) {
+            for (int y = -reach; y <= reach; ++y) best = std::max(best, map.sum(cells, x, y, 0));
+        }
+    }
+    return best / 255.0 / static_cast<double>(points.size());
+}
+
+TEST(Correlation, IsTheBestOfAllThatCouldBeTried) {
+    const Walls room = test::recess_room();
+    const PointMap map = map_of(room, {0.0, 0.0, 0.3});
+    for (const int levels : {1, 3, 4}) {
+        const CorrelationMap picture(map, 20.0, levels);
+        for (const Pose& off :
+             {Pose{0.0, 0.0, 0.0}, Pose{0.83, -0.4, 0.2}, Pose{-0.9, 0.7, -0.3}}) {
+            const std::vector<SurfacePoint> scan = test::drawn_points(room, {0.2, -0.1, 0.5});
+            const Pose centre{0.2 + off.x, -0.1 + off.y, 0.5 + off.theta};
+            const SearchWindow window{1.1, 0.35};
+            const auto found = correlate(scan, picture, centre, window, 0.3);
+            ASSERT_TRUE(found);
+            EXPECT_DOUBLE_EQ(found->score, tried(scan, picture, centre, window));
+            EXPECT_NEAR(found->pose.x, 0.2, 0.15);
+            EXPECT_NEAR(found->pose.y, -0.1, 0.15);
+            EXPECT_NEAR(found->pose.theta, 0.5, 0.03);
+        }
+    }
+}
+
+TEST(Correlation, SaysNothingBelowTheLeastScore) {
+    const PointMap map = map_of(test::recess_room(), {});
+    const CorrelationMap picture(map, 20.0, 3);
+    const std::vector<SurfacePoint> other =
+        test::drawn_points(test::closed({{-9, -8}, {9, -1}, {5, 7}}), {});
+    const SearchWindow window{0.5, 0.1};
+    const double best = tried(other, picture, {}, window);
+    EXPECT_FALSE(correlate(other, picture, {}, window, best + 0.02));
+    EXPECT_TRUE(correlate(other, picture, {}, window, best - 0.02));
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,58 @@
+#include "key_graph.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hitos {
+namespace {
+
+/// Keys a metre apart on a straight line; variances of a step as given.
+KeyGraph line_of(std::size_t count, double variance_m2, double variance_rad2) {
+    KeyGraph graph;
+    for (std::size_t i = 0; i < count; ++i) {
+        KeyScan scan;
+        scan.travelled_m = static_cast<double>(i);
+        scan.variance_m2 = variance_m2;
+        scan.variance_rad2 = variance_rad2;
+        graph.add({{static_cast<double>(i), 0.0, 0.0}, i}, scan);
+    }
+    return graph;
+}
+
+TEST(KeyGraph, UncertaintyAddsUpAlongTheWay) {
+    const KeyGraph graph = line_of(11, 0.01, 1e-4);
+    std::vector<GraphReach> reach;
+    graph.reach(10, reach);
+    EXPECT_EQ(reach[10].variance_m2, 0.0);
+    EXPECT_NEAR(reach[0].way_m, 10.0, 1e-12);
+    EXPECT_NEAR(reach[0].variance_rad2, 10 * 1e-4, 1e-12);
+    // Each step's turn counts at its distance from where one looks: 1, 2 … 10 m.
+    EXPECT_NEAR(reach[0].variance_m2, 10 * 0.01 + 1e-4 * 385.0, 1e-12);
+}
+
+TEST(KeyGraph, AJoinedPassageIsNear) {
+    KeyGraph graph = line_of(11, 0.01, 1e-4);
+    graph.join(0, 10);
+    std::vector<GraphReach> reach;
+    graph.reach(10, reach);
+    EXPECT_NEAR(reach[0].way_m, 0.1, 1e-12);
+    EXPECT_NEAR(reach[2].way_m, 2.1, 1e-12);
+    EXPECT_NEAR(reach[5].way_m, 5.0, 0.2);
+    // Within a limit only what it holds is reached.
+    graph.reach(10, reach, 1.5);
+    EXPECT_LT(reach[1].way_m, 1.5);
+    EXPECT_EQ(reach[5].way_m, GraphReach::kNever);
+}
+
+TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {
+    KeyGraph graph = line_of(40, 0.01, 1e-4);
+    graph.join(0, 39);
+    graph.poses[39].pose = {0.5, 0.5, 0.0};
+    std::vector<GraphReach> reach;
+    graph.reach(39, reach);
+    std::vector<std::uint32_t> keys;
+    select_keys(graph, 40, graph.poses[39].pose, 8, reach, 6.0, keys);
+    EXPECT_EQ(keys, (std::vector<std::uint32_t>{32, 33, 34, 35, 36, 37, 38, 39, 0, 1, 2, 3}));
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,237 @@
+#include "hitos/registration/registration.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drawn_scan.hpp"
+
+namespace hitos {
+namespace {
+
+/// Round a block of corridors, `laps` times; a step is about 0.35 m or 0.2 rad.
+std::vector<Pose> round_tour(const std::vector<Point2>& way, int laps) {
+    std::vector<Pose> poses{
+        {way[0].x, way[0].y, std::atan2(way[1].y - way[0].y, way[1].x - way[0].x)}};
+    for (std::size_t leg = 1; leg <= static_cast<std::size_t>(laps) * way.size(); ++leg) {
+        const Point2& to = way[leg % way.size()];
+        const Pose from = poses.back();
+        const double heading = std::atan2(to.y - from.y, to.x - from.x);
+        const double turn = wrap_angle(heading - from.theta);
+        const int turns = static_cast<int>(std::ceil(std::abs(turn) / 0.2));
+        for (int i = 1; i <= turns; ++i) {
+            poses.push_back({from.x, from.y, wrap_angle(from.theta + turn * i / turns)});
+        }
+        const double way_m = std::hypot(to.x - from.x, to.y - from.y);
+        const int steps = static_cast<int>(std::ceil(way_m / 0.35));
+        for (int i = 1; i <= steps; ++i) {
+            poses.push_back({from.x + (to.x - from.x) * i / steps,
+                             from.y + (to.y - from.y) * i / steps, heading});
+        }
+    }
+    return poses;
+}
+
+/// A ring of corridors 2 m wide about a block of 12 m x 8 m, with recesses unlike each other.
+Walls ring_walls() {
+    Walls walls = test::closed({{-1, -1},
+                                {4, -1},
+                                {4, -2},
+                                {6, -2},
+                                {6, -1},
+                                {15, -1},
+                                {15, 4},
+                                {16.5, 4},
+                                {16.5, 5},
+                                {15, 5},
+                                {15, 11},
+                                {3, 11},
+                                {3, 11.8},
+                                {2, 11.8},
+                                {2, 11},
+                                {-1, 11}});
+    const Walls block = test::closed({{1, 1},
+                                      {13, 1},
+                                      {13, 3},
+                                      {12.2, 3},
+                                      {12.2, 5},
+                                      {13, 5},
+                                      {13, 9},
+                                      {1, 9},
+                                      {1, 6},
+                                      {1.7, 6},
+                                      {1.7, 5},
+                                      {1, 5}});
+    walls.insert(walls.end(), block.begin(), block.end());
+    return walls;
+}
+
+const std::vector<Point2> kRing{{0, 0}, {14, 0}, {14, 10}, {0, 10}};
+
+struct Driven {
+    Registration registration;
+    std::vector<Pose> online;
+    std::vector<Pose> odometry;
+    int corrections = 0;
+};
+
+/// Odometry whose heading drifts by `drift` radians a metre and that is `scale` times too long.
+Driven drive(const Walls& walls, const std::vector<Pose>& truth, double drift, double scale,
+             const RegistrationParams& params = {}, double sigma = 0.005) {
+    Driven driven{Registration(params), {}, {}};
+    std::mt19937 engine(9);
+    Pose odometry;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        std::vector<Control> controls;
+        if (i > 0) {
+            Pose step = between(truth[i - 1], truth[i]);
+            step.theta += drift * std::hypot(step.x, step.y);
+            step.x *= scale;
+            odometry = compose(odometry, step);
+            controls.push_back({twist_between(step, 1.0), 1.0});
+        }
+        const RegisteredStep step =
+            driven.registration.add(test::drawn_scan(walls, truth[i], sigma, &engine), controls);
+        EXPECT_EQ(step.scan, i);
+        driven.odometry.push_back(odometry);
+        if (driven.registration.correction()) ++driven.corrections;
+        driven.online.push_back(driven.registration.path().back());
+    }
+    return driven;
+}
+
+double greatest_error(const std::vector<Pose>& path, const std::vector<Pose>& truth) {
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const Pose at = compose(truth.front(), path[i]);
+        greatest = std::max(greatest, std::hypot(at.x - truth[i].x, at.y - truth[i].y));
+    }
+    return greatest;
+}
+
+TEST(Registration, ClosesTheLoopOfARing) {
+    const std::vector<Pose> truth = round_tour(kRing, 2);
+    Driven once = drive(ring_walls(), truth, 0.01, 1.03);
+    EXPECT_GT(greatest_error(once.odometry, truth), 3.0);
+    EXPECT_LT(greatest_error(once.online, truth), 0.4);
+    EXPECT_GE(once.registration.loops().size(), 1U);
+    once.registration.finish();
+    EXPECT_LT(greatest_error(once.registration.path(), truth), 0.08);
+    const RegistrationFigures figures = once.registration.figures();
+    EXPECT_EQ(figures.unmatched, 0U);
+    EXPECT_GT(figures.mean_score, 0.8);
+}
+
+TEST(Registration, CorrectionsCarryTheOldPathToTheNew) {
+    const std::vector<Pose> truth = round_tour(kRing, 2);
+    Registration registration{RegistrationParams{}};
+    std::vector<Pose> path;
+    bool corrected = false;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        std::vector<Control> controls;
+        if (i > 0) {
+            Pose step = between(truth[i - 1], truth[i]);
+            step.theta += 0.004 * std::hypot(step.x, step.y);
+            controls.push_back({twist_between(step, 1.0), 1.0});
+        }
+        path.push_back(registration.add(test::drawn_scan(ring_walls(), truth[i]), controls).pose);
+        if (const auto correction = registration.correction()) {
+            corrected = true;
+            ASSERT_EQ(correction->by_scan.size(), path.size());
+            for (std::size_t k = 0; k < path.size(); ++k) {
+                path[k] = compose(correction->by_scan[k], path[k]);
+            }
+        }
+        EXPECT_NEAR(path.back().x, registration.path().back().x, 1e-9);
+    }
+    EXPECT_TRUE(corrected);
+    const std::vector<Pose> stated = registration.path();
+    for (std::size_t k = 0; k < path.size(); ++k) {
+        EXPECT_NEAR(path[k].x, stated[k].x, 1e-9);
+        EXPECT_NEAR(path[k].y, stated[k].y, 1e-9);
+    }
+}
+
+TEST(Registration, TwoEqualCorridorsAreNotOne) {
+    // Two corridors with the same recesses, side by side and 6 m apart: what correlates perfectly
+    // is not where the odometry, good to a few centimetres, says that the robot is.
+    Walls walls;
+    for (const double y : {0.0, 6.0}) {
+        const Walls corridor = test::closed({{-2, y - 1},
+                                             {6, y - 1},
+                                             {6, y - 2},
+                                             {8, y - 2},
+                                             {8, y - 1},
+                                             {14, y - 1},
+                                             {14, y - 1.5},
+                                             {15, y - 1.5},
+                                             {15, y - 1},
+                                             {24, y - 1},
+                                             {24, y + 1},
+                                             {-2, y + 1}});
+        walls.insert(walls.end(), corridor.begin(), corridor.end());
+    }
+    // The ends are open: the way between them is free.
+    std::erase_if(walls, [](const auto& wall) {
+        return wall.first.x == wall.second.x && (wall.first.x == 24.0 || wall.first.x == -2.0);
+    });
+    const Walls around = test::closed({{-6, -4}, {28, -4}, {28, 10}, {-6, 10}});
+    walls.insert(walls.end(), around.begin(), around.end());
+    const std::vector<Point2> way{{-4, 0}, {26, 0}, {26, 6}, {-4, 6}};
+    std::vector<Pose> truth = round_tour(way, 1);
+    const Driven once = drive(walls, truth, 0.0005, 1.005);
+    EXPECT_LT(greatest_error(once.registration.path(), truth), 0.4);
+    for (const ClosedLoop& loop : once.registration.loops()) {
+        const Pose& a = truth[loop.scan];
+        const Pose& b = truth[loop.earlier];
+        EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), 5.0) << loop.scan << " " << loop.earlier;
+    }
+}
+
+TEST(Registration, IsTheSameTwice) {
+    const std::vector<Pose> truth = round_tour(kRing, 1);
+    Driven first = drive(ring_walls(), truth, 0.004, 1.02);
+    Driven second = drive(ring_walls(), truth, 0.004, 1.02);
+    first.registration.finish();
+    second.registration.finish();
+    EXPECT_EQ(first.registration.path(), second.registration.path());
+    EXPECT_EQ(first.online, second.online);
+}
+
+TEST(Registration, SaysThatARobotWasCarried) {
+    // From one building to another that is nothing like it, without a word from the wheels.
+    std::vector<Pose> truth = round_tour(kRing, 1);
+    const std::size_t carried = truth.size() / 2;
+    Registration registration{RegistrationParams{}};
+    const Walls hall = test::closed({{-30, -22}, {35, -25}, {28, 31}, {4, 37}, {-33, 20}});
+    for (std::size_t i = 0; i < carried + 12; ++i) {
+        std::vector<Control> controls;
+        if (i > 0) controls.push_back(test::control_between(truth[i - 1], truth[i]));
+        const RegisteredStep step = registration.add(
+            test::drawn_scan(i < carried ? ring_walls() : hall, truth[i], 0.0, nullptr, 60.0),
+            controls);
+        if (i == carried) {
+            EXPECT_FALSE(step.matched);
+            // What is not known is not claimed: as unsure as the odometry.
+            EXPECT_GT(std::sqrt(step.covariance(2, 2)), 0.029);
+        }
+    }
+    EXPECT_GE(registration.figures().unmatched, 1U);
+}
+
+TEST(Registration, ScansWithoutAPointAndStandingStillAreNothingSpecial) {
+    Registration registration{RegistrationParams{}};
+    const Scan empty;
+    for (int i = 0; i < 5; ++i) {
+        const RegisteredStep step =
+            registration.add(empty, std::vector<Control>{{{0.5, 0.0, 0.0}, 1.0}});
+        EXPECT_FALSE(step.matched);
+    }
+    EXPECT_NEAR(registration.path().back().x, 2.0, 1e-9);
+    const Pose there = registration.path().back();
+    registration.add(empty, {});
+    EXPECT_EQ(registration.path().back(), there);
+    registration.finish();
+    EXPECT_EQ(registration.path().size(), 6U);
+}
+
+}  // namespace
+}  // namespace hitos
