@@ -32,8 +32,11 @@ void Algoritmo::begin() {
                         ? std::make_unique<Registration>(configuration_.registration)
                         : nullptr;
     step_grid_.clear();
+    step_grid_stale_ = false;
     step_grid_redrawn_ = 0;
+    step_grid_change_ = {};
     key_scans_.clear();
+    key_poses_.clear();
     online_.clear();
     line_extents_.clear();
     suitability_.clear();
@@ -71,8 +74,8 @@ bool Algoritmo::step() {
     std::optional<RegisteredStep> registered;
     if (registration_) registered = registration_->add(scan_, step_controls_);
     filter_->step({scan_, step_controls_, observation_, registered ? &*registered : nullptr});
-    if (registered && registered->key && options_.step_grid) key_scans_.push_back(scan_);
     note_scan();
+    if (options_.step_grid) draw_scan(registered && registered->key);
     if (registration_) take_correction();
     online_.push_back({scan_.time_s, filter_->best_pose()});
     return true;
@@ -83,7 +86,29 @@ void Algoritmo::note_scan() {
     suitability_.note(step_controls_, observation_, filter_->associations());
     if (options_.uncertainty) uncertainty_.note(scan_.time_s, filter_->best_map());
     odometry_.add(scan_.time_s, step_controls_);
-    if (options_.step_grid) step_grid_.add(scan_, filter_->best_pose());
+}
+
+void Algoritmo::draw_scan(bool key) {
+    step_grid_change_ = {};
+    if (registration_ && !key) return;
+    if (key) {
+        key_scans_.push_back(scan_);
+        key_poses_.push_back(filter_->best_pose());
+    }
+    if (step_grid_stale_) return;
+    step_grid_.add(scan_, filter_->best_pose());
+    step_grid_change_ = step_grid_.last_change();
+}
+
+const Grid& Algoritmo::step_grid() const {
+    if (std::exchange(step_grid_stale_, false)) {
+        step_grid_.clear();
+        for (std::size_t k = 0; k < key_scans_.size(); ++k) {
+            step_grid_.add(key_scans_[k], key_poses_[k]);
+        }
+        ++step_grid_redrawn_;
+    }
+    return step_grid_;
 }
 
 void Algoritmo::finish() {
@@ -97,13 +122,10 @@ void Algoritmo::take_correction() {
     if (!correction) return;
     filter_->correct(*correction);
     if (!options_.step_grid) return;
-    step_grid_.clear();
     const std::vector<Pose> path = filter_->best_history();
-    const std::span<const KeyPose> keys = registration_->keys();
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        step_grid_.add(key_scans_[k], path[keys[k].scan]);
-    }
-    ++step_grid_redrawn_;
+    key_poses_.clear();
+    for (const KeyPose& key : registration_->keys()) key_poses_.push_back(path[key.scan]);
+    step_grid_stale_ = true;
 }
 
 void Algoritmo::restart() {

@@ -164,13 +164,7 @@ void RunWorker::do_step() {
         error = failure.what();
     }
     const auto end = std::chrono::steady_clock::now();
-    if (run_.step_grid_redrawn() != grid_redrawn_) {
-        grid_redrawn_ = run_.step_grid_redrawn();
-        tiler_.clear();
-        tiler_.note_change(run_.step_grid().area());
-    } else if (more) {
-        tiler_.note_change(run_.step_grid().last_change());
-    }
+    if (more) tiler_.note_change(run_.step_grid_change());
 
     const std::scoped_lock lock(mutex_);
     stepping_ = false;
@@ -229,7 +223,13 @@ void RunWorker::publish_snapshot() {
     snapshot->advice = run_.advice();
     snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
     snapshot->odometry_trajectory = run_.odometry_trajectory();
-    snapshot->step_grid = tiler_.tiles(run_.step_grid());
+    const Grid& grid = run_.step_grid();
+    if (grid_redrawn_ != run_.step_grid_redrawn()) {
+        grid_redrawn_ = run_.step_grid_redrawn();
+        tiler_.clear();
+        tiler_.note_change(grid.area());
+    }
+    snapshot->step_grid = tiler_.tiles(grid);
     snapshot->seconds = thread_seconds() - begin;
 
     const std::scoped_lock lock(mutex_);

@@ -56,10 +56,13 @@ class Algoritmo {
     const Scan& scan() const { return scan_; }                       ///< the last one
     const Observation& observation() const { return observation_; }  ///< its features
     const ReadReport& report() const { return reader_->report(); }
-    /// After a correction by registration it is drawn anew, of the key scans so far.
-    const Grid& step_grid() const { return step_grid_; }
-    /// How often that happened.
+    /// With registration it is of the key scans, and drawn anew when it is asked for after a
+    /// correction, each scan at its corrected place.
+    const Grid& step_grid() const;
+    /// How often it was drawn anew.
     std::uint64_t step_grid_redrawn() const { return step_grid_redrawn_; }
+    /// No cell out of it was changed by the last step, as long as the grid is not drawn anew.
+    CellArea step_grid_change() const { return step_grid_change_; }
     /// Where lines were seen at every scan so far.
     const LineExtents& line_extents() const { return line_extents_; }
     /// Whether tour and configuration suit each other, as far as the run shows.
@@ -88,6 +91,7 @@ class Algoritmo {
     void begin();
     /// Takes the scan into every part of the run that keeps something of it.
     void note_scan();
+    void draw_scan(bool key);
     /// The end of the source.
     void finish();
     /// Carries a correction by registration, if there is one, to the filter and the grid.
@@ -101,9 +105,13 @@ class Algoritmo {
     std::unique_ptr<Extractor> extractor_;
     std::unique_ptr<Registration> registration_;
     std::unique_ptr<SlamFilter> filter_;
-    Grid step_grid_;
-    std::vector<Scan> key_scans_;  ///< of registration, from which the grid is drawn anew
-    std::uint64_t step_grid_redrawn_ = 0;
+    // Drawing waits until somebody looks.
+    mutable Grid step_grid_;
+    mutable bool step_grid_stale_ = false;
+    mutable std::uint64_t step_grid_redrawn_ = 0;
+    CellArea step_grid_change_;
+    std::vector<Scan> key_scans_;  ///< of registration, with the poses to draw them at
+    std::vector<Pose> key_poses_;
     Trajectory online_;
     LineExtents line_extents_;
     Suitability suitability_;
