@@ -59,6 +59,9 @@ class NormalEquations {
   private:
     using Matrix = Eigen::SparseMatrix<double>;
 
+    /// J' H^-1 J.
+    Eigen::MatrixXd covariance_along(const Eigen::MatrixXd& j) const;
+
     /// `block` of the lower half: row variable not before the column's.
     template <class Block>
     void add_block(std::size_t row, std::size_t column, const Block& block) {

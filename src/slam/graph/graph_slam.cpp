@@ -175,12 +175,18 @@ void GraphSlam::note_associations(bool key) {
 
 void GraphSlam::correct(const PathCorrection& correction) {
     if (graph_.keys().empty()) return;
+    if (correction.keys.size() != graph_.keys().size()) {
+        throw std::logic_error("graph-slam missed keys of registration");
+    }
+    // Registration's solution is the start: keys are taken over, landmarks go with the key that saw
+    // them last.
     for (std::size_t i = 0; i < graph_.landmarks().size(); ++i) {
         const Sighting& last = graph_.sightings()[graph_.landmarks()[i].sightings.back()];
-        graph_.transform_landmark(i, correction.by_scan[graph_.keys()[last.key].scan]);
+        graph_.transform_landmark(
+            i, compose(correction.keys[last.key].pose, inverse(graph_.keys()[last.key].pose)));
     }
     for (std::size_t i = 0; i < graph_.keys().size(); ++i) {
-        graph_.pose(i) = compose(correction.by_scan[graph_.keys()[i].scan], graph_.keys()[i].pose);
+        graph_.pose(i) = correction.keys[i].pose;
     }
     graph_.replace_edges(correction.edges);
     for (std::size_t i = 0; i < graph_.landmarks().size(); ++i) graph_.remeasure(i);

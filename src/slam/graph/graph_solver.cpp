@@ -5,8 +5,8 @@
 namespace hitos {
 namespace {
 
-constexpr int kIterations = 15;
-constexpr double kStill = 1e-4;    // [m]
+constexpr int kIterations = 10;
+constexpr double kStill = 1e-3;    // [m]
 constexpr double kRegular = 1e-6;  // information of a pose that nothing ties
 
 }  // namespace
