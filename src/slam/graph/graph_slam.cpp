@@ -10,7 +10,8 @@
 namespace hitos {
 namespace {
 
-constexpr int kMergings = 3;  // rounds after a correction
+constexpr int kMergings = 2;            // rounds after a correction
+constexpr double kMergingStill = 1e-2;  // [m]; whether landmarks are one hangs on more
 
 /// d(compose(a, b))/da.
 Matrix3 by_first(const Pose& a, const Pose& b) {
@@ -191,7 +192,7 @@ void GraphSlam::correct(const PathCorrection& correction) {
     graph_.replace_edges(correction.edges);
     for (std::size_t i = 0; i < graph_.landmarks().size(); ++i) graph_.remeasure(i);
     GraphSolver solver;
-    bool solved = solver.solve(graph_);
+    bool solved = solver.solve(graph_, kMergingStill);
     for (int round = 0; solved && round < kMergings; ++round) {
         const auto leader =
             find_duplicates(graph_, association_.gate(),
@@ -199,8 +200,9 @@ void GraphSlam::correct(const PathCorrection& correction) {
                                 const Matrix2& j_b) { return solver.covariance(a, j_a, b, j_b); });
         if (!leader) break;
         merge(*leader);
-        solved = solver.solve(graph_);
+        solved = solver.solve(graph_, kMergingStill);
     }
+    solved = solved && solver.solve(graph_);
     if (solved) {
         covariance_ =
             composed(graph_.keys().back().pose, solver.key_covariance(graph_.keys().size() - 1),

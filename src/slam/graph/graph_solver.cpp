@@ -6,7 +6,6 @@ namespace hitos {
 namespace {
 
 constexpr int kIterations = 10;
-constexpr double kStill = 1e-3;    // [m]
 constexpr double kRegular = 1e-6;  // information of a pose that nothing ties
 
 }  // namespace
@@ -59,7 +58,7 @@ void GraphSolver::add(const Sighting& sighting, const LandmarkGraph& graph) {
     }
 }
 
-bool GraphSolver::solve(LandmarkGraph& graph) {
+bool GraphSolver::solve(LandmarkGraph& graph, double still_m) {
     lay_out(graph);
     for (int iteration = 0; iteration < kIterations; ++iteration) {
         if (!iterate(graph)) return false;
@@ -75,7 +74,7 @@ bool GraphSolver::solve(LandmarkGraph& graph) {
             graph.move_landmark(i, step);
             greatest = std::max(greatest, std::abs(step(0)) + std::abs(step(1)));
         }
-        if (greatest < kStill) break;
+        if (greatest < still_m) break;
     }
     return true;
 }

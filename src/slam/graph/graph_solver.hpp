@@ -13,9 +13,9 @@ namespace hitos {
 class GraphSolver {
   public:
     /// Moves keys and landmarks to where the squared errors of edges and sightings, in units of
-    /// their standard deviations and with robust_weight(), are least. False where the equations
-    /// cannot be solved.
-    bool solve(LandmarkGraph& graph);
+    /// their standard deviations and with robust_weight(), are least; it stops where none moves by
+    /// `still_m`. False where the equations cannot be solved.
+    bool solve(LandmarkGraph& graph, double still_m = 1e-3);
     /// Only sets up the equations where the graph is now. False where they cannot be solved.
     bool linearize(const LandmarkGraph& graph);
 
