@@ -55,6 +55,10 @@ bool NormalEquations::solve() {
     if (cholesky_->info() != Eigen::Success || (cholesky_->vectorD().array() <= 0.0).any()) {
         return false;
     }
+    return solve_again();
+}
+
+bool NormalEquations::solve_again() {
     step_ = -cholesky_->solve(gradient_);
     return step_.allFinite();
 }

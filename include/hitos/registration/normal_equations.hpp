@@ -42,6 +42,9 @@ class NormalEquations {
 
     /// Solves; false where H is not positive definite.
     bool solve();
+    /// Solves for the sums of this iteration with H as it was at the last solve(), which costs a
+    /// small part of it: where H hardly changes, steps become ever shorter all the same.
+    bool solve_again();
     /// The step of a variable after solve().
     auto step(std::size_t variable) const {
         return step_.segment(offsets_[variable], sizes_[variable]);

@@ -28,8 +28,7 @@ class GraphSolver {
 
   private:
     void lay_out(const LandmarkGraph& graph);
-    /// Sums and solves.
-    bool iterate(const LandmarkGraph& graph);
+    void sum(const LandmarkGraph& graph);
     void add(const PoseEdge& edge, const LandmarkGraph& graph);
     void add(const Sighting& sighting, const LandmarkGraph& graph);
     /// The first key is no variable.
