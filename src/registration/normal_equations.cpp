@@ -55,6 +55,10 @@ bool NormalEquations::solve() {
     if (cholesky_->info() != Eigen::Success || (cholesky_->vectorD().array() <= 0.0).any()) {
         return false;
     }
+    return solve_again();
+}
+
+bool NormalEquations::solve_again() {
     step_ = -cholesky_->solve(gradient_);
     return step_.allFinite();
 }
@@ -62,7 +66,21 @@ bool NormalEquations::solve() {
 Eigen::MatrixXd NormalEquations::marginal(std::size_t variable) const {
     Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(size_, sizes_[variable]);
     unit.middleRows(offsets_[variable], sizes_[variable]).setIdentity();
-    return cholesky_->solve(unit).middleRows(offsets_[variable], sizes_[variable]);
+    return covariance_along(unit);
+}
+
+Eigen::MatrixXd NormalEquations::covariance_along(const Eigen::MatrixXd& j) const {
+    // J' H^-1 J = y' D^-1 y with y = L^-1 P J. Most of y is zero: column k of L matters only where
+    // y has an entry by then.
+    Eigen::MatrixXd y = cholesky_->permutationP() * j;
+    const Matrix& l = cholesky_->matrixL().nestedExpression();
+    for (Eigen::Index k = 0; k < size_; ++k) {
+        if ((y.row(k).array() == 0.0).all()) continue;
+        for (Matrix::InnerIterator entry(l, k); entry; ++entry) {
+            y.row(entry.row()) -= entry.value() * y.row(k);
+        }
+    }
+    return y.transpose() * cholesky_->vectorD().cwiseInverse().asDiagonal() * y;
 }
 
 std::vector<Eigen::MatrixXd> NormalEquations::marginals() const {
@@ -124,7 +142,7 @@ Eigen::MatrixXd NormalEquations::covariance(std::size_t first, const Eigen::Matr
     Eigen::MatrixXd j = Eigen::MatrixXd::Zero(size_, j_first.rows());
     j.middleRows(offsets_[first], sizes_[first]) += j_first.transpose();
     j.middleRows(offsets_[second], sizes_[second]) += j_second.transpose();
-    return j.transpose() * cholesky_->solve(j);
+    return covariance_along(j);
 }
 
 }  // namespace hitos

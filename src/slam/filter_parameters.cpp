@@ -337,6 +337,19 @@ void add_resampling(Table& table) {
          .choices = choices_of(resampling_methods())}));
 }
 
+/// An algorithm that takes its motion from registration reads no motion model.
+void heed_registered(Table& table) {
+    std::vector<std::string> others;
+    for (const SlamAlgorithmEntry& entry : slam_algorithms().entries()) {
+        if (!entry.registered) others.push_back(entry.word);
+    }
+    const auto chooser = std::ranges::find(table, "filter.algorithm", &ParameterFacts::key);
+    for (Parameter<Filter>& parameter : table) {
+        if (!parameter.key.starts_with("motion.")) continue;
+        parameter.conditions.insert(parameter.conditions.begin(), where(*chooser, others));
+    }
+}
+
 Table make_table() {
     Table table;
     add_filter(table);
@@ -348,6 +361,7 @@ Table make_table() {
     heed_readers(table, "filter.proposal", proposals());
     heed_readers(table, "motion.model", motion_models());
     heed_readers(table, "resampling.method", resampling_methods());
+    heed_registered(table);
     return table;
 }
 

@@ -42,6 +42,9 @@ class NormalEquations {
 
     /// Solves; false where H is not positive definite.
     bool solve();
+    /// Solves for the sums of this iteration with H as it was at the last solve(), which costs a
+    /// small part of it: where H hardly changes, steps become ever shorter all the same.
+    bool solve_again();
     /// The step of a variable after solve().
     auto step(std::size_t variable) const {
         return step_.segment(offsets_[variable], sizes_[variable]);
@@ -58,6 +61,9 @@ class NormalEquations {
 
   private:
     using Matrix = Eigen::SparseMatrix<double>;
+
+    /// J' H^-1 J.
+    Eigen::MatrixXd covariance_along(const Eigen::MatrixXd& j) const;
 
     /// `block` of the lower half: row variable not before the column's.
     template <class Block>

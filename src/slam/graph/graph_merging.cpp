@@ -67,12 +67,16 @@ bool may_be_one(const GraphLandmark& a, const GraphLandmark& b) {
     return -a.extent.gap(along(a, b)) >= std::min(kShared, kSharedPart * shorter);
 }
 
+bool is_plain(const PlaceDifference& apart, FeatureKind kind) {
+    return std::abs(apart.value(0)) > (kind == FeatureKind::line ? kNearLine : kNearCorner);
+}
+
 bool is_none(const PlaceDifference& apart, const Matrix2& covariance, FeatureKind kind,
              double gate) {
     const bool line = kind == FeatureKind::line;
     const Vector2 sigma =
         line ? Vector2(kLineSigma, kAngleSigma) : Vector2(kCornerSigma, kCornerSigma);
-    if (std::abs(apart.value(0)) > (line ? kNearLine : kNearCorner)) return false;
+    if (is_plain(apart, kind)) return false;
     const double known = kKnownSigma * kKnownSigma;
     if (covariance(0, 0) > known || (!line && covariance(1, 1) > known)) return false;
     Matrix2 s = covariance;

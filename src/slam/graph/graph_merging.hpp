@@ -22,6 +22,9 @@ PlaceDifference difference(const GraphLandmark& a, const GraphLandmark& b);
 /// the same side that share a part, near each other. How sure they are does not matter.
 bool may_be_one(const GraphLandmark& a, const GraphLandmark& b);
 
+/// Whether a difference is too great for one landmark, whatever its covariance.
+bool is_plain(const LandmarkDifference& difference, FeatureKind kind);
+
 /// Whether a difference of this covariance is none, by a chi-square gate. Two passages of one wall
 /// differ by more than their covariances say, since walls are not straight to the millimetre and
 /// the errors of a scan are not independent; and where the difference is not known to a few
@@ -43,6 +46,7 @@ std::optional<std::vector<std::uint32_t>> find_duplicates(const LandmarkGraph& g
         for (std::uint32_t a = 0; a < b && leader[b] == b; ++a) {
             if (leader[a] != a || !may_be_one(landmarks[a], landmarks[b])) continue;
             const PlaceDifference apart = difference(landmarks[a], landmarks[b]);
+            if (is_plain(apart, landmarks[a].kind)) continue;  // spares the covariance
             if (is_none(apart, covariance(a, apart.by_first, b, apart.by_second), landmarks[a].kind,
                         gate)) {
                 leader[b] = a;

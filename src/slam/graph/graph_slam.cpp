@@ -10,7 +10,8 @@
 namespace hitos {
 namespace {
 
-constexpr int kMergings = 3;  // rounds after a correction
+constexpr int kMergings = 2;            // rounds after a correction
+constexpr double kMergingStill = 1e-2;  // [m]; whether landmarks are one hangs on more
 
 /// d(compose(a, b))/da.
 Matrix3 by_first(const Pose& a, const Pose& b) {
@@ -175,17 +176,23 @@ void GraphSlam::note_associations(bool key) {
 
 void GraphSlam::correct(const PathCorrection& correction) {
     if (graph_.keys().empty()) return;
+    if (correction.keys.size() != graph_.keys().size()) {
+        throw std::logic_error("graph-slam missed keys of registration");
+    }
+    // Registration's solution is the start: keys are taken over, landmarks go with the key that saw
+    // them last.
     for (std::size_t i = 0; i < graph_.landmarks().size(); ++i) {
         const Sighting& last = graph_.sightings()[graph_.landmarks()[i].sightings.back()];
-        graph_.transform_landmark(i, correction.by_scan[graph_.keys()[last.key].scan]);
+        graph_.transform_landmark(
+            i, compose(correction.keys[last.key].pose, inverse(graph_.keys()[last.key].pose)));
     }
     for (std::size_t i = 0; i < graph_.keys().size(); ++i) {
-        graph_.pose(i) = compose(correction.by_scan[graph_.keys()[i].scan], graph_.keys()[i].pose);
+        graph_.pose(i) = correction.keys[i].pose;
     }
     graph_.replace_edges(correction.edges);
     for (std::size_t i = 0; i < graph_.landmarks().size(); ++i) graph_.remeasure(i);
     GraphSolver solver;
-    bool solved = solver.solve(graph_);
+    bool solved = solver.solve(graph_, kMergingStill);
     for (int round = 0; solved && round < kMergings; ++round) {
         const auto leader =
             find_duplicates(graph_, association_.gate(),
@@ -193,8 +200,9 @@ void GraphSlam::correct(const PathCorrection& correction) {
                                 const Matrix2& j_b) { return solver.covariance(a, j_a, b, j_b); });
         if (!leader) break;
         merge(*leader);
-        solved = solver.solve(graph_);
+        solved = solver.solve(graph_, kMergingStill);
     }
+    solved = solved && solver.solve(graph_);
     if (solved) {
         covariance_ =
             composed(graph_.keys().back().pose, solver.key_covariance(graph_.keys().size() - 1),

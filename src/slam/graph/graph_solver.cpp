@@ -5,8 +5,8 @@
 namespace hitos {
 namespace {
 
-constexpr int kIterations = 15;
-constexpr double kStill = 1e-4;    // [m]
+constexpr int kIterations = 20;
+constexpr double kShrinks = 0.5;
 constexpr double kRegular = 1e-6;  // information of a pose that nothing ties
 
 }  // namespace
@@ -19,13 +19,11 @@ void GraphSolver::lay_out(const LandmarkGraph& graph) {
     for (std::size_t i = 0; i < landmarks_; ++i) equations_.add_variable(2);
 }
 
-bool GraphSolver::iterate(const LandmarkGraph& graph) {
-    if (equations_.variables() == 0) return false;
+void GraphSolver::sum(const LandmarkGraph& graph) {
     equations_.begin();
     for (std::size_t i = 1; i < keys_; ++i) equations_.hold(variable_of_key(i), kRegular);
     for (const PoseEdge& edge : graph.edges()) add(edge, graph);
     for (const Sighting& sighting : graph.sightings()) add(sighting, graph);
-    return equations_.solve();
 }
 
 void GraphSolver::add(const PoseEdge& edge, const LandmarkGraph& graph) {
@@ -59,11 +57,18 @@ void GraphSolver::add(const Sighting& sighting, const LandmarkGraph& graph) {
     }
 }
 
-bool GraphSolver::solve(LandmarkGraph& graph) {
+bool GraphSolver::solve(LandmarkGraph& graph, double still_m) {
     lay_out(graph);
+    if (equations_.variables() == 0) return false;
+    double before = 0.0;
+    double greatest = 0.0;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
-        if (!iterate(graph)) return false;
-        double greatest = 0.0;
+        sum(graph);
+        // Factorising takes most of the time; while steps shrink without it they lead to the same.
+        const bool shrinks = iteration > 1 ? greatest < kShrinks * before : iteration == 1;
+        if (!(shrinks ? equations_.solve_again() : equations_.solve())) return false;
+        before = greatest;
+        greatest = 0.0;
         for (std::size_t i = 1; i < keys_; ++i) {
             const Eigen::Vector3d step = equations_.step(variable_of_key(i));
             Pose& pose = graph.pose(i);
@@ -75,14 +80,16 @@ bool GraphSolver::solve(LandmarkGraph& graph) {
             graph.move_landmark(i, step);
             greatest = std::max(greatest, std::abs(step(0)) + std::abs(step(1)));
         }
-        if (greatest < kStill) break;
+        if (greatest < still_m) break;
     }
     return true;
 }
 
 bool GraphSolver::linearize(const LandmarkGraph& graph) {
     lay_out(graph);
-    return iterate(graph);
+    if (equations_.variables() == 0) return false;
+    sum(graph);
+    return equations_.solve();
 }
 
 Matrix3 GraphSolver::key_covariance(std::size_t key) const {

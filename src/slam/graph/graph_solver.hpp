@@ -13,9 +13,9 @@ namespace hitos {
 class GraphSolver {
   public:
     /// Moves keys and landmarks to where the squared errors of edges and sightings, in units of
-    /// their standard deviations and with robust_weight(), are least. False where the equations
-    /// cannot be solved.
-    bool solve(LandmarkGraph& graph);
+    /// their standard deviations and with robust_weight(), are least; it stops where none moves by
+    /// `still_m`. False where the equations cannot be solved.
+    bool solve(LandmarkGraph& graph, double still_m = 1e-3);
     /// Only sets up the equations where the graph is now. False where they cannot be solved.
     bool linearize(const LandmarkGraph& graph);
 
@@ -28,8 +28,7 @@ class GraphSolver {
 
   private:
     void lay_out(const LandmarkGraph& graph);
-    /// Sums and solves.
-    bool iterate(const LandmarkGraph& graph);
+    void sum(const LandmarkGraph& graph);
     void add(const PoseEdge& edge, const LandmarkGraph& graph);
     void add(const Sighting& sighting, const LandmarkGraph& graph);
     /// The first key is no variable.

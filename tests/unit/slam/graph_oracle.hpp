@@ -92,24 +92,32 @@ class GraphOracle {
         return error;
     }
 
-    /// Adds one error, which depends on the numbers at `first` and `second` of the state.
+    /// Adds one error, which depends on the state's numbers at `places`.
     template <class Factor>
     void add(const Factor& factor, const std::vector<Eigen::Index>& places) {
         constexpr double kSmall = 1e-6;
         const Eigen::VectorXd error = error_of(factor);
-        Eigen::MatrixXd j = Eigen::MatrixXd::Zero(error.size(), state_.size());
+        Eigen::MatrixXd j(error.size(), static_cast<Eigen::Index>(places.size()));
+        Eigen::Index column = 0;
         for (const Eigen::Index place : places) {
             const double kept = state_(place);
             state_(place) = kept + kSmall;
             const Eigen::VectorXd ahead = error_of(factor);
             state_(place) = kept - kSmall;
-            j.col(place) = (ahead - error_of(factor)) / (2 * kSmall);
+            j.col(column++) = (ahead - error_of(factor)) / (2 * kSmall);
             state_(place) = kept;
         }
         const double d2 = error.dot(factor.information * error);
         const Eigen::MatrixXd weight = factor.information / (1.0 + d2 / 9.0);
-        h_ += j.transpose() * weight * j;
-        gradient_ += j.transpose() * weight * error;
+        const Eigen::MatrixXd h = j.transpose() * weight * j;
+        const Eigen::VectorXd b = j.transpose() * weight * error;
+        for (Eigen::Index row = 0; row < h.rows(); ++row) {
+            const Eigen::Index at = places[static_cast<std::size_t>(row)];
+            for (Eigen::Index k = 0; k < h.cols(); ++k) {
+                h_(at, places[static_cast<std::size_t>(k)]) += h(row, k);
+            }
+            gradient_(at) += b(row);
+        }
     }
     void sum() {
         h_ = Eigen::MatrixXd::Zero(state_.size(), state_.size());

@@ -148,6 +148,11 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
                    {"filter.particles", "filter.proposal", "association.p0", "resampling.rule",
                     "resampling.method"},
                    {"association.new_probability", "association.gate_probability"}));
+    EXPECT_EQ(idle_with({"filter.algorithm=graph-slam"}),
+              with(with(idle, sigmas, {}),
+                   {"filter.particles", "filter.proposal", "association.method", "association.p0",
+                    "motion.model", "resampling.rule", "resampling.method"},
+                   {"association.new_probability", "association.gate_probability"}));
 }
 
 TEST(ParameterTable, DescriptionsAreSentencesOfPlainText) {
