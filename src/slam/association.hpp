@@ -6,7 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
+#include "hitos/base/random_stream.hpp"
 #include "hitos/slam/params.hpp"
 #include "hitos/slam/slam_filter.hpp"
 #include "measurement.hpp"
@@ -86,9 +89,23 @@ class Associator {
 
     SeenFeature seen(const Measurement& measured) const;
 
+    /// With `random` an ambiguous observation is of one of its landmarks, or of a new one, drawn by
+    /// their likelihoods, and weighs the sum of these: the likelihood of the one drawn over the
+    /// probability of drawing it.
     template <Sensor S>
     Decision decide(const typename S::Columns& landmarks, const Pose& pose,
-                    const PreparedObservation& observed) const;
+                    const PreparedObservation& observed, RandomStream* random = nullptr) const;
+
+    /// Whether a landmark was seen where the observation is, or near enough, and from its side;
+    /// always where lines are not bounded. `unsure` is how far the pose may be wrong [m].
+    template <Sensor S>
+    bool beside(const typename S::Columns& landmarks, std::size_t i, const Pose& pose,
+                const SeenReach& reach, double unsure = 0.0) const {
+        if (!params_.segments) return true;
+        const Extent known = landmarks.extent(i);
+        const Extent seen = S::placed(reach, pose, landmarks.mean(i));
+        return !known.opposite(seen) && known.gap(seen) <= params_.segment_margin_m + unsure;
+    }
 
     /// Calls body(landmark, Likelihood) for every landmark above p0 or inside the gate.
     template <Sensor S, class Body>
@@ -102,6 +119,16 @@ class Associator {
 
   private:
     Decision resolve(const BestTwo& candidates) const;
+    /// Whether all that the observation is ambiguous between are stretches of one bounded line,
+    /// which it joins.
+    template <Sensor S>
+    bool joins(const typename S::Columns& landmarks, const Pose& pose,
+               const PreparedObservation& observed, const BestTwo& candidates) const;
+    /// Of landmarks with these likelihoods, each at most the best one's share that makes an
+    /// observation ambiguous away from it, and a new one.
+    template <Sensor S>
+    Decision draw(const typename S::Columns& landmarks, const Pose& pose,
+                  const PreparedObservation& observed, double best_log, RandomStream& random) const;
 
     AssociationParams params_;
     AssociationRule rule_;
@@ -139,7 +166,9 @@ void Associator::for_each_candidate(const typename S::Columns& landmarks, const 
         const std::size_t end = std::min(begin + kChunk, landmarks.size());
         landmarks.mark_near(begin, end, pose, observed, near.data());
         for (std::size_t i = begin; i < end; ++i) {
-            if (near[i - begin] == 0) continue;
+            if (near[i - begin] == 0 || !beside<S>(landmarks, i, pose, observed.seen.reach)) {
+                continue;
+            }
             const Likelihood close = ekf.likelihood(
                 landmarks.innovation(i, observed.seen.measured.z, pose), landmarks.covariance(i));
             if (by_likelihood ? close.log_likelihood <= log_p0_
@@ -152,8 +181,54 @@ void Associator::for_each_candidate(const typename S::Columns& landmarks, const 
 }
 
 template <Sensor S>
+Decision Associator::draw(const typename S::Columns& landmarks, const Pose& pose,
+                          const PreparedObservation& observed, double best_log,
+                          RandomStream& random) const {
+    // Relative to the best, which cannot underflow.
+    thread_local std::vector<std::pair<std::uint32_t, double>> plausible;
+    plausible.clear();
+    const double of_new = std::exp(log_p0_ - best_log);
+    double sum = of_new;
+    for_each_candidate<S>(landmarks, pose, observed,
+                          [&](std::uint32_t landmark, const Likelihood& close) {
+                              const double share = std::exp(close.log_likelihood - best_log);
+                              if (!(share > params_.ambiguity_ratio)) return;
+                              plausible.emplace_back(landmark, share);
+                              sum += share;
+                          });
+    double left = random.uniform() * sum;
+    const double log_sum = best_log + std::log(sum);
+    for (const auto& [landmark, share] : plausible) {
+        left -= share;
+        if (left < 0.0) return {Association::Outcome::matched, landmark, log_sum};
+    }
+    return {Association::Outcome::created, 0, log_sum};
+}
+
+template <Sensor S>
+bool Associator::joins(const typename S::Columns& landmarks, const Pose& pose,
+                       const PreparedObservation& observed, const BestTwo& candidates) const {
+    const auto grown = [&](std::size_t i) {
+        return landmarks.extent(i).joined(S::placed(observed.seen.reach, pose, landmarks.mean(i)));
+    };
+    const std::uint32_t best = candidates.best();
+    const double least = candidates.best_log() + std::log(params_.ambiguity_ratio);
+    bool all = true;
+    for_each_candidate<S>(
+        landmarks, pose, observed, [&](std::uint32_t other, const Likelihood& close) {
+            if (other == best || !(close.log_likelihood > least)) return;
+            const Matrix2 together = landmarks.covariance(best) +
+                                     S::difference(landmarks.mean(best), landmarks.mean(other))
+                                         .turned(landmarks.covariance(other));
+            all = all && S::same(landmarks.mean(best), grown(best), landmarks.mean(other),
+                                 grown(other), together);
+        });
+    return all;
+}
+
+template <Sensor S>
 Decision Associator::decide(const typename S::Columns& landmarks, const Pose& pose,
-                            const PreparedObservation& observed) const {
+                            const PreparedObservation& observed, RandomStream* random) const {
     const bool by_likelihood = params_.method == AssociationMethod::maximum_likelihood;
     BestTwo candidates;
     for_each_candidate<S>(
@@ -162,6 +237,14 @@ Decision Associator::decide(const typename S::Columns& landmarks, const Pose& po
                              by_likelihood ? close.log_likelihood : -close.mahalanobis_squared,
                              close.log_likelihood);
         });
+    if (params_.segments && S::kKind == FeatureKind::line && !candidates.none() &&
+        rule_.ambiguous(candidates, log_p0_) && joins<S>(landmarks, pose, observed, candidates)) {
+        return {Association::Outcome::matched, candidates.best(), candidates.best_log()};
+    }
+    if (random != nullptr && !candidates.none() && rule_.ambiguous(candidates, log_p0_)) {
+        return draw<S>(landmarks, pose, observed,
+                       std::max(candidates.best_log(), candidates.second_log()), *random);
+    }
     return resolve(candidates);
 }
 

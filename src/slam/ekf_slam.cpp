@@ -34,12 +34,7 @@ EkfSlam::EkfSlam(const FilterParams& params)
 void EkfSlam::step(const SlamInput& input) {
     predict(motion_increment(input));
     measure(input.observation, params_.observation, measurements_);
-    reaches_.clear();
-    for_each_kind([&]<class S>() {
-        for (std::size_t i = 0; registered_ && i < S::count(input.observation); ++i) {
-            reaches_.add<S>(S::reach(input.observation, i));
-        }
-    });
+    if (registered_) note_reaches(input.observation, false, reaches_);
     associations_.clear();
     rows_.clear();
     if (params_.association.method == AssociationMethod::joint_compatibility) {

@@ -128,6 +128,8 @@ void add_association(Table& table) {
              "from "
              "which two new ones of a scan are one landmark; a higher value does both less often."),
          .label = HITOS_TEXT("ParameterLabel", "Ambiguity ratio")}));
+    add_bounded_association(table);
+    add_landmarks(table);
 }
 
 /// A number of constant noise, which motion.unit says how to read.

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "hitos/slam/robot.hpp"
-#include "map_correction.hpp"
 
 namespace hitos {
 namespace {
@@ -15,7 +14,16 @@ namespace {
 struct UpdateContext {
     std::uint32_t scan = 0;
     bool extents = false;  ///< whether anything asks for the landmarks' extents
+    LandmarkParams params;
 };
+
+/// Whether two features of one scan lie beside each other along the first: then both may be pieces
+/// of one wall, while of two that overlap one stands before the other.
+template <Sensor S>
+bool parted(const SeenFeature& a, const SeenFeature& b) {
+    const auto line = S::inverse({}, a.measured.z);
+    return S::placed(a.reach, {}, line).gap(S::placed(b.reach, {}, line)) > 0.0;
+}
 
 template <Sensor S>
 void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
@@ -30,7 +38,8 @@ void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
         if (context.extents) {
             landmarks.set_extent(index, S::placed(seen.reach, pose, first.mean));
         }
-        landmarks.record(index) = {1, context.scan};
+        landmarks.record(index) = {1, context.scan, context.scan,
+                                   static_cast<float>(context.params.hit)};
         decision.landmark = static_cast<std::uint32_t>(index);
         return;
     }
@@ -46,6 +55,8 @@ void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
     LandmarkRecord& record = landmarks.record(index);
     ++record.observations;
     record.last_seen = context.scan;
+    record.existence = static_cast<float>(
+        std::min(static_cast<double>(record.existence) + context.params.hit, context.params.limit));
 }
 
 }  // namespace
@@ -59,6 +70,9 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
       resampler_(make_resampler(params.resampling)),
       resampling_(resampling_methods().find(params.resampling.method).make(params.resampling)),
       registered_(motion_models().find(params.motion.model).registered),
+      heeds_extents_(registered_ || params.association.segments || params.landmarks.vanish),
+      reviews_(params.association.segments || params.landmarks.vanish ||
+               params.landmarks.probation > 1),
       for_each_(threads),
       particles_(static_cast<std::size_t>(params.particles)) {
     // All particles start as copies of one: same pose, same empty map.
@@ -73,17 +87,20 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
 void FiltroParticulas::step(const SlamInput& input) {
     propose(input);
     observe(input.observation);
-    if (!seen_.empty()) {  // else nothing is weighed or resampled
+    if (params_.landmarks.vanish) free_space_.set(input.scan);
+    if (!seen_.empty() || reviews_) {
         detach_maps();
         for_each_(particles_.size(), seen_.size() * (maps_.size(particles_[best_].map) + 8),
                   [&](std::size_t i) {
-                      const std::span decisions(&decisions_[i * seen_.size()], seen_.size());
-                      associate(particles_[i], decisions);
+                      const auto decisions =
+                          std::span(decisions_).subspan(i * seen_.size(), seen_.size());
+                      associate(i, decisions);
                       update(particles_[i], decisions);
                       weigh(particles_[i], decisions);
+                      if (reviews_) review(particles_[i], decisions);
                   });
-        choose_best();
     }
+    if (!seen_.empty()) choose_best();  // else nothing is weighed or resampled
     statistics_.searches_cut = searches_cut_;
     note_associations();
     remember_poses();
@@ -105,13 +122,15 @@ void FiltroParticulas::propose(const SlamInput& input) {
 
 void FiltroParticulas::observe(const Observation& observation) {
     measure(observation, params_.observation, measurements_);
-    twins_.find(measurements_);
+    const bool segments = params_.association.segments;
+    if (heeds_extents_) note_reaches(observation, segments, reaches_);
+    twins_.find(measurements_, segments ? &reaches_ : nullptr);
     seen_.clear();
     for_each_kind([&]<class S>() {
         std::size_t i = 0;
         for (const Measurement& measured : measurements_.of<S>()) {
             SeenFeature seen = associator_.seen(measured);
-            if (registered_) seen.reach = S::reach(observation, i);
+            if (heeds_extents_) seen.reach = reaches_.of<S>()[i];
             seen_.add<S>(seen);
             ++i;
         }
@@ -130,19 +149,43 @@ void FiltroParticulas::detach_maps() {
               [&](std::size_t i) { maps_.copy(copies_[i].first, copies_[i].second); });
 }
 
-void FiltroParticulas::associate(const Particula& particle, std::span<Decision> decisions) {
+void FiltroParticulas::associate(std::size_t place, std::span<Decision> decisions) {
+    const Particula& particle = particles_[place];
     if (params_.association.method == AssociationMethod::joint_compatibility) {
         associate_together(particle, decisions);
         return;
     }
+    RandomStream random(seed_, RandomPurpose::association, steps_,
+                        static_cast<std::uint32_t>(place));
+    RandomStream* const drawn = params_.association.hypotheses ? &random : nullptr;
     for_each_kind([&]<class S>() {
         const auto landmarks = maps_.landmarks<S>(particle.map);
         std::size_t next = seen_.first<S>();
         for (const SeenFeature& seen : seen_.of<S>()) {
-            decisions[next++] =
-                associator_.decide<S>(landmarks, particle.pose, prepare(seen, particle.pose));
+            decisions[next++] = associator_.decide<S>(landmarks, particle.pose,
+                                                      prepare(seen, particle.pose), drawn);
         }
+        if (params_.association.exclusive) exclude<S>(decisions);
     });
+}
+
+template <Sensor S>
+void FiltroParticulas::exclude(std::span<Decision> decisions) const {
+    const std::size_t first = seen_.first<S>();
+    const std::span<const SeenFeature> seen = seen_.of<S>();
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        for (std::size_t j = i + 1; j < seen.size(); ++j) {
+            Decision& a = decisions[first + i];
+            Decision& b = decisions[first + j];
+            if (a.outcome != Association::Outcome::matched ||
+                b.outcome != Association::Outcome::matched || a.landmark != b.landmark) {
+                continue;
+            }
+            if (params_.association.segments && parted<S>(seen[i], seen[j])) continue;
+            Decision& loser = b.log_likelihood > a.log_likelihood ? a : b;
+            loser = associator_.kept_out(loser.log_likelihood);
+        }
+    }
 }
 
 void FiltroParticulas::associate_together(const Particula& particle,
@@ -161,7 +204,8 @@ void FiltroParticulas::associate_together(const Particula& particle,
 
 void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions) {
     using Outcome = Association::Outcome;
-    const UpdateContext context{static_cast<std::uint32_t>(steps_), registered_};
+    const UpdateContext context{static_cast<std::uint32_t>(steps_), heeds_extents_,
+                                params_.landmarks};
     for_each_kind([&]<class S>() {
         auto landmarks = maps_.landmarks<S>(particle.map);
         std::size_t next = seen_.first<S>();
@@ -195,22 +239,6 @@ void FiltroParticulas::choose_best() {
     normalize_log_weights(log_weights_, weights_);
     statistics_.neff = effective_particles(weights_);
     statistics_.best_log_weight = log_weights_[best_];
-}
-
-void FiltroParticulas::note_associations() {
-    associations_.clear();
-    std::size_t before = 0;  // landmarks of the kinds before, which come first in the map
-    for_each_kind([&]<class S>() {
-        for (std::size_t i = 0; i < seen_.of<S>().size(); ++i) {
-            const Decision& decision = decisions_[best_ * seen_.size() + seen_.first<S>() + i];
-            Association association{S::kKind, static_cast<std::uint32_t>(i), decision.outcome};
-            if (decision.outcome != Association::Outcome::ignored) {
-                association.landmark = static_cast<std::int32_t>(before + decision.landmark);
-            }
-            associations_.push_back(association);
-        }
-        before += best_count<S>();
-    });
 }
 
 void FiltroParticulas::remember_poses() {
@@ -251,64 +279,6 @@ void FiltroParticulas::resample() {
     best_ = new_best;
 }
 
-void FiltroParticulas::correct(const PathCorrection& correction) {
-    if (!registered_) return;  // its path is its own
-    check(correction, steps_);
-    std::vector<PoseHistory::Node> leaves;
-    std::vector<MapStore::Handle> maps;
-    for (Particula& particle : particles_) {
-        particle.pose = compose(correction.by_scan.back(), particle.pose);
-        leaves.push_back(particle.history);
-        maps.push_back(particle.map);
-    }
-    history_.move(leaves, correction.by_scan);
-    const MapStore::Handle best = particles_[best_].map;
-    std::array<NewPlaces, LandmarkKinds::kSize> best_places;
-    std::ranges::sort(maps);
-    maps.erase(std::ranges::unique(maps).begin(), maps.end());
-    const std::size_t landmarks_each = maps_.size(best) + 8;
-    for_each_(maps.size(), landmarks_each * landmarks_each, [&](std::size_t i) {
-        for_each_kind([&]<class S>() {
-            auto landmarks = maps_.landmarks<S>(maps[i]);
-            NewPlaces places = correct_landmarks<S>(landmarks, correction.by_scan);
-            if (maps[i] == best) best_places[LandmarkKinds::place<S>()] = std::move(places);
-        });
-    });
-    std::array<std::size_t, LandmarkKinds::kSize> sizes{};
-    for_each_kind([&]<class S>() { sizes[LandmarkKinds::place<S>()] = best_count<S>(); });
-    follow(associations_, best_places, sizes);
-}
-
-LandmarkMap FiltroParticulas::best_map() const {
-    LandmarkMap map;
-    map.reserve(maps_.size(particles_[best_].map));
-    for_each_kind([&]<class S>() {
-        const auto landmarks = maps_.landmarks<S>(particles_[best_].map);
-        for (std::size_t i = 0; i < landmarks.size(); ++i) {
-            map.push_back(
-                {landmarks.mean(i), landmarks.covariance(i), landmarks.record(i).observations});
-        }
-    });
-    return map;
-}
-
-std::vector<Pose> FiltroParticulas::best_history() const {
-    return history_.path(particles_[best_].history);
-}
-
-template <Sensor S>
-std::size_t FiltroParticulas::best_count() const {
-    return maps_.landmarks<S>(particles_[best_].map).size();
-}
-
-int FiltroParticulas::best_count(FeatureKind kind) const {
-    std::size_t count = 0;
-    for_each_kind([&]<class S>() {
-        if (S::kKind == kind) count += best_count<S>();
-    });
-    return static_cast<int>(count);
-}
-
 std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
     std::vector<double> log_weights;
     log_weights.reserve(particles_.size());
@@ -347,6 +317,16 @@ SlamAlgorithmEntry fastslam_algorithm() {
                    "association.p0",
                    "association.gate_probability",
                    "association.joint_probability",
+                   "association.segments",
+                   "association.segment_margin",
+                   "association.exclusive",
+                   "association.hypotheses",
+                   "landmarks.vanish",
+                   "landmarks.hit",
+                   "landmarks.miss",
+                   "landmarks.limit",
+                   "landmarks.probation",
+                   "landmarks.probation_scans",
                    "resampling.rule",
                    "resampling.neff_threshold",
                    "resampling.method"};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "association.hpp"
+#include "free_space.hpp"
 #include "hitos/slam/filters.hpp"
 #include "hitos/slam/params.hpp"
 #include "hitos/slam/proposal.hpp"
@@ -57,10 +58,16 @@ class FiltroParticulas final : public SlamFilter {
     // A step, in the order of [T tables 3.2, 6.3].
     void propose(const SlamInput& input);
     void observe(const Observation& observation);
-    void associate(const Particula& particle, std::span<Decision> decisions);
+    void associate(std::size_t place, std::span<Decision> decisions);
     /// The same for all observations at once.
     void associate_together(const Particula& particle, std::span<Decision> decisions);
+    /// Of two observations that claim one landmark leaves the likelier one to it.
+    template <Sensor S>
+    void exclude(std::span<Decision> decisions) const;
     void update(Particula& particle, std::span<Decision> decisions);
+    /// Makes one landmark of bounded lines that have grown to meet; takes those out of the map that
+    /// should be there and are not, and those that were not confirmed in time.
+    void review(const Particula& particle, std::span<Decision> decisions);
     static void weigh(Particula& particle, std::span<const Decision> decisions);
     void choose_best();
     void resample();
@@ -69,9 +76,13 @@ class FiltroParticulas final : public SlamFilter {
     /// Gives every particle a map of its own with room for what is seen.
     void detach_maps();
     void note_associations();
+    /// Makes associations_ of what was noted: places in the map that is told.
+    void publish_associations();
+    /// Whether a landmark is told of: not while it is on probation.
+    bool confirmed(const LandmarkRecord& record) const {
+        return record.observations >= params_.landmarks.probation;
+    }
     void remember_poses();
-    template <Sensor S>
-    std::size_t best_count() const;
 
     FilterParams params_;
     std::uint64_t seed_;
@@ -81,6 +92,8 @@ class FiltroParticulas final : public SlamFilter {
     std::unique_ptr<Resampler> resampler_;
     std::unique_ptr<ResamplingMethod> resampling_;
     bool registered_;  // the motion model follows registration, whose corrections move all
+    bool heeds_extents_;
+    bool reviews_;  // whether landmarks may go
     ParticleLoop for_each_;
 
     std::vector<Particula> particles_;
@@ -90,11 +103,14 @@ class FiltroParticulas final : public SlamFilter {
     std::uint64_t steps_ = 0;
     FilterStatistics statistics_;
     std::atomic<std::uint64_t> searches_cut_ = 0;  // counted on all threads
+    std::vector<Association> noted_;  // of the best: landmarks by their places in their kind
     std::vector<Association> associations_;
 
     // Working memory of a step.
     Measurements measurements_;
+    KindRow<SeenReach> reaches_;
     KindRow<SeenFeature> seen_;
+    FreeSpace free_space_;
     std::vector<Decision> decisions_;  // observations of particle 0, of particle 1, …
     std::vector<double> log_weights_;
     std::vector<double> weights_;

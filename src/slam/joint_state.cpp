@@ -86,7 +86,8 @@ void JointState::join(Eigen::Index first, Eigen::Index second, const Vector2& nu
     w_ = columns_.leftCols<2>() - columns_.rightCols<2>() * f;
     const Matrix2 s = difference_covariance(first, second, sign) + r;
     const Eigen::LLT<Matrix2> factor(s);
-    if (factor.info() != Eigen::Success) return;
+    const bool regular = factor.info() == Eigen::Success;
+    if (!regular) return;
     mean_.head(size_).noalias() -= w_ * factor.solve(nu);
     factor.matrixU().solveInPlace<Eigen::OnTheRight>(w_);
     covariance_.topLeftCorner(size_, size_).selfadjointView<Eigen::Lower>().rankUpdate(w_, -1.0);

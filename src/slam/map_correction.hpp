@@ -23,6 +23,27 @@ struct KeptLandmark {
     LandmarkRecord record;
 };
 
+template <Sensor S>
+KeptLandmark<S> kept_of(const typename S::Columns& landmarks, std::size_t i) {
+    return {landmarks.get(i), landmarks.extent(i), landmarks.record(i)};
+}
+
+template <Sensor S>
+void keep(typename S::Columns& landmarks, std::size_t i, const KeptLandmark<S>& kept) {
+    landmarks.set(i, kept.estimate);
+    landmarks.set_extent(i, kept.extent);
+    landmarks.record(i) = kept.record;
+}
+
+/// Whether two landmarks whose errors are independent are one.
+template <Sensor S>
+bool same(const KeptLandmark<S>& a, const KeptLandmark<S>& b) {
+    const Matrix2 together =
+        a.estimate.covariance +
+        S::difference(a.estimate.mean, b.estimate.mean).turned(b.estimate.covariance);
+    return S::same(a.estimate.mean, a.extent, b.estimate.mean, b.extent, together);
+}
+
 /// Moves it with the world: mean and extent by the motion, P to J P J' with the motion's Jacobian.
 template <Sensor S>
 void move(KeptLandmark<S>& kept, const Pose& motion) {
@@ -50,6 +71,8 @@ void fuse(KeptLandmark<S>& kept, const KeptLandmark<S>& other) {
                       .joined(S::carried(other.extent, other.estimate.mean, kept.estimate.mean));
     kept.record.observations += other.record.observations;
     kept.record.last_seen = std::max(kept.record.last_seen, other.record.last_seen);
+    kept.record.first_seen = std::min(kept.record.first_seen, other.record.first_seen);
+    kept.record.existence = std::max(kept.record.existence, other.record.existence);
 }
 
 /// Where the landmarks of a map are once some are gone: the new index of each.
@@ -63,7 +86,7 @@ NewPlaces correct_landmarks(typename S::Columns& landmarks, std::span<const Pose
     std::vector<KeptLandmark<S>> kept;
     kept.reserve(landmarks.size());
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
-        kept.push_back({landmarks.get(i), landmarks.extent(i), landmarks.record(i)});
+        kept.push_back(kept_of<S>(landmarks, i));
         move(kept.back(), by_scan[kept.back().record.last_seen]);
     }
     NewPlaces places(kept.size());
@@ -72,23 +95,50 @@ NewPlaces correct_landmarks(typename S::Columns& landmarks, std::span<const Pose
     for (std::size_t i = 0; i < kept.size(); ++i) {
         if (gone[i]) continue;
         for (std::size_t j = i + 1; j < kept.size(); ++j) {
-            const LandmarkEstimate<S>& a = kept[i].estimate;
-            const LandmarkEstimate<S>& b = kept[j].estimate;
-            if (gone[j]) continue;
-            const Matrix2 together =
-                a.covariance + S::difference(a.mean, b.mean).turned(b.covariance);
-            if (!S::same(a.mean, kept[i].extent, b.mean, kept[j].extent, together)) continue;
+            if (gone[j] || !same(kept[i], kept[j])) continue;
             fuse(kept[i], kept[j]);
             gone[j] = true;
             places[j] = next;
         }
-        landmarks.set(next, kept[i].estimate);
-        landmarks.set_extent(next, kept[i].extent);
-        landmarks.record(next) = kept[i].record;
+        keep(landmarks, next, kept[i]);
         places[i] = next++;
     }
     landmarks.cut(next);
     return places;
+}
+
+/// Fuses the landmarks that have just been `seen` with others that they have grown to meet: those
+/// that are the same and no further apart than `margin`. False where there are none.
+template <Sensor S>
+bool grow_together(typename S::Columns& landmarks, std::span<const std::uint32_t> seen,
+                   double margin, NewPlaces& places) {
+    std::vector<std::uint32_t> taken_by(landmarks.size());
+    std::iota(taken_by.begin(), taken_by.end(), 0U);
+    bool any = false;
+    for (const std::uint32_t i : seen) {
+        if (taken_by[i] != i) continue;
+        KeptLandmark<S> kept = kept_of<S>(landmarks, i);
+        for (std::uint32_t j = 0; j < landmarks.size(); ++j) {
+            if (j == i || taken_by[j] != j) continue;
+            const KeptLandmark<S> other = kept_of<S>(landmarks, j);
+            if (!same(kept, other) || kept.extent.gap(S::carried(other.extent, other.estimate.mean,
+                                                                 kept.estimate.mean)) > margin) {
+                continue;
+            }
+            fuse(kept, other);
+            for (std::uint32_t& owner : taken_by) {
+                if (owner == j) owner = i;
+            }
+            any = true;
+        }
+        keep(landmarks, i, kept);
+    }
+    if (!any) return false;
+    NewPlaces left;
+    landmarks.take_out([&](std::uint32_t i) { return taken_by[i] != i; }, left);
+    places.clear();
+    for (const std::uint32_t owner : taken_by) places.push_back(left[owner]);
+    return true;
 }
 
 /// Makes associations point where the landmarks are now; `places` of all kinds in turn, as

@@ -13,4 +13,15 @@ void measure(const Observation& observation, const ObservationParams& params, Me
     });
 }
 
+void note_reaches(const Observation& observation, bool sided, KindRow<SeenReach>& out) {
+    out.clear();
+    for_each_kind([&]<class S>() {
+        for (std::size_t i = 0; i < S::count(observation); ++i) {
+            SeenReach reach = S::reach(observation, i);
+            reach.sided = sided;
+            out.add<S>(reach);
+        }
+    });
+}
+
 }  // namespace hitos

@@ -21,4 +21,7 @@ using Measurements = KindRow<Measurement>;
 
 void measure(const Observation& observation, const ObservationParams& params, Measurements& out);
 
+/// Between which points each feature was seen, in the same order; `sided`: and from which side.
+void note_reaches(const Observation& observation, bool sided, KindRow<SeenReach>& out);
+
 }  // namespace hitos

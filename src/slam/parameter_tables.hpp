@@ -9,6 +9,10 @@ namespace hitos {
 
 using FilterTable = std::vector<Parameter<FilterParams>>;
 
+/// Bounded lines, exclusion and hypotheses, at the end of the table "association".
+void add_bounded_association(FilterTable& table);
+/// Which landmarks stay.
+void add_landmarks(FilterTable& table);
 /// The motion model "registered".
 void add_registered_motion(FilterTable& table);
 

@@ -24,8 +24,9 @@ class ScanTwins {
     /// lies inside the gate.
     ScanTwins(const AssociationParams& params, bool has_p0);
 
-    /// Compares the observations of a scan with each other. Replaces what it knew.
-    void find(const Measurements& seen);
+    /// Compares the observations of a scan with each other. Replaces what it knew. Where lines are
+    /// bounded the `reaches` of the observations tell which may be pieces of one wall.
+    void find(const Measurements& seen, const KindRow<SeenReach>* reaches = nullptr);
     /// The first twin before `observation` (places in the row of all kinds) that is new too.
     template <class IsNew>
     std::optional<std::size_t> of(std::size_t observation, const IsNew& is_new) const {
@@ -38,6 +39,7 @@ class ScanTwins {
   private:
     bool plausible(const Likelihood& close) const;
 
+    double margin_;
     double log_p0_;
     double gate_;
     double log_ratio_;

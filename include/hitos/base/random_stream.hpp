@@ -17,7 +17,8 @@ enum class RandomPurpose : std::uint32_t {
     resampling = 2,
     odometry_noise = 3,
     laser_noise = 4,
-    line_sampling = 5
+    line_sampling = 5,
+    association = 6
 };
 
 /// Philox4x32-10 (Salmon et al., SC11) keyed by seed and addressed by purpose, step and index.

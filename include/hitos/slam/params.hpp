@@ -63,6 +63,20 @@ struct AssociationParams {
     AmbiguityRule ambiguity = AmbiguityRule::keep_likelihood;
     double ambiguity_ratio = 0.1;     ///< second best over best from which both are plausible
     double joint_probability = 0.95;  ///< joint compatibility: of the gate of all pairings
+    bool segments = false;            ///< a line is found only beside where it was seen
+    double segment_margin_m = 0.5;    ///< and that far beyond its ends
+    bool exclusive = false;           ///< a landmark takes one observation of a scan
+    bool hypotheses = false;          ///< particles choose among the landmarks of an ambiguous one
+};
+
+/// Which landmarks a map keeps.
+struct LandmarkParams {
+    bool vanish = false;        ///< landmarks that the scans look through go
+    double hit = 0.8;           ///< log-odds of existence that being found adds
+    double miss = -0.4;         ///< and being looked through
+    double limit = 4.0;         ///< greatest log-odds; below 0 a landmark goes
+    int probation = 0;          ///< sightings that make a landmark part of the map; 0: none asked
+    int probation_scans = 100;  ///< scans in which they have to come
 };
 
 enum class ResamplingRule { always, neff };
@@ -81,6 +95,7 @@ struct FilterParams {
     MotionParams motion;
     ObservationParams observation;
     AssociationParams association;
+    LandmarkParams landmarks;
     ResamplingParams resampling;
 };
 

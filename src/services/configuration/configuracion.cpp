@@ -17,7 +17,7 @@ std::span<const ParameterGroupFacts> parameter_groups() {
         {Group::source, HITOS_TEXT("ParameterGroup", "Data source"), {"source"}},
         {Group::particle_filter,
          HITOS_TEXT("ParameterGroup", "Particle filter"),
-         {"filter", "association"}},
+         {"filter", "association", "landmarks"}},
         {Group::motion, HITOS_TEXT("ParameterGroup", "Motion model"), {"motion"}},
         {Group::observation, HITOS_TEXT("ParameterGroup", "Observation model"), {"observation"}},
         {Group::split_merge,

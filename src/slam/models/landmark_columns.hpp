@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "sensor.hpp"
 
@@ -19,6 +20,7 @@ class LandmarkColumns {
     static constexpr int kP01 = 3;
     static constexpr int kP11 = 4;
     static constexpr int kExtra = 5;
+    static constexpr std::uint32_t kGone = UINT32_MAX;
     static constexpr std::size_t kColumns = kExtra + Extra;
 
     LandmarkColumns(double* values, LandmarkRecord* records, std::uint32_t* size,
@@ -64,6 +66,23 @@ class LandmarkColumns {
             values[to] = values[from];
         }
         records_[to] = records_[from];
+    }
+    /// Takes out what `goes(i)` names; the others keep their order. `places` gets where each is
+    /// then, kGone of those that are gone. False where none is.
+    template <class Goes>
+    bool take_out(const Goes& goes, std::vector<std::uint32_t>& places) {
+        places.clear();
+        std::uint32_t next = 0;
+        for (std::uint32_t i = 0; i < size(); ++i) {
+            const bool gone = goes(i);
+            places.push_back(gone ? kGone : next);
+            if (gone) continue;
+            if (next != i) copy(i, next);
+            ++next;
+        }
+        if (next == size()) return false;
+        cut(next);
+        return true;
     }
     /// Only the first `size` landmarks stay.
     void cut(std::size_t size) { *size_ = static_cast<std::uint32_t>(size); }

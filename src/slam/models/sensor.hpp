@@ -51,6 +51,7 @@ struct LandmarkEstimate {
 /// line's outermost supporting points.
 struct SeenReach {
     bool known = false;
+    bool sided = false;  ///< whether it matters from which side
     Point2 from;
     Point2 to;
 };
@@ -63,27 +64,34 @@ struct SeenFeature {
 };
 
 /// Where on a landmark something was seen: of a line the places along it [m], from its foot
-/// (PreparedRecta::along()); the whole line where nothing is known. Corners have none.
+/// (PreparedRecta::along()), the whole line where nothing is known; and from which side: 1 from
+/// where its normal comes, -1 from where it goes to, 0 where that does not matter. Corners have
+/// none.
 struct Extent {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
+    double side = 0.0;
 
     double middle() const { return 0.5 * (low + high); }
     double length() const { return high - low; }
     /// Both and what lies between.
     Extent joined(const Extent& other) const {
-        return {std::min(low, other.low), std::max(high, other.high)};
+        return {std::min(low, other.low), std::max(high, other.high),
+                side == other.side ? side : 0.0};
     }
     /// How far apart the two are [m]; 0 or less where they overlap.
     double gap(const Extent& other) const {
         return std::max(low, other.low) - std::min(high, other.high);
     }
+    bool opposite(const Extent& other) const { return side * other.side < 0.0; }
 };
 
 /// What is kept of a landmark beside its estimate.
 struct LandmarkRecord {
     std::int32_t observations = 0;
-    std::uint32_t last_seen = 0;  ///< scan that saw it last
+    std::uint32_t last_seen = 0;   ///< scan that saw it last
+    std::uint32_t first_seen = 0;  ///< scan that saw it first
+    float existence = 0.0F;        ///< log-odds, where landmarks may vanish
 };
 
 /// One landmark minus another, angles wrapped, once the other has been brought to the side of the

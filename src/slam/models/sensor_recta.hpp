@@ -131,15 +131,19 @@ struct SensorRecta {
         const PreparedRecta prepared(line.recta);
         const auto [low, high] =
             std::ranges::minmax(points, {}, [&](const Point2& p) { return prepared.along(p); });
-        return {true, prepared.at(prepared.along(low)), prepared.at(prepared.along(high))};
+        return {true, false, prepared.at(prepared.along(low)), prepared.at(prepared.along(high))};
     }
     /// Where on the landmark that is, seen from the pose.
     static Extent placed(const SeenReach& reach, const Pose& pose, const Recta& landmark) {
-        if (!reach.known) return {};
         const PreparedRecta line(landmark);
-        const double a = line.along(transform(pose, reach.from));
-        const double b = line.along(transform(pose, reach.to));
-        return {std::min(a, b), std::max(a, b)};
+        Extent extent;
+        if (reach.known) {
+            const double a = line.along(transform(pose, reach.from));
+            const double b = line.along(transform(pose, reach.to));
+            extent = {std::min(a, b), std::max(a, b)};
+        }
+        if (reach.sided) extent.side = line.signed_distance({pose.x, pose.y}) > 0.0 ? -1.0 : 1.0;
+        return extent;
     }
     /// The stretch of `from` as places along `to`. A point rho n + t u of the first has
     /// rho n.u' + t u.u' along the second, whose foot, and maybe direction, is another.
@@ -148,7 +152,7 @@ struct SensorRecta {
         const double along = std::cos(from.theta - to.theta);
         const double a = shift + along * extent.low;
         const double b = shift + along * extent.high;
-        return {std::min(a, b), std::max(a, b)};
+        return {std::min(a, b), std::max(a, b), along < 0.0 ? -extent.side : extent.side};
     }
 
     /// The line moved by a rigid motion of the world, before it is brought to normal form: what the
@@ -163,13 +167,13 @@ struct SensorRecta {
     static Extent moved(const Pose& motion, const Recta& landmark, const Extent& extent) {
         const double theta = landmark.theta + motion.theta;
         const double shift = motion.y * std::cos(theta) - motion.x * std::sin(theta);
-        return {extent.low + shift, extent.high + shift};
+        return {extent.low + shift, extent.high + shift, extent.side};
     }
 
     static LandmarkDifference difference(const Recta& a, const Recta& b) {
-        const double turn = wrap_angle(a.theta - b.theta);
-        if (std::abs(turn) <= kPi / 2.0) return {{a.rho - b.rho, turn}, 1.0};
-        return {{a.rho + b.rho, turn - std::copysign(kPi, turn)}, -1.0};
+        const double angle = wrap_angle(a.theta - b.theta);
+        if (std::abs(angle) <= kPi / 2.0) return {{a.rho - b.rho, angle}, 1.0};
+        return {{a.rho + b.rho, angle - std::copysign(kPi, angle)}, -1.0};
     }
     /// Pieces of one wall, once a correction has laid one passage upon another: nearly parallel, by
     /// distance and angle within what a corrected path leaves, and hardly a gap between them.
@@ -182,7 +186,7 @@ struct SensorRecta {
         const LandmarkDifference apart = difference(a, b);
         if (std::abs(apart.nu(1)) >= kTurn) return false;
         const Extent b_on_a = carried(extent_b, b, a);
-        if (extent_a.gap(b_on_a) >= kGap) return false;
+        if (extent_a.gap(b_on_a) >= kGap || extent_a.opposite(b_on_a)) return false;
         const Matrix2 s = covariance + tolerance(a, extent_a, b_on_a);
         const double d2 = s(1, 1) * apart.nu(0) * apart.nu(0) -
                           2.0 * s(0, 1) * apart.nu(0) * apart.nu(1) +
@@ -205,12 +209,13 @@ struct SensorRecta {
 
 /// Lines of one map. Cosine and sine of theta are kept beside it: the filter asks for them at every
 /// step, and they change only when the landmark does. So is the extent, where the filter heeds it.
-class LineColumns : public LandmarkColumns<SensorRecta, 4> {
+class LineColumns : public LandmarkColumns<SensorRecta, 5> {
   public:
     static constexpr int kCosine = kExtra;
     static constexpr int kSine = kExtra + 1;
     static constexpr int kLow = kExtra + 2;
     static constexpr int kHigh = kExtra + 3;
+    static constexpr int kSide = kExtra + 4;
     using LandmarkColumns::LandmarkColumns;
 
     void set(std::size_t i, const LandmarkEstimate<SensorRecta>& estimate) {
@@ -218,10 +223,13 @@ class LineColumns : public LandmarkColumns<SensorRecta, 4> {
         column(kCosine)[i] = std::cos(estimate.mean.theta);
         column(kSine)[i] = std::sin(estimate.mean.theta);
     }
-    Extent extent(std::size_t i) const { return {column(kLow)[i], column(kHigh)[i]}; }
+    Extent extent(std::size_t i) const {
+        return {column(kLow)[i], column(kHigh)[i], column(kSide)[i]};
+    }
     void set_extent(std::size_t i, const Extent& extent) {
         column(kLow)[i] = extent.low;
         column(kHigh)[i] = extent.high;
+        column(kSide)[i] = extent.side;
     }
     Innovation innovation(std::size_t i, const Vector2& z, const Pose& pose) const {
         return SensorRecta::innovation(z, pose, mean(i), column(kCosine)[i], column(kSine)[i]);

@@ -75,6 +75,7 @@ class PosteriorProposal final : public Proposal {
         increment_ = motion_increment(input);
         first_ = first;
         measure(input.observation, params_.observation, measurements_);
+        note_reaches(input.observation, params_.association.segments, reaches_);
     }
 
     ProposedPose draw(const Hypothesis& before, RandomStream& random) const override {
@@ -85,8 +86,8 @@ class PosteriorProposal final : public Proposal {
         PosePosterior posterior(mean, root);
         for_each_kind([&]<class S>() {
             const auto landmarks = before.map.landmarks<S>();
-            for (const Measurement& measured : measurements_.of<S>()) {
-                learn<S>(posterior, landmarks, measured);
+            for (std::size_t i = 0; i < measurements_.of<S>().size(); ++i) {
+                learn<S>(posterior, landmarks, measurements_.of<S>()[i], reaches_.of<S>()[i]);
             }
         });
         return posterior.draw(random);
@@ -103,7 +104,7 @@ class PosteriorProposal final : public Proposal {
     /// covariance in the innovation's, and learns it.
     template <Sensor S>
     void learn(PosePosterior& posterior, const typename S::Columns& landmarks,
-               const Measurement& measured) const {
+               const Measurement& measured, const SeenReach& reach) const {
         constexpr std::size_t kChunk = 64;
         const bool by_likelihood =
             params_.association.method == AssociationMethod::maximum_likelihood;
@@ -113,6 +114,7 @@ class PosteriorProposal final : public Proposal {
         SeenFeature loose = associator_.seen(measured);
         loose.measured.r.diagonal() += S::greatest_variances(p);
         const PreparedObservation prepared = prepare(loose, pose);
+        const double unsure = 2.0 * std::sqrt(p(0, 0) + p(1, 1));
         std::array<unsigned char, kChunk> near{};
         BestTwo candidates;
         Found found;
@@ -121,7 +123,10 @@ class PosteriorProposal final : public Proposal {
                 landmarks.mark_near(i, std::min(i + kChunk, landmarks.size()), pose, prepared,
                                     near.data());
             }
-            if (near[i % kChunk] == 0) continue;
+            if (near[i % kChunk] == 0 ||
+                !associator_.beside<S>(landmarks, i, pose, reach, unsure)) {
+                continue;
+            }
             const JointInnovation seen = S::joint_innovation(measured.z, pose, landmarks.mean(i));
             const Matrix2 rest =
                 seen.by_landmark * landmarks.covariance(i) * seen.by_landmark.transpose() +
@@ -149,6 +154,7 @@ class PosteriorProposal final : public Proposal {
     MotionIncrement increment_;
     bool first_ = true;
     Measurements measurements_;
+    KindRow<SeenReach> reaches_;
 };
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 66U);
+    EXPECT_EQ(keys.size(), 76U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -115,6 +115,11 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
     Keys idle = {"association.new_probability",
                  "association.gate_probability",
                  "association.joint_probability",
+                 "association.segment_margin",
+                 "landmarks.hit",
+                 "landmarks.miss",
+                 "landmarks.limit",
+                 "landmarks.probation_scans",
                  "resampling.neff_threshold",
                  "source.tour_seed",
                  "source.world_set"};
@@ -142,11 +147,18 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
     EXPECT_EQ(idle_with({"association.method=jcbb"}),
               with(idle, {}, {"association.gate_probability", "association.joint_probability"}));
     EXPECT_EQ(idle_with({"association.ambiguity=off"}), idle);
+    EXPECT_EQ(idle_with({"association.segments=on"}),
+              with(idle, {}, {"association.segment_margin"}));
+    EXPECT_EQ(idle_with({"landmarks.vanish=on"}),
+              with(idle, {}, {"landmarks.hit", "landmarks.miss", "landmarks.limit"}));
+    EXPECT_EQ(idle_with({"landmarks.probation=1"}), idle);
+    EXPECT_EQ(idle_with({"landmarks.probation=2"}), with(idle, {}, {"landmarks.probation_scans"}));
     EXPECT_EQ(idle_with({"resampling.rule=neff"}), with(idle, {}, {"resampling.neff_threshold"}));
     EXPECT_EQ(idle_with({"filter.algorithm=ekf-slam", "resampling.rule=neff"}),
               with(idle,
                    {"filter.particles", "filter.proposal", "association.p0", "resampling.rule",
-                    "resampling.method"},
+                    "resampling.method", "association.segments", "association.exclusive",
+                    "association.hypotheses", "landmarks.vanish", "landmarks.probation"},
                    {"association.new_probability", "association.gate_probability"}));
     EXPECT_EQ(idle_with({"filter.algorithm=graph-slam"}),
               with(with(idle, sigmas, {}),
@@ -209,8 +221,18 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.filter.motion = {"proportional",       0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17,
                        MotionUnit::variance, 0.18, 0.19, 0.2,  0.23, 0.24, 0.25, 0.26};
     c.filter.observation = {0.21, 0.22};
-    c.filter.association = {AssociationMethod::gated_nearest, 0.31, 0.91, 0.92,
-                            AmbiguityRule::new_landmark,      0.33, 0.93};
+    c.filter.association = {AssociationMethod::gated_nearest,
+                            0.31,
+                            0.91,
+                            0.92,
+                            AmbiguityRule::new_landmark,
+                            0.33,
+                            0.93,
+                            true,
+                            0.34,
+                            true,
+                            true};
+    c.filter.landmarks = {true, 0.35, -0.36, 4.5, 37, 38};
     c.filter.resampling = {ResamplingRule::neff, 41.5, "residual"};
     c.extraction.detect = Detection::corners;
     c.extraction.lines = {0.52, 53, {0.54, 0.55, 0.56}};
@@ -242,6 +264,16 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"association.joint_probability", "0.93"},
         {"association.ambiguity", "new-landmark"},
         {"association.ambiguity_ratio", "0.33"},
+        {"association.segments", "on"},
+        {"association.segment_margin", "0.34"},
+        {"association.exclusive", "on"},
+        {"association.hypotheses", "on"},
+        {"landmarks.vanish", "on"},
+        {"landmarks.hit", "0.35"},
+        {"landmarks.miss", "-0.36"},
+        {"landmarks.limit", "4.5"},
+        {"landmarks.probation", "37"},
+        {"landmarks.probation_scans", "38"},
         {"motion.model", "proportional"},
         {"motion.unit", "variance"},
         {"motion.sigma_x", "0.11"},
