@@ -23,7 +23,7 @@ PlaceDifference difference(const GraphLandmark& a, const GraphLandmark& b);
 bool may_be_one(const GraphLandmark& a, const GraphLandmark& b);
 
 /// Whether a difference is too great for one landmark, whatever its covariance.
-bool is_plain(const LandmarkDifference& difference, FeatureKind kind);
+bool is_plain(const PlaceDifference& difference, FeatureKind kind);
 
 /// Whether a difference of this covariance is none, by a chi-square gate. Two passages of one wall
 /// differ by more than their covariances say, since walls are not straight to the millimetre and
