@@ -39,8 +39,13 @@ std::span<const Preset> presets() {
                PresetPurpose::worlds},
         Preset{"recorded", HITOS_TEXT("Preset", "Recorded tours"),
                HITOS_TEXT("Preset",
-                          "FastSLAM for logs of real robots: noise that grows with the motion, "
-                          "gaps that end a line."),
+                          "Scans registered with what was seen before, loops closed, FastSLAM "
+                          "about that path: one configuration for every building."),
+               PresetPurpose::logs},
+        Preset{"recorded-fastslam1", HITOS_TEXT("Preset", "Recorded tours without registration"),
+               HITOS_TEXT("Preset",
+                          "FastSLAM 1.0 alone on logs of real robots: noise that grows with the "
+                          "motion, gaps that end a line."),
                PresetPurpose::logs},
     };
     return table;

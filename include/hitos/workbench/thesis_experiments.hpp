@@ -50,7 +50,7 @@ struct ThesisExperiment {
 std::span<const ThesisExperiment> thesis_experiments();
 
 /// The fixed parameters in a configuration: Hitos's defaults and the settings; for recorded tours
-/// the preset `recorded` and the settings. Throws FileError where that is not found.
+/// the preset `recorded-fastslam1` and the settings. Throws FileError where that is not found.
 Configuracion experiment_configuration(const ThesisExperiment& experiment);
 
 }  // namespace hitos

@@ -58,7 +58,7 @@ std::string shown(std::string_view value) {
 std::string place_text(const ThesisExperiment& thesis) {
     return thesis.place == Place::world
                ? fmt::format("world `{}`, table {}", thesis.name, thesis.table)
-               : fmt::format("recorded tour `{}`, preset `recorded`", thesis.name);
+               : fmt::format("recorded tour `{}`, preset `recorded-fastslam1`", thesis.name);
 }
 
 /// Those that are not varied.

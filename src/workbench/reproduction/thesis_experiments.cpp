@@ -261,7 +261,7 @@ std::span<const ThesisExperiment> thesis_experiments() {
 Configuracion experiment_configuration(const ThesisExperiment& experiment) {
     Configuracion configuration;
     if (experiment.place == Place::log) {
-        configuration = preset_configuration("recorded");
+        configuration = preset_configuration("recorded-fastslam1");
     }
     for (const std::string& setting : experiment.settings) set_parameter(configuration, setting);
     return configuration;

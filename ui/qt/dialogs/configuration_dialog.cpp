@@ -22,7 +22,7 @@ using Group = ParameterGroup;
 /// Two columns of groups, about as long as each other; the source has a dialog of its own.
 const std::array<std::vector<Group>, 2> kColumnGroups{{
     {Group::particle_filter, Group::motion, Group::resampling, Group::run},
-    {Group::observation, Group::split_merge, Group::grid},
+    {Group::observation, Group::split_merge, Group::registration, Group::grid},
 }};
 
 /// Of the longest label, so that the editors of all groups stand below each other.
