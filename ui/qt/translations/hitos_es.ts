@@ -15,6 +15,22 @@
         <source>%1 of the observations match nothing in the map: what is seen again becomes a new landmark.</source>
         <translation>El %1 de las observaciones no corresponde a nada del mapa: lo que se vuelve a ver se toma por un hito nuevo.</translation>
     </message>
+    <message>
+        <source>%1 of the scans fitted nothing that was seen before: the robot may have been carried, or its laser blind; the map may be in pieces.</source>
+        <translation>El %1 de los barridos no encajó con nada de lo visto antes: quizá alguien movió el robot o su láser no veía; el mapa puede estar en trozos.</translation>
+    </message>
+    <message>
+        <source>The scans lie badly on each other (score %1 of 1): much moves here, or the odometry and the laser do not belong together.</source>
+        <translation>Los barridos se superponen mal (puntuación %1 de 1): hay mucho en movimiento, o la odometría y el láser no se corresponden.</translation>
+    </message>
+    <message>
+        <source>No loop was closed in %1: nothing shows whether the map is bent.</source>
+        <translation>No se cerró ningún bucle en %1: nada muestra si el mapa está torcido.</translation>
+    </message>
+    <message>
+        <source>The map is less crisp than that of the odometry alone (%1 cells per point): do not trust it.</source>
+        <translation>El mapa es menos nítido que el de la odometría sola (%1 celdas por punto): no se fíe de él.</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -121,7 +137,7 @@
     </message>
     <message>
         <source>What an observation that fits several landmarks, and is kept out of the map, does to the weight: keep-likelihood multiplies it with the best likelihood, neutral leaves it, new-landmark multiplies it with p0; off updates the best landmark instead.</source>
-        <translation>Qué hace con el peso una observación que encaja con varios hitos y queda fuera del mapa: multiplicarlo por la mejor verosimilitud, dejarlo igual o multiplicarlo por P0 como un hito nuevo; sin regla, actualiza el mejor hito.</translation>
+        <translation>Qué hace con el peso una observación que encaja con varios hitos y queda fuera del mapa: multiplicarlo por la mejor verosimilitud, dejarlo igual o multiplicarlo por P0 como un hito nuevo; con «No», actualiza el mejor hito.</translation>
     </message>
     <message>
         <source>Proportional noise: variance along the motion per metre; a higher value trusts the measured distance less.</source>
@@ -347,6 +363,114 @@
         <source>Changes of a world&apos;s values, with spaces between them, e.g. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help lists the keys.</source>
         <translation>Cambios de los valores de un mundo, separados por espacios, p. ej. laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help enumera las claves.</translation>
     </message>
+    <message>
+        <source>Readings beyond it are not registered; a higher value sees the ends of corridors and halls, which hold the heading.</source>
+        <translation>Las lecturas más lejanas no entran en el registro de barridos; un valor mayor ve los extremos de pasillos y salas, que sujetan la orientación.</translation>
+    </message>
+    <message>
+        <source>Newest key scans that a scan is matched with; half as many of an earlier passage come in addition. More take longer.</source>
+        <translation>Últimos barridos clave con los que se empareja un barrido; se añaden hasta la mitad de un paso anterior. Con más se tarda más.</translation>
+    </message>
+    <message>
+        <source>A scan that far from the last key scan is the next one; a higher value keeps fewer and is quicker.</source>
+        <translation>Un barrido a esta distancia del último barrido clave es el siguiente; un valor mayor guarda menos y es más rápido.</translation>
+    </message>
+    <message>
+        <source>A scan turned that far from the last key scan is the next one; a higher value keeps fewer and is quicker.</source>
+        <translation>Un barrido girado este ángulo respecto al último barrido clave es el siguiente; un valor mayor guarda menos y es más rápido.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a matched point, the errors that neighbours share included; a higher value trusts the odometry more and searches wider for loops.</source>
+        <translation>Desviación típica de un punto emparejado, con los errores que comparten los vecinos; un valor mayor se fía más de la odometría y busca bucles en una zona más amplia.</translation>
+    </message>
+    <message>
+        <source>Factor of the odometry&apos;s standard deviations (2 cm and 10 % along, 1 cm and 5 % across, 30 mrad and 15 % of a turn); a higher value trusts the scans more.</source>
+        <translation>Factor de las desviaciones típicas de la odometría (2 cm y 10 % a lo largo, 1 cm y 5 % de través, 30 mrad y 15 % de un giro); un valor mayor se fía más de los barridos.</translation>
+    </message>
+    <message>
+        <source>Whether odometry that the scan plainly contradicts loses weight, as when a wheel slips.</source>
+        <translation>Si pierde peso la odometría que el barrido contradice claramente, como cuando patina una rueda.</translation>
+    </message>
+    <message>
+        <source>Whether a scan that fits nothing near its odometry is searched for in a window about it.</source>
+        <translation>Si un barrido que no encaja con nada cerca de su odometría se busca en una ventana alrededor de ella.</translation>
+    </message>
+    <message>
+        <source>Whether the laser&apos;s angle and its distance ahead of the axle are learnt while driving.</source>
+        <translation>Si el ángulo del láser y su distancia por delante del eje se aprenden durante el recorrido.</translation>
+    </message>
+    <message>
+        <source>Whether the robot&apos;s return to a place is looked for and the path behind corrected.</source>
+        <translation>Si se busca el regreso del robot a un lugar y se corrige el camino ya recorrido.</translation>
+    </message>
+    <message>
+        <source>Least correlation of the last metres with an earlier passage; a higher value refuses more, false and true.</source>
+        <translation>Correlación mínima de los últimos metros con un paso anterior; un valor mayor rechaza más bucles, falsos y verdaderos.</translation>
+    </message>
+    <message>
+        <source>Searches in a row that must say the same before a loop is closed; a higher value refuses more, false and true.</source>
+        <translation>Búsquedas seguidas que deben decir lo mismo antes de cerrar un bucle; un valor mayor rechaza más bucles, falsos y verdaderos.</translation>
+    </message>
+    <message>
+        <source>How often all key scans are matched anew with their neighbours at the tour&apos;s end.</source>
+        <translation>Cuántas veces se vuelven a emparejar todos los barridos clave con sus vecinos al final del recorrido.</translation>
+    </message>
+    <message>
+        <source>Whether a line is compared only with landmarks that were seen beside it and from its side, so that two walls in one line stay two landmarks.</source>
+        <translation>Si una recta se compara solo con hitos vistos junto a ella y desde su lado, para que dos paredes alineadas sigan siendo dos hitos.</translation>
+    </message>
+    <message>
+        <source>How far beyond the ends between which a landmark was seen a line may be of it; a higher value joins walls over wider openings.</source>
+        <translation>Hasta qué distancia de los extremos entre los que se vio un hito puede ser suya una recta; un valor mayor une paredes a través de aberturas más anchas.</translation>
+    </message>
+    <message>
+        <source>Whether a landmark takes only the likeliest of the observations of a scan that claim it, the others being kept out of the map; jcbb always does so.</source>
+        <translation>Si un hito toma solo la más verosímil de las observaciones de un barrido que lo reclaman y las demás quedan fuera del mapa; jcbb lo hace siempre.</translation>
+    </message>
+    <message>
+        <source>Whether each particle draws, by their likelihoods, which of several plausible landmarks an ambiguous observation is of, or a new one, so that particles follow different hypotheses; not with jcbb.</source>
+        <translation>Si cada partícula sortea, según las verosimilitudes, de cuál de varios hitos posibles es una observación ambigua, o si es de uno nuevo, para que las partículas sigan hipótesis distintas; no con jcbb.</translation>
+    </message>
+    <message>
+        <source>Whether landmarks go that scans look through: where they should be seen and rays pass through them they lose, where they are found they gain log-odds of existence.</source>
+        <translation>Si se eliminan los hitos a través de los cuales ven los barridos: donde deberían verse y los rayos los atraviesan pierden, y donde se encuentran ganan, log-odds de existencia.</translation>
+    </message>
+    <message>
+        <source>Log-odds of existence that a landmark has at first and gains wherever it is found; a higher value makes it last longer.</source>
+        <translation>Log-odds de existencia que un hito tiene al principio y gana cada vez que se encuentra; con un valor mayor dura más.</translation>
+    </message>
+    <message>
+        <source>Log-odds of existence, negative, that a landmark gets wherever a scan looks through it; below 0 in all it goes.</source>
+        <translation>Log-odds de existencia, negativos, que recibe un hito cada vez que un barrido ve a través de él; por debajo de 0 en total se elimina.</translation>
+    </message>
+    <message>
+        <source>Greatest log-odds of existence of a landmark; a higher value lets what was long there stay longer once it is gone.</source>
+        <translation>Máximo de los log-odds de existencia de un hito; con un valor mayor lo que estuvo mucho tiempo tarda más en eliminarse cuando ya no está.</translation>
+    </message>
+    <message>
+        <source>Sightings that a new landmark needs before it is part of the map that is told; 0 or 1 asks for none, a higher value keeps more chance features out.</source>
+        <translation>Observaciones que necesita un hito nuevo para formar parte del mapa que se da; 0 o 1 no exige ninguna, un valor mayor deja fuera más características casuales.</translation>
+    </message>
+    <message>
+        <source>Scans from its first on in which the sightings of landmarks.probation have to come, else the landmark goes.</source>
+        <translation>Barridos desde el primero en los que deben llegar las observaciones de landmarks.probation; si no, el hito se elimina.</translation>
+    </message>
+    <message>
+        <source>Registered path: way after which 1/e of a particle&apos;s deviation from it is left; with a higher value particles keep their deviations longer.</source>
+        <translation>Camino registrado: recorrido tras el cual queda 1/e de la desviación de una partícula respecto a él; con un valor mayor las partículas conservan más tiempo sus desviaciones.</translation>
+    </message>
+    <message>
+        <source>Registered path: share of the registered step&apos;s covariance in the spread of the particles about the path; a higher value spreads them more where the match is poor.</source>
+        <translation>Camino registrado: parte de la covarianza del paso registrado en la dispersión de las partículas alrededor del camino; un valor mayor las dispersa más donde el emparejamiento es malo.</translation>
+    </message>
+    <message>
+        <source>Registered path: standard deviation that the particles&apos; positions have about it besides; a higher value spreads them more everywhere.</source>
+        <translation>Camino registrado: desviación típica que tienen además las posiciones de las partículas alrededor de él; un valor mayor las dispersa más en todas partes.</translation>
+    </message>
+    <message>
+        <source>Registered path: standard deviation that the particles&apos; headings have about it besides; a higher value spreads them more everywhere.</source>
+        <translation>Camino registrado: desviación típica que tienen además las orientaciones de las partículas alrededor de él; un valor mayor las dispersa más en todas partes.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -408,7 +532,7 @@
     </message>
     <message>
         <source>Off</source>
-        <translation>Sin regla</translation>
+        <translation>No</translation>
     </message>
     <message>
         <source>Differential with odometry</source>
@@ -518,6 +642,22 @@
         <source>Increments</source>
         <translation>Incrementos</translation>
     </message>
+    <message>
+        <source>On</source>
+        <translation>Sí</translation>
+    </message>
+    <message>
+        <source>Graph-SLAM</source>
+        <translation>Graph-SLAM</translation>
+    </message>
+    <message>
+        <source>Registered path</source>
+        <translation>Camino registrado</translation>
+    </message>
+    <message>
+        <source>Motion and observations</source>
+        <translation>Movimiento y observaciones</translation>
+    </message>
 </context>
 <context>
     <name>ParameterGroup</name>
@@ -552,6 +692,10 @@
     <message>
         <source>Run</source>
         <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Registro de barridos</translation>
     </message>
 </context>
 <context>
@@ -804,6 +948,110 @@
         <source>World values</source>
         <translation>Valores del mundo</translation>
     </message>
+    <message>
+        <source>Range</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source>Key scans</source>
+        <translation>Barridos clave</translation>
+    </message>
+    <message>
+        <source>Key distance</source>
+        <translation>Distancia clave</translation>
+    </message>
+    <message>
+        <source>Key angle</source>
+        <translation>Ángulo clave</translation>
+    </message>
+    <message>
+        <source>σ point</source>
+        <translation>σ punto</translation>
+    </message>
+    <message>
+        <source>Odometry noise</source>
+        <translation>Ruido odométrico</translation>
+    </message>
+    <message>
+        <source>Robust odometry</source>
+        <translation>Odometría robusta</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Búsqueda</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
+    </message>
+    <message>
+        <source>Loops</source>
+        <translation>Bucles</translation>
+    </message>
+    <message>
+        <source>Loop score</source>
+        <translation>Puntuación de bucle</translation>
+    </message>
+    <message>
+        <source>Agreeing searches</source>
+        <translation>Búsquedas acordes</translation>
+    </message>
+    <message>
+        <source>Final passes</source>
+        <translation>Pasadas finales</translation>
+    </message>
+    <message>
+        <source>Bounded lines</source>
+        <translation>Rectas acotadas</translation>
+    </message>
+    <message>
+        <source>Margin of ends</source>
+        <translation>Margen de extremos</translation>
+    </message>
+    <message>
+        <source>Mutual exclusion</source>
+        <translation>Exclusión mutua</translation>
+    </message>
+    <message>
+        <source>Several hypotheses</source>
+        <translation>Varias hipótesis</translation>
+    </message>
+    <message>
+        <source>Vanishing landmarks</source>
+        <translation>Hitos desaparecidos</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Encontrado</translation>
+    </message>
+    <message>
+        <source>Looked through</source>
+        <translation>Atravesado</translation>
+    </message>
+    <message>
+        <source>Probation</source>
+        <translation>Hito a prueba</translation>
+    </message>
+    <message>
+        <source>Probation scans</source>
+        <translation>Barridos de prueba</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Memoria</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>σ position</source>
+        <translation>σ posición</translation>
+    </message>
+    <message>
+        <source>σ heading</source>
+        <translation>σ orientación</translation>
+    </message>
 </context>
 <context>
     <name>PictureDialog</name>
@@ -847,16 +1095,24 @@
         <translation>Recorridos grabados</translation>
     </message>
     <message>
-        <source>FastSLAM for logs of real robots: noise that grows with the motion, gaps that end a line.</source>
-        <translation>FastSLAM para registros de robots reales: ruido que crece con el movimiento y huecos que terminan una recta.</translation>
-    </message>
-    <message>
         <source>As the paper</source>
         <translation>Como el artículo</translation>
     </message>
     <message>
         <source>EKF-SLAM to the letter of the paper that it comes from: lines alone, one gate, noise in proportion to the way.</source>
         <translation>EKF-SLAM al pie de la letra del artículo del que procede: solo rectas, una sola puerta y ruido proporcional al camino.</translation>
+    </message>
+    <message>
+        <source>Scans registered with what was seen before, loops closed, FastSLAM about that path: one configuration for every building.</source>
+        <translation>Barridos registrados con lo visto antes, bucles cerrados y FastSLAM alrededor de ese camino: una sola configuración para cualquier edificio.</translation>
+    </message>
+    <message>
+        <source>Recorded tours without registration</source>
+        <translation>Recorridos grabados sin registro de barridos</translation>
+    </message>
+    <message>
+        <source>FastSLAM 1.0 alone on logs of real robots: noise that grows with the motion, gaps that end a line.</source>
+        <translation>FastSLAM 1.0 solo, con registros de robots reales: ruido que crece con el movimiento y huecos que terminan una recta.</translation>
     </message>
 </context>
 <context>
