@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/translatable.hpp"
 #include "hitos/slam/filters.hpp"
 
 namespace hitos {
@@ -126,6 +127,22 @@ void Algoritmo::take_correction() {
     key_poses_.clear();
     for (const KeyPose& key : registration_->keys()) key_poses_.push_back(path[key.scan]);
     step_grid_stale_ = true;
+}
+
+std::vector<Advice> Algoritmo::advice() const {
+    std::vector<Advice> advice =
+        suitability_.advice(configuration_, reader_->format() == kWorldFormat);
+    // What simulators write may be replayed as the thesis did; these formats come from robots.
+    const bool recording = reader_->format() == "carmen" || reader_->format() == "radish";
+    if (recording && !registration_ && steps() > 0) {
+        advice.insert(advice.begin(),
+                      {HITOS_TEXT("Advice",
+                                  "This is the recording of a robot (%1), and its scans are not "
+                                  "registered: with registration maps of buildings come out "
+                                  "right."),
+                       reader_->format(), "recorded"});
+    }
+    return advice;
 }
 
 void Algoritmo::restart() {

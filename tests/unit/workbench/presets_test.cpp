@@ -82,6 +82,18 @@ TEST(Advice, TellsOfKeyFramesUnderNoiseOfEveryScan) {
     EXPECT_TRUE(advice_of(configuration, find_world("recinto"), 60).empty());
 }
 
+TEST(Advice, OffersRegistrationForTheRecordingOfARobot) {
+    const std::filesystem::path log =
+        std::filesystem::path(HITOS_SOURCE_DIR) / "data/logs/carmen-flaser.log.gz";
+    const auto advice = advice_of(preset_configuration("recorded-fastslam1"), log, 5);
+    ASSERT_FALSE(advice.empty());
+    EXPECT_EQ(advice[0].preset, "recorded");
+    EXPECT_THAT(advice[0].words(), testing::EndsWith("Try --preset recorded."));
+    for (const Advice& other : advice_of(preset_configuration("recorded"), log, 5)) {
+        EXPECT_NE(other.preset, "recorded") << other.words();
+    }
+}
+
 TEST(Advice, SaysNothingInTheFirstScans) {
     Configuracion configuration = preset_configuration("thesis");
     configuration.source.world_set.clear();

@@ -67,9 +67,9 @@ class Algoritmo {
     const LineExtents& line_extents() const { return line_extents_; }
     /// Whether tour and configuration suit each other, as far as the run shows.
     const Suitability& suitability() const { return suitability_; }
-    std::vector<Advice> advice() const {
-        return suitability_.advice(configuration_, reader_->format() == kWorldFormat);
-    }
+    /// Of what speaks against the configuration so far; a recording that is run without
+    /// registration is offered it.
+    std::vector<Advice> advice() const;
     /// Empty unless the options ask for it.
     const UncertaintyRecord& uncertainty() const { return uncertainty_; }
 
