@@ -31,6 +31,10 @@
         <source>The map is less crisp than that of the odometry alone (%1 cells per point): do not trust it.</source>
         <translation>El mapa es menos nítido que el de la odometría sola (%1 celdas por punto): no se fíe de él.</translation>
     </message>
+    <message>
+        <source>This is the recording of a robot (%1), and its scans are not registered: with registration maps of buildings come out right.</source>
+        <translation>Esta es la grabación de un robot (%1) y sus barridos no se registran: con el registro de barridos los mapas de edificios salen bien.</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
