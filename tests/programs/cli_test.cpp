@@ -47,12 +47,13 @@ TEST(Cli, RunLeavesEverythingItPromises) {
                                 "/data/maps/bigloop.map --seed 4 --out " + folder.path().string());
     ASSERT_EQ(outcome.status, 0) << outcome.output;
     for (const char* name :
-         {"map.txt", "segments.txt", "map.dxf", "trajectory.tum", "odometry.tum",
-          "grid_best_steps.png", "grid_best_steps.jpg", "grid_best.png", "grid_best.jpg",
-          "grid_odometry.png", "grid_odometry.jpg", "config.cfg", "summary.json"}) {
+         {"map.txt", "segments.txt", "map.dxf", "trajectory.tum", "trajectory_online.tum",
+          "odometry.tum", "grid_best_steps.png", "grid_best_steps.jpg", "grid_best.png",
+          "grid_best.jpg", "grid_odometry.png", "grid_odometry.jpg", "config.cfg",
+          "summary.json"}) {
         EXPECT_GT(std::filesystem::file_size(folder / name), 0U) << name;
     }
-    EXPECT_EQ(folder.files(), 13U);  // nothing else, nothing half-written
+    EXPECT_EQ(folder.files(), 14U);  // nothing else, nothing half-written
     const auto summary = nlohmann::json::parse(content(folder / "summary.json"));
     EXPECT_EQ(summary["scans"], 1050);
     EXPECT_EQ(summary["seed"], 4);

@@ -1,4 +1,4 @@
-#include "hitos/services/evaluation/map_crispness.hpp"
+#include "map_crispness.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "hitos/base/translatable.hpp"
-#include "hitos/services/evaluation/map_crispness.hpp"
+#include "../evaluation/map_crispness.hpp"
 
 namespace hitos {
 namespace {
@@ -85,10 +85,9 @@ RunQuality judge(const Algoritmo& run) {
     if (quality.cells_per_point > kBlurrier * quality.odometry_cells_per_point) {
         quality.warnings.push_back(
             {HITOS_TEXT("Advice",
-                        "The map is less crisp than that of the odometry alone (%1 cells per "
-                        "point): do not trust it."),
-             fmt::format("{:.3f} against {:.3f}", quality.cells_per_point,
-                         quality.odometry_cells_per_point),
+                        "The map is less crisp than that of the odometry alone (%1 times the "
+                        "cells per point): do not trust it."),
+             fmt::format("{:.2f}", quality.cells_per_point / quality.odometry_cells_per_point),
              "recorded"});
     }
     return quality;

@@ -18,8 +18,9 @@ QString preset_to_try(const Advice& advice) {
 }
 
 QString in_words(const Advice& advice) {
-    return translated("Advice", advice.text).arg(QString::fromStdString(advice.figure)) + ' ' +
-           preset_to_try(advice);
+    const QString words =
+        translated("Advice", advice.text).arg(QString::fromStdString(advice.figure));
+    return advice.preset.empty() ? words : words + ' ' + preset_to_try(advice);
 }
 
 }  // namespace
@@ -93,7 +94,9 @@ void StatusLine::show_advice() {
     advice_ = said;
     // The reasons are long, and stand in the tool tip.
     if (!said.isEmpty()) {
-        bar_->showMessage(QString::fromUtf8("⚠ ") + preset_to_try(snapshot->advice.front()),
+        const Advice& first = snapshot->advice.front();
+        bar_->showMessage(QString::fromUtf8("⚠ ") +
+                              (first.preset.empty() ? in_words(first) : preset_to_try(first)),
                           kAdviceMs);
     }
     refresh();

@@ -28,8 +28,8 @@
         <translation>No se cerró ningún bucle en %1: nada muestra si el mapa está torcido.</translation>
     </message>
     <message>
-        <source>The map is less crisp than that of the odometry alone (%1 cells per point): do not trust it.</source>
-        <translation>El mapa es menos nítido que el de la odometría sola (%1 celdas por punto): no se fíe de él.</translation>
+        <source>The map is less crisp than that of the odometry alone (%1 times the cells per point): do not trust it.</source>
+        <translation>El mapa es menos nítido que el de la odometría sola (%1 veces las celdas por punto): no se fíe de él.</translation>
     </message>
     <message>
         <source>This is the recording of a robot (%1), and its scans are not registered: with registration maps of buildings come out right.</source>

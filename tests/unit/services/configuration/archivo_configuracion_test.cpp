@@ -272,10 +272,13 @@ TEST(ShippedConfigurations, ThesisIsTheTableOfTheThesis) {
 }
 
 TEST(ShippedConfigurations, RecordedIsForRealRobots) {
-    const Configuracion c = ArchivoConfiguracion::read(shipped("recorded.cfg"));
-    EXPECT_EQ(c.filter.motion.model, "proportional");
-    EXPECT_EQ(c.extraction.split_merge.fit, LineFit::least_squares);
-    EXPECT_GT(c.extraction.split_merge.gap_m, 0.0);
+    for (const auto& [name, model] : {std::pair{"recorded.cfg", "registered"},
+                                      std::pair{"recorded-fastslam1.cfg", "proportional"}}) {
+        const Configuracion c = ArchivoConfiguracion::read(shipped(name));
+        EXPECT_EQ(c.filter.motion.model, model);
+        EXPECT_EQ(c.extraction.split_merge.fit, LineFit::least_squares);
+        EXPECT_GT(c.extraction.split_merge.gap_m, 0.0);
+    }
 }
 
 TEST(ShippedConfigurations, PaperIsThePaper) {
@@ -293,8 +296,8 @@ TEST(ShippedConfigurations, PaperIsThePaper) {
 
 /// The short files say only what differs from the defaults.
 TEST(ShippedConfigurations, HoldNothingThatIsADefault) {
-    for (const char* name :
-         {"simulated.cfg", "thesis.cfg", "ekf.cfg", "paper.cfg", "recorded.cfg"}) {
+    for (const char* name : {"simulated.cfg", "thesis.cfg", "ekf.cfg", "paper.cfg", "recorded.cfg",
+                             "recorded-fastslam1.cfg"}) {
         const Configuracion c = ArchivoConfiguracion::read(shipped(name));
         std::size_t differing = 0;
         for (const ConfigParameter& p : parameters())

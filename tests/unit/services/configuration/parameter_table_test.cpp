@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 76U);
+    EXPECT_EQ(keys.size(), 89U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -57,7 +57,7 @@ TEST(ParameterTable, GroupsAndTablesStandTogether) {
         if (tables.empty() || tables.back() != table) tables.push_back(table);
     }
     EXPECT_EQ(std::set(groups.begin(), groups.end()).size(), groups.size());
-    EXPECT_EQ(groups.size(), 8U);
+    EXPECT_EQ(groups.size(), 9U);
     EXPECT_EQ(std::set(tables.begin(), tables.end()).size(), tables.size());
 }
 
@@ -106,6 +106,12 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
     const Keys ratios = {"motion.ratio_x", "motion.ratio_y", "motion.ratio_theta"};
     const Keys registered = {"motion.registered_memory", "motion.registered_share",
                              "motion.registered_sigma", "motion.registered_heading"};
+    const Keys registration = {
+        "registration.range",        "registration.key_scans",   "registration.key_distance",
+        "registration.key_angle",    "registration.point_sigma", "registration.odometry_scale",
+        "registration.robust_prior", "registration.search",      "registration.calibrate",
+        "registration.loops",        "registration.loop_score",  "registration.loops_agree",
+        "registration.final_passes"};
     const Keys fixed = {"observation.var_rho", "observation.var_theta"};
     const Keys points = {"observation.point_sigma", "observation.common_sigma"};
     const Keys split = {"split_merge.dmax", "split_merge.fit", "split_merge.gap",
@@ -123,13 +129,18 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
                  "resampling.neff_threshold",
                  "source.tour_seed",
                  "source.world_set"};
-    for (const Keys& keys : {rates, ratios, registered, points, ransac})
+    for (const Keys& keys : {rates, ratios, registered, registration, points, ransac})
         idle.insert(keys.begin(), keys.end());
     EXPECT_EQ(idle_with({}), idle);
     EXPECT_EQ(idle_with({"motion.model=no-odometry"}), idle);
     EXPECT_EQ(idle_with({"motion.model=proportional"}), with(idle, sigmas, rates));
     EXPECT_EQ(idle_with({"motion.model=increments"}), with(idle, sigmas, ratios));
-    EXPECT_EQ(idle_with({"motion.model=registered"}), with(idle, sigmas, registered));
+    EXPECT_EQ(idle_with({"motion.model=registered"}),
+              with(with(idle, sigmas, registered), {}, registration));
+    EXPECT_EQ(
+        idle_with({"motion.model=registered", "registration.loops=off"}),
+        with(with(idle, sigmas, registered), {},
+             with(registration, {}, {"registration.loop_score", "registration.loops_agree"})));
     EXPECT_EQ(idle_with({"observation.covariance=points"}), with(idle, fixed, points));
     EXPECT_EQ(idle_with({"features.method=ransac"}),
               with(with(idle, split, ransac), {"features.corner_lines"}, {}));
@@ -245,6 +256,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.extraction.corner_distance_m = 0.59;
     c.extraction.corner_angle_rad = 0.5;
     c.extraction.corner_lines = CornerLines::fitted;
+    c.registration = {1.81, 82, 0.83, 0.84, 0.85, 0.86, false, false, false, false, 0.87, 8, 89};
     c.grid = {0.61, 0.62, -0.63, 6.4, 6.5};
     const std::map<std::string_view, std::string> expected = {
         {"source.file", "a.log"},
@@ -274,6 +286,19 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"landmarks.limit", "4.5"},
         {"landmarks.probation", "37"},
         {"landmarks.probation_scans", "38"},
+        {"registration.range", "1.81"},
+        {"registration.key_scans", "82"},
+        {"registration.key_distance", "0.83"},
+        {"registration.key_angle", "0.84"},
+        {"registration.point_sigma", "0.85"},
+        {"registration.odometry_scale", "0.86"},
+        {"registration.robust_prior", "off"},
+        {"registration.search", "off"},
+        {"registration.calibrate", "off"},
+        {"registration.loops", "off"},
+        {"registration.loop_score", "0.87"},
+        {"registration.loops_agree", "8"},
+        {"registration.final_passes", "89"},
         {"motion.model", "proportional"},
         {"motion.unit", "variance"},
         {"motion.sigma_x", "0.11"},
