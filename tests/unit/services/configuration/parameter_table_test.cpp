@@ -172,9 +172,11 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
                     "association.hypotheses", "landmarks.vanish", "landmarks.probation"},
                    {"association.new_probability", "association.gate_probability"}));
     EXPECT_EQ(idle_with({"filter.algorithm=graph-slam"}),
-              with(with(idle, sigmas, {}),
+              with(with(idle, sigmas, registration),
                    {"filter.particles", "filter.proposal", "association.method", "association.p0",
-                    "motion.model", "resampling.rule", "resampling.method"},
+                    "association.segments", "association.exclusive", "association.hypotheses",
+                    "landmarks.vanish", "landmarks.probation", "motion.model", "resampling.rule",
+                    "resampling.method"},
                    {"association.new_probability", "association.gate_probability"}));
 }
 
