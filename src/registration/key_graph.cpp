@@ -31,7 +31,8 @@ void KeyGraph::reach(std::size_t from, std::vector<GraphReach>& reached, double 
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
     open.emplace(0.0, static_cast<std::uint32_t>(from));
     while (!open.empty()) {
-        const auto [variance, i] = open.top();
+        const double variance = open.top().first;
+        const std::uint32_t i = open.top().second;
         open.pop();
         if (variance > reached[i].variance_m2 || reached[i].way_m >= way_m) continue;
         const auto go = [&](std::size_t j, double way, double variance_m2, double variance_rad2) {
