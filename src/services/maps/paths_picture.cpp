@@ -93,13 +93,16 @@ std::string script_of(const PathsPicture& picture) {
 
 }  // namespace
 
-Trajectory in_frame_of_run(const Trajectory& reference, const Trajectory& run) {
+Trajectory in_frame_of_run(const Trajectory& reference, const Trajectory& run,
+                           const std::optional<Pose>& pose_reference_run) {
     if (reference.empty() || run.empty()) return {};
     const double begin = run.front().time_s;
     const auto first = std::ranges::min_element(
         reference, {}, [&](const StampedPose& pose) { return std::abs(pose.time_s - begin); });
     if (!(std::abs(first->time_s - begin) <= kSlack)) return {};
-    const Pose pose_run_reference = compose(run.front().pose, inverse(first->pose));
+    const Pose pose_run_reference = pose_reference_run
+                                        ? inverse(*pose_reference_run)
+                                        : compose(run.front().pose, inverse(first->pose));
     Trajectory moved;
     for (const StampedPose& stamped : reference) {
         if (stamped.time_s < first->time_s || stamped.time_s > run.back().time_s + kSlack) continue;

@@ -111,9 +111,14 @@ RunOutput paths() {
             [](const FinishedRun& finished) { return finished.references.trajectory.has_value(); },
             [](const FinishedRun& finished, const Folder& folder) {
                 const auto& [run, references, summary, best, map, segments] = finished;
+                // True walls hold the true path to the frame of the tour's start.
+                std::optional<Pose> pose_reference_run;
+                if (references.walls.empty() && summary.trajectory_error) {
+                    pose_reference_run = summary.trajectory_error->pose_reference_estimate;
+                }
                 return write_paths_picture(
-                    {in_frame_of_run(*references.trajectory, best), run.odometry_trajectory(), best,
-                     map, segments, references.walls},
+                    {in_frame_of_run(*references.trajectory, best, pose_reference_run),
+                     run.odometry_trajectory(), best, map, segments, references.walls},
                     folder);
             }};
 }
