@@ -94,6 +94,14 @@
         <translation>Camino de la odometría</translation>
     </message>
     <message>
+        <source>Path while driving</source>
+        <translation>Camino durante el recorrido</translation>
+    </message>
+    <message>
+        <source>Key scans and loops</source>
+        <translation>Barridos clave y bucles</translation>
+    </message>
+    <message>
         <source>Reference</source>
         <translation>Referencia</translation>
     </message>

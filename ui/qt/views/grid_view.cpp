@@ -14,6 +14,7 @@ void GridView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
         layer_.clear();
         path_.clear();
         odometry_.clear();
+        online_.clear();
         content_changed(std::nullopt);
         return;
     }
@@ -22,6 +23,7 @@ void GridView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
     landmarks_ = {snapshot_->best_map, snapshot_->line_extents};
     path_ = points_of(snapshot_->best_trajectory);
     odometry_ = points_of(snapshot_->odometry_trajectory);
+    online_ = points_of(snapshot_->online_trajectory);
     content_changed(QPointF(snapshot_->best_pose.x, snapshot_->best_pose.y));
 }
 
@@ -72,9 +74,13 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
     if (layers_.has(Layer::odometry)) {
         draw_path(painter, scene, odometry_, thin_pen(light_colours().odometry, 1.4, Qt::DashLine));
     }
+    if (layers_.has(Layer::online)) {
+        draw_path(painter, scene, online_, thin_pen(faded(light_colours().path, 150), 1.2));
+    }
     if (layers_.has(Layer::path)) {
         draw_path(painter, scene, path_, thin_pen(light_colours().path, 1.8));
     }
+    if (layers_.has(Layer::graph)) paint_graph(painter, scene);
     paint_marks(painter, scene);
     if (scene.chrome) draw_scale_bar(painter, scene);
     if (snapshot_ && hovered_ >= 0) {
@@ -98,6 +104,22 @@ void GridView::paint_reference(QPainter& painter, const Scene& scene) const {
         }
     }
     draw_path(painter, scene, reference_path_, thin_pen(colour, 1.6, Qt::DashLine));
+}
+
+/// The keys of registration's graph, and each closed loop as an edge between its two passages.
+void GridView::paint_graph(QPainter& painter, const Scene& scene) const {
+    if (!snapshot_ || path_.size() != snapshot_->steps) return;
+    const QColor colour = light_colours().end;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(faded(colour, 150));
+    for (const KeyPose& key : snapshot_->keys) {
+        painter.drawEllipse(scene.to_screen.map(path_[key.scan]), 1.6, 1.6);
+    }
+    painter.setPen(thin_pen(colour, 1.6));
+    for (const ClosedLoop& loop : snapshot_->loops) {
+        painter.drawLine(scene.to_screen.map(path_[loop.scan]),
+                         scene.to_screen.map(path_[loop.earlier]));
+    }
 }
 
 void GridView::paint_marks(QPainter& painter, const Scene& scene) const {

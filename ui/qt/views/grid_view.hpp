@@ -43,6 +43,7 @@ class GridView final : public CanvasView {
 
   private:
     void paint_reference(QPainter& painter, const Scene& scene) const;
+    void paint_graph(QPainter& painter, const Scene& scene) const;
     void paint_marks(QPainter& painter, const Scene& scene) const;
 
     std::shared_ptr<const Snapshot> snapshot_;
@@ -51,6 +52,7 @@ class GridView final : public CanvasView {
     LayerSet layers_;
     std::vector<QPointF> path_;
     std::vector<QPointF> odometry_;
+    std::vector<QPointF> online_;
     std::vector<QPointF> reference_path_;
     std::optional<LandmarkMap> reference_map_;
     MarkedMap landmarks_;

@@ -20,6 +20,8 @@ enum class Layer : std::size_t {
     robot,
     path,
     odometry,
+    online,
+    graph,
     reference,
     names
 };
@@ -44,6 +46,8 @@ inline constexpr auto kLayerTable = std::to_array<LayerInfo>({
     {Layer::robot, "robot", QT_TRANSLATE_NOOP("Layers", "Robot"), true},
     {Layer::path, "path", QT_TRANSLATE_NOOP("Layers", "Best particle's path"), true},
     {Layer::odometry, "odometry", QT_TRANSLATE_NOOP("Layers", "Odometry path"), false},
+    {Layer::online, "online", QT_TRANSLATE_NOOP("Layers", "Path while driving"), false},
+    {Layer::graph, "graph", QT_TRANSLATE_NOOP("Layers", "Key scans and loops"), true},
     {Layer::reference, "reference", QT_TRANSLATE_NOOP("Layers", "Reference"), true},
     {Layer::names, "names", QT_TRANSLATE_NOOP("Layers", "Landmark numbers"), false},
 });
