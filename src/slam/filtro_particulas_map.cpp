@@ -72,7 +72,7 @@ void FiltroParticulas::correct(const PathCorrection& correction) {
     const MapStore::Handle best = particles_[best_].map;
     std::array<NewPlaces, LandmarkKinds::kSize> best_places;
     std::ranges::sort(maps);  // those that particles share once
-    maps.erase(std::ranges::unique(maps).begin(), maps.end());
+    maps.erase(std::unique(maps.begin(), maps.end()), maps.end());
     const std::size_t landmarks_each = maps_.size(best) + 8;
     for_each_(maps.size(), landmarks_each * landmarks_each, [&](std::size_t i) {
         for_each_kind([&]<class S>() {

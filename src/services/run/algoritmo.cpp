@@ -132,6 +132,9 @@ void Algoritmo::take_correction() {
 std::vector<Advice> Algoritmo::advice() const {
     std::vector<Advice> advice =
         suitability_.advice(configuration_, reader_->format() == kWorldFormat);
+    if (registration_) {  // the preset to try is in use
+        for (Advice& reason : advice) reason.preset = {};
+    }
     // What simulators write may be replayed as the thesis did; these formats come from robots.
     const bool recording = reader_->format() == "carmen" || reader_->format() == "radish";
     if (recording && !registration_ && steps() > 0) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <memory>
 
-#include "hitos/base/translatable.hpp"
 #include "../evaluation/map_crispness.hpp"
+#include "hitos/base/translatable.hpp"
 
 namespace hitos {
 namespace {
@@ -88,7 +88,7 @@ RunQuality judge(const Algoritmo& run) {
                         "The map is less crisp than that of the odometry alone (%1 times the "
                         "cells per point): do not trust it."),
              fmt::format("{:.2f}", quality.cells_per_point / quality.odometry_cells_per_point),
-             "recorded"});
+             quality.registration ? std::string_view() : "recorded"});
     }
     return quality;
 }

@@ -7,6 +7,9 @@ namespace {
 
 constexpr int kIterations = 20;
 constexpr double kShrinks = 0.5;
+/// [m]; where sightings and edges contradict each other they all have next to no weight left, and
+/// steps no limit.
+constexpr double kAbsurd = 200.0;
 constexpr double kRegular = 1e-6;  // information of a pose that nothing ties
 
 }  // namespace
@@ -67,6 +70,7 @@ bool GraphSolver::solve(LandmarkGraph& graph, double still_m) {
         // Factorising takes most of the time; while steps shrink without it they lead to the same.
         const bool shrinks = iteration > 1 ? greatest < kShrinks * before : iteration == 1;
         if (!(shrinks ? equations_.solve_again() : equations_.solve())) return false;
+        if (!(equations_.longest_step() < kAbsurd)) return false;
         before = greatest;
         greatest = 0.0;
         for (std::size_t i = 1; i < keys_; ++i) {

@@ -7,7 +7,9 @@ namespace hitos {
 namespace {
 
 constexpr int kIterations = 3;
-constexpr double kStill = 1e-3;    // [m]
+constexpr double kStill = 1e-3;  // [m]
+/// [m]; a window is a few metres: where its sightings contradict each other steps have no limit.
+constexpr double kAbsurd = 20.0;
 constexpr double kRegular = 1e-6;  // information of a pose that nothing ties
 
 template <class First, class Second>
@@ -130,6 +132,10 @@ void GraphWindow::solve(LandmarkGraph& graph) {
         const Eigen::LLT<Eigen::MatrixXd> cholesky(h_);
         if (cholesky.info() != Eigen::Success) break;
         const Eigen::VectorXd step = -cholesky.solve(gradient_);
+        if (!(step.lpNorm<Eigen::Infinity>() < kAbsurd)) {
+            covariance_ = cholesky.solve(Eigen::MatrixXd::Identity(h_.rows(), h_.cols()));
+            break;
+        }
         double greatest = 0.0;
         for (std::size_t key = first_; key < keys_; ++key) {
             const Eigen::Vector3d its = step.segment<3>(of_key(key));
