@@ -137,15 +137,16 @@ std::optional<Correlation> correlate(std::span<const SurfacePoint> points,
     const int angles = static_cast<int>(std::ceil(window.heading_rad / angle_step));
     const int reach = static_cast<int>(std::ceil(window.position_m / CorrelationMap::kCell));
 
-    std::vector<std::vector<CorrelationMap::Cell>> turned(static_cast<std::size_t>(2 * angles + 1));
+    std::vector<std::vector<CorrelationMap::Cell>> turned(2 * static_cast<std::size_t>(angles) + 1);
     for (int angle = -angles; angle <= angles; ++angle) {
         const double c = std::cos(centre.theta + angle * angle_step);
         const double s = std::sin(centre.theta + angle * angle_step);
-        auto& cells = turned[static_cast<std::size_t>(angle + angles)];
+        const int place = angle + angles;
+        auto& cells = turned[static_cast<std::size_t>(place)];
         cells.reserve(points.size());
         for (const SurfacePoint& p : points) {
-            const double x = static_cast<double>(p.x);
-            const double y = static_cast<double>(p.y);
+            const auto x = static_cast<double>(p.x);
+            const auto y = static_cast<double>(p.y);
             cells.push_back(map.cell(centre.x + c * x - s * y, centre.y + s * x + c * y));
         }
     }
@@ -154,7 +155,8 @@ std::optional<Correlation> correlate(std::span<const SurfacePoint> points,
     std::priority_queue<Square> open;
     const auto offer = [&](int angle, int x, int y, int level) {
         if (x > reach || y > reach) return;  // squares at the window's edge reach beyond it
-        const int sum = map.sum(turned[static_cast<std::size_t>(angle + angles)], x, y, level);
+        const int place = angle + angles;
+        const int sum = map.sum(turned[static_cast<std::size_t>(place)], x, y, level);
         if (sum >= least) open.push({sum, angle, x, y, level});
     };
     const int width = 1 << map.levels();

@@ -10,8 +10,8 @@ FreeView::FreeView(std::span<const SurfacePoint> scan, const Pose& pose_world_ro
     : pose_robot_world_(inverse(pose_world_robot)) {
     sectors_.fill({});
     for (const SurfacePoint& p : scan) {
-        const double x = static_cast<double>(p.x);
-        const double y = static_cast<double>(p.y);
+        const auto x = static_cast<double>(p.x);
+        const auto y = static_cast<double>(p.y);
         const auto range = static_cast<float>(std::hypot(x, y));
         const auto place = static_cast<std::size_t>(
             std::min((std::atan2(y, x) + kPi) / (2.0 * kPi) * kSectors, kSectors - 1.0));

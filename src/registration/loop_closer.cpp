@@ -72,8 +72,8 @@ void LoopCloser::gather_query(const KeyGraph& graph) {
             const auto cell = static_cast<std::int64_t>(std::floor(at.x / kThin)) * 1000003 +
                               static_cast<std::int64_t>(std::floor(at.y / kThin));
             if (!taken.insert(cell).second) continue;
-            const double nx = static_cast<double>(p.nx);
-            const double ny = static_cast<double>(p.ny);
+            const auto nx = static_cast<double>(p.nx);
+            const auto ny = static_cast<double>(p.ny);
             query_.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
                               static_cast<float>(c * nx - s * ny),
                               static_cast<float>(s * nx + c * ny)});

@@ -113,7 +113,8 @@ std::vector<Eigen::MatrixXd> NormalEquations::marginals() const {
             }
         }
         for (int a = 0; a < count; ++a) {
-            z[static_cast<std::size_t>(first + a)] = -sum(a);
+            const auto at = first + a;
+            z[static_cast<std::size_t>(at)] = -sum(a);
             among[static_cast<std::size_t>(row[first + a])] = -1;
         }
         diagonal(j) = 1.0 / cholesky_->vectorD()(j) + sum.dot(l_j);

@@ -28,13 +28,13 @@ void PointMap::add(std::span<const SurfacePoint> points, const Pose& pose, std::
     const double x0 = pose.x - centre_.x;
     const double y0 = pose.y - centre_.y;
     for (const SurfacePoint& p : points) {
-        const double x = static_cast<double>(p.x);
-        const double y = static_cast<double>(p.y);
+        const auto x = static_cast<double>(p.x);
+        const auto y = static_cast<double>(p.y);
         const double placed_x = x0 + c * x - s * y;
         const double placed_y = y0 + s * x + c * y;
         if (!(std::abs(placed_x) <= half_m_ && std::abs(placed_y) <= half_m_)) continue;
-        const double nx = static_cast<double>(p.nx);
-        const double ny = static_cast<double>(p.ny);
+        const auto nx = static_cast<double>(p.nx);
+        const auto ny = static_cast<double>(p.ny);
         MapPoint placed;
         placed.x = static_cast<float>(placed_x);
         placed.y = static_cast<float>(placed_y);

@@ -54,11 +54,11 @@ bool add_match(const Match& m, double c, double s, const MatchStage& stage, Sums
     const double ex = m.x - static_cast<double>(m.map.x);
     const double ey = m.y - static_cast<double>(m.map.y);
     if (m.map.has_normal()) {
-        const double nx = static_cast<double>(m.map.nx);
-        const double ny = static_cast<double>(m.map.ny);
+        const auto nx = static_cast<double>(m.map.nx);
+        const auto ny = static_cast<double>(m.map.ny);
         if (stage.same_side && m.seen.has_normal()) {
-            const double sx = static_cast<double>(m.seen.nx);
-            const double sy = static_cast<double>(m.seen.ny);
+            const auto sx = static_cast<double>(m.seen.nx);
+            const auto sy = static_cast<double>(m.seen.ny);
             if ((c * sx - s * sy) * nx + (s * sx + c * sy) * ny < 0.5) return false;
         }
         const double error = ex * nx + ey * ny;
@@ -91,8 +91,8 @@ double match_score(std::span<const SurfacePoint> scan, const PointMap& map, cons
     double sum = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < scan.size(); i += static_cast<std::size_t>(stride)) {
-        const double px = static_cast<double>(scan[i].x);
-        const double py = static_cast<double>(scan[i].y);
+        const auto px = static_cast<double>(scan[i].x);
+        const auto py = static_cast<double>(scan[i].y);
         double d2 = 0.0;
         if (map.nearest(x0 + c * px - s * py, y0 + s * px + c * py, 0.3, &d2) != nullptr) {
             sum += std::exp(-d2 / kTwoVariances);
@@ -112,8 +112,8 @@ Linearization ScanMatcher::linearize(std::span<const SurfacePoint> scan, const P
     Linearization sum;
     Sums sums;
     for (std::size_t i = 0; i < scan.size(); i += static_cast<std::size_t>(stride)) {
-        const double px = static_cast<double>(scan[i].x);
-        const double py = static_cast<double>(scan[i].y);
+        const auto px = static_cast<double>(scan[i].x);
+        const auto py = static_cast<double>(scan[i].y);
         const double dx = c * px - s * py;
         const double dy = s * px + c * py;
         const double x = x0 + dx;

@@ -105,7 +105,7 @@ std::vector<Matrix2> GraphSolver::landmark_covariances() const {
     const std::vector<Eigen::MatrixXd> all = equations_.marginals();
     std::vector<Matrix2> covariances;
     for (std::size_t i = 0; i < landmarks_; ++i) {
-        covariances.push_back(all[variable_of_landmark(i)]);
+        covariances.emplace_back(all[variable_of_landmark(i)]);
     }
     return covariances;
 }

@@ -22,8 +22,8 @@ TEST(PointMap, FindsWhatTryingAllPointsFinds) {
             EXPECT_EQ(p.source, 7U);
         }
         for (int i = 0; i < 500; ++i) {
-            const double x = static_cast<double>(place(engine)) * 1.3;
-            const double y = static_cast<double>(place(engine)) * 1.3;
+            const auto x = static_cast<double>(place(engine)) * 1.3;
+            const auto y = static_cast<double>(place(engine)) * 1.3;
             for (const double radius : {0.2, 0.7, 3.0}) {
                 double best = radius * radius;
                 for (const MapPoint& p : map.points()) {

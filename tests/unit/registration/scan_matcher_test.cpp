@@ -39,11 +39,11 @@ double cost(const std::vector<SurfacePoint>& scan, const PointMap& map, const Po
         if (near == nullptr || !near->has_normal()) continue;
         const double c = std::cos(held.theta);
         const double s = std::sin(held.theta);
-        const double nx = static_cast<double>(near->nx);
-        const double ny = static_cast<double>(near->ny);
+        const auto nx = static_cast<double>(near->nx);
+        const auto ny = static_cast<double>(near->ny);
         if (p.has_normal()) {
-            const double px = static_cast<double>(p.nx);
-            const double py = static_cast<double>(p.ny);
+            const auto px = static_cast<double>(p.nx);
+            const auto py = static_cast<double>(p.ny);
             if ((c * px - s * py) * nx + (s * px + c * py) * ny < 0.5) continue;
         }
         const auto across = [&](const Point2& point) {

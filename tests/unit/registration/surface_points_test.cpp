@@ -19,7 +19,8 @@ TEST(SurfacePoints, NormalsStandOnTheWallsAndFaceTheLaser) {
         const bool near_corner = std::abs(p.x) > 2.7F && std::abs(p.y) > 1.7F;
         if (near_corner) continue;
         const bool east = p.x > 2.99F;
-        EXPECT_NEAR(east ? p.nx : p.ny * std::copysign(1.0F, p.y), -1.0F, 0.01F) << p.x << " " << p.y;
+        EXPECT_NEAR(east ? p.nx : p.ny * std::copysign(1.0F, p.y), -1.0F, 0.01F)
+            << p.x << " " << p.y;
     }
     EXPECT_GT(with_normal, static_cast<int>(points.size()) * 9 / 10);
 }
