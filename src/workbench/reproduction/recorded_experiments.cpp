@@ -4,7 +4,8 @@
 namespace hitos::experiments {
 
 /// The same questions to public recordings, whose scans lie half a metre or ten degrees apart: so
-/// the fixed parameters are those of the preset `recorded-fastslam1`, and motion noise is sought tenfold.
+/// the fixed parameters are those of the preset `recorded-fastslam1`, and motion noise is sought
+/// tenfold.
 void add_recorded(std::vector<ThesisExperiment>& all) {
     const auto add = [&](const char* figure, const char* parameter, const char* key,
                          const char* log, Settings settings, Claims claims,
