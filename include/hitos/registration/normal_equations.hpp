@@ -45,8 +45,6 @@ class NormalEquations {
     /// Solves for the sums of this iteration with H as it was at the last solve(), which costs a
     /// small part of it: where H hardly changes, steps become ever shorter all the same.
     bool solve_again();
-    /// The greatest number of the step.
-    double longest_step() const { return step_.lpNorm<Eigen::Infinity>(); }
     /// The step of a variable after solve().
     auto step(std::size_t variable) const {
         return step_.segment(offsets_[variable], sizes_[variable]);

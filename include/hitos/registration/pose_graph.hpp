@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -46,6 +47,11 @@ EdgeError edge_error(const PoseEdge& edge, const Pose& from, const Pose& to);
 /// standard deviations an error counts half.
 inline double robust_weight(double mahalanobis_squared) {
     return 1.0 / (1.0 + mahalanobis_squared / 9.0);
+}
+
+/// The loss itself, of which an error's weight is the slope: 9 ln(1 + d2 / 9).
+inline double robust_loss(double mahalanobis_squared) {
+    return 9.0 * std::log1p(mahalanobis_squared / 9.0);
 }
 
 /// How a graph is solved.

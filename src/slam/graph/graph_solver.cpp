@@ -7,9 +7,6 @@ namespace {
 
 constexpr int kIterations = 20;
 constexpr double kShrinks = 0.5;
-/// [m]; where sightings and edges contradict each other they all have next to no weight left, and
-/// steps no limit.
-constexpr double kAbsurd = 200.0;
 constexpr double kRegular = 1e-6;  // information of a pose that nothing ties
 
 }  // namespace
@@ -24,6 +21,7 @@ void GraphSolver::lay_out(const LandmarkGraph& graph) {
 
 void GraphSolver::sum(const LandmarkGraph& graph) {
     equations_.begin();
+    objective_ = 0.0;
     for (std::size_t i = 1; i < keys_; ++i) equations_.hold(variable_of_key(i), kRegular);
     for (const PoseEdge& edge : graph.edges()) add(edge, graph);
     for (const Sighting& sighting : graph.sightings()) add(sighting, graph);
@@ -32,8 +30,9 @@ void GraphSolver::sum(const LandmarkGraph& graph) {
 void GraphSolver::add(const PoseEdge& edge, const LandmarkGraph& graph) {
     const EdgeError error =
         edge_error(edge, graph.keys()[edge.from].pose, graph.keys()[edge.to].pose);
-    const Matrix3 weight =
-        robust_weight(error.value.dot(edge.information * error.value)) * edge.information;
+    const double d2 = error.value.dot(edge.information * error.value);
+    objective_ += robust_loss(d2);
+    const Matrix3 weight = robust_weight(d2) * edge.information;
     if (edge.from == 0) {
         equations_.add(variable_of_key(edge.to), error.by_to, weight, error.value);
     } else if (edge.to == 0) {
@@ -49,8 +48,9 @@ void GraphSolver::add(const PoseEdge& edge, const LandmarkGraph& graph) {
 
 void GraphSolver::add(const Sighting& sighting, const LandmarkGraph& graph) {
     const SightingError error = graph.error_of(sighting);
-    const Matrix2 weight =
-        robust_weight(error.value.dot(sighting.information * error.value)) * sighting.information;
+    const double d2 = error.value.dot(sighting.information * error.value);
+    objective_ += robust_loss(d2);
+    const Matrix2 weight = robust_weight(d2) * sighting.information;
     const std::size_t landmark = variable_of_landmark(sighting.landmark);
     if (sighting.key == 0) {
         equations_.add(landmark, error.by_landmark, weight, error.value);
@@ -65,12 +65,22 @@ bool GraphSolver::solve(LandmarkGraph& graph, double still_m) {
     if (equations_.variables() == 0) return false;
     double before = 0.0;
     double greatest = 0.0;
+    double objective = 0.0;
+    LandmarkGraph::Places places;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
         sum(graph);
+        if (iteration > 0 && objective_ > objective) {
+            // Where sightings and edges contradict each other they all have next to no weight left,
+            // and steps no limit.
+            graph.restore(places);
+            sum(graph);
+            return equations_.solve();
+        }
+        objective = objective_;
+        places = graph.places();
         // Factorising takes most of the time; while steps shrink without it they lead to the same.
         const bool shrinks = iteration > 1 ? greatest < kShrinks * before : iteration == 1;
         if (!(shrinks ? equations_.solve_again() : equations_.solve())) return false;
-        if (!(equations_.longest_step() < kAbsurd)) return false;
         before = greatest;
         greatest = 0.0;
         for (std::size_t i = 1; i < keys_; ++i) {

@@ -36,6 +36,7 @@ class GraphSolver {
     std::size_t variable_of_landmark(std::size_t landmark) const { return keys_ - 1 + landmark; }
 
     NormalEquations equations_;
+    double objective_ = 0.0;  // of sum()
     std::size_t keys_ = 0;
     std::size_t landmarks_ = 0;
 };

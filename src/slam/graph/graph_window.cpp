@@ -7,9 +7,7 @@ namespace hitos {
 namespace {
 
 constexpr int kIterations = 3;
-constexpr double kStill = 1e-3;  // [m]
-/// [m]; a window is a few metres: where its sightings contradict each other steps have no limit.
-constexpr double kAbsurd = 20.0;
+constexpr double kStill = 1e-3;    // [m]
 constexpr double kRegular = 1e-6;  // information of a pose that nothing ties
 
 template <class First, class Second>
@@ -65,8 +63,9 @@ void GraphWindow::find_reachable(const LandmarkGraph& graph) {
 void GraphWindow::add(const PoseEdge& edge, const LandmarkGraph& graph) {
     const EdgeError error =
         edge_error(edge, graph.keys()[edge.from].pose, graph.keys()[edge.to].pose);
-    const Matrix3 weight =
-        robust_weight(error.value.dot(edge.information * error.value)) * edge.information;
+    const double d2 = error.value.dot(edge.information * error.value);
+    objective_ += robust_loss(d2);
+    const Matrix3 weight = robust_weight(d2) * edge.information;
     const Eigen::Index from = of_key(edge.from);
     const Eigen::Index to = of_key(edge.to);
     const Matrix3 from_w = error.by_from.transpose() * weight;
@@ -87,8 +86,9 @@ void GraphWindow::add(const PoseEdge& edge, const LandmarkGraph& graph) {
 
 void GraphWindow::add(const Sighting& sighting, const LandmarkGraph& graph) {
     const SightingError error = graph.error_of(sighting);
-    const Matrix2 weight =
-        robust_weight(error.value.dot(sighting.information * error.value)) * sighting.information;
+    const double d2 = error.value.dot(sighting.information * error.value);
+    objective_ += robust_loss(d2);
+    const Matrix2 weight = robust_weight(d2) * sighting.information;
     const Eigen::Index landmark = at_[sighting.landmark];
     const Matrix2 landmark_w = error.by_landmark.transpose() * weight;
     add_outer(h_, landmark, landmark_w, landmark, error.by_landmark);
@@ -105,6 +105,7 @@ void GraphWindow::add(const Sighting& sighting, const LandmarkGraph& graph) {
 void GraphWindow::sum(const LandmarkGraph& graph) {
     h_.setZero();
     gradient_.setZero();
+    objective_ = 0.0;
     for (std::size_t key = first_; key < keys_; ++key) {
         const Eigen::Index at = of_key(key);
         h_.diagonal().segment<3>(at).array() += kRegular;
@@ -127,16 +128,27 @@ void GraphWindow::solve(LandmarkGraph& graph) {
     lay_out(graph);
     for (const std::uint32_t landmark : landmarks_) graph.remeasure(landmark);
     covariance_ = Eigen::MatrixXd::Zero(h_.rows(), h_.cols());
-    for (int iteration = 0; iteration < kIterations && h_.rows() > 0; ++iteration) {
+    double objective = 0.0;
+    double greatest = 0.0;
+    LandmarkGraph::Places places;
+    for (int iteration = 0; h_.rows() > 0; ++iteration) {
         sum(graph);
+        bool last = iteration == kIterations || (iteration > 0 && greatest < kStill);
+        if (iteration > 0 && objective_ > objective) {  // as in GraphSolver
+            graph.restore(places);
+            sum(graph);
+            last = true;
+        }
         const Eigen::LLT<Eigen::MatrixXd> cholesky(h_);
         if (cholesky.info() != Eigen::Success) break;
-        const Eigen::VectorXd step = -cholesky.solve(gradient_);
-        if (!(step.lpNorm<Eigen::Infinity>() < kAbsurd)) {
+        if (last) {
             covariance_ = cholesky.solve(Eigen::MatrixXd::Identity(h_.rows(), h_.cols()));
             break;
         }
-        double greatest = 0.0;
+        objective = objective_;
+        places = graph.places();
+        const Eigen::VectorXd step = -cholesky.solve(gradient_);
+        greatest = 0.0;
         for (std::size_t key = first_; key < keys_; ++key) {
             const Eigen::Vector3d its = step.segment<3>(of_key(key));
             Pose& pose = graph.pose(key);
@@ -147,10 +159,6 @@ void GraphWindow::solve(LandmarkGraph& graph) {
             const Vector2 its = step.segment<2>(at_[landmark]);
             graph.move_landmark(landmark, its);
             greatest = std::max(greatest, std::abs(its(0)) + std::abs(its(1)));
-        }
-        if (greatest < kStill || iteration + 1 == kIterations) {
-            covariance_ = cholesky.solve(Eigen::MatrixXd::Identity(h_.rows(), h_.cols()));
-            break;
         }
     }
     find_reachable(graph);

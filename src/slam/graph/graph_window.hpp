@@ -54,6 +54,7 @@ class GraphWindow {
     std::vector<std::uint32_t> reachable_;
     Eigen::MatrixXd h_;
     Eigen::VectorXd gradient_;
+    double objective_ = 0.0;  // of sum()
     Eigen::MatrixXd covariance_;
 };
 

@@ -34,6 +34,23 @@ class LandmarkGraph {
     /// become.
     std::vector<std::uint32_t> merge(std::span<const std::uint32_t> leader);
 
+    /// Where everything is, to come back to.
+    struct Places {
+        std::vector<KeyPose> keys;
+        std::vector<LandmarkPlace> landmarks;
+    };
+    Places places() const {
+        Places places{keys_, {}};
+        for (const GraphLandmark& landmark : landmarks_) places.landmarks.push_back(landmark.place);
+        return places;
+    }
+    void restore(const Places& places) {
+        keys_ = places.keys;
+        for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+            landmarks_[i].place = places.landmarks[i];
+        }
+    }
+
     Pose& pose(std::size_t key) { return keys_[key].pose; }
     void move_landmark(std::size_t landmark, const Vector2& step) {
         move(landmarks_[landmark], step);
