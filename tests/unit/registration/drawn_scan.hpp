@@ -40,12 +40,12 @@ inline double range_to(const Walls& walls, const Pose& pose, double angle) {
     return nearest;
 }
 
-/// 181 rays over half a turn; normal noise on ranges where `sigma` is above 0.
+/// 181 rays over half a turn; normal noise of `sigma` on ranges where there is an engine.
 inline Scan drawn_scan(const Walls& walls, const Pose& pose, double sigma = 0.0,
                        std::mt19937* engine = nullptr, double furthest = 30.0) {
     Scan scan;
     scan.fan = {-kPi / 2.0, kPi / 2.0, 181, furthest, {}};
-    std::normal_distribution<double> normal(0.0, sigma > 0.0 ? sigma : 1.0);
+    std::normal_distribution<double> normal;
     bool running = false;
     for (std::uint32_t ray = 0; ray < scan.fan.count; ++ray) {
         const double angle = scan.fan.angle_rad(ray);
@@ -54,7 +54,7 @@ inline Scan drawn_scan(const Walls& walls, const Pose& pose, double sigma = 0.0,
             running = false;
             continue;
         }
-        if (sigma > 0.0) range += normal(*engine);
+        if (engine != nullptr) range += sigma * normal(*engine);
         if (!running) scan.run_starts.push_back(static_cast<std::uint32_t>(scan.points.size()));
         running = true;
         scan.points.push_back({range * std::cos(angle), range * std::sin(angle)});
