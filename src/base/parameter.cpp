@@ -70,6 +70,11 @@ std::string_view name_in_table(std::string_view key) {
 
 }  // namespace
 
+std::vector<ParameterChoice> declare::off_on() {
+    return {{"off", HITOS_TEXT("ParameterChoice", "Off")},
+            {"on", HITOS_TEXT("ParameterChoice", "On")}};
+}
+
 std::optional<std::size_t> ParameterFacts::place_of(std::string_view word) const {
     const auto found = std::ranges::find(choices, word, &ParameterChoice::word);
     if (found == choices.end()) return std::nullopt;

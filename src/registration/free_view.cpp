@@ -1,4 +1,4 @@
-#include "free_space.hpp"
+#include "free_view.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include <queue>
 #include <utility>
 
+#include "hitos/registration/pose_algebra.hpp"
 #include "odometry_step.hpp"
 
 namespace hitos {
@@ -70,8 +71,8 @@ void KeyGraph::add_scan_edges(std::uint32_t to, const Pose& pose,
             -(h + Eigen::Matrix3d::Identity()).ldlt().solve(Eigen::Vector3d(information * l.b));
         if (!(std::abs(step(0)) + std::abs(step(1)) + 3.0 * std::abs(step(2)) <= kFar)) continue;
         const Pose& from = poses[sources[i]].pose;
-        const Pose seen{pose.x + step(0), pose.y + step(1), wrap_angle(pose.theta + step(2))};
-        edges.push_back({sources[i], to, between(from, seen), turned(h, -from.theta), kind});
+        edges.push_back(
+            {sources[i], to, between(from, shifted(pose, step)), turned(h, -from.theta), kind});
     }
 }
 

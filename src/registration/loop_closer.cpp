@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unordered_set>
 
-#include "free_space.hpp"
+#include "free_view.hpp"
 
 namespace hitos {
 namespace {

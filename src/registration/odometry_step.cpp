@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "hitos/registration/pose_algebra.hpp"
+
 namespace hitos {
 namespace {
 
@@ -20,10 +22,7 @@ Eigen::Vector3d odometry_variances(const Pose& step, double scale) {
 }
 
 Eigen::Matrix3d turned(const Eigen::Matrix3d& matrix, double heading_rad) {
-    const double c = std::cos(heading_rad);
-    const double s = std::sin(heading_rad);
-    Eigen::Matrix3d rotation;
-    rotation << c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0;
+    const Eigen::Matrix3d rotation = turn_of(heading_rad);
     return rotation * matrix * rotation.transpose();
 }
 

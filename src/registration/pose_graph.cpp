@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hitos/registration/normal_equations.hpp"
+#include "hitos/registration/pose_algebra.hpp"
 
 namespace hitos {
 
@@ -50,8 +51,7 @@ double solve(std::vector<KeyPose>& keys, std::span<const PoseEdge> edges,
         double greatest = 0.0;
         for (std::size_t i = 0; i < keys.size(); ++i) {
             const auto step = equations.step(i);
-            Pose& pose = keys[i].pose;
-            pose = {pose.x + step(0), pose.y + step(1), wrap_angle(pose.theta + step(2))};
+            keys[i].pose = shifted(keys[i].pose, step);
             greatest = std::max(greatest, std::abs(step(0)) + std::abs(step(1)));
         }
         if (greatest < kStill) break;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hitos/registration/pose_algebra.hpp"
 #include "key_graph.hpp"
 #include "loop_closer.hpp"
 #include "odometry_step.hpp"
@@ -91,7 +92,6 @@ class Registration::Impl {
 
 RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control> controls) {
     corrections_.clear();
-    find_surface_points(scan, params_.range_m, points_);
     RegisteredStep out;
     out.scan = placed_.size();
     out.before = now_;
@@ -99,12 +99,13 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     out.path_m = way.path_m;
     out.turned_rad = way.turned_rad;
     const bool first = graph_.size() == 0;
-    if (!first && way.moved()) step(way, out);
-    out.pose = now_;
-    if (first || key_due()) {
-        add_key(out.scan);
-        out.key = true;
+    if (first || way.moved()) {  // else there is nothing to match, and no key due
+        find_surface_points(scan, params_.range_m, points_);
+        if (!first) step(way, out);
+        out.key = first || key_due();
     }
+    out.pose = now_;
+    if (out.key) add_key(out.scan);
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     placed_.push_back({newest, between(graph_.poses[newest].pose, now_)});
     if (out.key && params_.loops && newest > static_cast<std::uint32_t>(params_.key_scans) &&
@@ -158,8 +159,7 @@ void Registration::Impl::learn(const DrivenWay& way, const Pose& corrected,
     const Eigen::Matrix3d covariance = information.inverse();
     if (turned(covariance, -before.theta)(1, 1) >= 0.5 * variances(1)) return;
     const Eigen::Vector3d step = -covariance * (matcher_.information() * matched.fine.b);
-    const Pose alone{matched.pose.x + step(0), matched.pose.y + step(1),
-                     wrap_angle(matched.pose.theta + step(2))};
+    const Pose alone = shifted(matched.pose, step);
     calibration_.learn(way.pose_start_end, between(before, alone).y - corrected.y, variances(1));
 }
 

@@ -9,11 +9,6 @@ using namespace declare;
 using Table = std::vector<Parameter<RegistrationParams>>;
 using Params = RegistrationParams;
 
-std::vector<ParameterChoice> off_on() {
-    return {{"off", HITOS_TEXT("ParameterChoice", "Off")},
-            {"on", HITOS_TEXT("ParameterChoice", "On")}};
-}
-
 void add_matching(Table& table) {
     table.push_back(real<&Params::range_m>(
         {.key = "registration.range",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hitos/registration/pose_algebra.hpp"
 #include "hitos/registration/pose_graph.hpp"
 
 namespace hitos {
@@ -154,7 +155,7 @@ Pose ScanMatcher::fit(std::span<const SurfacePoint> scan, const PointMap& map, c
         const Eigen::Matrix3d h = information_ * l.h + weight * prior.information;
         const Eigen::Vector3d step = -h.ldlt().solve(information_ * l.b + weight * pull);
         if (!step.allFinite()) break;
-        pose = {pose.x + step(0), pose.y + step(1), wrap_angle(pose.theta + step(2))};
+        pose = shifted(pose, step);
         const double size = step.cwiseAbs().sum();
         if (iteration >= 8 && size < kSettled) break;
         if (iteration == 3 && size < kNearlySettled) iteration = 7;  // the fine stage is next

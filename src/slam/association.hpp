@@ -237,15 +237,14 @@ Decision Associator::decide(const typename S::Columns& landmarks, const Pose& po
                              by_likelihood ? close.log_likelihood : -close.mahalanobis_squared,
                              close.log_likelihood);
         });
-    if (params_.segments && S::kKind == FeatureKind::line && !candidates.none() &&
-        rule_.ambiguous(candidates, log_p0_) && joins<S>(landmarks, pose, observed, candidates)) {
+    if (candidates.none() || !rule_.ambiguous(candidates, log_p0_)) return resolve(candidates);
+    if (params_.segments && S::kKind == FeatureKind::line &&
+        joins<S>(landmarks, pose, observed, candidates)) {
         return {Association::Outcome::matched, candidates.best(), candidates.best_log()};
     }
-    if (random != nullptr && !candidates.none() && rule_.ambiguous(candidates, log_p0_)) {
-        return draw<S>(landmarks, pose, observed,
-                       std::max(candidates.best_log(), candidates.second_log()), *random);
-    }
-    return resolve(candidates);
+    if (random == nullptr) return resolve(candidates);
+    return draw<S>(landmarks, pose, observed,
+                   std::max(candidates.best_log(), candidates.second_log()), *random);
 }
 
 }  // namespace hitos

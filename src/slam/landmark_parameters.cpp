@@ -5,15 +5,6 @@ namespace hitos {
 using namespace declare;
 using Filter = FilterParams;
 
-namespace {
-
-std::vector<ParameterChoice> off_on() {
-    return {{"off", HITOS_TEXT("ParameterChoice", "Off")},
-            {"on", HITOS_TEXT("ParameterChoice", "On")}};
-}
-
-}  // namespace
-
 void add_bounded_association(FilterTable& table) {
     const auto segments = choice<&Filter::association, &AssociationParams::segments>(
         {.key = "association.segments",

@@ -200,6 +200,9 @@ auto choice(ParameterFacts facts) {
     }
 }
 
+/// Those of a bool.
+std::vector<ParameterChoice> off_on();
+
 /// The choices that a registry knows; closes it.
 template <class Entry>
 std::vector<ParameterChoice> choices_of(const Registry<Entry>& registry) {

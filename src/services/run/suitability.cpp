@@ -30,9 +30,7 @@ std::string Advice::words() const {
 
 void Suitability::note(std::span<const Control> controls, const Observation& seen,
                        std::span<const Association> associations) {
-    double way = 0.0;
-    for (const Control& control : controls)
-        way += std::hypot(control.twist.v, control.twist.v_lateral) * control.duration_s;
+    const double way = driven_way(controls).path_m;
     if (way > 0.0) {
         way_m_ += way;
         ++moves_;

@@ -23,9 +23,7 @@ Matrix3 by_first(const Pose& a, const Pose& b) {
 
 /// Covariance of compose(a, b), both with their own; b's in the axes of a.
 Matrix3 composed(const Pose& a, const Matrix3& of_a, const Pose& b, const Matrix3& of_b) {
-    Matrix3 turn = Matrix3::Identity();
-    turn.topLeftCorner<2, 2>() << std::cos(a.theta), -std::sin(a.theta), std::sin(a.theta),
-        std::cos(a.theta);
+    const Matrix3 turn = turn_of(a.theta);
     const Matrix3 f = by_first(a, b);
     return f * of_a * f.transpose() + turn * of_b * turn.transpose();
 }

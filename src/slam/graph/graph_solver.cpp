@@ -85,8 +85,7 @@ bool GraphSolver::solve(LandmarkGraph& graph, double still_m) {
         greatest = 0.0;
         for (std::size_t i = 1; i < keys_; ++i) {
             const Eigen::Vector3d step = equations_.step(variable_of_key(i));
-            Pose& pose = graph.pose(i);
-            pose = {pose.x + step(0), pose.y + step(1), wrap_angle(pose.theta + step(2))};
+            graph.pose(i) = shifted(graph.pose(i), step);
             greatest = std::max(greatest, std::abs(step(0)) + std::abs(step(1)));
         }
         for (std::size_t i = 0; i < landmarks_; ++i) {

@@ -151,8 +151,7 @@ void GraphWindow::solve(LandmarkGraph& graph) {
         greatest = 0.0;
         for (std::size_t key = first_; key < keys_; ++key) {
             const Eigen::Vector3d its = step.segment<3>(of_key(key));
-            Pose& pose = graph.pose(key);
-            pose = {pose.x + its(0), pose.y + its(1), wrap_angle(pose.theta + its(2))};
+            graph.pose(key) = shifted(graph.pose(key), its);
             greatest = std::max(greatest, std::abs(its(0)) + std::abs(its(1)));
         }
         for (const std::uint32_t landmark : landmarks_) {

@@ -37,11 +37,14 @@ void LandmarkGraph::add(const Sighting& sighting) {
     GraphLandmark& landmark = landmarks_[sighting.landmark];
     landmark.sightings.push_back(index);
     if (landmark.kind != FeatureKind::line) return;
-    const Pose& pose = keys_[sighting.key].pose;
-    const Extent seen =
-        extent_along(landmark.place, transform(pose, sighting.low), transform(pose, sighting.high));
+    const Extent seen = extent_of(sighting, landmark.place);
     if (landmark.sightings.size() == 1) landmark.extent = seen;
     landmark.extent = landmark.extent.joined(seen);
+}
+
+Extent LandmarkGraph::extent_of(const Sighting& sighting, const LandmarkPlace& line) const {
+    const Pose& pose = keys_[sighting.key].pose;
+    return extent_along(line, transform(pose, sighting.low), transform(pose, sighting.high));
 }
 
 std::vector<std::uint32_t> LandmarkGraph::merge(std::span<const std::uint32_t> leader) {
@@ -75,10 +78,7 @@ void LandmarkGraph::remeasure(std::size_t index) {
     if (landmark.kind != FeatureKind::line || landmark.sightings.empty()) return;
     bool first = true;
     for (const std::uint32_t i : landmark.sightings) {
-        const Sighting& sighting = sightings_[i];
-        const Pose& pose = keys_[sighting.key].pose;
-        const Extent seen = extent_along(landmark.place, transform(pose, sighting.low),
-                                         transform(pose, sighting.high));
+        const Extent seen = extent_of(sightings_[i], landmark.place);
         if (first) landmark.extent = seen;
         landmark.extent = landmark.extent.joined(seen);
         first = false;

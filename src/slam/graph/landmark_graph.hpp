@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graph_landmark.hpp"
+#include "hitos/registration/pose_algebra.hpp"
 #include "hitos/registration/pose_graph.hpp"
 
 namespace hitos {
@@ -68,6 +69,9 @@ class LandmarkGraph {
     int count(FeatureKind kind) const;
 
   private:
+    /// What a sighting shows of a line, along the line.
+    Extent extent_of(const Sighting& sighting, const LandmarkPlace& line) const;
+
     std::vector<KeyPose> keys_;
     std::vector<PoseEdge> edges_;
     std::vector<GraphLandmark> landmarks_;

@@ -5,6 +5,7 @@
 
 #include "gaussian.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/registration/pose_algebra.hpp"
 #include "robots.hpp"
 
 namespace hitos {
@@ -34,22 +35,22 @@ class RobotRegistered final : public Robot {
         const RegisteredStep& step = registered(increment);
         if (!step.moved()) return after;
         const Eigen::Vector3d noise =
-            turned(step.pose.theta) * (root_of(deviation(step)) * normal_triple(random));
-        return {after.x + noise(0), after.y + noise(1), wrap_angle(after.theta + noise(2))};
+            turn_of(step.pose.theta) * (root_of(deviation(step)) * normal_triple(random));
+        return shifted(after, noise);
     }
 
     /// rho R, with R the turn of the registered step, which leaves the heading's own alone.
     Eigen::Matrix3d jacobian(const Pose& /*pose*/,
                              const MotionIncrement& increment) const override {
         const RegisteredStep& step = registered(increment);
-        return remembered(step) * turned(step.pose.theta - step.before.theta);
+        return remembered(step) * turn_of(step.pose.theta - step.before.theta);
     }
 
     Eigen::Matrix3d noise_covariance(const Pose& /*pose*/,
                                      const MotionIncrement& increment) const override {
         const RegisteredStep& step = registered(increment);
         if (!step.moved()) return Eigen::Matrix3d::Zero();
-        const Eigen::Matrix3d r = turned(step.pose.theta);
+        const Eigen::Matrix3d r = turn_of(step.pose.theta);
         return r * deviation(step) * r.transpose();
     }
 
@@ -61,13 +62,6 @@ class RobotRegistered final : public Robot {
             "\"registered\" needs registration, and this run has none; choose another "
             "motion model, or give every step what registration says of it");
     }
-    static Eigen::Matrix3d turned(double angle) {
-        Eigen::Matrix3d r = Eigen::Matrix3d::Identity();
-        r(0, 0) = r(1, 1) = std::cos(angle);
-        r(1, 0) = std::sin(angle);
-        r(0, 1) = -r(1, 0);
-        return r;
-    }
     double remembered(const RegisteredStep& step) const {
         return std::exp(-step.path_m / params_.registered_memory_m);
     }
@@ -75,7 +69,7 @@ class RobotRegistered final : public Robot {
     Eigen::Matrix3d deviation(const RegisteredStep& step) const {
         const Eigen::Vector3d sigma(params_.registered_sigma_m, params_.registered_sigma_m,
                                     params_.registered_heading_rad);
-        const Eigen::Matrix3d back = turned(step.before.theta - step.pose.theta);
+        const Eigen::Matrix3d back = turn_of(step.before.theta - step.pose.theta);
         Eigen::Matrix3d s = params_.registered_share * back * step.covariance * back.transpose();
         s.diagonal() += sigma.cwiseAbs2();
         // 1 - rho^2, without the rounding of a short way.

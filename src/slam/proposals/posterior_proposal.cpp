@@ -7,6 +7,7 @@
 #include <array>
 
 #include "association.hpp"
+#include "hitos/registration/pose_algebra.hpp"
 #include "hitos/slam/robot.hpp"
 #include "map_store.hpp"
 #include "measurement.hpp"
@@ -28,10 +29,7 @@ class PosePosterior {
 
     Pose pose() const { return at(mean_); }
     Matrix3 covariance() const { return root_ * covariance_ * root_.transpose(); }
-    Pose at(const Vector3& xi) const {
-        const Vector3 shift = root_ * xi;
-        return {origin_.x + shift(0), origin_.y + shift(1), wrap_angle(origin_.theta + shift(2))};
-    }
+    Pose at(const Vector3& xi) const { return shifted(origin_, root_ * xi); }
 
     /// Learns an innovation nu with its Jacobian by the pose and the rest of its covariance.
     void learn(const Vector2& nu, const Matrix23& by_pose, const Matrix2& rest) {
