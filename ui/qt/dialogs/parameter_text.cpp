@@ -11,7 +11,10 @@ namespace hitos::window {
 namespace {
 
 QString shown_unit(std::string_view unit) {
-    if (unit == "particles" || unit == "log-odds") return {};
+    // What is counted is a word of English, and the label has it: "particles", "scans", "log-odds".
+    const bool word =
+        std::ranges::all_of(unit, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
+    if (word && unit.size() > std::string_view("rad").size()) return {};
     return to_qt(unit).replace("^2", "²");
 }
 
