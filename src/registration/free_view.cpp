@@ -47,6 +47,14 @@ FreeView::Said FreeView::of(const Point2& world) const {
     return through ? Said::through : Said::nothing;
 }
 
+void place(std::span<const SurfacePoint> scan, const Pose& pose_world_robot,
+           std::vector<Point2>& points) {
+    for (const SurfacePoint& p : scan) {
+        points.push_back(transform(pose_world_robot,
+                                   Point2{static_cast<double>(p.x), static_cast<double>(p.y)}));
+    }
+}
+
 double contradiction(std::span<const Point2> points, std::span<const FreeView> views) {
     constexpr int kFewest = 30;
     int told = 0;

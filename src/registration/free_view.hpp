@@ -30,6 +30,10 @@ class FreeView {
     std::array<Sector, kSectors> sectors_;
 };
 
+/// Appends the points of a scan as they lie in the world.
+void place(std::span<const SurfacePoint> scan, const Pose& pose_world_robot,
+           std::vector<Point2>& points);
+
 /// The share of points that a view looks through, of those that views say anything of; 0 where
 /// there are too few to tell.
 double contradiction(std::span<const Point2> points, std::span<const FreeView> views);

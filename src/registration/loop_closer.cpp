@@ -118,10 +118,7 @@ bool LoopCloser::contradicted(const KeyGraph& graph, const LoopFound& loop,
         views.emplace_back(graph.scans[j].points, graph.poses[j].pose);
     }
     std::vector<Point2> points;
-    for (const SurfacePoint& p : query_) {
-        points.push_back(
-            transform(loop.pose, Point2{static_cast<double>(p.x), static_cast<double>(p.y)}));
-    }
+    place(query_, loop.pose, points);
     if (contradiction(points, views) > kMuch) return true;
 
     views.clear();

@@ -10,6 +10,7 @@
 #include "key_graph.hpp"
 #include "loop_closer.hpp"
 #include "odometry_step.hpp"
+#include "path_break.hpp"
 #include "scan_matcher.hpp"
 #include "step_matcher.hpp"
 #include "surface_points.hpp"
@@ -141,6 +142,7 @@ void Registration::Impl::step(const DrivenWay& way, RegisteredStep& out) {
     } else {
         ++figures_.unmatched;
     }
+    if (breaks_path(points_, matched, graph_)) figures_.breaks.push_back(placed_.size());
     now_ = matched.pose;
     const Pose moved = between(before, now_);
     travelled_m_ += std::hypot(moved.x, moved.y);

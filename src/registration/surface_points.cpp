@@ -91,7 +91,7 @@ class SurfaceFinder {
     }
 
   private:
-    void collect(std::size_t i, std::size_t begin, std::size_t end, int side,
+    void collect(std::size_t i, std::size_t begin, std::size_t end, std::ptrdiff_t side,
                  Moments& moments) const {
         const double limit = jump(ranges_[i]);
         std::size_t previous = i;

@@ -1,6 +1,9 @@
-// Registration alone on recorded tours: errors, events and time. No particle, no landmark.
+// Registration on recorded tours: errors, events and time. No particle, no landmark, unless there
+// is a preset, whose algorithm then takes every step too; the times are those of registration and
+// algorithm together, without reading, lines, grids and files.
 //
-// usage: build/release/bench/bench_registration [--copies N] [--set NAME=VALUE]... TOUR...
+// usage: build/release/bench/bench_registration [--copies N] [--set NAME=VALUE]...
+//            [--preset NAME] TOUR...
 //
 // TOUR is a world (.toml), whose copies have other seeds, or TOUR.log.gz and TOUR.gt.tum.gz are
 // read. Copies are of the kind that tests/bench/real_tours makes: the first 3 n seconds left out,
@@ -14,6 +17,8 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <string>
@@ -22,7 +27,9 @@
 #include "hitos/features/control.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/slam/filters.hpp"
 #include "hitos/workbench/open_tour.hpp"
+#include "hitos/workbench/presets.hpp"
 
 namespace {
 
@@ -103,7 +110,33 @@ double ate(const Trajectory& stamps, const std::vector<Pose>& poses, const Traje
     return error ? error->rmse_m : -1.0;
 }
 
-void run(const std::string& tour, int copy, const RegistrationParams& params) {
+/// The algorithm of a preset, beside the registration; nothing where there is no preset.
+class Follower {
+  public:
+    explicit Follower(const std::string& preset) {
+        if (preset.empty()) return;
+        const Configuracion c = preset_configuration(preset);
+        extractor_ = make_extractor(c.extraction, c.run.seed);
+        filter_ = make_filter(c.filter, c.run.seed, 1);
+    }
+    void see(const Scan& scan) {
+        if (filter_) extractor_->extract(scan, seen_);
+    }
+    void step(const Scan& scan, const std::vector<Control>& controls, const RegisteredStep& step,
+              const std::optional<PathCorrection>& correction) {
+        if (!filter_) return;
+        filter_->step({scan, controls, seen_, &step});
+        if (correction) filter_->correct(*correction);
+    }
+
+  private:
+    std::unique_ptr<FeatureExtractor> extractor_;
+    std::unique_ptr<SlamFilter> filter_;
+    Observation seen_;
+};
+
+void run(const std::string& tour, int copy, const RegistrationParams& params,
+         const std::string& preset) {
     SourceParams source;
     source.file = is_world_file(tour) ? tour : tour + ".log.gz";
     const auto log = open_tour(source, static_cast<std::uint64_t>(copy) + 1);
@@ -113,6 +146,7 @@ void run(const std::string& tour, int copy, const RegistrationParams& params) {
     ControlTrack track([&] { return log->next_odometry(); });
     Noise noise(is_world_file(tour) ? 0 : copy);  // a world has noise of its own
     Registration registration(params);
+    Follower follower(preset);
     OdometryPath odometry;
     std::vector<Pose> online;
     std::vector<Control> controls;
@@ -127,8 +161,10 @@ void run(const std::string& tour, int copy, const RegistrationParams& params) {
         noise.disturb(*scan);
         noise.disturb(controls);
         odometry.add(scan->time_s, controls);
+        follower.see(*scan);
         const auto begin = Clock::now();
         const RegisteredStep step = registration.add(*scan, controls);
+        follower.step(*scan, controls, step, registration.correction());
         times.push_back(ms_since(begin));
         total += times.back();
         online.push_back(registration.correction() ? registration.path().back() : step.pose);
@@ -143,15 +179,19 @@ void run(const std::string& tour, int copy, const RegistrationParams& params) {
     const RegistrationFigures f = registration.figures();
     std::sort(times.begin(), times.end());
     const auto n = static_cast<double>(times.size());
+    const std::size_t slow = times.size() * 9 / 10;
+    const double slowest =
+        std::reduce(times.begin() + static_cast<std::ptrdiff_t>(slow), times.end()) /
+        static_cast<double>(times.size() - slow);
     fmt::print(
         "{:18} {} odometry {:6.2f} online {:6.3f} path {:6.3f} final {:6.3f} | score {:.2f} "
         "unmatched {}/{} keys {} edges {} loops {}/{} refused {} largest {:.2f} | ms/scan {:.2f} "
-        "(90 % {:.2f}, worst {:.0f}) + {:.2f}\n",
+        "(90 % {:.2f}, slowest tenth {:.2f}, worst {:.0f}) + {:.2f}\n",
         tour.substr(tour.find_last_of('/') + 1), copy, ate(stamps, wheels, reference),
         ate(stamps, online, reference), ate(stamps, before_finish, reference),
         ate(stamps, registration.path(), reference), f.mean_score, f.unmatched, f.scans, f.keys,
         registration.edges().size(), registration.loops().size(), f.loop_searches, f.loops_refused,
-        f.largest_correction_m, total / n, times[times.size() * 9 / 10], times.back(), last / n);
+        f.largest_correction_m, total / n, times[slow], slowest, times.back(), last / n);
     std::fflush(stdout);
 }
 
@@ -160,11 +200,14 @@ void run(const std::string& tour, int copy, const RegistrationParams& params) {
 int main(int argc, char** argv) {
     RegistrationParams params;
     int copies = 0;
+    std::string preset;
     std::vector<std::string> tours;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
         if (word == "--copies" && i + 1 < argc) {
             copies = std::stoi(argv[++i]);
+        } else if (word == "--preset" && i + 1 < argc) {
+            preset = argv[++i];
         } else if (word == "--set" && i + 1 < argc) {
             if (!set(params, argv[++i])) {
                 fmt::print(stderr, "found --set {}, expected NAME=VALUE\n", argv[i]);
@@ -175,6 +218,6 @@ int main(int argc, char** argv) {
         }
     }
     for (const std::string& tour : tours) {
-        for (int copy = copies > 0 ? 1 : 0; copy <= copies; ++copy) run(tour, copy, params);
+        for (int copy = copies > 0 ? 1 : 0; copy <= copies; ++copy) run(tour, copy, params, preset);
     }
 }

@@ -74,7 +74,8 @@ double mean_nees(const FilterParams& params) {
         }
         EXPECT_EQ(filter->best_count(FeatureKind::line), 4) << run;
     }
-    return sum / (kRuns * (kSteps - kSteps / 2));
+    constexpr int kCounted = kSteps - kSteps / 2;
+    return sum / (kRuns * kCounted);
 }
 
 TEST(ParticleConsistency, BothProposalsTellTheTruthWhereTheMotionIsGentle) {

@@ -44,6 +44,10 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
         fmt::print("{} damaged lines were skipped; line {}: {}\n", summary.report.skipped,
                    summary.report.examples.front().line, summary.report.examples.front().reason);
     }
+    if (summary.report.stamps_backwards > 0) {
+        fmt::print("{} time stamps lie before the one before them; the log's order was kept\n",
+                   summary.report.stamps_backwards);
+    }
     if (summary.searches_cut > 0) {
         fmt::print("{} joint associations were cut short; each has the best found until then\n",
                    summary.searches_cut);
@@ -62,9 +66,9 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
     }
     if (!summary.distances.empty()) fmt::print("{}", distance_table(summary.distances));
     if (const auto& figures = summary.quality.registration) {
-        fmt::print("{} of {} scans fitted, {} loops closed, largest correction {:.2f} m\n",
+        fmt::print("{} of {} scans fitted, {} loop{} closed, largest correction {:.2f} m\n",
                    figures->scans - figures->unmatched, figures->scans, summary.quality.loops,
-                   figures->largest_correction_m);
+                   summary.quality.loops == 1 ? "" : "s", figures->largest_correction_m);
     }
     for (const Advice& warning : summary.quality.warnings) {
         fmt::print("warning: {}\n", warning.words());

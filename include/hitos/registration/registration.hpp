@@ -24,7 +24,10 @@ struct ClosedLoop {
 struct RegistrationFigures {
     std::uint64_t scans = 0;      ///< that were matched or could not be: those after a motion
     std::uint64_t unmatched = 0;  ///< of these, those that fitted nothing
-    double mean_score = 0.0;      ///< of the matched ones, 0 … 1
+    /// Scans that cannot follow on the one before: they fitted nothing, or badly and seeing through
+    /// what was seen just before. A carried robot shows so, or a gap in the log.
+    std::vector<std::uint64_t> breaks;
+    double mean_score = 0.0;  ///< of the matched ones, 0 … 1
     std::uint64_t keys = 0;
     std::uint64_t loop_searches = 0;  ///< places that could be an earlier one
     std::uint64_t loops_refused = 0;  ///< that correlated and were refused or stayed alone

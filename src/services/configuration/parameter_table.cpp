@@ -121,7 +121,7 @@ void join_layers(Table& table) {
     for (ConfigParameter& parameter : table) {
         if (parameter.table() != "registration") continue;
         parameter.conditions.insert(parameter.conditions.begin(),
-                                    {"motion.model", "registered",
+                                    {"motion.model", "registered, or filter.algorithm is graph-slam",
                                      [](const Config& c) { return needs_registration(c.filter); }});
     }
 }

@@ -1,9 +1,15 @@
 #include "hitos/services/run/quality.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
 
 #include "../evaluation/map_crispness.hpp"
 #include "hitos/base/translatable.hpp"
@@ -16,6 +22,8 @@ constexpr double kManyUnmatched = 0.02;
 constexpr double kPoorScore = 0.5;
 constexpr double kBlurrier = 1.05;          // than the odometry's map
 constexpr double kLongWithoutLoop = 100.0;  // [m]
+constexpr double kLargeCorrection = 5.0;    // [m]; of six recorded tours the largest is 4.1
+constexpr double kLongestStep = 10.0;       // [m] between scans; of sparse recordings 1.7
 
 void measure_crispness(const Algoritmo& run, RunQuality& quality) {
     MapCrispness best;
@@ -32,13 +40,54 @@ void measure_crispness(const Algoritmo& run, RunQuality& quality) {
     quality.odometry_cells_per_point = odometry.cells_per_point();
 }
 
-double length_of(const Trajectory& path) {
-    double length = 0.0;
+void warn(RunQuality& quality, std::string_view text, std::string figure) {
+    quality.warnings.push_back({text, std::move(figure), {}});
+}
+
+/// Ways from each pose to the next [m].
+std::vector<double> steps_of(const Trajectory& path) {
+    std::vector<double> steps;
     for (std::size_t i = 1; i < path.size(); ++i) {
-        length +=
-            std::hypot(path[i].pose.x - path[i - 1].pose.x, path[i].pose.y - path[i - 1].pose.y);
+        const Pose& a = path[i - 1].pose;
+        const Pose& b = path[i].pose;
+        steps.push_back(std::hypot(b.x - a.x, b.y - a.y));
     }
-    return length;
+    return steps;
+}
+
+bool turns(const Trajectory& path) {
+    return std::ranges::any_of(
+        path, [&](const StampedPose& pose) { return pose.pose.theta != path.front().pose.theta; });
+}
+
+void warn_of_odometry(const Trajectory& odometry, RunQuality& quality) {
+    const std::vector<double> steps = steps_of(odometry);
+    if (steps.empty()) return;
+    const auto longest = std::ranges::max_element(steps);
+    if (*longest == 0.0 && !turns(odometry)) {
+        warn(quality,
+             HITOS_TEXT("Advice",
+                        "The odometry never moves in %1: either the robot stood still, or the log "
+                        "has no odometry and its map is that of one place."),
+             fmt::format("{} scans", odometry.size()));
+    }
+    if (*longest > kLongestStep) {
+        warn(quality,
+             HITOS_TEXT("Advice",
+                        "The odometry jumps by %1: no scan there has anything in common with the "
+                        "one before, and the map beyond lies where the jump put it."),
+             fmt::format("{:.0f} m from scan {} to the next", *longest, longest - steps.begin()));
+    }
+}
+
+/// "scan 151", "scans 151, 312 and 4 more".
+std::string named(const std::vector<std::uint64_t>& scans) {
+    constexpr std::size_t kMost = 3;
+    const std::span first = std::span(scans).first(std::min(kMost, scans.size()));
+    std::string names =
+        fmt::format("scan{} {}", scans.size() > 1 ? "s" : "", fmt::join(first, ", "));
+    if (scans.size() > kMost) names += fmt::format(" and {} more", scans.size() - kMost);
+    return names;
 }
 
 void warn_of_registration(const Algoritmo& run, RunQuality& quality) {
@@ -47,28 +96,40 @@ void warn_of_registration(const Algoritmo& run, RunQuality& quality) {
                                                      static_cast<double>(figures.scans)
                                                : 0.0;
     if (unmatched > kManyUnmatched) {
-        quality.warnings.push_back(
-            {HITOS_TEXT("Advice",
+        warn(quality,
+             HITOS_TEXT("Advice",
                         "%1 of the scans fitted nothing that was seen before: the robot may have "
                         "been carried, or its laser blind; the map may be in pieces."),
-             fmt::format("{:.0f} %", 100.0 * unmatched),
-             {}});
+             fmt::format("{:.0f} %", 100.0 * unmatched));
+    } else if (!figures.breaks.empty()) {
+        warn(quality,
+             HITOS_TEXT("Advice",
+                        "What was seen does not follow on what was seen just before at %1: the "
+                        "robot may have been carried there, or the log have a gap. The map may be "
+                        "in pieces."),
+             named(figures.breaks));
     }
     if (figures.unmatched < figures.scans && figures.mean_score < kPoorScore) {
-        quality.warnings.push_back(
-            {HITOS_TEXT("Advice",
+        warn(quality,
+             HITOS_TEXT("Advice",
                         "The scans lie badly on each other (score %1 of 1): much moves here, or "
                         "the odometry and the laser do not belong together."),
-             fmt::format("{:.2f}", figures.mean_score),
-             {}});
+             fmt::format("{:.2f}", figures.mean_score));
     }
-    const double length = length_of(run.best_trajectory());
+    if (figures.largest_correction_m > kLargeCorrection) {
+        warn(quality,
+             HITOS_TEXT("Advice",
+                        "A loop moved the path by %1 at once: until then the poses told while "
+                        "driving were that far off. Look whether walls meet where it closed."),
+             fmt::format("{:.1f} m", figures.largest_correction_m));
+    }
+    const std::vector<double> steps = steps_of(run.best_trajectory());
+    const double length = std::reduce(steps.begin(), steps.end());
     if (quality.loops == 0 && length > kLongWithoutLoop) {
-        quality.warnings.push_back(
-            {HITOS_TEXT("Advice",
+        warn(quality,
+             HITOS_TEXT("Advice",
                         "No loop was closed in %1: nothing shows whether the map is bent."),
-             fmt::format("{:.0f} m", length),
-             {}});
+             fmt::format("{:.0f} m", length));
     }
 }
 
@@ -77,6 +138,7 @@ void warn_of_registration(const Algoritmo& run, RunQuality& quality) {
 RunQuality judge(const Algoritmo& run) {
     RunQuality quality;
     measure_crispness(run, quality);
+    warn_of_odometry(run.odometry_trajectory(), quality);
     if (const Registration* registration = run.registration()) {
         quality.registration = registration->figures();
         quality.loops = registration->loops().size();

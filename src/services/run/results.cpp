@@ -50,6 +50,7 @@ ordered_json json_of(const RunQuality& quality) {
         json["mean_score"] = figures->mean_score;
         json["scans_compared"] = figures->scans;
         json["scans_unmatched"] = figures->unmatched;
+        json["scans_breaking"] = figures->breaks;
         json["key_scans"] = figures->keys;
         json["loops_closed"] = quality.loops;
         json["loop_searches"] = figures->loop_searches;

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <array>
+#include <utility>
 
 #include "association.hpp"
 #include "hitos/registration/pose_algebra.hpp"
@@ -25,7 +26,7 @@ using Vector3 = Eigen::Vector3d;
 /// those of x, whose common factor cancels.
 class PosePosterior {
   public:
-    PosePosterior(const Pose& origin, const Matrix3& root) : origin_(origin), root_(root) {}
+    PosePosterior(const Pose& origin, Matrix3 root) : origin_(origin), root_(std::move(root)) {}
 
     Pose pose() const { return at(mean_); }
     Matrix3 covariance() const { return root_ * covariance_ * root_.transpose(); }

@@ -117,6 +117,7 @@ TEST(Registration, ClosesTheLoopOfARing) {
     EXPECT_LT(greatest_error(once.registration.path(), truth), 0.08);
     const RegistrationFigures figures = once.registration.figures();
     EXPECT_EQ(figures.unmatched, 0U);
+    EXPECT_TRUE(figures.breaks.empty());
     EXPECT_GT(figures.mean_score, 0.8);
 }
 
@@ -215,6 +216,8 @@ TEST(Registration, SaysThatARobotWasCarried) {
         }
     }
     EXPECT_GE(registration.figures().unmatched, 1U);
+    ASSERT_FALSE(registration.figures().breaks.empty());
+    EXPECT_EQ(registration.figures().breaks.front(), carried);
 }
 
 TEST(Registration, ScansWithoutAPointAndStandingStillAreNothingSpecial) {

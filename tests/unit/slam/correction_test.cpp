@@ -90,7 +90,7 @@ TEST(Correction, OneMotionForAllScansIsAnotherWorldFrame) {
 std::vector<Pose> growing_motions(std::size_t scans) {
     std::vector<Pose> motions;
     for (std::size_t k = 0; k < scans; ++k) {
-        const double t = static_cast<double>(k);
+        const auto t = static_cast<double>(k);
         motions.push_back({0.004 * t, -0.003 * t, 0.001 * t});
     }
     return motions;

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "graph/graph_slam.hpp"
@@ -29,8 +30,8 @@ struct SimNoise {
 /// information, until a loop is closed. Every `scans_per_key`-th scan is a key.
 class SimRegistration {
   public:
-    SimRegistration(const SimNoise& noise, unsigned seed, int scans_per_key = 1)
-        : noise_(noise), engine_(seed), scans_per_key_(scans_per_key) {}
+    SimRegistration(SimNoise noise, unsigned seed, int scans_per_key = 1)
+        : noise_(std::move(noise)), engine_(seed), scans_per_key_(scans_per_key) {}
 
     RegisteredStep add(const Pose& truth) {
         RegisteredStep step;
@@ -117,9 +118,12 @@ class SimRegistration {
 /// Walls as a scan shows them: each as one line over the part within range, and the corners.
 class SimScanner {
   public:
-    SimScanner(std::vector<SimWall> walls, std::vector<Esquina> corners, const SimNoise& noise,
+    SimScanner(std::vector<SimWall> walls, std::vector<Esquina> corners, SimNoise noise,
                unsigned seed)
-        : walls_(std::move(walls)), corners_(std::move(corners)), noise_(noise), engine_(seed) {}
+        : walls_(std::move(walls)),
+          corners_(std::move(corners)),
+          noise_(std::move(noise)),
+          engine_(seed) {}
 
     Observation look(const Pose& pose, double range_m = 6.0) {
         Observation seen;

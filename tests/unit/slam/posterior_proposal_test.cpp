@@ -86,7 +86,7 @@ struct Dense {
         MatrixXd h(4, 3);
         MatrixXd q = MatrixXd::Zero(4, 4);
         VectorXd nu(4);
-        for (int i = 0; i < 2; ++i) {
+        for (Eigen::Index i = 0; i < 2; ++i) {
             const Recta& wall = walls.at(static_cast<std::size_t>(i));
             const Recta& seen = step.seen.lines.at(static_cast<std::size_t>(i)).recta;
             const double c = std::cos(wall.theta);

@@ -1,0 +1,125 @@
+// What hitos-cli says of recordings that are not what they seem.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "hitos/base/geometry.hpp"
+#include "program.hpp"
+
+namespace hitos {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+/// Where the odometry's pose stands in a FLASER line of n readings.
+struct Reading {
+    std::vector<std::string> fields;
+    std::size_t place = 0;
+
+    Pose odometry() const {
+        return {std::stod(fields[place]), std::stod(fields[place + 1]),
+                std::stod(fields[place + 2])};
+    }
+    void place_at(const Pose& pose) {
+        // The laser's pose before the robot's: it sits on the robot's centre.
+        for (const std::size_t at : {place - 3, place}) {
+            fields[at] = fmt::format("{:.6f}", pose.x);
+            fields[at + 1] = fmt::format("{:.6f}", pose.y);
+            fields[at + 2] = fmt::format("{:.6f}", pose.theta);
+        }
+    }
+};
+
+class RecordingTest : public test::ProgramTest {
+  protected:
+    /// The scans of a tour through `recinto`, changed.
+    std::string recording(const std::function<void(std::vector<Reading>&)>& change) const {
+        const std::string log = path("tour.log");
+        const test::Outcome simulated =
+            test::shell(cli_ + " simulate recinto --seed 3 --format carmen --out " + log);
+        EXPECT_EQ(simulated.status, 0) << simulated.output;
+        std::vector<Reading> readings;
+        std::istringstream lines(test::content(log));
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream words(line);
+            Reading reading;
+            for (std::string word; words >> word;) reading.fields.push_back(word);
+            if (reading.fields.empty() || reading.fields[0] != "FLASER") continue;
+            reading.place = 2 + std::stoul(reading.fields[1]) + 3;
+            readings.push_back(std::move(reading));
+        }
+        EXPECT_GT(readings.size(), 400U);
+        change(readings);
+        std::string text;
+        for (const Reading& reading : readings) {
+            text += fmt::format("{}\n", fmt::join(reading.fields, " "));
+        }
+        return file("changed.log", text);
+    }
+
+    /// The block `quality` of the run's summary.
+    json quality_of(const std::string& log) const {
+        const test::Outcome run =
+            test::shell(cli_ + " run " + log +
+                        " --preset recorded --set filter.particles=5 --out " + path("out"));
+        EXPECT_EQ(run.status, 0) << run.output;
+        return json::parse(test::content(folder_ / "out" / "summary.json"))["quality"];
+    }
+};
+
+TEST_F(RecordingTest, OfAGoodTourThereIsNothingToSay) {
+    const json quality = quality_of(recording([](std::vector<Reading>&) {}));
+    EXPECT_THAT(quality["warnings"], IsEmpty());
+    EXPECT_THAT(quality["scans_breaking"], IsEmpty());
+}
+
+TEST_F(RecordingTest, ARobotThatWasCarriedIsTold) {
+    constexpr std::size_t kFrom = 120;
+    constexpr std::size_t kTo = 260;
+    const json quality = quality_of(recording([](std::vector<Reading>& readings) {
+        const Pose before = readings[kFrom - 1].odometry();
+        const Pose after = readings[kTo - 1].odometry();
+        for (std::size_t i = kTo; i < readings.size(); ++i) {
+            const Pose since = between(after, readings[i].odometry());
+            readings[i].place_at(compose(before, since));
+        }
+        readings.erase(readings.begin() + kFrom, readings.begin() + kTo);
+    }));
+    ASSERT_THAT(quality["scans_breaking"], Not(IsEmpty()));
+    EXPECT_EQ(quality["scans_breaking"][0], kFrom);
+    ASSERT_EQ(quality["warnings"].size(), 1U);
+    EXPECT_THAT(quality["warnings"][0].get<std::string>(),
+                HasSubstr("robot may have been carried"));
+}
+
+TEST_F(RecordingTest, OdometryThatNeverMovesIsTold) {
+    const json quality = quality_of(recording([](std::vector<Reading>& readings) {
+        for (Reading& reading : readings) reading.place_at({});
+    }));
+    ASSERT_GE(quality["warnings"].size(), 1U);
+    EXPECT_THAT(quality["warnings"][0].get<std::string>(),
+                HasSubstr("The odometry never moves in"));
+}
+
+TEST_F(RecordingTest, AJumpOfTheOdometryIsTold) {
+    const json quality = quality_of(recording([](std::vector<Reading>& readings) {
+        for (std::size_t i = 300; i < readings.size(); ++i) {
+            Pose pose = readings[i].odometry();
+            pose.x += 40.0;
+            readings[i].place_at(pose);
+        }
+    }));
+    ASSERT_GE(quality["warnings"].size(), 1U);
+    EXPECT_THAT(quality["warnings"][0].get<std::string>(), HasSubstr("from scan 299 to the next"));
+}
+
+}  // namespace
+}  // namespace hitos
