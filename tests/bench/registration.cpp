@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "hitos/features/control.hpp"
+#include "hitos/features/extractor.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/slam/filters.hpp"
@@ -130,7 +131,7 @@ class Follower {
     }
 
   private:
-    std::unique_ptr<FeatureExtractor> extractor_;
+    std::unique_ptr<Extractor> extractor_;
     std::unique_ptr<SlamFilter> filter_;
     Observation seen_;
 };
