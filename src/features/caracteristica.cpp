@@ -1,6 +1,8 @@
 #include "hitos/features/caracteristica.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace hitos {
 
@@ -58,8 +60,12 @@ ICaracteristica transform(const Pose& pose_a_b, const ICaracteristica& landmark_
         const double theta = recta->theta + pose_a_b.theta;
         const double rho = recta->rho + pose_a_b.x * std::cos(theta) + pose_a_b.y * std::sin(theta);
         const double side = rho < 0.0 ? -1.0 : 1.0;  // the flip to normal form turns rho's sign
-        jacobian << side, side * (pose_a_b.y * std::cos(theta) - pose_a_b.x * std::sin(theta)),  //
+        // How far the foot stays behind along the line.
+        const double shift = pose_a_b.y * std::cos(theta) - pose_a_b.x * std::sin(theta);
+        jacobian << side, side * shift,  //
             0.0, 1.0;
+        std::tie(landmark_a.from_m, landmark_a.to_m) =
+            std::minmax({side * (landmark_b.from_m + shift), side * (landmark_b.to_m + shift)});
         landmark_a.value = normalized({rho, theta});
     } else {
         jacobian << std::cos(pose_a_b.theta), -std::sin(pose_a_b.theta),  //

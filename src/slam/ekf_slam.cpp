@@ -247,8 +247,10 @@ LandmarkMap EkfSlam::best_map() const {
     LandmarkMap map;
     for_each_kind([&]<class S>() {
         for (const Mark& mark : marks<S>()) {
+            const Extent kept = extent<S>(mark);
             map.push_back({S::from_state(state_.landmark(mark.at)),
-                           state_.landmark_covariance(mark.at), mark.record.observations});
+                           state_.landmark_covariance(mark.at), mark.record.observations, kept.low,
+                           kept.high});
         }
     });
     return map;

@@ -135,4 +135,7 @@ void EkfSlam::note_all_seen() {
     });
 }
 
+template Extent EkfSlam::extent<SensorRecta>(const Mark&) const;
+template Extent EkfSlam::extent<SensorEsquina>(const Mark&) const;
+
 }  // namespace hitos

@@ -136,7 +136,9 @@ LandmarkMap FiltroParticulas::best_map() const {
         for (std::size_t i = 0; i < landmarks.size(); ++i) {
             const LandmarkRecord& record = landmarks.record(i);
             if (!confirmed(record)) continue;
-            map.push_back({landmarks.mean(i), landmarks.covariance(i), record.observations});
+            const Extent extent = heeds_extents_ ? landmarks.extent(i) : Extent{};
+            map.push_back({landmarks.mean(i), landmarks.covariance(i), record.observations,
+                           extent.low, extent.high});
         }
     });
     return map;

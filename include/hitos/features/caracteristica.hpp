@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -82,6 +83,10 @@ struct ICaracteristica {
     std::variant<Recta, Esquina> value;
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
     int observations = 0;  ///< how often it was observed
+    /// The part of a line that was seen, as places along it (PreparedRecta::along()) [m]; the whole
+    /// line where its owner does not keep that. Corners have none.
+    double from_m = -std::numeric_limits<double>::infinity();
+    double to_m = std::numeric_limits<double>::infinity();
 
     FeatureKind kind() const {
         return std::holds_alternative<Recta>(value) ? FeatureKind::line : FeatureKind::corner;

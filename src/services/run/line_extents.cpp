@@ -16,9 +16,17 @@ constexpr std::uint64_t kFewestPoints = 10;
 /// A line of the map, ready for many distances.
 struct Line : PreparedRecta {
     int landmark = 0;
+    double from = 0.0;  ///< of the part that was seen
+    double to = 0.0;
 
-    Line(int its_landmark, const Recta& recta) : PreparedRecta(recta), landmark(its_landmark) {}
+    Line(int its_landmark, const Recta& recta, const ICaracteristica& known)
+        : PreparedRecta(recta), landmark(its_landmark), from(known.from_m), to(known.to_m) {}
     double away(const Point2& point) const { return std::abs(signed_distance(point)); }
+    /// How far beyond the part that was seen; 0 or less where they overlap.
+    double beyond(const Point2& a, const Point2& b) const {
+        const auto [low, high] = std::minmax({along(a), along(b)});
+        return std::max(from - high, low - to);
+    }
     /// `direction` is of length 1.
     bool has_direction(const Point2& direction) const {
         return std::abs(c * direction.x + s * direction.y) <= kGreatestSine;
@@ -36,7 +44,7 @@ std::vector<Line> lines_of(const LandmarkMap& map) {
     std::vector<Line> lines;
     for (std::size_t i = 0; i < map.size(); ++i) {
         if (const auto* recta = std::get_if<Recta>(&map[i].value)) {
-            lines.emplace_back(static_cast<int>(i), *recta);
+            lines.emplace_back(static_cast<int>(i), *recta, map[i]);
         }
     }
     return lines;
@@ -144,7 +152,8 @@ std::vector<LineExtent> LineExtents::of(const LandmarkMap& map, const Trajectory
         std::size_t nearest = lines.size();
         double least = kGreatestDistance;
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            const double away = std::max(lines[i].away(a), lines[i].away(b));
+            const double away =
+                std::max({lines[i].away(a), lines[i].away(b), lines[i].beyond(a, b)});
             if (!(away < least) || !lines[i].has_direction(along)) continue;
             least = away;
             nearest = i;

@@ -231,8 +231,9 @@ LandmarkMap GraphSlam::best_map() const {
             LandmarkEstimate<S> estimate{LocalCoordinates<S>::landmark(landmark.place),
                                          j * covariances[i] * j.transpose()};
             normalize(estimate);
-            map.push_back(
-                {estimate.mean, estimate.covariance, static_cast<int>(landmark.sightings.size())});
+            const Extent extent = extent_from_foot(landmark, estimate.mean);
+            map.push_back({estimate.mean, estimate.covariance,
+                           static_cast<int>(landmark.sightings.size()), extent.low, extent.high});
         }
     });
     map_ = map;

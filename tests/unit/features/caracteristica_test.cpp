@@ -83,6 +83,26 @@ TEST(Recta, TransformMovesItsPoints) {
     }
 }
 
+TEST(ICaracteristica, ThePartThatWasSeenMovesWithTheLine) {
+    std::mt19937 engine(18);
+    std::uniform_real_distribution<double> value(-3.0, 3.0);
+    for (int i = 0; i < 200; ++i) {
+        const Pose pose{value(engine), value(engine), value(engine)};
+        const Recta line = normalized({std::abs(value(engine)), value(engine)});
+        ICaracteristica landmark{line};
+        landmark.from_m = value(engine);
+        landmark.to_m = landmark.from_m + 1.5;
+        const Point2 from = transform(pose, PreparedRecta(line).at(landmark.from_m));
+        const Point2 to = transform(pose, PreparedRecta(line).at(landmark.to_m));
+        const ICaracteristica moved = transform(pose, landmark);
+        const PreparedRecta prepared(std::get<Recta>(moved.value));
+        EXPECT_NEAR(moved.from_m, std::min(prepared.along(from), prepared.along(to)), 1e-9);
+        EXPECT_NEAR(moved.to_m, std::max(prepared.along(from), prepared.along(to)), 1e-9);
+        EXPECT_EQ(transform(pose, ICaracteristica{line}).to_m,
+                  std::numeric_limits<double>::infinity());
+    }
+}
+
 TEST(ICaracteristica, CovarianceMovesWithTheLandmark) {
     std::mt19937 engine(17);
     std::uniform_real_distribution<double> value(-3.0, 3.0);

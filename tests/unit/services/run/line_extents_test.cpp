@@ -204,6 +204,20 @@ TEST(LineExtents, BelongToTheNearestLineOrToNone) {
     EXPECT_EQ(noted.of(map_of({{-2.0, -kPi / 2.0}})).size(), 1U);
 }
 
+TEST(LineExtents, BelongToTheWallThatWasSeenThere) {
+    // Of two walls in a row, a door between them, the one that lies nearer ends before the door.
+    Noted noted;
+    noted.scan({}, row({0.0, 2.0}, {3.0, 2.0}));
+    LandmarkMap map = map_of({{2.02, kPi / 2.0}, kNorth});
+    map[0].from_m = -3.0;
+    map[0].to_m = 0.0;
+    map[1].from_m = -8.0;
+    map[1].to_m = -5.0;
+    const auto found = noted.of(map);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].landmark, 0);
+}
+
 TEST(LineExtents, OfShortPiecesGoByTheWholeLinesDirection) {
     // Two far points in the corner of x = 0 and y = 2, 4 m of opening after them.
     Noted noted;
