@@ -92,7 +92,7 @@ TEST(PathsPicture, ShowsTheThreePathsAndTheMapOnEqualAxes) {
     // Equal axes: two metres of y between odometry and truth against ten metres of x.
     EXPECT_NEAR(5.0 * (truth.y - odometry.y), truth.width, 0.03 * truth.width);
     const std::string script = content(folder / "paths.gp");
-    for (const char* word : {"true path", "odometry", "estimated path", "segments", "corners"}) {
+    for (const char* word : {"reference", "odometry", "estimated path", "segments", "corners"}) {
         EXPECT_THAT(script, HasSubstr(word));
     }
     EXPECT_THAT(script, ::testing::Not(HasSubstr("true walls")));
