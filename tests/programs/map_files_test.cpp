@@ -55,7 +55,7 @@ TEST_F(MapFiles, OfTheCorridorHoldThePapersTableAndFigures) {
     EXPECT_THAT(content(path("out/uncertainty.csv")),
                 ::testing::StartsWith("scan,time_s,kind,landmark,sigma_1,sigma_2\n1,0,line,1,"));
     if (outcome.output.find("gnuplot is not installed") != std::string::npos) return;
-    EXPECT_THAT(outcome.output, Not(HasSubstr("not drawn")));
+    EXPECT_THAT(outcome.output, Not(HasSubstr("not written")));
     for (const char* picture : {"out/paths.png", "out/uncertainty.png"})
         EXPECT_TRUE(content(path(picture)).starts_with("\x89PNG")) << picture;
 }

@@ -96,8 +96,7 @@ TEST_F(RecordingTest, ARobotThatWasCarriedIsTold) {
     ASSERT_THAT(quality["scans_breaking"], Not(IsEmpty()));
     EXPECT_EQ(quality["scans_breaking"][0], kFrom);
     ASSERT_EQ(quality["warnings"].size(), 1U);
-    EXPECT_THAT(quality["warnings"][0].get<std::string>(),
-                HasSubstr("robot may have been carried"));
+    EXPECT_THAT(quality["warnings"][0].get<std::string>(), HasSubstr("(scan 120"));
 }
 
 TEST_F(RecordingTest, OdometryThatNeverMovesIsTold) {
@@ -118,7 +117,27 @@ TEST_F(RecordingTest, AJumpOfTheOdometryIsTold) {
         }
     }));
     ASSERT_GE(quality["warnings"].size(), 1U);
-    EXPECT_THAT(quality["warnings"][0].get<std::string>(), HasSubstr("from scan 299 to the next"));
+    EXPECT_THAT(quality["warnings"][0].get<std::string>(), HasSubstr("(299 → 300, 40 m)"));
+}
+
+TEST_F(RecordingTest, ALaserThatSeesNothingCostsThePicturesOnly) {
+    std::string blind;
+    for (int i = 0; i < 20; ++i) {
+        blind += fmt::format("FLASER 3 81.91 81.91 81.91 {0} 0 0 {0} 0 0 {1} robot {1}\n", 0.1 * i,
+                             0.2 * i);
+    }
+    const std::string run =
+        cli_ + " run " + file("blind.log", blind) + " --preset recorded --out " + path("out");
+    const test::Outcome outcome = test::shell(run);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("warning: not written: grid_best.png"));
+    EXPECT_TRUE(test::fs::exists(folder_ / "out" / "trajectory.tum"));
+    EXPECT_FALSE(test::fs::exists(folder_ / "out" / "grid_best.jpg"));
+    const json summary = json::parse(test::content(folder_ / "out" / "summary.json"));
+    ASSERT_EQ(summary["not_written"].size(), 3U);
+    EXPECT_THAT(summary["not_written"][0]["reason"].get<std::string>(),
+                HasSubstr("nothing to draw"));
+    EXPECT_EQ(test::shell(run + " --strict").status, 2);
 }
 
 }  // namespace

@@ -33,9 +33,12 @@ struct RunOptions {
     std::string reference_trajectory;
     std::string distances;
     bool uncertainty = false;
+    bool strict = false;
     std::optional<std::size_t> grid_of;
     std::string out;
 };
+
+constexpr int kNotWhole = 2;  // the program's status
 
 void print_summary(const RunSummary& summary, const std::string& folder) {
     fmt::print("{} scans in {:.1f} s of tour, {} lines and {} corners\n", summary.scans,
@@ -74,7 +77,9 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
         fmt::print("warning: {}\n", warning.words());
     }
     for (const Advice& advice : summary.advice) fmt::print("note: {}\n", advice.words());
-    for (const std::string& missing : summary.not_drawn) fmt::print("not drawn: {}\n", missing);
+    for (const NotWritten& missing : summary.not_written) {
+        fmt::print("warning: not written: {}: {}\n", missing.file, missing.reason);
+    }
     fmt::print("results in {}\n", folder);
 }
 
@@ -129,6 +134,7 @@ void run(const RunOptions& options) {
             })
             .get();
     print_summary(summary, options.out);
+    if (options.strict && !summary.not_written.empty()) throw CLI::RuntimeError(kNotWhole);
 }
 
 }  // namespace
@@ -159,6 +165,8 @@ void add_run(CLI::App& program) {
     command->add_option("--grid-of", options->grid_of,
                         "Draw the grid along this particle's own path too, as "
                         "grid_particle_NUMBER.png and .jpg: a number from 0 on");
+    command->add_flag("--strict", options->strict,
+                      "End with status 2 where a file that a run can do without was not written");
     command->add_option("--out", options->out, "Folder for the results, made if missing")
         ->required();
     command->callback([options] { run(*options); });

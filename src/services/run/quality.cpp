@@ -66,27 +66,28 @@ void warn_of_odometry(const Trajectory& odometry, RunQuality& quality) {
     const auto longest = std::ranges::max_element(steps);
     if (*longest == 0.0 && !turns(odometry)) {
         warn(quality,
-             HITOS_TEXT("Advice",
-                        "The odometry never moves in %1: either the robot stood still, or the log "
-                        "has no odometry and its map is that of one place."),
-             fmt::format("{} scans", odometry.size()));
+             HITOS_TEXT(
+                 "Advice",
+                 "The odometry never moves in %1 scans: either the robot stood still, or the log "
+                 "has no odometry and its map is that of one place."),
+             std::to_string(odometry.size()));
     }
     if (*longest > kLongestStep) {
         warn(quality,
              HITOS_TEXT("Advice",
-                        "The odometry jumps by %1: no scan there has anything in common with the "
-                        "one before, and the map beyond lies where the jump put it."),
-             fmt::format("{:.0f} m from scan {} to the next", *longest, longest - steps.begin()));
+                        "The odometry jumps from one scan to the next (%1): they have nothing in "
+                        "common, and the map beyond lies where the jump put it."),
+             fmt::format("{0} → {1}, {2:.0f} m", longest - steps.begin(),
+                         longest - steps.begin() + 1, *longest));
     }
 }
 
-/// "scan 151", "scans 151, 312 and 4 more".
+/// "151", "151, 152, 312 … (+4)".
 std::string named(const std::vector<std::uint64_t>& scans) {
     constexpr std::size_t kMost = 3;
     const std::span first = std::span(scans).first(std::min(kMost, scans.size()));
-    std::string names =
-        fmt::format("scan{} {}", scans.size() > 1 ? "s" : "", fmt::join(first, ", "));
-    if (scans.size() > kMost) names += fmt::format(" and {} more", scans.size() - kMost);
+    std::string names = fmt::format("{}", fmt::join(first, ", "));
+    if (scans.size() > kMost) names += fmt::format(" … (+{})", scans.size() - kMost);
     return names;
 }
 
@@ -104,7 +105,7 @@ void warn_of_registration(const Algoritmo& run, RunQuality& quality) {
     } else if (!figures.breaks.empty()) {
         warn(quality,
              HITOS_TEXT("Advice",
-                        "What was seen does not follow on what was seen just before at %1: the "
+                        "What was seen does not follow on what was seen just before (scan %1): the "
                         "robot may have been carried there, or the log have a gap. The map may be "
                         "in pieces."),
              named(figures.breaks));

@@ -64,6 +64,30 @@ ordered_json json_of(const RunQuality& quality) {
 
 }  // namespace
 
+namespace {
+
+/// An earlier run's would not belong to this map.
+void remove_files(const RunOutput& output, const std::filesystem::path& folder) {
+    for (const std::string& file : output.files) {
+        std::error_code ignored;
+        std::filesystem::remove(folder / file, ignored);
+    }
+}
+
+/// Why the output is missing, else an empty text.
+std::string written(const RunOutput& output, const FinishedRun& finished,
+                    const std::filesystem::path& folder) {
+    try {
+        return output.write(finished, folder);
+    } catch (const Error& error) {
+        if (output.essential) throw;
+        remove_files(output, folder);
+        return error.what();
+    }
+}
+
+}  // namespace
+
 std::string version() {
     return kVersion;
 }
@@ -143,6 +167,10 @@ std::string to_json(const RunSummary& summary, double seconds) {
     for (const Advice& advice : summary.advice)
         json["suitability"]["advice"].push_back(advice.words());
     json["quality"] = json_of(summary.quality);
+    json["not_written"] = ordered_json::array();
+    for (const NotWritten& missing : summary.not_written) {
+        json["not_written"].push_back({{"file", missing.file}, {"reason", missing.reason}});
+    }
     // Text from a damaged log may be no UTF-8: replace what is not instead of failing.
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
@@ -165,21 +193,18 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     FinishedRun finished{run, references, summary, run.best_trajectory(), run.filter().best_map(),
                          {}};
     finished.segments = run.line_extents().of(finished.map, finished.best);
-    std::vector<std::string> not_drawn;
+    std::vector<NotWritten> not_written;
     for (const RunOutput& output : run_outputs()) {
         if (output.wanted && !output.wanted(finished)) {
-            for (const std::string& file : output.files) {
-                std::error_code ignored;
-                std::filesystem::remove(folder / file, ignored);
-            }
+            remove_files(output, folder);
             continue;
         }
-        const std::string missing = output.write(finished, folder);
-        if (!missing.empty())
-            not_drawn.push_back(output.files.empty() ? missing
-                                                     : output.files.front() + ": " + missing);
+        const std::string reason = written(output, finished, folder);
+        if (!reason.empty()) {
+            not_written.push_back({output.files.empty() ? "" : output.files.front(), reason});
+        }
     }
-    summary.not_drawn = std::move(not_drawn);
+    summary.not_written = std::move(not_written);
     write_file(folder / "summary.json", to_json(summary, seconds));
     return summary;
 }

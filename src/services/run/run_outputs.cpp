@@ -20,13 +20,21 @@ using Folder = std::filesystem::path;
 
 const std::string kParticleGrid = "grid_particle_";
 
-/// A file that is always written whole, or the run fails.
+/// One file, of every run.
 template <class Write>
 RunOutput always(const char* file, Write write) {
     return {{file}, {}, [file, write](const FinishedRun& finished, const Folder& folder) {
                 write(finished, folder / file);
                 return std::string();
             }};
+}
+
+/// A file without which the run fails.
+template <class Write>
+RunOutput essential(const char* file, Write write) {
+    RunOutput output = always(file, write);
+    output.essential = true;
+    return output;
 }
 
 /// Small grids are enlarged so that a picture can be looked at without tools.
@@ -149,17 +157,23 @@ RunOutput uncertainty() {
 std::vector<RunOutput> make_outputs() {
     using Run = FinishedRun;
     return {
-        always("map.txt", [](const Run& r, const Folder& file) { write_map(r.map, file); }),
-        always("segments.txt",
-               [](const Run& r, const Folder& file) { write_segments(r.map, r.segments, file); }),
-        always("trajectory.tum",
-               [](const Run& r, const Folder& file) { write_trajectory(r.best, file); }),
-        always("trajectory_online.tum",
-               [](const Run& r, const Folder& file) {
-                   write_trajectory(r.run.online_trajectory(), file);
-               }),
-        always("odometry.tum",
-               [](const Run& r, const Folder& file) { write_trajectory(odometry_path(r), file); }),
+        essential("map.txt", [](const Run& r, const Folder& file) { write_map(r.map, file); }),
+        essential(
+            "segments.txt",
+            [](const Run& r, const Folder& file) { write_segments(r.map, r.segments, file); }),
+        essential("trajectory.tum",
+                  [](const Run& r, const Folder& file) { write_trajectory(r.best, file); }),
+        essential("trajectory_online.tum",
+                  [](const Run& r, const Folder& file) {
+                      write_trajectory(r.run.online_trajectory(), file);
+                  }),
+        essential(
+            "odometry.tum",
+            [](const Run& r, const Folder& file) { write_trajectory(odometry_path(r), file); }),
+        essential("config.cfg",
+                  [](const Run& r, const Folder& file) {
+                      ArchivoConfiguracion::write(r.run.configuration(), file);
+                  }),
         grid(
             "grid_best_steps", [](const Run& r) -> const Grid& { return r.run.step_grid(); },
             best_path),
@@ -172,10 +186,6 @@ std::vector<RunOutput> make_outputs() {
         uncertainty(),
         always("map.dxf", [](const Run& r,
                              const Folder& file) { write_dxf(r.map, r.segments, r.best, file); }),
-        always("config.cfg",
-               [](const Run& r, const Folder& file) {
-                   ArchivoConfiguracion::write(r.run.configuration(), file);
-               }),
     };
 }
 

@@ -29,11 +29,13 @@ struct RunOutput {
     /// Whether there is something to write; null: always.
     std::function<bool(const FinishedRun&)> wanted;
     /// Writes into the folder. Returns why the first of the files is missing, else an empty text.
-    /// Throws FileError.
+    /// Throws Error.
     std::function<std::string(const FinishedRun&, const std::filesystem::path& folder)> write;
+    bool essential = false;  ///< whether the run fails without it
 };
 
-/// In the order in which they are written; summary.json, which comes last, is not among them.
+/// In the order in which they are written, the essential ones first; summary.json, which comes
+/// last, is not among them.
 const std::vector<RunOutput>& run_outputs();
 
 }  // namespace hitos

@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <chrono>
 
+#include "dialogs/parameter_text.hpp"
 #include "dialogs/picture_dialog.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
@@ -140,20 +141,27 @@ void ResultActions::write_results_to(const QString& folder) {
     writing_ = worker.with_run([this, number = ++writings_, folder, seconds,
                                 references = session_.references()](const Algoritmo& run) {
         QString problem;
+        QStringList missing;
         try {
             prepare_output_folder(folder.toStdString());
-            write_results(run, references, seconds, folder.toStdString());
+            const RunSummary summary =
+                write_results(run, references, seconds, folder.toStdString());
+            for (const NotWritten& file : summary.not_written) missing += to_qt(file.file);
         } catch (const std::exception& error) {
             problem = words_of(error);
         }
         QMetaObject::invokeMethod(
-            this, [this, number, folder, problem] { end_writing(number, folder, problem); },
+            this,
+            [this, number, folder, problem, missing] {
+                end_writing(number, folder, problem, missing);
+            },
             Qt::QueuedConnection);
     });
     emit writing_changed();
 }
 
-void ResultActions::end_writing(int number, const QString& folder, const QString& problem) {
+void ResultActions::end_writing(int number, const QString& folder, const QString& problem,
+                                const QStringList& missing) {
     if (number != writings_) return;
     writing_ = {};
     emit writing_changed();
@@ -163,7 +171,9 @@ void ResultActions::end_writing(int number, const QString& folder, const QString
         return;
     }
     results_folder_.clear();
-    emit notice(tr("Results saved: %1").arg(QDir::toNativeSeparators(folder)));
+    const QString saved = tr("Results saved: %1").arg(QDir::toNativeSeparators(folder));
+    emit notice(missing.isEmpty() ? saved
+                                  : tr("%1; not written: %2").arg(saved, missing.join(", ")));
 }
 
 void ResultActions::save_picture(const CanvasView& view) {

@@ -43,7 +43,8 @@ class ResultActions final : public QObject {
     MapWindow* open_window(QPointer<MapWindow>& place, const QString& title, MapWindow::Show show);
 
     void write_results_to(const QString& folder);
-    void end_writing(int number, const QString& folder, const QString& problem);
+    void end_writing(int number, const QString& folder, const QString& problem,
+                     const QStringList& missing);
 
     Session& session_;
     UserFiles& files_;

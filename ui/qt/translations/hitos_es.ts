@@ -35,6 +35,22 @@
         <source>This is the recording of a robot (%1), and its scans are not registered: with registration maps of buildings come out right.</source>
         <translation>Esta es la grabación de un robot (%1) y sus barridos no se registran: con el registro de barridos los mapas de edificios salen bien.</translation>
     </message>
+    <message>
+        <source>A loop moved the path by %1 at once: until then the poses told while driving were that far off. Look whether walls meet where it closed.</source>
+        <translation>Un bucle movió el camino %1 de una vez: hasta entonces las poses dichas durante la marcha estaban así de lejos. Mire si las paredes casan donde se cerró.</translation>
+    </message>
+    <message>
+        <source>The odometry never moves in %1 scans: either the robot stood still, or the log has no odometry and its map is that of one place.</source>
+        <translation>La odometría no se mueve en %1 barridos: o el robot estuvo parado, o el registro no tiene odometría y su mapa es el de un solo lugar.</translation>
+    </message>
+    <message>
+        <source>The odometry jumps from one scan to the next (%1): they have nothing in common, and the map beyond lies where the jump put it.</source>
+        <translation>La odometría salta de un barrido al siguiente (%1): no tienen nada en común, y el mapa que sigue queda donde lo puso el salto.</translation>
+    </message>
+    <message>
+        <source>What was seen does not follow on what was seen just before (scan %1): the robot may have been carried there, or the log have a gap. The map may be in pieces.</source>
+        <translation>Lo visto no sigue a lo visto justo antes (barrido %1): quizá el robot fue llevado allí, o al registro le falta un trozo. El mapa puede estar en pedazos.</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -1818,6 +1834,10 @@
     <message>
         <source>Grid map of particle %1</source>
         <translation>Mapa de rejilla de la partícula %1</translation>
+    </message>
+    <message>
+        <source>%1; not written: %2</source>
+        <translation>%1; sin escribir: %2</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,12 @@ struct References {
     Walls walls;                           ///< true walls for pictures, in the map's frame
 };
 
+/// A file that a run could do without, and why it is missing.
+struct NotWritten {
+    std::string file;
+    std::string reason;
+};
+
 /// The figures of a run, as summary.json states them.
 struct RunSummary {
     std::string source;
@@ -48,7 +54,7 @@ struct RunSummary {
     SuitabilityFigures suitability;
     std::vector<Advice> advice;
     RunQuality quality;
-    std::vector<std::string> not_drawn;  ///< pictures that are missing, each with the reason
+    std::vector<NotWritten> not_written;
 };
 
 RunSummary summarize(const Algoritmo& run, const References& references);
@@ -65,8 +71,9 @@ void prepare_output_folder(const std::filesystem::path& folder);
 /// and grid_odometry (each as .png and .jpg), config.cfg and summary.json; distances.csv where
 /// distances are given; paths.png and its script where a trajectory is given; odometry_scans.png
 /// and its script where the true walls are known; uncertainty.csv, .png and their script where the
-/// run recorded it. Without, those of an earlier run are removed. Each appears whole. Returns the
-/// summary.
+/// run recorded it. Without, those of an earlier run are removed. Each appears whole. Map,
+/// trajectories and configuration come first, and without them the run fails (FileError); of the
+/// others each may be missing, and the summary says why. Returns the summary.
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          const std::filesystem::path& folder);
 

@@ -117,7 +117,7 @@ TEST_F(ResultsTest, FilesOfAnEarlierRunThatThisOneHasNotAreRemoved) {
     expected.insert("notes.txt");
     EXPECT_EQ(names(), expected);
     EXPECT_NE(content(out_ / "map.txt"), "old");
-    EXPECT_TRUE(summary.not_drawn.empty());
+    EXPECT_TRUE(summary.not_written.empty());
     EXPECT_EQ(content(out_ / "summary.json"), to_json(summary, 1.0));
 }
 
@@ -142,7 +142,7 @@ TEST_F(ResultsTest, WallsAndScansByOdometryAreDrawnWhereWallsAreKnown) {
     references.walls = {{{0.0, -1.0}, {5.0, -1.0}}};
     const RunSummary summary = write_results(run, references, 1.0, out_.path());
     EXPECT_TRUE(names().contains("odometry_scans.gp"));
-    EXPECT_NE(summary.not_drawn.empty(), !names().contains("odometry_scans.png"));
+    EXPECT_NE(summary.not_written.empty(), !names().contains("odometry_scans.png"));
     const std::string script = content(out_ / "odometry_scans.gp");
     EXPECT_NE(script.find("0.0000 -1.0000\n5.0000 -1.0000\n"), std::string::npos);
     // The first point that the first scan puts there, whose pose by odometry is known.
@@ -161,9 +161,9 @@ TEST_F(ResultsTest, WhatWasAskedForIsWrittenAndWhatCouldNotBeDrawnIsTold) {
     references.distances = {{"room", {-1.0, 0.0}, {19.0, 0.0}}};
     out_.put("paths.png", "old");
     const RunSummary summary = write_results(run, references, 1.0, out_.path());
-    ASSERT_FALSE(summary.not_drawn.empty());
-    EXPECT_THAT(summary.not_drawn.front(),
-                StartsWith("paths.png: no pose of the reference trajectory"));
+    ASSERT_FALSE(summary.not_written.empty());
+    EXPECT_THAT(summary.not_written.front().reason,
+                StartsWith("no pose of the reference trajectory"));
     EXPECT_FALSE(names().contains("paths.png"));
     for (const char* name : {"distances.csv", "uncertainty.csv", "uncertainty.gp"}) {
         EXPECT_TRUE(names().contains(name)) << name;
