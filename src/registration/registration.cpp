@@ -24,6 +24,15 @@ constexpr std::size_t kLoopEvery = 2;  // keys
 constexpr double kKeySlip = 0.01;      // [m] added to a key's standard deviation
 constexpr double kKeySlipRad = 0.002;  // [rad]
 
+double greatest_move(std::span<const KeyPose> before, std::span<const KeyPose> after) {
+    double greatest = 0.0;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        greatest = std::max(greatest, std::hypot(after[k].pose.x - before[k].pose.x,
+                                                 after[k].pose.y - before[k].pose.y));
+    }
+    return greatest;
+}
+
 }  // namespace
 
 class Registration::Impl {
@@ -231,9 +240,12 @@ void Registration::Impl::close_loop() {
     closer_.forget();
     if (graph_.edges.size() == first) return;
     const std::vector<KeyPose> before = graph_.poses;
-    const double tension_before = tension(std::span(graph_.edges).first(first));
-    // First without robust weights: a large correction would be cut off by them.
-    double moved = solve(graph_.poses, graph_.edges, {6, false});
+    // Both without robust weights, which let a slip stand as it is and would cut a large correction
+    // off.
+    const std::span known = std::span(graph_.edges).first(first);
+    solve(graph_.poses, known, {6, false});
+    const double tension_before = tension(known);
+    solve(graph_.poses, graph_.edges, {6, false});
     // What three standard deviations in each direction explain, and the new edges' own.
     const double allowed = 3.0 * 9.0 + 3.0 * static_cast<double>(graph_.edges.size() - first);
     if (tension(graph_.edges) - tension_before > allowed) {
@@ -245,7 +257,8 @@ void Registration::Impl::close_loop() {
     for (std::size_t i = first; i < graph_.edges.size(); ++i) {
         graph_.join(graph_.edges[i].from, graph_.edges[i].to);
     }
-    moved += solve(graph_.poses, graph_.edges, {6, true});
+    solve(graph_.poses, graph_.edges, {6, true});
+    const double moved = greatest_move(before, graph_.poses);
     loops_.push_back({graph_.poses[newest].scan, graph_.poses[found->key].scan, moved});
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, moved);
     correct(before);

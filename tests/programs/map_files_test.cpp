@@ -12,7 +12,6 @@ namespace hitos {
 namespace {
 
 using test::content;
-using test::kSource;
 using test::Outcome;
 using test::shell;
 using ::testing::HasSubstr;
@@ -20,10 +19,11 @@ using ::testing::Not;
 
 class MapFiles : public test::ProgramTest {
   protected:
-    const std::string distances_ = kSource + "/data/worlds/corridor.distances";
-    const std::string corridor_map_ = kSource + "/data/maps/corridor.map";
-    const std::string run_ = cli_ + " run " + kSource + "/data/worlds/corridor.toml --config " +
-                             config_ + " --set split_merge.fit=least-squares" +
+    const std::string distances_ = test::kSource + "/data/worlds/corridor.distances";
+    const std::string corridor_map_ = test::kSource + "/data/maps/corridor.map";
+    const std::string run_ = cli_ + " run " + test::kSource +
+                             "/data/worlds/corridor.toml --config " + config_ +
+                             " --set split_merge.fit=least-squares" +
                              " --set observation.var_rho=0.001 --set observation.var_theta=0.0005 ";
 };
 

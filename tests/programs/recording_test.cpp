@@ -94,9 +94,9 @@ TEST_F(RecordingTest, ARobotThatWasCarriedIsTold) {
         readings.erase(readings.begin() + kFrom, readings.begin() + kTo);
     }));
     ASSERT_THAT(quality["scans_breaking"], Not(IsEmpty()));
-    EXPECT_EQ(quality["scans_breaking"][0], kFrom);
+    EXPECT_EQ(quality["scans_breaking"][0], kFrom + 1);
     ASSERT_EQ(quality["warnings"].size(), 1U);
-    EXPECT_THAT(quality["warnings"][0].get<std::string>(), HasSubstr("(scan 120"));
+    EXPECT_THAT(quality["warnings"][0].get<std::string>(), HasSubstr("(scan 121"));
 }
 
 TEST_F(RecordingTest, OdometryThatNeverMovesIsTold) {
@@ -117,7 +117,7 @@ TEST_F(RecordingTest, AJumpOfTheOdometryIsTold) {
         }
     }));
     ASSERT_GE(quality["warnings"].size(), 1U);
-    EXPECT_THAT(quality["warnings"][0].get<std::string>(), HasSubstr("(299 → 300, 40 m)"));
+    EXPECT_THAT(quality["warnings"][0].get<std::string>(), HasSubstr("(300 → 301, 40 m)"));
 }
 
 TEST_F(RecordingTest, ALaserThatSeesNothingCostsThePicturesOnly) {

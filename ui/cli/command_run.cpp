@@ -44,7 +44,8 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
     fmt::print("{} scans in {:.1f} s of tour, {} lines and {} corners\n", summary.scans,
                summary.duration_s, summary.lines, summary.corners);
     if (summary.report.skipped > 0) {
-        fmt::print("{} damaged lines were skipped; line {}: {}\n", summary.report.skipped,
+        fmt::print("{} damaged line{} skipped; line {}: {}\n", summary.report.skipped,
+                   summary.report.skipped == 1 ? " was" : "s were",
                    summary.report.examples.front().line, summary.report.examples.front().reason);
     }
     if (summary.report.stamps_backwards > 0) {
@@ -66,9 +67,14 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
             "trajectory error (ATE) {:.3f} m, while driving {:.3f} m, odometry alone {:.3f} m\n",
             summary.trajectory_error->rmse_m, summary.online_error->rmse_m,
             summary.odometry_error->rmse_m);
+        if (static_cast<std::uint64_t>(summary.trajectory_error->poses) < summary.scans) {
+            fmt::print(
+                "  over {} of {} scans: the reference has no pose at the times of the others\n",
+                summary.trajectory_error->poses, summary.scans);
+        }
     }
     if (!summary.distances.empty()) fmt::print("{}", distance_table(summary.distances));
-    if (const auto& figures = summary.quality.registration) {
+    if (const auto& figures = summary.quality.registration; figures && figures->scans > 0) {
         fmt::print("{} of {} scans fitted, {} loop{} closed, largest correction {:.2f} m\n",
                    figures->scans - figures->unmatched, figures->scans, summary.quality.loops,
                    summary.quality.loops == 1 ? "" : "s", figures->largest_correction_m);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "../evaluation/map_crispness.hpp"
+#include "hitos/base/geometry.hpp"
 #include "hitos/base/translatable.hpp"
 
 namespace hitos {
@@ -23,7 +24,9 @@ constexpr double kPoorScore = 0.5;
 constexpr double kBlurrier = 1.05;          // than the odometry's map
 constexpr double kLongWithoutLoop = 100.0;  // [m]
 constexpr double kLargeCorrection = 5.0;    // [m]; of six recorded tours the largest is 4.1
-constexpr double kLongestStep = 10.0;       // [m] between scans; of sparse recordings 1.7
+constexpr double kLongEnough = 10.0;        // [m] for a scale
+constexpr double kScaleOff = 1.15;
+constexpr double kLongestStep = 10.0;  // [m] between scans; of sparse recordings 1.7
 
 void measure_crispness(const Algoritmo& run, RunQuality& quality) {
     MapCrispness best;
@@ -40,8 +43,8 @@ void measure_crispness(const Algoritmo& run, RunQuality& quality) {
     quality.odometry_cells_per_point = odometry.cells_per_point();
 }
 
-void warn(RunQuality& quality, std::string_view text, std::string figure) {
-    quality.warnings.push_back({text, std::move(figure), {}});
+void warn(std::vector<Advice>& warnings, std::string_view text, std::string figure) {
+    warnings.push_back({text, std::move(figure), {}});
 }
 
 /// Ways from each pose to the next [m].
@@ -60,12 +63,14 @@ bool turns(const Trajectory& path) {
         path, [&](const StampedPose& pose) { return pose.pose.theta != path.front().pose.theta; });
 }
 
-void warn_of_odometry(const Trajectory& odometry, RunQuality& quality) {
+void warn_of_odometry(const Algoritmo& run, std::vector<Advice>& warnings) {
+    const Trajectory& odometry = run.odometry_trajectory();
     const std::vector<double> steps = steps_of(odometry);
     if (steps.empty()) return;
     const auto longest = std::ranges::max_element(steps);
-    if (*longest == 0.0 && !turns(odometry)) {
-        warn(quality,
+    const bool needed = run.configuration().filter.motion.model != "no-odometry";
+    if (needed && run.finished() && *longest == 0.0 && !turns(odometry)) {
+        warn(warnings,
              HITOS_TEXT(
                  "Advice",
                  "The odometry never moves in %1 scans: either the robot stood still, or the log "
@@ -73,12 +78,13 @@ void warn_of_odometry(const Trajectory& odometry, RunQuality& quality) {
              std::to_string(odometry.size()));
     }
     if (*longest > kLongestStep) {
-        warn(quality,
-             HITOS_TEXT("Advice",
-                        "The odometry jumps from one scan to the next (%1): they have nothing in "
-                        "common, and the map beyond lies where the jump put it."),
-             fmt::format("{0} → {1}, {2:.0f} m", longest - steps.begin(),
-                         longest - steps.begin() + 1, *longest));
+        warn(warnings,
+             HITOS_TEXT(
+                 "Advice",
+                 "The odometry jumps from one scan to the next (%1): they have nothing in "
+                 "common, and what follows lies where the jump put it until a loop is closed."),
+             fmt::format("{0} → {1}, {2:.0f} m", longest - steps.begin() + 1,
+                         longest - steps.begin() + 2, *longest));
     }
 }
 
@@ -86,64 +92,110 @@ void warn_of_odometry(const Trajectory& odometry, RunQuality& quality) {
 std::string named(const std::vector<std::uint64_t>& scans) {
     constexpr std::size_t kMost = 3;
     const std::span first = std::span(scans).first(std::min(kMost, scans.size()));
-    std::string names = fmt::format("{}", fmt::join(first, ", "));
+    std::vector<std::uint64_t> numbers;
+    for (const std::uint64_t scan : first) numbers.push_back(scan + 1);  // counted as people do
+    std::string names = fmt::format("{}", fmt::join(numbers, ", "));
     if (scans.size() > kMost) names += fmt::format(" … (+{})", scans.size() - kMost);
     return names;
 }
 
-void warn_of_registration(const Algoritmo& run, RunQuality& quality) {
-    const RegistrationFigures& figures = *quality.registration;
+/// The way from key scan to key scan, where what trembles between them does not count.
+struct DrivenBy {
+    double path_m = 0.0;
+    double path_rad = 0.0;
+    double odometry_m = 0.0;
+    double odometry_rad = 0.0;
+};
+
+DrivenBy driven_by(const Registration& registration, const Trajectory& odometry) {
+    DrivenBy driven;
+    const std::span<const KeyPose> keys = registration.keys();
+    for (std::size_t k = 1; k < keys.size(); ++k) {
+        const Pose path = between(keys[k - 1].pose, keys[k].pose);
+        const Pose wheels = between(odometry[keys[k - 1].scan].pose, odometry[keys[k].scan].pose);
+        driven.path_m += std::hypot(path.x, path.y);
+        driven.odometry_m += std::hypot(wheels.x, wheels.y);
+        driven.path_rad += std::abs(path.theta);
+        driven.odometry_rad += std::abs(wheels.theta);
+    }
+    return driven;
+}
+
+void warn_of_scale(const DrivenBy& driven, std::vector<Advice>& warnings) {
+    if (driven.path_m < kLongEnough || driven.odometry_m <= 0.0) return;
+    const double scale = driven.odometry_m / driven.path_m;
+    if (scale > kScaleOff || scale < 1.0 / kScaleOff) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "The odometry's way is %1 times that by the scans: its scale is wrong, and "
+                        "corridors, which only the odometry measures, have a wrong length."),
+             fmt::format("{:.2f}", scale));
+    }
+}
+
+void warn_of_registration(const Algoritmo& run, const Registration& registration,
+                          std::vector<Advice>& warnings) {
+    const RegistrationFigures figures = registration.figures();
     const double unmatched = figures.scans > 0 ? static_cast<double>(figures.unmatched) /
                                                      static_cast<double>(figures.scans)
                                                : 0.0;
     if (unmatched > kManyUnmatched) {
-        warn(quality,
+        warn(warnings,
              HITOS_TEXT("Advice",
                         "%1 of the scans fitted nothing that was seen before: the robot may have "
                         "been carried, or its laser blind; the map may be in pieces."),
              fmt::format("{:.0f} %", 100.0 * unmatched));
     } else if (!figures.breaks.empty()) {
-        warn(quality,
-             HITOS_TEXT("Advice",
-                        "What was seen does not follow on what was seen just before (scan %1): the "
-                        "robot may have been carried there, or the log have a gap. The map may be "
-                        "in pieces."),
+        warn(warnings,
+             HITOS_TEXT(
+                 "Advice",
+                 "What was seen does not follow on what was seen just before (scan %1): the "
+                 "robot may have been carried there, the log have a gap, or scans lie too far "
+                 "apart for this odometry. The map may be in pieces."),
              named(figures.breaks));
     }
     if (figures.unmatched < figures.scans && figures.mean_score < kPoorScore) {
-        warn(quality,
+        warn(warnings,
              HITOS_TEXT("Advice",
                         "The scans lie badly on each other (score %1 of 1): much moves here, or "
                         "the odometry and the laser do not belong together."),
              fmt::format("{:.2f}", figures.mean_score));
     }
     if (figures.largest_correction_m > kLargeCorrection) {
-        warn(quality,
+        warn(warnings,
              HITOS_TEXT("Advice",
                         "A loop moved the path by %1 at once: until then the poses told while "
                         "driving were that far off. Look whether walls meet where it closed."),
              fmt::format("{:.1f} m", figures.largest_correction_m));
     }
-    const std::vector<double> steps = steps_of(run.best_trajectory());
-    const double length = std::reduce(steps.begin(), steps.end());
-    if (quality.loops == 0 && length > kLongWithoutLoop) {
-        warn(quality,
+    const DrivenBy driven = driven_by(registration, run.odometry_trajectory());
+    warn_of_scale(driven, warnings);
+    if (run.finished() && registration.loops().empty() && driven.path_m > kLongWithoutLoop) {
+        warn(warnings,
              HITOS_TEXT("Advice",
                         "No loop was closed in %1: nothing shows whether the map is bent."),
-             fmt::format("{:.0f} m", length));
+             fmt::format("{:.0f} m", driven.path_m));
     }
 }
 
 }  // namespace
 
+std::vector<Advice> warnings(const Algoritmo& run) {
+    std::vector<Advice> warnings;
+    warn_of_odometry(run, warnings);
+    if (run.registration() != nullptr) {
+        warn_of_registration(run, *run.registration(), warnings);
+    }
+    return warnings;
+}
+
 RunQuality judge(const Algoritmo& run) {
     RunQuality quality;
     measure_crispness(run, quality);
-    warn_of_odometry(run.odometry_trajectory(), quality);
+    quality.warnings = warnings(run);
     if (const Registration* registration = run.registration()) {
         quality.registration = registration->figures();
         quality.loops = registration->loops().size();
-        warn_of_registration(run, quality);
     }
     if (quality.cells_per_point > kBlurrier * quality.odometry_cells_per_point) {
         quality.warnings.push_back(

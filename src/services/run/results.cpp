@@ -1,6 +1,7 @@
 #include "hitos/services/run/results.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -50,7 +51,8 @@ ordered_json json_of(const RunQuality& quality) {
         json["mean_score"] = figures->mean_score;
         json["scans_compared"] = figures->scans;
         json["scans_unmatched"] = figures->unmatched;
-        json["scans_breaking"] = figures->breaks;
+        json["scans_breaking"] = ordered_json::array();
+        for (const std::uint64_t scan : figures->breaks) json["scans_breaking"].push_back(scan + 1);
         json["key_scans"] = figures->keys;
         json["loops_closed"] = quality.loops;
         json["loop_searches"] = figures->loop_searches;
@@ -79,7 +81,7 @@ std::string written(const RunOutput& output, const FinishedRun& finished,
                     const std::filesystem::path& folder) {
     try {
         return output.write(finished, folder);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {  // of a library too
         if (output.essential) throw;
         remove_files(output, folder);
         return error.what();
@@ -201,7 +203,8 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
         }
         const std::string reason = written(output, finished, folder);
         if (!reason.empty()) {
-            not_written.push_back({output.files.empty() ? "" : output.files.front(), reason});
+            not_written.push_back(
+                {output.files.empty() ? output.name : output.files.front(), reason});
         }
     }
     summary.not_written = std::move(not_written);

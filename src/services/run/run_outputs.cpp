@@ -85,7 +85,9 @@ RunOutput whole_grid(const std::string& stem, PathOf path_of) {
 
 /// The name has the particle's number, so those of an earlier run are found by their beginning.
 RunOutput particle_grid() {
-    return {{}, {}, [](const FinishedRun& finished, const Folder& folder) {
+    return {{},
+            {},
+            [](const FinishedRun& finished, const Folder& folder) {
                 for (const auto& entry : std::filesystem::directory_iterator(folder)) {
                     const std::string name = entry.path().filename().string();
                     const std::string extension = entry.path().extension().string();
@@ -102,7 +104,9 @@ RunOutput particle_grid() {
                                       return run.run.trajectory_of(*particle);
                                   })
                     .write(finished, folder);
-            }};
+            },
+            false,
+            kParticleGrid + "*.png"};
 }
 
 RunOutput distances() {

@@ -32,6 +32,8 @@ struct RunOutput {
     /// Throws Error.
     std::function<std::string(const FinishedRun&, const std::filesystem::path& folder)> write;
     bool essential = false;  ///< whether the run fails without it
+    /// What stands for the file's name in messages where `files` is empty.
+    std::string name = {};
 };
 
 /// In the order in which they are written, the essential ones first; summary.json, which comes

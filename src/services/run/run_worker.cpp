@@ -1,9 +1,12 @@
 #include "hitos/services/run/run_worker.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "hitos/base/thread_clock.hpp"
+#include "hitos/services/run/quality.hpp"
 
 namespace hitos {
 
@@ -220,7 +223,8 @@ void RunWorker::publish_snapshot() {
         snapshot->keys.assign(keys.begin(), keys.end());
         snapshot->loops = registration->loops();
     }
-    snapshot->advice = run_.advice();
+    snapshot->advice = warnings(run_);
+    std::ranges::move(run_.advice(), std::back_inserter(snapshot->advice));
     snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
     snapshot->odometry_trajectory = run_.odometry_trajectory();
     const Grid& grid = run_.step_grid();

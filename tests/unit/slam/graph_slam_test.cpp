@@ -247,8 +247,8 @@ Observation piece(const Pose& pose, std::initializer_list<std::pair<double, doub
     return seen;
 }
 
-void feed(GraphSlam& filter, SimRegistration& registration, const Pose& pose,
-          const Observation& seen) {
+void feed_scan(GraphSlam& filter, SimRegistration& registration, const Pose& pose,
+               const Observation& seen) {
     const RegisteredStep registered = registration.add(pose);
     const Scan scan;
     filter.step({scan, {}, seen, &registered});
@@ -259,14 +259,14 @@ TEST(GraphSlam, APieceThatJoinsTwoWallsMakesThemOne) {
     SimRegistration registration({0.0, 0.0}, 1);
     for (int i = 0; i < 4; ++i) {
         const Pose pose{0.3 * i, 0.0, 0.0};
-        feed(filter, registration, pose, piece(pose, {{-3.0, -0.5}, {1.5, 4.0}}));
+        feed_scan(filter, registration, pose, piece(pose, {{-3.0, -0.5}, {1.5, 4.0}}));
     }
     EXPECT_EQ(filter.best_count(FeatureKind::line), 2);
     const Pose pose{1.2, 0.0, 0.0};
-    feed(filter, registration, pose, piece(pose, {{-2.0, 4.0}}));
+    feed_scan(filter, registration, pose, piece(pose, {{-2.0, 4.0}}));
     EXPECT_EQ(filter.best_count(FeatureKind::line), 1);
     EXPECT_EQ(filter.best_map()[0].observations, 8);
-    feed(filter, registration, {1.5, 0.0, 0.0}, piece({1.5, 0.0, 0.0}, {{-2.0, 4.0}}));
+    feed_scan(filter, registration, {1.5, 0.0, 0.0}, piece({1.5, 0.0, 0.0}, {{-2.0, 4.0}}));
     ASSERT_EQ(filter.associations().size(), 1U);
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::matched);
     EXPECT_EQ(filter.associations()[0].landmark, 0);
@@ -275,7 +275,7 @@ TEST(GraphSlam, APieceThatJoinsTwoWallsMakesThemOne) {
 TEST(GraphSlam, PiecesOfANewWallThatMeetAreOne) {
     GraphSlam filter(graph_params());
     SimRegistration registration({0.0, 0.0}, 1);
-    feed(filter, registration, {}, piece({}, {{-3.0, -0.2}, {0.1, 4.0}}));
+    feed_scan(filter, registration, {}, piece({}, {{-3.0, -0.2}, {0.1, 4.0}}));
     EXPECT_EQ(filter.best_count(FeatureKind::line), 1);
     EXPECT_EQ(filter.best_map()[0].observations, 2);
     ASSERT_EQ(filter.associations().size(), 2U);
@@ -312,13 +312,13 @@ TEST(GraphSlam, ScansBetweenKeysHaveTheirPlaceInTheHistory) {
 TEST(GraphSlam, ScansBetweenKeysAreComparedButTeachNothing) {
     GraphSlam filter(graph_params());
     SimRegistration registration({0.0, 0.0}, 1, 3);
-    feed(filter, registration, {}, piece({}, {{-3.0, 4.0}}));
+    feed_scan(filter, registration, {}, piece({}, {{-3.0, 4.0}}));
     const Pose next{0.1, 0.0, 0.0};
     Observation seen = piece(next, {{-3.0, 4.0}});
     Observation other = piece({0.1, -1.5, 0.0}, {{-3.0, 4.0}});  // a wall at y = 3.5
     seen.support.insert(seen.support.end(), other.support.begin(), other.support.end());
     seen.lines.push_back({other.lines[0].recta, 2, 2});
-    feed(filter, registration, next, seen);
+    feed_scan(filter, registration, next, seen);
     ASSERT_EQ(filter.associations().size(), 2U);
     EXPECT_EQ(filter.associations()[0].outcome, Association::Outcome::matched);
     EXPECT_EQ(filter.associations()[0].landmark, 0);
@@ -330,7 +330,7 @@ TEST(GraphSlam, ScansBetweenKeysAreComparedButTeachNothing) {
 TEST(GraphSlam, WhatLiesBetweenTheGatesIsLeftAlone) {
     GraphSlam filter(graph_params());
     SimRegistration registration({0.0, 0.0}, 1);
-    feed(filter, registration, {}, piece({}, {{-3.0, 4.0}}));
+    feed_scan(filter, registration, {}, piece({}, {{-3.0, 4.0}}));
     // S is about (2 R + odometry): sigma of rho about 3.5 cm.
     for (const auto& [off, outcome] : {std::pair{0.03, Association::Outcome::matched},
                                        std::pair{0.12, Association::Outcome::ignored},
@@ -339,7 +339,7 @@ TEST(GraphSlam, WhatLiesBetweenTheGatesIsLeftAlone) {
         SimRegistration at = registration;
         Observation seen = piece({0.2, 0.0, 0.0}, {{-3.0, 4.0}});
         seen.lines[0].recta.rho += off;
-        feed(one, at, {0.2, 0.0, 0.0}, seen);
+        feed_scan(one, at, {0.2, 0.0, 0.0}, seen);
         EXPECT_EQ(one.associations()[0].outcome, outcome) << off;
     }
 }

@@ -11,7 +11,7 @@
 namespace hitos::window {
 namespace {
 
-QString translated(const char* text) {
+QString prompt(const char* text) {
     return QCoreApplication::translate("Prompts", text);
 }
 
@@ -82,10 +82,10 @@ void QtPrompts::warn(QWidget* parent, const QString& title, const QString& text)
 bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path) {
     return prompts.confirm(
         parent,
-        {translated(QT_TRANSLATE_NOOP("Prompts", "The file exists")),
-         translated(QT_TRANSLATE_NOOP("Prompts", "Replace %1?")).arg(QFileInfo(path).fileName()),
-         translated(QT_TRANSLATE_NOOP("Prompts", "What it holds now will be lost.")),
-         translated(QT_TRANSLATE_NOOP("Prompts", "Replace")), true});
+        {prompt(QT_TRANSLATE_NOOP("Prompts", "The file exists")),
+         prompt(QT_TRANSLATE_NOOP("Prompts", "Replace %1?")).arg(QFileInfo(path).fileName()),
+         prompt(QT_TRANSLATE_NOOP("Prompts", "What it holds now will be lost.")),
+         prompt(QT_TRANSLATE_NOOP("Prompts", "Replace")), true});
 }
 
 QString ask_where_to_save(Prompts& prompts, QWidget* parent, Prompts::FileQuestion question) {
@@ -98,8 +98,7 @@ QString ask_where_to_save(Prompts& prompts, QWidget* parent, Prompts::FileQuesti
 }
 
 void tell_not_written(Prompts& prompts, QWidget* parent, const QString& reason) {
-    prompts.warn(parent, translated(QT_TRANSLATE_NOOP("Prompts", "The file was not written")),
-                 reason);
+    prompts.warn(parent, prompt(QT_TRANSLATE_NOOP("Prompts", "The file was not written")), reason);
 }
 
 }  // namespace hitos::window

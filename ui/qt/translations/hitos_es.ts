@@ -44,12 +44,16 @@
         <translation>La odometría no se mueve en %1 barridos: o el robot estuvo parado, o el registro no tiene odometría y su mapa es el de un solo lugar.</translation>
     </message>
     <message>
-        <source>The odometry jumps from one scan to the next (%1): they have nothing in common, and the map beyond lies where the jump put it.</source>
-        <translation>La odometría salta de un barrido al siguiente (%1): no tienen nada en común, y el mapa que sigue queda donde lo puso el salto.</translation>
+        <source>The odometry jumps from one scan to the next (%1): they have nothing in common, and what follows lies where the jump put it until a loop is closed.</source>
+        <translation>La odometría salta de un barrido al siguiente (%1): no tienen nada en común, y lo que sigue queda donde lo puso el salto hasta que se cierre un bucle.</translation>
     </message>
     <message>
-        <source>What was seen does not follow on what was seen just before (scan %1): the robot may have been carried there, or the log have a gap. The map may be in pieces.</source>
-        <translation>Lo visto no sigue a lo visto justo antes (barrido %1): quizá el robot fue llevado allí, o al registro le falta un trozo. El mapa puede estar en pedazos.</translation>
+        <source>The odometry&apos;s way is %1 times that by the scans: its scale is wrong, and corridors, which only the odometry measures, have a wrong length.</source>
+        <translation>El camino de la odometría es %1 veces el de los barridos: su escala es falsa, y los pasillos, que solo mide la odometría, tienen un largo falso.</translation>
+    </message>
+    <message>
+        <source>What was seen does not follow on what was seen just before (scan %1): the robot may have been carried there, the log have a gap, or scans lie too far apart for this odometry. The map may be in pieces.</source>
+        <translation>Lo visto no sigue a lo visto justo antes (barrido %1): quizá el robot fue llevado allí, al registro le falta un trozo o los barridos están demasiado lejos para esta odometría. El mapa puede estar en pedazos.</translation>
     </message>
 </context>
 <context>

@@ -102,7 +102,7 @@ double distance(const Point2& a, const Point2& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-QString translated(const char* text) {
+QString landmark_words(const char* text) {
     return QCoreApplication::translate("Landmarks", text);
 }
 
@@ -212,19 +212,19 @@ QStringList describe(const ICaracteristica& world, int index) {
     const double sigma_1 = std::sqrt(std::max(world.covariance(1, 1), 0.0));
     QStringList lines;
     if (const auto* recta = std::get_if<Recta>(&world.value)) {
-        lines << translated(QT_TRANSLATE_NOOP("Landmarks", "Line %1")).arg(index + 1)
+        lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Line %1")).arg(index + 1)
               << QString("ρ  %1 ± %2 m").arg(recta->rho, 0, 'f', 3).arg(sigma_0, 0, 'f', 3)
               << QString("θ  %1 ± %2°")
                      .arg(recta->theta * kDegrees, 0, 'f', 2)
                      .arg(sigma_1 * kDegrees, 0, 'f', 2);
     } else {
         const auto& esquina = std::get<Esquina>(world.value);
-        lines << translated(QT_TRANSLATE_NOOP("Landmarks", "Corner %1")).arg(index + 1)
+        lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Corner %1")).arg(index + 1)
               << QString("x  %1 ± %2 m").arg(esquina.x, 0, 'f', 3).arg(sigma_0, 0, 'f', 3)
               << QString("y  %1 ± %2 m").arg(esquina.y, 0, 'f', 3).arg(sigma_1, 0, 'f', 3);
     }
-    lines
-        << translated(QT_TRANSLATE_NOOP("Landmarks", "Observed %1 times")).arg(world.observations);
+    lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Observed %1 times"))
+                 .arg(world.observations);
     return lines;
 }
 

@@ -18,6 +18,9 @@ struct RunQuality {
     std::vector<Advice> warnings;                     ///< why the map should not be trusted
 };
 
+/// Why path and map should not be trusted, as far as the run so far shows it.
+std::vector<Advice> warnings(const Algoritmo& run);
+
 /// Reads the tour once more.
 RunQuality judge(const Algoritmo& run);
 
