@@ -120,9 +120,10 @@ void join_layers(Table& table) {
     }
     for (ConfigParameter& parameter : table) {
         if (parameter.table() != "registration") continue;
-        parameter.conditions.insert(parameter.conditions.begin(),
-                                    {"motion.model", "registered, or filter.algorithm is graph-slam",
-                                     [](const Config& c) { return needs_registration(c.filter); }});
+        parameter.conditions.insert(
+            parameter.conditions.begin(),
+            {"motion.model", "registered, or filter.algorithm is graph-slam",
+             [](const Config& c) { return needs_registration(c.filter); }});
     }
 }
 
