@@ -149,9 +149,7 @@ struct Fixture {
     QString notice() const { return window->statusBar()->currentMessage(); }
     Progress::State state() const { return session.progress().state; }
     quint64 steps() const { return session.progress().steps; }
-    bool shows_everything() const {
-        return session.snapshot() && session.snapshot()->steps == steps();
-    }
+    bool shows_everything() const { return session.up_to_date(); }
     void run_steps(quint64 count) {
         session.run_steps(count);
         QTRY_VERIFY(state() != Progress::State::running && shows_everything());

@@ -66,6 +66,21 @@ void RunTest::at_the_end_the_run_buttons_are_inactive() {
     QCOMPARE(f.window->findChild<QLabel*>("status_state")->text(), QString("End of the log"));
 }
 
+void RunTest::the_end_of_the_tour_is_shown_too() {
+    // Of a run that is looked at after its last scan: the end moves path and map once more.
+    Fixture f;
+    f.run_to_end();
+    const quint64 scans = f.steps();
+    f.trigger("action_restart");
+    f.run_steps(scans);
+    QVERIFY(f.state() == State::paused);
+    QVERIFY(f.session.snapshot()->advice.empty());
+    f.trigger("action_step");
+    QTRY_VERIFY(f.state() == State::finished && f.shows_everything());
+    QCOMPARE(f.steps(), scans);
+    QCOMPARE(f.session.snapshot()->revision, scans + 1);
+}
+
 void RunTest::after_the_end_it_restarts() {
     Fixture f;
     f.run_to_end();

@@ -63,6 +63,7 @@ class RunTest : public QObject {
     void one_step_is_one_scan();
     void it_stops_and_goes_on();
     void at_the_end_the_run_buttons_are_inactive();
+    void the_end_of_the_tour_is_shown_too();
     void after_the_end_it_restarts();
     void it_restarts_while_running();
     void the_space_bar_runs_and_stops();

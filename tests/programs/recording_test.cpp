@@ -138,6 +138,8 @@ TEST_F(RecordingTest, ALaserThatSeesNothingCostsThePicturesOnly) {
     EXPECT_THAT(summary["not_written"][0]["reason"].get<std::string>(),
                 HasSubstr("nothing to draw"));
     EXPECT_EQ(test::shell(run + " --strict").status, 2);
+    EXPECT_THAT(test::shell(run + " --grid-of 3").output,
+                HasSubstr("warning: not written: grid_particle_3.png"));
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
@@ -47,29 +46,17 @@ void warn(std::vector<Advice>& warnings, std::string_view text, std::string figu
     warnings.push_back({text, std::move(figure), {}});
 }
 
-/// Ways from each pose to the next [m].
-std::vector<double> steps_of(const Trajectory& path) {
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < path.size(); ++i) {
-        const Pose& a = path[i - 1].pose;
-        const Pose& b = path[i].pose;
-        steps.push_back(std::hypot(b.x - a.x, b.y - a.y));
-    }
-    return steps;
-}
-
-bool turns(const Trajectory& path) {
-    return std::ranges::any_of(
-        path, [&](const StampedPose& pose) { return pose.pose.theta != path.front().pose.theta; });
+double distance(const Pose& a, const Pose& b) {
+    return std::hypot(b.x - a.x, b.y - a.y);
 }
 
 void warn_of_odometry(const Algoritmo& run, std::vector<Advice>& warnings) {
     const Trajectory& odometry = run.odometry_trajectory();
-    const std::vector<double> steps = steps_of(odometry);
-    if (steps.empty()) return;
-    const auto longest = std::ranges::max_element(steps);
+    if (odometry.size() < 2) return;
     const bool needed = run.configuration().filter.motion.model != "no-odometry";
-    if (needed && run.finished() && *longest == 0.0 && !turns(odometry)) {
+    const Pose& first = odometry.front().pose;
+    if (needed && std::ranges::all_of(
+                      odometry, [&](const StampedPose& pose) { return pose.pose == first; })) {
         warn(warnings,
              HITOS_TEXT(
                  "Advice",
@@ -77,14 +64,21 @@ void warn_of_odometry(const Algoritmo& run, std::vector<Advice>& warnings) {
                  "has no odometry and its map is that of one place."),
              std::to_string(odometry.size()));
     }
-    if (*longest > kLongestStep) {
+    std::size_t longest = 1;  // the scan that it leads to
+    for (std::size_t i = 2; i < odometry.size(); ++i) {
+        if (distance(odometry[i - 1].pose, odometry[i].pose) >
+            distance(odometry[longest - 1].pose, odometry[longest].pose)) {
+            longest = i;
+        }
+    }
+    const double step = distance(odometry[longest - 1].pose, odometry[longest].pose);
+    if (step > kLongestStep) {
         warn(warnings,
              HITOS_TEXT(
                  "Advice",
                  "The odometry jumps from one scan to the next (%1): they have nothing in "
                  "common, and what follows lies where the jump put it until a loop is closed."),
-             fmt::format("{0} → {1}, {2:.0f} m", longest - steps.begin() + 1,
-                         longest - steps.begin() + 2, *longest));
+             fmt::format("{0} → {1}, {2:.0f} m", longest, longest + 1, step));
     }
 }
 
@@ -99,24 +93,18 @@ std::string named(const std::vector<std::uint64_t>& scans) {
     return names;
 }
 
-/// The way from key scan to key scan, where what trembles between them does not count.
+/// The ways from key scan to key scan [m], where what trembles between them does not count.
 struct DrivenBy {
     double path_m = 0.0;
-    double path_rad = 0.0;
     double odometry_m = 0.0;
-    double odometry_rad = 0.0;
 };
 
 DrivenBy driven_by(const Registration& registration, const Trajectory& odometry) {
     DrivenBy driven;
     const std::span<const KeyPose> keys = registration.keys();
     for (std::size_t k = 1; k < keys.size(); ++k) {
-        const Pose path = between(keys[k - 1].pose, keys[k].pose);
-        const Pose wheels = between(odometry[keys[k - 1].scan].pose, odometry[keys[k].scan].pose);
-        driven.path_m += std::hypot(path.x, path.y);
-        driven.odometry_m += std::hypot(wheels.x, wheels.y);
-        driven.path_rad += std::abs(path.theta);
-        driven.odometry_rad += std::abs(wheels.theta);
+        driven.path_m += distance(keys[k - 1].pose, keys[k].pose);
+        driven.odometry_m += distance(odometry[keys[k - 1].scan].pose, odometry[keys[k].scan].pose);
     }
     return driven;
 }
@@ -170,7 +158,7 @@ void warn_of_registration(const Algoritmo& run, const Registration& registration
     }
     const DrivenBy driven = driven_by(registration, run.odometry_trajectory());
     warn_of_scale(driven, warnings);
-    if (run.finished() && registration.loops().empty() && driven.path_m > kLongWithoutLoop) {
+    if (registration.loops().empty() && driven.path_m > kLongWithoutLoop) {
         warn(warnings,
              HITOS_TEXT("Advice",
                         "No loop was closed in %1: nothing shows whether the map is bent."),

@@ -69,8 +69,8 @@ ordered_json json_of(const RunQuality& quality) {
 namespace {
 
 /// An earlier run's would not belong to this map.
-void remove_files(const RunOutput& output, const std::filesystem::path& folder) {
-    for (const std::string& file : output.files) {
+void remove_files(const std::vector<std::string>& files, const std::filesystem::path& folder) {
+    for (const std::string& file : files) {
         std::error_code ignored;
         std::filesystem::remove(folder / file, ignored);
     }
@@ -83,7 +83,7 @@ std::string written(const RunOutput& output, const FinishedRun& finished,
         return output.write(finished, folder);
     } catch (const std::exception& error) {  // of a library too
         if (output.essential) throw;
-        remove_files(output, folder);
+        remove_files(output.files(finished), folder);
         return error.what();
     }
 }
@@ -198,14 +198,11 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     std::vector<NotWritten> not_written;
     for (const RunOutput& output : run_outputs()) {
         if (output.wanted && !output.wanted(finished)) {
-            remove_files(output, folder);
+            remove_files(output.files(finished), folder);
             continue;
         }
         const std::string reason = written(output, finished, folder);
-        if (!reason.empty()) {
-            not_written.push_back(
-                {output.files.empty() ? output.name : output.files.front(), reason});
-        }
+        if (!reason.empty()) not_written.push_back({output.files(finished).front(), reason});
     }
     summary.not_written = std::move(not_written);
     write_file(folder / "summary.json", to_json(summary, seconds));

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "../maps/odometry_scans_picture.hpp"
 #include "hitos/base/atomic_file.hpp"
@@ -20,10 +21,15 @@ using Folder = std::filesystem::path;
 
 const std::string kParticleGrid = "grid_particle_";
 
+/// The same files of every run.
+auto named(std::vector<std::string> files) {
+    return [files = std::move(files)](const FinishedRun&) { return files; };
+}
+
 /// One file, of every run.
 template <class Write>
 RunOutput always(const char* file, Write write) {
-    return {{file}, {}, [file, write](const FinishedRun& finished, const Folder& folder) {
+    return {named({file}), {}, [file, write](const FinishedRun& finished, const Folder& folder) {
                 write(finished, folder / file);
                 return std::string();
             }};
@@ -46,7 +52,7 @@ int picture_scale(const Grid& grid) {
 /// The grid as .png and .jpg, with the path over it.
 template <class MakeGrid, class PathOf>
 RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
-    return {{stem + ".png", stem + ".jpg"},
+    return {named({stem + ".png", stem + ".jpg"}),
             {},
             [stem, make_grid, path_of](const FinishedRun& finished, const Folder& folder) {
                 const Grid& grid = make_grid(finished);
@@ -85,9 +91,14 @@ RunOutput whole_grid(const std::string& stem, PathOf path_of) {
 
 /// The name has the particle's number, so those of an earlier run are found by their beginning.
 RunOutput particle_grid() {
-    return {{},
+    const auto stem = [](std::size_t particle) { return kParticleGrid + std::to_string(particle); };
+    return {[stem](const FinishedRun& finished) {
+                const auto particle = finished.run.options().grid_of;
+                if (!particle) return std::vector<std::string>();
+                return std::vector{stem(*particle) + ".png", stem(*particle) + ".jpg"};
+            },
             {},
-            [](const FinishedRun& finished, const Folder& folder) {
+            [stem](const FinishedRun& finished, const Folder& folder) {
                 for (const auto& entry : std::filesystem::directory_iterator(folder)) {
                     const std::string name = entry.path().filename().string();
                     const std::string extension = entry.path().extension().string();
@@ -99,18 +110,16 @@ RunOutput particle_grid() {
                 }
                 const auto particle = finished.run.options().grid_of;
                 if (!particle) return std::string();
-                return whole_grid(kParticleGrid + std::to_string(*particle),
+                return whole_grid(stem(*particle),
                                   [particle](const FinishedRun& run) {
                                       return run.run.trajectory_of(*particle);
                                   })
                     .write(finished, folder);
-            },
-            false,
-            kParticleGrid + "*.png"};
+            }};
 }
 
 RunOutput distances() {
-    return {{"distances.csv"},
+    return {named({"distances.csv"}),
             [](const FinishedRun& finished) { return !finished.summary.distances.empty(); },
             [](const FinishedRun& finished, const Folder& folder) {
                 write_file(folder / "distances.csv", distances_csv(finished.summary.distances));
@@ -119,7 +128,7 @@ RunOutput distances() {
 }
 
 RunOutput paths() {
-    return {{"paths.png", "paths.gp"},
+    return {named({"paths.png", "paths.gp"}),
             [](const FinishedRun& finished) { return finished.references.trajectory.has_value(); },
             [](const FinishedRun& finished, const Folder& folder) {
                 const auto& [run, references, summary, best, map, segments] = finished;
@@ -136,7 +145,7 @@ RunOutput paths() {
 }
 
 RunOutput odometry_scans() {
-    return {{"odometry_scans.png", "odometry_scans.gp"},
+    return {named({"odometry_scans.png", "odometry_scans.gp"}),
             [](const FinishedRun& finished) { return !finished.references.walls.empty(); },
             [](const FinishedRun& finished, const Folder& folder) {
                 OdometryScansPicture picture(finished.references.walls);
@@ -151,7 +160,7 @@ RunOutput odometry_scans() {
 }
 
 RunOutput uncertainty() {
-    return {{"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"},
+    return {named({"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"}),
             [](const FinishedRun& finished) { return finished.run.options().uncertainty; },
             [](const FinishedRun& finished, const Folder& folder) {
                 return write_uncertainty(finished.run.uncertainty(), folder);

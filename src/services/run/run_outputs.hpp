@@ -22,18 +22,15 @@ struct FinishedRun {
 
 /// A file of a run, or several that belong together.
 struct RunOutput {
-    /// All that it writes, the one that people look at first. Where it is not wanted they are
-    /// removed: an earlier run's would not belong to this map. Empty where names depend on the run;
-    /// write() then removes.
-    std::vector<std::string> files;
+    /// All that it writes of this run, the one that people look at first. Where they are not wanted
+    /// or cannot be written they are removed: an earlier run's would not belong to this map.
+    std::function<std::vector<std::string>(const FinishedRun&)> files;
     /// Whether there is something to write; null: always.
     std::function<bool(const FinishedRun&)> wanted;
     /// Writes into the folder. Returns why the first of the files is missing, else an empty text.
     /// Throws Error.
     std::function<std::string(const FinishedRun&, const std::filesystem::path& folder)> write;
     bool essential = false;  ///< whether the run fails without it
-    /// What stands for the file's name in messages where `files` is empty.
-    std::string name = {};
 };
 
 /// In the order in which they are written, the essential ones first; summary.json, which comes

@@ -189,6 +189,7 @@ void RunWorker::do_step() {
 
 void RunWorker::note_progress() {
     progress_.steps = run_.steps();
+    progress_.revision = run_.revision();
     progress_.fraction = run_.reader().progress();
     progress_.time_s = run_.scan().time_s;
     progress_.duration_s = run_.duration_s();
@@ -209,6 +210,7 @@ void RunWorker::publish_snapshot() {
     const double begin = thread_seconds();
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->steps = run_.steps();
+    snapshot->revision = run_.revision();
     snapshot->scan = run_.scan();
     snapshot->observation = run_.observation();
     const auto associations = run_.filter().associations();
@@ -223,8 +225,10 @@ void RunWorker::publish_snapshot() {
         snapshot->keys.assign(keys.begin(), keys.end());
         snapshot->loops = registration->loops();
     }
-    snapshot->advice = warnings(run_);
-    std::ranges::move(run_.advice(), std::back_inserter(snapshot->advice));
+    if (run_.finished()) {
+        snapshot->advice = warnings(run_);
+        std::ranges::move(run_.advice(), std::back_inserter(snapshot->advice));
+    }
     snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
     snapshot->odometry_trajectory = run_.odometry_trajectory();
     const Grid& grid = run_.step_grid();

@@ -109,21 +109,6 @@ inline void move(GraphLandmark& landmark, const Vector2& step) {
     for_kind(landmark.kind, [&]<class S>() { LocalCoordinates<S>::move(landmark.place, step); });
 }
 
-/// The extent of a line from the foot of the same line as Recta, which may run the other way.
-inline Extent extent_from_foot(const GraphLandmark& landmark, const Recta& line) {
-    const double c = std::cos(landmark.place.angle);
-    const double s = std::sin(landmark.place.angle);
-    const auto along = [&](double t) {
-        const Point2& p = landmark.place.point;
-        return PreparedRecta(line).along({p.x - t * s, p.y + t * c});
-    };
-    const auto [low, high] = std::minmax({along(landmark.extent.low), along(landmark.extent.high)});
-    return {low, high};
-}
-inline Extent extent_from_foot(const GraphLandmark& /*landmark*/, const Esquina& /*corner*/) {
-    return {};
-}
-
 /// Where two world points lie along a line.
 inline Extent extent_along(const LandmarkPlace& line, const Point2& a, const Point2& b) {
     const double c = std::cos(line.angle);
@@ -133,6 +118,16 @@ inline Extent extent_along(const LandmarkPlace& line, const Point2& a, const Poi
     };
     const auto [low, high] = std::minmax({along(a), along(b)});
     return {low, high};
+}
+
+/// The extent of a landmark along another line.
+inline Extent extent_along(const LandmarkPlace& line, const GraphLandmark& landmark) {
+    const double c = std::cos(landmark.place.angle);
+    const double s = std::sin(landmark.place.angle);
+    const auto at = [&](double t) {
+        return Point2{landmark.place.point.x - t * s, landmark.place.point.y + t * c};
+    };
+    return extent_along(line, at(landmark.extent.low), at(landmark.extent.high));
 }
 
 }  // namespace hitos

@@ -16,16 +16,6 @@ constexpr double kAngleSigma = 0.02;  // [rad]
 constexpr double kCornerSigma = 0.1;  // [m]
 constexpr double kKnownSigma = 0.25;  // [m]: beyond it nothing is said
 
-/// The second line's extent along the first.
-Extent along(const GraphLandmark& a, const GraphLandmark& b) {
-    const double c = std::cos(b.place.angle);
-    const double s = std::sin(b.place.angle);
-    const auto at = [&](double t) {
-        return Point2{b.place.point.x - t * s, b.place.point.y + t * c};
-    };
-    return extent_along(a.place, at(b.extent.low), at(b.extent.high));
-}
-
 }  // namespace
 
 PlaceDifference difference(const GraphLandmark& a, const GraphLandmark& b) {
@@ -34,7 +24,7 @@ PlaceDifference difference(const GraphLandmark& a, const GraphLandmark& b) {
                 -Matrix2::Identity(),
                 Matrix2::Identity()};
     }
-    const Extent other = along(a, b);
+    const Extent other = extent_along(a.place, b);
     const double t =
         0.5 * (std::max(a.extent.low, other.low) + std::min(a.extent.high, other.high));
     const Point2 middle{a.place.point.x - t * std::sin(a.place.angle),
@@ -64,7 +54,7 @@ bool may_be_one(const GraphLandmark& a, const GraphLandmark& b) {
     }
     if (std::abs(wrap_angle(b.place.angle - a.place.angle)) > kNearAngle) return false;
     const double shorter = std::min(a.extent.length(), b.extent.length());
-    return -a.extent.gap(along(a, b)) >= std::min(kShared, kSharedPart * shorter);
+    return -a.extent.gap(extent_along(a.place, b)) >= std::min(kShared, kSharedPart * shorter);
 }
 
 bool is_plain(const PlaceDifference& apart, FeatureKind kind) {

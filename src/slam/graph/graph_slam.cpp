@@ -231,7 +231,10 @@ LandmarkMap GraphSlam::best_map() const {
             LandmarkEstimate<S> estimate{LocalCoordinates<S>::landmark(landmark.place),
                                          j * covariances[i] * j.transpose()};
             normalize(estimate);
-            const Extent extent = extent_from_foot(landmark, estimate.mean);
+            Extent extent;  // from the line's foot
+            if (S::kKind == FeatureKind::line) {
+                extent = extent_along(LocalCoordinates<S>::place(estimate.mean), landmark);
+            }
             map.push_back({estimate.mean, estimate.covariance,
                            static_cast<int>(landmark.sightings.size()), extent.low, extent.high});
         }

@@ -5,7 +5,6 @@
 #include <QWidget>
 #include <chrono>
 
-#include "dialogs/parameter_text.hpp"
 #include "dialogs/picture_dialog.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
@@ -146,7 +145,8 @@ void ResultActions::write_results_to(const QString& folder) {
             prepare_output_folder(folder.toStdString());
             const RunSummary summary =
                 write_results(run, references, seconds, folder.toStdString());
-            for (const NotWritten& file : summary.not_written) missing += to_qt(file.file);
+            for (const NotWritten& file : summary.not_written)
+                missing += QString::fromStdString(file.file);
         } catch (const std::exception& error) {
             problem = words_of(error);
         }

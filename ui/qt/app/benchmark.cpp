@@ -118,7 +118,7 @@ void settle(const Session& session) {
         QEventLoop loop;
         QTimer::singleShot(kStepMs, &loop, &QEventLoop::quit);
         loop.exec();
-    } while (session.snapshot() && session.snapshot()->steps != session.progress().steps);
+    } while (session.snapshot() && !session.up_to_date());
 }
 
 void add(Slice& sum, const Slice& slice) {

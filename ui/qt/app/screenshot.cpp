@@ -45,8 +45,7 @@ void run_steps(Session& session, std::uint64_t steps) {
     process_until([&] {
         const Progress p = session.progress();
         const bool idle = p.state != Progress::State::running;
-        return idle &&
-               (p.steps == 0 || (session.snapshot() && session.snapshot()->steps == p.steps));
+        return idle && (p.steps == 0 || session.up_to_date());
     });
     constexpr int kMeasureMs = 700;  // the errors against a reference come a little later
     settle(session.references().map || session.references().trajectory ? kMeasureMs : 100);

@@ -141,7 +141,7 @@ void Session::tick() {
             now_us + std::max(kFrameUs, static_cast<qint64>(cost / kShare * 1e6));
     }
     const bool running = now.state == Progress::State::running;
-    const bool behind = now.steps > 0 && (!snapshot_ || snapshot_->steps != now.steps);
+    const bool behind = now.steps > 0 && (!snapshot_ || snapshot_->revision != now.revision);
     if (!requested_ && behind && (!running || now_us >= request_not_before_us_)) {
         before_request_ = worker_->latest_snapshot();
         requested_ = true;

@@ -36,6 +36,8 @@ class Session final : public QObject {
     /// The newest one; null before the first.
     std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
     Progress progress() const;
+    /// Whether the snapshot is of the run as it is now.
+    bool up_to_date() const { return snapshot_ && snapshot_->revision == progress().revision; }
 
     /// What the user named, and the truth that the tour itself knows where the user named nothing.
     const References& references() const { return references_; }

@@ -84,9 +84,8 @@ void StatusLine::notice(const QString& text) {
 /// Said once when a run ends, and kept as the tool tip of the state.
 void StatusLine::show_advice() {
     const std::shared_ptr<const Snapshot> snapshot = session_.snapshot();
-    const bool ended = session_.progress().state == Progress::State::finished;
     QStringList sentences;
-    if (snapshot && ended) {
+    if (snapshot) {
         for (const Advice& advice : snapshot->advice) sentences << in_words(advice);
     }
     const QString said = sentences.join(' ');

@@ -38,12 +38,12 @@ ReferenceMeter::ReferenceMeter(Session& session, QObject* parent)
     clock_.start();
     connect(&session, &Session::snapshot_changed, this, &ReferenceMeter::consider);
     connect(&session, &Session::references_changed, this, [this] {
-        last_steps_ = 0;
+        last_revision_ = 0;
         ++generation_;
         consider();
     });
     connect(&session, &Session::restarted, this, [this] {
-        last_steps_ = 0;
+        last_revision_ = 0;
         ++generation_;
     });
 }
@@ -55,7 +55,7 @@ ReferenceMeter::~ReferenceMeter() {
 void ReferenceMeter::consider() {
     const auto snapshot = session_.snapshot();
     const References& references = session_.references();
-    if (!snapshot || snapshot->steps == last_steps_ ||
+    if (!snapshot || snapshot->revision == last_revision_ ||
         (!references.map && !references.trajectory)) {
         return;
     }
@@ -75,18 +75,18 @@ void ReferenceMeter::consider() {
         auto figures = std::make_shared<const Measured>(measure(*snapshot, references));
         QMetaObject::invokeMethod(
             this,
-            [this, figures, steps = snapshot->steps, generation] {
-                take(figures, steps, generation);
+            [this, figures, revision = snapshot->revision, generation] {
+                take(figures, revision, generation);
             },
             Qt::QueuedConnection);
     });
 }
 
-void ReferenceMeter::take(const std::shared_ptr<const Measured>& figures, quint64 steps,
+void ReferenceMeter::take(const std::shared_ptr<const Measured>& figures, quint64 revision,
                           int generation) {
     busy_ = false;
     if (generation == generation_) {
-        last_steps_ = steps;
+        last_revision_ = revision;
         emit measured(figures);
     }
     consider();

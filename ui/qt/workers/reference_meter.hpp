@@ -32,13 +32,13 @@ class ReferenceMeter final : public QObject {
 
   private:
     void consider();
-    void take(const std::shared_ptr<const Measured>& figures, quint64 steps, int generation);
+    void take(const std::shared_ptr<const Measured>& figures, quint64 revision, int generation);
 
     Session& session_;
     QThreadPool pool_;
     QElapsedTimer clock_;
     bool busy_ = false;
-    quint64 last_steps_ = 0;
+    quint64 last_revision_ = 0;
     int generation_ = 0;  ///< of run and references; what was measured of earlier ones is dropped
 };
 

@@ -75,6 +75,8 @@ class Algoritmo {
 
     /// Scans so far.
     std::uint64_t steps() const { return odometry_trajectory().size(); }
+    /// Counts what changed the run: every scan, and the end of the tour, which moves path and map.
+    std::uint64_t revision() const { return steps() + (finished_ ? 1 : 0); }
     /// Between the stamps of the first and the last scan so far [s].
     double duration_s() const;
     /// The best hypothesis' pose at every scan so far.

@@ -21,6 +21,7 @@ namespace hitos {
 /// Everything a view needs of the state after a step; immutable once published.
 struct Snapshot {
     std::uint64_t steps = 0;
+    std::uint64_t revision = 0;  ///< as Algoritmo::revision()
     Scan scan;
     Observation observation;
     std::vector<Association> associations;
@@ -34,7 +35,7 @@ struct Snapshot {
     std::vector<ClosedLoop> loops;  ///< likewise
     Trajectory odometry_trajectory;
     GridTiles step_grid;
-    std::vector<Advice> advice;  ///< what speaks against the configuration so far
+    std::vector<Advice> advice;  ///< of a finished run: what speaks against it
     double seconds = 0.0;        ///< of the worker's time that making it took
 };
 
@@ -53,6 +54,7 @@ struct Progress {
     enum class State { ready, running, paused, finished, failed };
     State state = State::ready;
     std::uint64_t steps = 0;
+    std::uint64_t revision = 0;      ///< a snapshot of the same one shows this state
     std::optional<double> fraction;  ///< of the source read, 0 … 1
     double time_s = 0.0;             ///< stamp of the last scan
     double duration_s = 0.0;         ///< since the first one
