@@ -10,11 +10,12 @@
 namespace hitos {
 namespace {
 
-constexpr int kReach = 2;  // of the blur [cells]
+constexpr int kReach = 2;   // of the blur [cells]
+constexpr int kMost = 255;  // of a cell
 /// Value of a cell by its offset from a point's: a Gaussian of 1.2 cells, the point's own place in
 /// its cell unknown.
 constexpr std::array<std::array<std::uint8_t, kReach + 1>, kReach + 1> kBlur{
-    {{255, 230, 130}, {230, 200, 110}, {130, 110, 60}}};
+    {{kMost, 230, 130}, {230, 200, 110}, {130, 110, 60}}};
 
 /// A square of positions at one angle, with the bound of its score.
 struct Square {
@@ -105,19 +106,24 @@ CorrelationMap::Picture CorrelationMap::coarser(const Picture& fine, std::size_t
     return coarse;
 }
 
-int CorrelationMap::sum(std::span<const Cell> cells, int x, int y, int level) const {
+int CorrelationMap::sum(std::span<const Cell> cells, int x, int y, int level, int least) const {
+    constexpr std::size_t kAtOnce = 64;  // cells between two looks at what can still be reached
     const std::vector<std::uint8_t>& picture = pictures_[static_cast<std::size_t>(level)];
     const int reach = 1 << level;
     int sum = 0;
-    for (const Cell& cell : cells) {
-        int a = cell.column + x;
-        int b = cell.row + y;
-        // A square that begins outside may reach into the map.
-        if (a < 0 && a > -reach) a = 0;
-        if (b < 0 && b > -reach) b = 0;
-        if (a < 0 || b < 0 || a >= columns_ || b >= rows_) continue;
-        sum += picture[static_cast<std::size_t>(b) * static_cast<std::size_t>(columns_) +
-                       static_cast<std::size_t>(a)];
+    for (std::size_t begin = 0; begin < cells.size(); begin += kAtOnce) {
+        const std::span<const Cell> left = cells.subspan(begin);
+        if (sum + kMost * static_cast<int>(left.size()) < least) break;
+        for (const Cell& cell : left.first(std::min(kAtOnce, left.size()))) {
+            int a = cell.column + x;
+            int b = cell.row + y;
+            // A square that begins outside may reach into the map.
+            if (a < 0 && a > -reach) a = 0;
+            if (b < 0 && b > -reach) b = 0;
+            if (a < 0 || b < 0 || a >= columns_ || b >= rows_) continue;
+            sum += picture[static_cast<std::size_t>(b) * static_cast<std::size_t>(columns_) +
+                           static_cast<std::size_t>(a)];
+        }
     }
     return sum;
 }
@@ -151,12 +157,12 @@ std::optional<Correlation> correlate(std::span<const SurfacePoint> points,
         }
     }
     const auto count = static_cast<double>(points.size());
-    const auto least = static_cast<int>(least_score * 255.0 * count);
+    const auto least = static_cast<int>(least_score * kMost * count);
     std::priority_queue<Square> open;
     const auto offer = [&](int angle, int x, int y, int level) {
         if (x > reach || y > reach) return;  // squares at the window's edge reach beyond it
         const int place = angle + angles;
-        const int sum = map.sum(turned[static_cast<std::size_t>(place)], x, y, level);
+        const int sum = map.sum(turned[static_cast<std::size_t>(place)], x, y, level, least);
         if (sum >= least) open.push({sum, angle, x, y, level});
     };
     const int width = 1 << map.levels();
@@ -172,7 +178,7 @@ std::optional<Correlation> correlate(std::span<const SurfacePoint> points,
             return Correlation{{centre.x + best.x * CorrelationMap::kCell,
                                 centre.y + best.y * CorrelationMap::kCell,
                                 wrap_angle(centre.theta + best.angle * angle_step)},
-                               best.sum / 255.0 / count};
+                               best.sum / (kMost * count)};
         }
         const int half = 1 << (best.level - 1);
         for (const int x : {best.x, best.x + half}) {

@@ -29,8 +29,8 @@ class CorrelationMap {
     /// That of a point of the world.
     Cell cell(double x, double y) const;
     /// Sum over cells moved by (x, y), of the greatest value in the square of 2^level cells that
-    /// begins there.
-    int sum(std::span<const Cell> cells, int x, int y, int level) const;
+    /// begins there. Of a sum below `least` it is only told that it is.
+    int sum(std::span<const Cell> cells, int x, int y, int level, int least = 0) const;
 
   private:
     using Picture = std::vector<std::uint8_t>;

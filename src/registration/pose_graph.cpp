@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hitos/registration/normal_equations.hpp"
 #include "hitos/registration/pose_algebra.hpp"
 
 namespace hitos {
@@ -24,37 +23,62 @@ EdgeError edge_error(const PoseEdge& edge, const Pose& from, const Pose& to) {
     return error;
 }
 
-double solve(std::vector<KeyPose>& keys, std::span<const PoseEdge> edges,
-             const GraphSolution& how) {
+PoseGraphSolver::PoseGraphSolver(std::size_t keys, std::span<const PoseEdge> edges)
+    : edges_(edges) {
+    for (std::size_t i = 0; i < keys; ++i) equations_.add_variable(3);
+}
+
+void PoseGraphSolver::sum(const std::vector<KeyPose>& keys, bool robust, std::size_t used) {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+        const PoseEdge& edge = edges_[i];
+        const EdgeError error = edge_error(edge, keys[edge.from].pose, keys[edge.to].pose);
+        const double d2 = error.value.dot(edge.information * error.value);
+        double weight = i < used ? 1.0 : 0.0;
+        if (robust) weight *= robust_weight(d2);
+        equations_.add(edge.from, error.by_from, edge.to, error.by_to, weight * edge.information,
+                       error.value);
+    }
+}
+
+double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& how,
+                              std::size_t used) {
     // A key is held by 1/(0.1 mm)^2; the least information keeps the equations regular where
     // nothing says anything, and is next to none.
     constexpr double kHeld = 1e8;
     constexpr double kRegular = 1e-6;
     constexpr double kStill = 1e-3;  // [m]
-    if (keys.size() < 2 || edges.empty()) return 0.0;
+    // Factorising takes most of the time. Steps lead to the same place without it as long as they
+    // shrink. After large ones robust weights are not what they were; nor, maybe, the turns.
+    constexpr double kSmall = 0.1;  // [m]
+    constexpr double kShrinks = 0.5;
+    if (keys.size() < 2 || edges_.empty()) return 0.0;
 
-    NormalEquations equations;
-    for (std::size_t i = 0; i < keys.size(); ++i) equations.add_variable(3);
     const std::vector<KeyPose> before = keys;
-    for (int iteration = 0; iteration < how.iterations; ++iteration) {
-        equations.begin();
-        equations.hold(0, kHeld);
-        for (std::size_t i = 1; i < keys.size(); ++i) equations.hold(i, kRegular);
-        for (const PoseEdge& edge : edges) {
-            const EdgeError error = edge_error(edge, keys[edge.from].pose, keys[edge.to].pose);
-            const double d2 = error.value.dot(edge.information * error.value);
-            const Eigen::Matrix3d weight =
-                (how.robust ? robust_weight(d2) : 1.0) * edge.information;
-            equations.add(edge.from, error.by_from, edge.to, error.by_to, weight, error.value);
+    double greatest = 0.0;
+    bool factored = true;
+    bool far = how.robust;
+    for (int iteration = 0; iteration < how.iterations;) {
+        if (factored) {
+            ++iteration;
+            equations_.begin();
+            equations_.hold(0, kHeld);
+            for (std::size_t i = 1; i < keys.size(); ++i) equations_.hold(i, kRegular);
+        } else {
+            equations_.begin_gradient();
         }
-        if (!equations.solve()) break;
-        double greatest = 0.0;
+        sum(keys, how.robust, used);
+        if (!(factored ? equations_.solve() : equations_.solve_again())) break;
+        const double last = greatest;
+        greatest = 0.0;
         for (std::size_t i = 0; i < keys.size(); ++i) {
-            const auto step = equations.step(i);
+            const auto step = equations_.step(i);
             keys[i].pose = shifted(keys[i].pose, step);
             greatest = std::max(greatest, std::abs(step(0)) + std::abs(step(1)));
         }
         if (greatest < kStill) break;
+        const bool shrank = factored || greatest < kShrinks * last;
+        far = far || !shrank;
+        factored = !shrank || (far && greatest >= kSmall);
     }
     double moved = 0.0;
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -62,6 +86,11 @@ double solve(std::vector<KeyPose>& keys, std::span<const PoseEdge> edges,
                                            keys[i].pose.y - before[i].pose.y));
     }
     return moved;
+}
+
+double solve(std::vector<KeyPose>& keys, std::span<const PoseEdge> edges,
+             const GraphSolution& how) {
+    return PoseGraphSolver(keys.size(), edges).solve(keys, how);
 }
 
 }  // namespace hitos

@@ -243,9 +243,10 @@ void Registration::Impl::close_loop() {
     // Both without robust weights, which let a slip stand as it is and would cut a large correction
     // off.
     const std::span known = std::span(graph_.edges).first(first);
-    solve(graph_.poses, known, {6, false});
+    PoseGraphSolver solver(graph_.size(), graph_.edges);
+    solver.solve(graph_.poses, {6, false}, first);
     const double tension_before = tension(known);
-    solve(graph_.poses, graph_.edges, {6, false});
+    solver.solve(graph_.poses, {6, false});
     // What three standard deviations in each direction explain, and the new edges' own.
     const double allowed = 3.0 * 9.0 + 3.0 * static_cast<double>(graph_.edges.size() - first);
     if (tension(graph_.edges) - tension_before > allowed) {
@@ -257,7 +258,7 @@ void Registration::Impl::close_loop() {
     for (std::size_t i = first; i < graph_.edges.size(); ++i) {
         graph_.join(graph_.edges[i].from, graph_.edges[i].to);
     }
-    solve(graph_.poses, graph_.edges, {6, true});
+    solver.solve(graph_.poses, {6, true});
     const double moved = greatest_move(before, graph_.poses);
     loops_.push_back({graph_.poses[newest].scan, graph_.poses[found->key].scan, moved});
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, moved);

@@ -75,7 +75,7 @@ bool add_match(const Match& m, double c, double s, const MatchStage& stage, Sums
 }
 
 MatchStage stage_of(int iteration) {
-    if (iteration < 4) return {0.7, 0.15, false};
+    if (iteration < ScanMatcher::kWideSteps) return {0.7, 0.15, false};
     if (iteration < 8) return {0.4, 0.08, true};
     return kFineStage;
 }
@@ -140,12 +140,12 @@ Linearization ScanMatcher::linearize(std::span<const SurfacePoint> scan, const P
 }
 
 Pose ScanMatcher::fit(std::span<const SurfacePoint> scan, const PointMap& map, const Pose& start,
-                      const PosePrior& prior, int iterations) const {
+                      const PosePrior& prior, int iterations, int first) const {
     constexpr double kSettled = 5e-4;  // [m] and [rad], together
     constexpr double kNearlySettled = 2e-3;
     const int stride = scan.size() > kManyPoints ? 2 : 1;
     Pose pose = start;
-    for (int iteration = 0; iteration < iterations; ++iteration) {
+    for (int iteration = first; iteration < iterations; ++iteration) {
         const Linearization l = linearize(scan, map, pose, stage_of(iteration), stride);
         if (l.matches < kLeastMatches) break;
         const Eigen::Vector3d away(pose.x - prior.mean.x, pose.y - prior.mean.y,
@@ -158,7 +158,8 @@ Pose ScanMatcher::fit(std::span<const SurfacePoint> scan, const PointMap& map, c
         pose = shifted(pose, step);
         const double size = step.cwiseAbs().sum();
         if (iteration >= 8 && size < kSettled) break;
-        if (iteration == 3 && size < kNearlySettled) iteration = 7;  // the fine stage is next
+        if (iteration == kWideSteps - 1 && size < kNearlySettled)
+            iteration = 7;  // the fine stage is next
     }
     return pose;
 }

@@ -58,9 +58,11 @@ class ScanMatcher {
                             std::vector<Linearization>* by_source = nullptr) const;
 
     /// The pose from `start` on, in at most `iterations` Gauss-Newton steps, with nearer and nearer
-    /// points. Stops where fewer than 15 points match.
+    /// points. Stops where fewer than 15 points match. `first` is the step that it begins at: from
+    /// kWideSteps on the points have to be near already.
     Pose fit(std::span<const SurfacePoint> scan, const PointMap& map, const Pose& start,
-             const PosePrior& prior, int iterations = 20) const;
+             const PosePrior& prior, int iterations = 20, int first = 0) const;
+    static constexpr int kWideSteps = 4;
 
   private:
     double information_;

@@ -1,6 +1,7 @@
 #include "step_matcher.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double kGoodScore = 0.7;   // no other start is tried
 constexpr double kPoorScore = 0.65;  // a search is worth its time
 constexpr double kLeastScore = 0.2;  // of a match at all
+constexpr int kMostSteps = 20;       // of a fit
 constexpr double kDeparture = 0.05;  // score lost per metre and per radian from the odometry
 
 }  // namespace
@@ -51,16 +53,34 @@ void StepMatcher::search(std::span<const SurfacePoint> scan, const PointMap& map
     if (its > best.score + kMargin) best = {pose, its};
 }
 
-MatchedStep StepMatcher::match(std::span<const SurfacePoint> scan, const PointMap& map,
-                               const PosePrior& odometry, const Eigen::Vector2d& sigmas) const {
-    Start best{odometry.mean, -1.0};
-    for (const double turn : {0.0, -0.1, 0.1, -0.22, 0.22}) {
+void StepMatcher::try_turned(std::span<const SurfacePoint> scan, const PointMap& map,
+                             const PosePrior& odometry, Start& best) const {
+    constexpr double kSame = 0.05;  // [m], half a radian counts a metre: it would end there too
+    std::array<Pose, 5> ends{best.pose};
+    std::size_t count = 1;
+    for (const double turn : {-0.1, 0.1, -0.22, 0.22}) {
         const Pose start{odometry.mean.x, odometry.mean.y, odometry.mean.theta + turn};
-        const Pose pose = matcher_.fit(scan, map, start, odometry);
+        const Pose near = matcher_.fit(scan, map, start, odometry, ScanMatcher::kWideSteps);
+        const auto ends_at = [&near](const Pose& end) {
+            return std::hypot(near.x - end.x, near.y - end.y) +
+                       2.0 * std::abs(wrap_angle(near.theta - end.theta)) <
+                   kSame;
+        };
+        if (std::any_of(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count), ends_at))
+            continue;
+        const Pose pose =
+            matcher_.fit(scan, map, near, odometry, kMostSteps, ScanMatcher::kWideSteps);
+        ends[count++] = pose;
         const double its = score(scan, map, pose, odometry.mean);
         if (its > best.score + 1e-3) best = {pose, its};
-        if (turn == 0.0 && its > kGoodScore) break;
     }
+}
+
+MatchedStep StepMatcher::match(std::span<const SurfacePoint> scan, const PointMap& map,
+                               const PosePrior& odometry, const Eigen::Vector2d& sigmas) const {
+    const Pose straight = matcher_.fit(scan, map, odometry.mean, odometry);
+    Start best{straight, score(scan, map, straight, odometry.mean)};
+    if (best.score <= kGoodScore) try_turned(scan, map, odometry, best);
     if (params_.search && best.score < kPoorScore) search(scan, map, odometry, sigmas, best);
 
     MatchedStep step;

@@ -34,6 +34,9 @@ class StepMatcher {
     };
     double score(std::span<const SurfacePoint> scan, const PointMap& map, const Pose& pose,
                  const Pose& odometry) const;
+    /// From the odometry's pose turned to either side.
+    void try_turned(std::span<const SurfacePoint> scan, const PointMap& map,
+                    const PosePrior& odometry, Start& best) const;
     void search(std::span<const SurfacePoint> scan, const PointMap& map, const PosePrior& odometry,
                 const Eigen::Vector2d& sigmas, Start& best) const;
 

@@ -89,14 +89,21 @@ NewPlaces correct_landmarks(typename S::Columns& landmarks, std::span<const Pose
         kept.push_back(kept_of<S>(landmarks, i));
         move(kept.back(), by_scan[kept.back().record.last_seen]);
     }
+    std::vector<typename S::Glance> glances;
+    glances.reserve(kept.size());
+    const auto look = [](const KeptLandmark<S>& one) {
+        return S::glance(one.estimate.mean, one.extent, one.estimate.covariance);
+    };
+    for (const KeptLandmark<S>& one : kept) glances.push_back(look(one));
     NewPlaces places(kept.size());
     std::vector<bool> gone(kept.size(), false);
     std::uint32_t next = 0;
     for (std::size_t i = 0; i < kept.size(); ++i) {
         if (gone[i]) continue;
         for (std::size_t j = i + 1; j < kept.size(); ++j) {
-            if (gone[j] || !same(kept[i], kept[j])) continue;
+            if (gone[j] || S::differ(glances[i], glances[j]) || !same(kept[i], kept[j])) continue;
             fuse(kept[i], kept[j]);
+            glances[i] = look(kept[i]);
             gone[j] = true;
             places[j] = next;
         }

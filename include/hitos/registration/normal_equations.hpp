@@ -12,29 +12,33 @@
 namespace hitos {
 
 /// H x = -b with H = sum J' W J and b = sum J' W e over all errors e. Variables are added once;
-/// errors anew at every iteration, in the same order: the pattern of H is analysed once.
+/// errors anew at every iteration, in the same order: the pattern of H is analysed once, and by
+/// blocks, of which it has several times fewer than numbers.
 class NormalEquations {
   public:
     /// Adds a variable of `size` numbers; returns its place.
     std::size_t add_variable(int size);
-    std::size_t variables() const { return offsets_.size(); }
+    std::size_t variables() const { return variables_.size(); }
 
     /// Begins the next iteration's sums.
     void begin();
+    /// Begins sums of b alone, H staying as it is: what solve_again() needs.
+    void begin_gradient();
     /// Adds an error that depends on one variable. `weight` is its information.
     template <class Jacobian, class Weight, class Error>
     void add(std::size_t variable, const Jacobian& j, const Weight& weight, const Error& e) {
         const auto jw = (j.transpose() * weight).eval();
-        add_block(variable, variable, jw * j);
+        if (!gradient_only_) add_block(variable, variable, jw * j);
         add_gradient(variable, jw * e);
     }
     /// Adds one that depends on two, the first before the second.
     template <class First, class Second, class Weight, class Error>
     void add(std::size_t first, const First& j_first, std::size_t second, const Second& j_second,
              const Weight& weight, const Error& e) {
-        const auto w_second = (weight * j_second).eval();
         add(first, j_first, weight, e);
         add(second, j_second, weight, e);
+        if (gradient_only_) return;
+        const auto w_second = (weight * j_second).eval();
         add_block(second, first, w_second.transpose() * j_first);
     }
     /// Adds a number to the diagonal of a variable: holds it (great) or keeps H regular (small).
@@ -47,7 +51,7 @@ class NormalEquations {
     bool solve_again();
     /// The step of a variable after solve().
     auto step(std::size_t variable) const {
-        return step_.segment(offsets_[variable], sizes_[variable]);
+        return step_.segment(variables_[variable].at, variables_[variable].size);
     }
     /// Its block of H^-1, after solve(): the covariance of the variable.
     Eigen::MatrixXd marginal(std::size_t variable) const;
@@ -61,41 +65,85 @@ class NormalEquations {
 
   private:
     using Matrix = Eigen::SparseMatrix<double>;
+    // The rows and columns of H stand in the order of elimination already.
+    using Cholesky = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
-    /// J' H^-1 J.
-    Eigen::MatrixXd covariance_along(const Eigen::MatrixXd& j) const;
+    /// A block of H, in its lower half: the place of its first entry among H's values. Columns of a
+    /// variable have the same rows below the diagonal; each is one entry shorter than the last.
+    struct Place {
+        Eigen::Index first = 0;
+        Eigen::Index length = 0;  // of the first column
+        bool across = false;      // the block lies there transposed
+    };
+    /// A variable: where it is in b as it was added, and in H as it is eliminated.
+    struct Variable {
+        Eigen::Index size;
+        Eigen::Index added;
+        Eigen::Index rank;  // of order_
+        Eigen::Index at;
+        Place diagonal;
+    };
+    /// What the first iteration adds, before anything is laid out.
+    struct Noted {
+        std::size_t row;
+        std::size_t column;
+        std::size_t values;  // where they begin
+    };
 
-    /// `block` of the lower half: row variable not before the column's.
+    /// Rows of j x, x in the order of elimination, from rows over one variable.
+    void put_rows(Eigen::MatrixXd& y, std::size_t variable, const Eigen::MatrixXd& j) const {
+        y.middleRows(variables_[variable].at, variables_[variable].size) += j.transpose();
+    }
+    /// y' H^-1 y.
+    Eigen::MatrixXd covariance_along(Eigen::MatrixXd y) const;
+
     template <class Block>
     void add_block(std::size_t row, std::size_t column, const Block& block) {
-        const Eigen::Index r = offsets_[row];
-        const Eigen::Index c = offsets_[column];
-        for (Eigen::Index j = 0; j < block.cols(); ++j) {
-            for (Eigen::Index i = row == column ? j : 0; i < block.rows(); ++i) {
-                put(r + i, c + j, block(i, j));
+        if (!laid_out_) {
+            noted_.push_back({row, column, noted_values_.size()});
+            for (Eigen::Index j = 0; j < block.cols(); ++j) {
+                for (Eigen::Index i = 0; i < block.rows(); ++i) {
+                    noted_values_.push_back(block(i, j));
+                }
+            }
+            return;
+        }
+        put(places_[next_place_++], row == column, block);
+    }
+    template <class Block>
+    void put(const Place& place, bool diagonal, const Block& block) {
+        const Eigen::Index columns = place.across ? block.rows() : block.cols();
+        const Eigen::Index rows = place.across ? block.cols() : block.rows();
+        for (Eigen::Index j = 0; j < columns; ++j) {
+            double* const column =
+                h_.valuePtr() + place.first + j * (place.length - 1) - j * (j - 1) / 2;
+            for (Eigen::Index i = diagonal ? j : 0; i < rows; ++i) {
+                column[i] += place.across ? block(j, i) : block(i, j);
             }
         }
     }
     template <class Block>
     void add_gradient(std::size_t variable, const Block& block) {
-        gradient_.segment(offsets_[variable], sizes_[variable]) += block;
+        gradient_.segment(variables_[variable].added, variables_[variable].size) += block;
     }
-    /// Adds to an entry of H; the n-th call of an iteration is of the same entry every time.
-    void put(Eigen::Index row, Eigen::Index column, double value);
+    void order_variables();
     void lay_out();
+    Eigen::VectorXd reordered(const Eigen::VectorXd& as_added) const;
 
-    std::vector<Eigen::Index> offsets_;
-    std::vector<Eigen::Index> sizes_;
+    std::vector<Variable> variables_;
+    std::vector<std::size_t> order_;  // variables as they are eliminated
     Eigen::Index size_ = 0;
     Eigen::VectorXd gradient_;
     Eigen::VectorXd step_;
-    // The first iteration notes where entries go, the next ones add straight into H.
-    std::vector<Eigen::Triplet<double>> triplets_;
-    std::vector<std::size_t> places_;  // in H's values, of the n-th put()
-    std::size_t next_put_ = 0;
+    // The first iteration notes blocks, the next ones add straight into H.
+    std::vector<Noted> noted_;
+    std::vector<double> noted_values_;
+    std::vector<Place> places_;  // of the n-th block of an iteration
+    std::size_t next_place_ = 0;
     Matrix h_;
-    std::unique_ptr<Eigen::SimplicialLDLT<Matrix, Eigen::Lower>> cholesky_;
+    std::unique_ptr<Cholesky> cholesky_;
     bool laid_out_ = false;
+    bool gradient_only_ = false;
 };
 
 }  // namespace hitos

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
+#include "hitos/registration/normal_equations.hpp"
 
 namespace hitos {
 
@@ -56,14 +57,34 @@ inline double robust_loss(double mahalanobis_squared) {
 
 /// How a graph is solved.
 struct GraphSolution {
-    int iterations = 10;
-    bool robust = true;  ///< whether edges far from the rest lose weight
+    int iterations = 10;  ///< with a factorisation of their own
+    bool robust = true;   ///< whether edges far from the rest lose weight
 };
 
-/// Moves the keys to where the edges' errors, squared and weighted, are least: Gauss-Newton with a
+/// Moves keys to where the edges' errors, squared and weighted, are least: Gauss-Newton with a
 /// sparse Cholesky factorisation, the first key held. It stops where no key moves a millimetre.
-/// Returns the greatest move of a key [m] against where it began; keys stay as they are where the
-/// equations cannot be solved.
+class PoseGraphSolver {
+  public:
+    /// `edges` have to stay while it is used. What depends on them alone, the order in which keys
+    /// are eliminated, is found out once.
+    PoseGraphSolver(std::size_t keys, std::span<const PoseEdge> edges);
+
+    /// Returns the greatest move of a key [m] against where it began; keys stay as they are where
+    /// the equations cannot be solved.
+    double solve(std::vector<KeyPose>& keys, const GraphSolution& how) {
+        return solve(keys, how, edges_.size());
+    }
+    /// The same with the first `used` edges alone.
+    double solve(std::vector<KeyPose>& keys, const GraphSolution& how, std::size_t used);
+
+  private:
+    void sum(const std::vector<KeyPose>& keys, bool robust, std::size_t used);
+
+    std::span<const PoseEdge> edges_;
+    NormalEquations equations_;
+};
+
+/// One PoseGraphSolver's one solution.
 double solve(std::vector<KeyPose>& keys, std::span<const PoseEdge> edges, const GraphSolution& how);
 
 }  // namespace hitos

@@ -135,6 +135,9 @@ concept Sensor = requires(const Pose& pose, const Vector2& z, const typename S::
     { S::moved_jacobian(pose, landmark) } -> std::convertible_to<Matrix2>;
     { S::difference(landmark, landmark) } -> std::same_as<LandmarkDifference>;
     { S::same(landmark, extent, landmark, extent, fixed) } -> std::same_as<bool>;
+    {
+        S::differ(S::glance(landmark, extent, fixed), S::glance(landmark, extent, fixed))
+        } -> std::same_as<bool>;
     { S::tolerance(landmark, extent, extent) } -> std::convertible_to<Matrix2>;
     { S::predict(pose, landmark) } -> std::convertible_to<Vector2>;
     { S::jacobian(pose, landmark) } -> std::convertible_to<Matrix2>;

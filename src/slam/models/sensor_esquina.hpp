@@ -129,14 +129,22 @@ struct SensorEsquina {
     /// As SensorRecta's: corners nearer to each other than any two that are told apart.
     static bool same(const Esquina& a, const Extent& /*extent_a*/, const Esquina& b,
                      const Extent& /*extent_b*/, const Matrix2& /*covariance*/) {
-        constexpr double kNear = 0.25;
         return std::hypot(a.x - b.x, a.y - b.y) < kNear;
     }
+    using Glance = Esquina;
+    static Glance glance(const Esquina& corner, const Extent& /*extent*/,
+                         const Matrix2& /*covariance*/) {
+        return corner;
+    }
+    static bool differ(const Glance& a, const Glance& b) { return std::abs(a.x - b.x) >= kNear; }
     static Matrix2 tolerance(const Esquina& /*a*/, const Extent& /*extent_a*/,
                              const Extent& /*b_on_a*/) {
         constexpr double kDistance2 = 0.05 * 0.05;
         return kDistance2 * Matrix2::Identity();
     }
+
+  private:
+    static constexpr double kNear = 0.25;  // of corners that are the same [m]
 };
 
 /// Corners of one map.

@@ -180,9 +180,6 @@ struct SensorRecta {
     /// `covariance` is that of their difference.
     static bool same(const Recta& a, const Extent& extent_a, const Recta& b, const Extent& extent_b,
                      const Matrix2& covariance) {
-        constexpr double kFarthest2 = 6.0;  // squared Mahalanobis distance
-        constexpr double kTurn = 0.1;
-        constexpr double kGap = 0.5;
         const LandmarkDifference apart = difference(a, b);
         if (std::abs(apart.nu(1)) >= kTurn) return false;
         const Extent b_on_a = carried(extent_b, b, a);
@@ -193,14 +190,43 @@ struct SensorRecta {
                           s(0, 0) * apart.nu(1) * apart.nu(1);
         return d2 < kFarthest2 * s.determinant();
     }
+    /// What of a line tells at a glance that it is not the same() as another: most pairs are not.
+    struct Glance {
+        double rho;
+        double cosine;
+        double sine;
+        double variance;  ///< of rho, with what tolerance() may add to it
+    };
+    static Glance glance(const Recta& line, const Extent& extent, const Matrix2& covariance) {
+        // They share no place further out than this.
+        const double place = std::max(std::abs(extent.low), std::abs(extent.high)) + 0.5 * kGap;
+        return {line.rho, std::cos(line.theta), std::sin(line.theta),
+                covariance(0, 0) + tolerance(place)(0, 0)};
+    }
+    /// Never of two that are the same.
+    static bool differ(const Glance& a, const Glance& b) {
+        if (std::abs(a.sine * b.cosine - a.cosine * b.sine) >= kTurn) return true;
+        const bool turned = a.cosine * b.cosine + a.sine * b.sine < 0.0;
+        const double apart = turned ? a.rho + b.rho : a.rho - b.rho;
+        return apart * apart >= kFarthest2 * (a.variance + b.variance);
+    }
     /// What a corrected path leaves, 0.05 m and 0.02 rad at the middle of what both extents share:
     /// a turn about a place t along the line changes rho by t times the turn.
     static Matrix2 tolerance(const Recta& /*a*/, const Extent& extent_a, const Extent& b_on_a) {
-        constexpr double kDistance2 = 0.05 * 0.05;
-        constexpr double kAngle2 = 0.02 * 0.02;
         const double middle =
             0.5 * (std::max(extent_a.low, b_on_a.low) + std::min(extent_a.high, b_on_a.high));
-        const double t = std::isfinite(middle) ? middle : 0.0;
+        return tolerance(std::isfinite(middle) ? middle : 0.0);
+    }
+
+  private:
+    // Of lines that are the same: squared Mahalanobis distance, angle and gap between them.
+    static constexpr double kFarthest2 = 6.0;
+    static constexpr double kTurn = 0.1;
+    static constexpr double kGap = 0.5;
+
+    static Matrix2 tolerance(double t) {
+        constexpr double kDistance2 = 0.05 * 0.05;
+        constexpr double kAngle2 = 0.02 * 0.02;
         Matrix2 tolerated;
         tolerated << kDistance2 + t * t * kAngle2, t * kAngle2, t * kAngle2, kAngle2;
         return tolerated;

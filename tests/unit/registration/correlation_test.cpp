@@ -40,6 +40,35 @@ double tried(const std::vector<SurfacePoint>& points, const CorrelationMap& map,
     return best / 255.0 / static_cast<double>(points.size());
 }
 
+TEST(Correlation, ASumIsExactUnlessItIsTooSmall) {
+    const Walls room = test::recess_room();
+    const PointMap map = map_of(room, {0.0, 0.0, 0.3});
+    const CorrelationMap picture(map, 20.0, 2);
+    std::vector<CorrelationMap::Cell> cells;
+    for (const SurfacePoint& p : test::drawn_points(room, {0.2, -0.1, 0.5})) {
+        const Point2 at =
+            transform({0.2, -0.1, 0.5}, Point2{static_cast<double>(p.x), static_cast<double>(p.y)});
+        cells.push_back(picture.cell(at.x, at.y));
+    }
+    ASSERT_GT(cells.size(), 128U);  // else there is nothing to leave out
+    int ended_early = 0;
+    for (int x = -20; x <= 20; x += 4) {
+        for (int level = 0; level <= 2; ++level) {
+            const int exact = picture.sum(cells, x, 0, level);
+            for (const int least : {1, exact, exact + 1, 20000, 60000}) {
+                const int told = picture.sum(cells, x, 0, level, least);
+                if (exact >= least) {
+                    EXPECT_EQ(told, exact);
+                } else {
+                    EXPECT_LT(told, least);
+                    if (told < exact) ++ended_early;
+                }
+            }
+        }
+    }
+    EXPECT_GT(ended_early, 0);
+}
+
 TEST(Correlation, IsTheBestOfAllThatCouldBeTried) {
     const Walls room = test::recess_room();
     const PointMap map = map_of(room, {0.0, 0.0, 0.3});

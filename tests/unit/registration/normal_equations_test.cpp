@@ -130,6 +130,24 @@ TEST(NormalEquations, SolvesAgainWithTheMatrixBefore) {
     }
 }
 
+TEST(NormalEquations, SumsTheGradientAloneWhereTheMatrixStays) {
+    RandomSystem system(23);
+    system.lay_out(12, 4);
+    system.tie_all(12, 4);
+    ASSERT_TRUE(system.equations.solve());
+    const MatrixXd before = system.dense;
+    system.equations.begin_gradient();
+    system.gradient.setZero();
+    for (std::size_t i = 0; i + 1 < 12; ++i) system.tie(i, i + 1);
+    ASSERT_TRUE(system.equations.solve_again());
+    const VectorXd step = -before.ldlt().solve(system.gradient);
+    for (std::size_t i = 0; i < system.at.size(); ++i) {
+        EXPECT_LT((system.equations.step(i) - step.segment(system.at[i], system.sizes[i])).norm(),
+                  1e-8)
+            << "variable " << i;
+    }
+}
+
 TEST(NormalEquations, MarginalsAreBlocksOfTheInverse) {
     RandomSystem system(5);
     system.lay_out(30, 12);

@@ -215,6 +215,42 @@ TEST(PoseGraph, AnEdgeThatIsWrongLosesItsWeight) {
     EXPECT_GT(plain_m, 0.3);
 }
 
+TEST(PoseGraph, OneSolverWithFewerEdgesDoesWhatASolverOfThoseAloneDoes) {
+    Ring ring = make_ring(40, 1.0, 23);
+    const std::size_t fewer = ring.edges.size() - 3;
+    std::vector<KeyPose> alone = ring.keys;
+    PoseGraphSolver solver(ring.keys.size(), ring.edges);
+    EXPECT_NEAR(solver.solve(ring.keys, {20, false}, fewer),
+                solve(alone, std::span(ring.edges).first(fewer), {20, false}), 1e-6);
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        EXPECT_NEAR(ring.keys[i].pose.x, alone[i].pose.x, 1e-6) << "key " << i;
+        EXPECT_NEAR(ring.keys[i].pose.y, alone[i].pose.y, 1e-6) << "key " << i;
+    }
+    solver.solve(ring.keys, {20, true});
+    solve(alone, ring.edges, {20, true});
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        EXPECT_NEAR(ring.keys[i].pose.x, alone[i].pose.x, 1e-3) << "key " << i;
+        EXPECT_NEAR(ring.keys[i].pose.y, alone[i].pose.y, 1e-3) << "key " << i;
+    }
+}
+
+TEST(PoseGraph, GreatMovesSettleWhereEveryStepFactorisedDoes) {
+    // Turned by half a radian and carried off, as before a great loop is closed.
+    for (const bool robust : {false, true}) {
+        Ring ring = make_ring(60, 1.0, 41);
+        for (std::size_t i = 20; i < ring.keys.size(); ++i) {
+            ring.keys[i].pose = compose({2.0, -1.0, 0.5}, ring.keys[i].pose);
+        }
+        std::vector<KeyPose> dense = ring.keys;
+        solve(ring.keys, ring.edges, {60, robust});
+        solve_densely(dense, ring.edges, robust);
+        for (std::size_t i = 0; i < dense.size(); ++i) {
+            EXPECT_NEAR(ring.keys[i].pose.x, dense[i].pose.x, 5e-3) << "key " << i;
+            EXPECT_NEAR(ring.keys[i].pose.y, dense[i].pose.y, 5e-3) << "key " << i;
+        }
+    }
+}
+
 TEST(PoseGraph, RobustWeightHalvesAtThreeSigmas) {
     EXPECT_EQ(robust_weight(0.0), 1.0);
     EXPECT_DOUBLE_EQ(robust_weight(9.0), 0.5);

@@ -73,15 +73,15 @@ TEST(Correction, OneMotionForAllScansIsAnotherWorldFrame) {
     for (const char* algorithm : {"fastslam", "ekf-slam"}) {
         const auto still = make_filter(registered_params(algorithm), 1, 1);
         const auto corrected = make_filter(registered_params(algorithm), 1, 1);
-        feed(*still, tour, path, 0, 50);
-        feed(*corrected, tour, path, 0, 50);
+        feed_registered(*still, tour, path, 0, 50);
+        feed_registered(*corrected, tour, path, 0, 50);
         const std::vector<Pose> motions(50, motion);
         corrected->correct({motions, {}, {}});
         expect_moved(*corrected, *still, motion, 1e-9);
         // From then on equal but for what is left out where h is made linear, which depends on the
         // place of the origin.
-        feed(*still, tour, path, 50, 80);
-        feed(*corrected, tour, path, 50, 80, motion);
+        feed_registered(*still, tour, path, 50, 80);
+        feed_registered(*corrected, tour, path, 50, 80, motion);
         expect_moved(*corrected, *still, motion, 5e-4);
     }
 }
@@ -102,13 +102,13 @@ TEST(Correction, HistoriesAndLandmarksFollowTheirScans) {
     const auto motions = growing_motions(61);
     for (const char* algorithm : {"fastslam", "ekf-slam"}) {
         const auto filter = make_filter(registered_params(algorithm), 1, 1);
-        feed(*filter, tour, path, 0, 60);
+        feed_registered(*filter, tour, path, 0, 60);
         // In the last scan only what stands in this one is seen.
         Observation part = tour.observations[60];
         ASSERT_GE(part.corners.size(), 1U);
         part.lines.clear();
         part.corners.resize(1);
-        feed(*filter, path[60], part);
+        feed_registered(*filter, path[60], part);
         ASSERT_EQ(filter->associations().size(), 1U);
         ASSERT_EQ(filter->associations()[0].outcome, Association::Outcome::matched);
         const auto seen = static_cast<std::size_t>(filter->associations()[0].landmark);
@@ -157,7 +157,7 @@ TEST(Correction, OnlyForMotionThatFollowsRegistration) {
         EXPECT_EQ(filter->best_pose(), pose);
         const auto registered = make_filter(registered_params(algorithm), 1, 1);
         const RegisteredStep first;
-        feed(*registered, first, Observation{});
+        feed_registered(*registered, first, Observation{});
         EXPECT_THROW(registered->correct({growing_motions(2), {}, {}}), std::invalid_argument);
     }
 }
@@ -181,15 +181,15 @@ std::unique_ptr<SlamFilter> after_a_loop(const std::string& algorithm, double se
     add_wall(seen, 4.0, -1.0, 1.0);
     seen.corners.push_back({4.0, 1.0});
     RegisteredStep step;
-    feed(*filter, step, seen);
-    feed(*filter, step, seen);
+    feed_registered(*filter, step, seen);
+    feed_registered(*filter, step, seen);
     step.pose = {1.0, 0.0, 0.0};
     step.path_m = 1.0;
     Observation again;  // 0.8 m off
     add_wall(again, 7.0, -1.0, 1.0);
     add_wall(again, 3.8, second_low, second_high);
     again.corners.push_back({3.8, 1.0});
-    feed(*filter, step, again);
+    feed_registered(*filter, step, again);
     return filter;
 }
 
@@ -218,7 +218,7 @@ TEST(Correction, LandmarksLaidUponEachOtherBecomeOne) {
         Observation seen;
         add_wall(seen, 7.0, -1.0, 1.0);
         add_wall(seen, 3.8, -0.5, 1.0);
-        feed(*filter, step, seen);
+        feed_registered(*filter, step, seen);
         EXPECT_EQ(filter->best_map().size(), 3U);
         EXPECT_EQ(filter->associations()[0].landmark, 1);
         EXPECT_EQ(filter->associations()[1].landmark, 0);
@@ -299,7 +299,7 @@ TEST(EkfCorrection, JointCovarianceIsCarriedByTheJacobian) {
         Observation lines = tour.observations[k];
         lines.corners.clear();
         if (k == 59 && lines.lines.size() > 1) lines.lines.resize(1);
-        feed(filter, path[k], lines);
+        feed_registered(filter, path[k], lines);
         for (const Association& association : filter.associations()) {
             if (association.landmark >= 0) {
                 last_seen.at(static_cast<std::size_t>(association.landmark)) = k;

@@ -337,7 +337,7 @@ TEST(PosteriorProposal, GoesWithTheRegisteredPath) {
     params.motion.model = "registered";
     params.observation = {0.003, 0.0003};
     FiltroParticulas filter(params, 1, 1);
-    feed(filter, tour, path, 0, 150);
+    feed_registered(filter, tour, path, 0, 150);
     EXPECT_EQ(filter.best_count(FeatureKind::line), 4);
     EXPECT_EQ(filter.best_count(FeatureKind::corner), 4);
     EXPECT_NEAR(filter.best_pose().x, tour.truth.back().x, 0.1);

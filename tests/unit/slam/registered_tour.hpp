@@ -42,15 +42,17 @@ inline RegisteredStep moved(RegisteredStep step, const Pose& motion) {
     return step;
 }
 
-inline void feed(SlamFilter& filter, const RegisteredStep& step, const Observation& observation) {
+inline void feed_registered(SlamFilter& filter, const RegisteredStep& step,
+                            const Observation& observation) {
     const Scan scan;
     filter.step({scan, {}, observation, &step});
 }
 
-inline void feed(SlamFilter& filter, const Tour& tour, const std::vector<RegisteredStep>& path,
-                 std::size_t from, std::size_t to, const Pose& motion = {}) {
+inline void feed_registered(SlamFilter& filter, const Tour& tour,
+                            const std::vector<RegisteredStep>& path, std::size_t from,
+                            std::size_t to, const Pose& motion = {}) {
     for (std::size_t k = from; k < to; ++k) {
-        feed(filter, moved(path[k], motion), tour.observations[k]);
+        feed_registered(filter, moved(path[k], motion), tour.observations[k]);
     }
 }
 

@@ -169,6 +169,35 @@ TEST(SensorRecta, AWallSeenFromItsOtherSideIsTheSameLine) {
     }
 }
 
+TEST(SensorRecta, AGlanceNeverTellsLinesApartThatAreTheSame) {
+    std::mt19937 engine(5);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    int same = 0;
+    int apart = 0;
+    for (int i = 0; i < 200000; ++i) {
+        const Recta a{5.0 * any(engine), kPi * any(engine)};
+        Recta b{a.rho + 0.6 * any(engine), a.theta + 0.15 * any(engine)};
+        if (i % 2 == 0) b = {-b.rho, wrap_angle(b.theta + kPi)};
+        const double low_a = 10.0 * any(engine);
+        const double low_b = 10.0 * any(engine);
+        const Extent extent_a{low_a, low_a + 2.0 + any(engine), 0};
+        const Extent extent_b = i % 5 == 0 ? Extent{} : Extent{low_b, low_b + 4.0, 0};
+        Matrix2 p;
+        p << 0.01 + 0.01 * any(engine), 0.0, 0.0, 0.001;
+        const bool differ = SensorRecta::differ(SensorRecta::glance(a, extent_a, p),
+                                                SensorRecta::glance(b, extent_b, p));
+        if (SensorRecta::same(a, extent_a, b, extent_b, 2.0 * p)) {
+            ++same;
+            ASSERT_FALSE(differ) << "rho " << a.rho << " and " << b.rho << ", theta " << a.theta
+                                 << " and " << b.theta;
+        } else if (differ) {
+            ++apart;
+        }
+    }
+    EXPECT_GT(same, 10000);
+    EXPECT_GT(apart, 10000);
+}
+
 TEST(SensorRecta, NormalFormKeepsTheCovarianceOfTheSameLine) {
     LandmarkEstimate<SensorRecta> estimate{{-2.0, 0.5}, {}};
     auto& [line, covariance] = estimate;
