@@ -6,18 +6,33 @@
 
 namespace hitos {
 
+namespace {
+
+/// The sector of a direction, `off` sectors aside.
+std::size_t sector_of(double x, double y, double off, int sectors) {
+    const double turn = std::atan2(y, x) / (2.0 * kPi) * sectors + 1.5 * sectors + off;
+    return static_cast<std::size_t>(turn) % static_cast<std::size_t>(sectors);
+}
+
+}  // namespace
+
 FreeView::FreeView(std::span<const SurfacePoint> scan, const Pose& pose_world_robot)
     : pose_robot_world_(inverse(pose_world_robot)) {
+    constexpr double kBorder = 0.25;  // sectors
     sectors_.fill({});
     for (const SurfacePoint& p : scan) {
         const auto x = static_cast<double>(p.x);
         const auto y = static_cast<double>(p.y);
         const auto range = static_cast<float>(std::hypot(x, y));
-        const auto place = static_cast<std::size_t>(
-            std::min((std::atan2(y, x) + kPi) / (2.0 * kPi) * kSectors, kSectors - 1.0));
-        Sector& sector = sectors_[place];
-        sector.nearest = sector.furthest == 0.0F ? range : std::min(sector.nearest, range);
-        sector.furthest = std::max(sector.furthest, range);
+        // A ray on the border of two sectors, where those at whole degrees lie, is of both.
+        const std::size_t first = sector_of(x, y, -kBorder, kSectors);
+        const std::size_t last = sector_of(x, y, kBorder, kSectors);
+        for (std::size_t place = first;; place = last) {
+            Sector& sector = sectors_[place];
+            sector.nearest = sector.furthest == 0.0F ? range : std::min(sector.nearest, range);
+            sector.furthest = std::max(sector.furthest, range);
+            if (place == last) break;
+        }
     }
 }
 
@@ -29,8 +44,7 @@ FreeView::Said FreeView::of(const Point2& world) const {
     const Point2 p = transform(pose_robot_world_, world);
     const double range = std::hypot(p.x, p.y);
     if (range < kLeast || range > kFurthest) return Said::nothing;
-    const int place = static_cast<int>(
-        std::min((std::atan2(p.y, p.x) + kPi) / (2.0 * kPi) * kSectors, kSectors - 1.0));
+    const auto place = static_cast<int>(sector_of(p.x, p.y, 0.0, kSectors));
     bool through = true;
     for (const int side : {-1, 0, 1}) {
         const Sector& sector =

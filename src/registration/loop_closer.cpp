@@ -104,10 +104,10 @@ bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m) {
 }
 
 /// Places that look alike in what there is differ in what there is not: one passage looks through
-/// where the other saw a wall. True loops have up to 0.17 of it (doors, people), false ones 0.4.
+/// where the other saw a wall. True loops have up to 0.24 of it (doors, people), false ones 0.4.
 bool LoopCloser::contradicted(const KeyGraph& graph, const LoopFound& loop,
                               const PointMap& map) const {
-    constexpr double kMuch = 0.25;
+    constexpr double kMuch = 0.3;
     constexpr std::size_t kEveryOldKey = 3;
     constexpr std::size_t kEveryNewKey = 2;
     constexpr std::size_t kEveryPoint = 8;

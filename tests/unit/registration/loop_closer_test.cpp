@@ -1,0 +1,139 @@
+#include "loop_closer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drawn_scan.hpp"
+#include "hitos/registration/pose_algebra.hpp"
+#include "hitos/registration/registration_params.hpp"
+
+namespace hitos {
+namespace {
+
+using test::closed;
+using test::drawn_points;
+
+/// A passage about a block, 2 m wide, with bays that are unlike each other.
+Walls ring(const std::vector<Point2>& inner) {
+    Walls walls =
+        closed({{-8, -6}, {-3, -6}, {-3, -6.8}, {-1, -6.8}, {-1, -6},   {8, -6},  {8, 1},
+                {8.7, 1}, {8.7, 3}, {8, 3},     {8, 6},     {2, 6},     {2, 6.5}, {0, 6.5},
+                {0, 6},   {-8, 6},  {-8, 0},    {-8.5, 0},  {-8.5, -2}, {-8, -2}});
+    const Walls block = closed(inner);
+    walls.insert(walls.end(), block.begin(), block.end());
+    return walls;
+}
+
+const std::vector<Point2> kBlock{{-6, -4}, {6, -4}, {6, 4}, {-6, 4}};
+
+/// The way along the middle of the passage from its lower left, in steps of `step` metres.
+std::vector<Pose> way(double metres, double step) {
+    const std::vector<Pose> legs{
+        {-6.5, -5, 0}, {7, -5, kPi / 2}, {7, 5, kPi}, {-7, 5, -kPi / 2}, {-7, -5, 0}};
+    std::vector<Pose> poses;
+    std::size_t leg = 0;
+    Pose pose = legs[0];
+    for (double gone = 0.0; gone < metres; gone += step) {
+        poses.push_back(pose);
+        pose = compose(pose, {step, 0.0, 0.0});
+        const Pose& next = legs[leg % 4 + 1];
+        const Pose ahead = between(pose, next);
+        if (ahead.x <= 0.0) {
+            pose = {next.x, next.y, next.theta};
+            ++leg;
+        }
+    }
+    return poses;
+}
+
+/// Drives the way, seeing `walls` up to `change_m` and `later` from there on, its path drifting by
+/// one part in `per` to the left; searches at every second key of the second round.
+class Rounds {
+  public:
+    Rounds(const Walls& walls, const Walls& later) {
+        const double step = 0.5;
+        Pose drifted;
+        std::size_t k = 0;
+        for (const Pose& truth : way(58.0, step)) {
+            if (k == 0) drifted = truth;
+            if (k > 0) {
+                const Pose moved = between(before_, truth);
+                drifted = compose(drifted, {moved.x, moved.y + 0.006, moved.theta + 0.0004});
+            }
+            before_ = truth;
+            KeyScan key;
+            const double travelled = static_cast<double>(k) * step;
+            key.points = drawn_points(travelled > 40.0 ? later : walls, truth);
+            key.travelled_m = travelled;
+            key.variance_m2 = 4e-4;
+            key.variance_rad2 = 4e-6;
+            graph_.add({drifted, k}, std::move(key));
+            ++k;
+            if (travelled < 40.0 || k % 2 == 1) continue;
+            graph_.reach(graph_.size() - 1, reached_);
+            if (auto found = closer_.search(graph_, reached_)) {
+                loop = found;
+                truth_at_loop = truth;
+                return;
+            }
+        }
+    }
+
+    std::optional<LoopFound> loop;
+    Pose truth_at_loop;
+    Pose newest() const { return graph_.poses.back().pose; }
+    const KeyGraph& graph() const { return graph_; }
+    const LoopCloser& closer() const { return closer_; }
+
+  private:
+    RegistrationParams params_;
+    ScanMatcher matcher_{params_.point_sigma_m};
+    LoopCloser closer_{params_, matcher_};
+    KeyGraph graph_;
+    std::vector<GraphReach> reached_;
+    Pose before_;
+};
+
+TEST(LoopCloser, FindsTheEarlierPassageWhenSeveralSearchesAgree) {
+    const Walls walls = ring(kBlock);
+    const Rounds rounds(walls, walls);
+    ASSERT_TRUE(rounds.loop);
+    const Pose drift = between(rounds.truth_at_loop, rounds.newest());
+    EXPECT_GT(std::hypot(drift.x, drift.y), 0.2) << "else there is nothing to close";
+    // The earlier passage has hardly drifted.
+    EXPECT_NEAR(rounds.loop->pose.x, rounds.truth_at_loop.x, 0.1);
+    EXPECT_NEAR(rounds.loop->pose.y, rounds.truth_at_loop.y, 0.1);
+    EXPECT_NEAR(rounds.loop->pose.theta, rounds.truth_at_loop.theta, 0.02);
+    EXPECT_GE(rounds.closer().searches(), 3U);
+    EXPECT_LT(rounds.graph().scans[rounds.loop->key].travelled_m, 16.0);
+    for (const std::uint32_t source : rounds.loop->sources) {
+        EXPECT_LT(rounds.graph().scans[source].travelled_m, 21.0);
+    }
+}
+
+TEST(LoopCloser, APlaceThatLooksAlikeButIsOpenIsNone) {
+    // The second time the block is gone but for two posts: the outer walls fit.
+    const Rounds rounds(ring(kBlock), ring({{-6, -4}, {-5.9, -4}, {-5.9, -3.9}, {-6, -3.9}}));
+    EXPECT_FALSE(rounds.loop);
+    EXPECT_GT(rounds.closer().searches(), 3U);
+}
+
+TEST(LoopCloser, NothingIsALoopBeforeTheRobotHasGoneSomewhere) {
+    const Walls room = test::recess_room();
+    KeyGraph graph;
+    std::vector<GraphReach> reached;
+    RegistrationParams params;
+    LoopCloser closer(params, ScanMatcher(params.point_sigma_m));
+    for (int k = 0; k < 20; ++k) {
+        KeyScan key;
+        const Pose pose{0.05 * k, 0.0, 0.0};
+        key.points = drawn_points(room, pose);
+        key.travelled_m = 0.05 * k;
+        graph.add({pose, static_cast<std::uint64_t>(k)}, std::move(key));
+        graph.reach(graph.size() - 1, reached);
+        EXPECT_FALSE(closer.search(graph, reached));
+    }
+    EXPECT_EQ(closer.searches(), 0U);
+}
+
+}  // namespace
+}  // namespace hitos
