@@ -102,7 +102,7 @@ void build_map(const KeyGraph& graph, std::span<const std::uint32_t> selected, c
                double half_m, PointMap& map) {
     map.begin({centre.x, centre.y}, half_m);
     for (std::size_t i = 0; i < selected.size(); ++i) {
-        map.add(graph.scans[selected[i]].points, graph.poses[selected[i]].pose,
+        map.add(graph.scans[selected[i]].points(), graph.poses[selected[i]].pose,
                 static_cast<std::uint32_t>(i));
     }
     map.build();

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "hitos/registration/pose_graph.hpp"
@@ -13,11 +15,19 @@ namespace hitos {
 
 /// What the graph keeps of a key beside its pose.
 struct KeyScan {
-    std::vector<SurfacePoint> points;  ///< robot frame
-    double travelled_m = 0.0;          ///< way driven up to it
+    std::span<const SurfacePoint> points() const { return *points_; }  ///< robot frame
+    void hold(std::vector<SurfacePoint> points) {
+        points_ = std::make_shared<const std::vector<SurfacePoint>>(std::move(points));
+    }
+    double travelled_m = 0.0;  ///< way driven up to it
     /// Variance of the position and of the heading against the key before.
     double variance_m2 = 0.0;
     double variance_rad2 = 0.0;
+
+  private:
+    // Copies of a graph share them: they never change.
+    std::shared_ptr<const std::vector<SurfacePoint>> points_ =
+        std::make_shared<const std::vector<SurfacePoint>>();
 };
 
 /// How far a key is from another one along the graph.

@@ -65,7 +65,7 @@ void LoopCloser::gather_query(const KeyGraph& graph) {
         const Pose pose = between(now, graph.poses[j].pose);
         const double c = std::cos(pose.theta);
         const double s = std::sin(pose.theta);
-        for (const SurfacePoint& p : graph.scans[j].points) {
+        for (const SurfacePoint& p : graph.scans[j].points()) {
             const Point2 at =
                 transform(pose, Point2{static_cast<double>(p.x), static_cast<double>(p.y)});
             if (std::hypot(at.x, at.y) > kFar) continue;
@@ -115,7 +115,7 @@ bool LoopCloser::contradicted(const KeyGraph& graph, const LoopFound& loop,
     std::vector<FreeView> views;
     for (std::size_t i = 0; i < loop.sources.size(); i += kEveryOldKey) {
         const std::uint32_t j = loop.sources[i];
-        views.emplace_back(graph.scans[j].points, graph.poses[j].pose);
+        views.emplace_back(graph.scans[j].points(), graph.poses[j].pose);
     }
     std::vector<Point2> points;
     place(query_, loop.pose, points);
@@ -124,7 +124,7 @@ bool LoopCloser::contradicted(const KeyGraph& graph, const LoopFound& loop,
     views.clear();
     const Pose move = compose(loop.pose, inverse(graph.poses[newest].pose));
     for (std::size_t n = 0; n < query_keys_; n += kEveryNewKey) {
-        views.emplace_back(graph.scans[newest - n].points,
+        views.emplace_back(graph.scans[newest - n].points(),
                            compose(move, graph.poses[newest - n].pose));
     }
     points.clear();

@@ -149,6 +149,7 @@ bool NormalEquations::solve() {
 }
 
 bool NormalEquations::solve_again() {
+    if (!laid_out_) return false;
     step_ = -cholesky_->solve(reordered(gradient_));
     return step_.allFinite();
 }

@@ -12,7 +12,7 @@ namespace hitos {
 bool breaks_path(std::span<const SurfacePoint> scan, const MatchedStep& matched,
                  const KeyGraph& graph) {
     // Of six recorded tours and five worlds the worst scan, with a score of 0.27, has 0.14 of
-    // contradiction. Of 18 gaps that tests/bench/gaps makes in them 14 are told; places behind the
+    // contradiction. Of 18 gaps that tests/bench/gaps makes in the tours 14 are told; places behind the
     // others look like those before, and one is 0.4 m wide.
     constexpr double kDoubtful = 0.4;
     constexpr double kMuch = 0.2;
@@ -24,8 +24,8 @@ bool breaks_path(std::span<const SurfacePoint> scan, const MatchedStep& matched,
     std::vector<Point2> seen_before;
     for (std::size_t n = 1; n <= std::min(kNewest, graph.size()); ++n) {
         const std::size_t k = graph.size() - n;
-        before.emplace_back(graph.scans[k].points, graph.poses[k].pose);
-        place(graph.scans[k].points, graph.poses[k].pose, seen_before);
+        before.emplace_back(graph.scans[k].points(), graph.poses[k].pose);
+        place(graph.scans[k].points(), graph.poses[k].pose, seen_before);
     }
     std::vector<Point2> seen_now;
     place(scan, matched.pose, seen_now);

@@ -190,7 +190,7 @@ bool Registration::Impl::key_due() const {
 
 void Registration::Impl::add_key(std::uint64_t scan) {
     KeyScan key;
-    key.points = points_;
+    key.hold(points_);
     key.travelled_m = travelled_m_;
     key.variance_m2 = variance_m2_ + kKeySlip * kKeySlip;
     key.variance_rad2 = variance_rad2_ + kKeySlipRad * kKeySlipRad;
@@ -229,7 +229,7 @@ void Registration::Impl::close_loop() {
     // The newest scan against the earlier keys: the query's pose is the prior, to some decimetres.
     PointMap map;
     build_map(graph_, found->sources, graph_.poses[found->key].pose, kMapHalf, map);
-    const std::vector<SurfacePoint>& scan = graph_.scans[newest].points;
+    const std::span<const SurfacePoint> scan = graph_.scans[newest].points();
     const PosePrior prior{found->pose, 10.0 * Eigen::Matrix3d::Identity()};
     const Pose pose = matcher_.fit(scan, map, found->pose, prior);
     by_source_.assign(found->sources.size(), {});
@@ -310,7 +310,7 @@ void Registration::Impl::register_anew(bool first) {
                     2.0 * kOldKeysWay, keys);
         build_map(graph_, keys, pose, kMapHalf, map);
         by_source_.assign(keys.size(), {});
-        const Linearization l = matcher_.linearize(graph_.scans[k].points, map, pose,
+        const Linearization l = matcher_.linearize(graph_.scans[k].points(), map, pose,
                                                    first ? kWide : kFineStage, 1, &by_source_);
         if (l.matches < kLeastMatches) continue;
         graph_.add_scan_edges(static_cast<std::uint32_t>(k), pose, keys, by_source_,
@@ -343,6 +343,14 @@ Registration::Registration(const RegistrationParams& params)
 Registration::~Registration() = default;
 Registration::Registration(Registration&&) noexcept = default;
 Registration& Registration::operator=(Registration&&) noexcept = default;
+Registration::Registration(const Registration& other)
+    : impl_(std::make_unique<Impl>(*other.impl_)) {}
+
+std::size_t Registration::bytes() const {
+    const KeyGraph& graph = impl_->graph();
+    return graph.size() * (sizeof(KeyPose) + sizeof(KeyScan) + sizeof(Pose)) +
+           graph.edges.size() * sizeof(PoseEdge);
+}
 
 RegisteredStep Registration::add(const Scan& scan, std::span<const Control> controls) {
     return impl_->add(scan, controls);

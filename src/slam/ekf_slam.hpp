@@ -25,6 +25,8 @@ class EkfSlam final : public SlamFilter {
 
     void step(const SlamInput& input) override;
     void correct(const PathCorrection& correction) override;
+    std::unique_ptr<SlamFilter> clone() const override { return std::make_unique<EkfSlam>(*this); }
+    std::size_t bytes() const override;
 
     std::uint64_t steps() const override { return history_.size(); }
     Pose best_pose() const override { return state_.pose(); }

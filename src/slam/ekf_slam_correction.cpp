@@ -7,6 +7,11 @@
 
 namespace hitos {
 
+std::size_t EkfSlam::bytes() const {
+    const auto size = static_cast<std::size_t>(state_.size());
+    return 2 * size * size * sizeof(double) + history_.size() * sizeof(Pose);
+}
+
 void EkfSlam::correct(const PathCorrection& correction) {
     if (!registered_) return;  // its path is its own
     check(correction, steps());

@@ -64,6 +64,7 @@ void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
 FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t seed, int threads)
     : params_(params),
       seed_(seed),
+      threads_(threads),
       proposal_(proposals().find(params.proposal).make(params)),
       associator_(params.association),
       twins_(params.association, true),

@@ -36,6 +36,8 @@ class FiltroParticulas final : public SlamFilter {
 
     void step(const SlamInput& input) override;
     void correct(const PathCorrection& correction) override;
+    std::unique_ptr<SlamFilter> clone() const override;
+    std::size_t bytes() const override;
 
     std::uint64_t steps() const override { return steps_; }
     Pose best_pose() const override { return particles_[best_].pose; }
@@ -86,6 +88,7 @@ class FiltroParticulas final : public SlamFilter {
 
     FilterParams params_;
     std::uint64_t seed_;
+    int threads_;
     std::unique_ptr<Proposal> proposal_;
     Associator associator_;
     ScanTwins twins_;

@@ -58,6 +58,25 @@ void FiltroParticulas::review(const Particula& particle, std::span<Decision> dec
     });
 }
 
+/// What a step needs besides is set by its first lines.
+std::unique_ptr<SlamFilter> FiltroParticulas::clone() const {
+    auto copy = std::make_unique<FiltroParticulas>(params_, seed_, threads_);
+    copy->particles_ = particles_;
+    copy->maps_ = maps_;
+    copy->history_ = history_;
+    copy->best_ = best_;
+    copy->steps_ = steps_;
+    copy->statistics_ = statistics_;
+    copy->searches_cut_ = searches_cut_.load();
+    copy->noted_ = noted_;
+    copy->associations_ = associations_;
+    return copy;
+}
+
+std::size_t FiltroParticulas::bytes() const {
+    return maps_.bytes() + history_.bytes() + particles_.size() * sizeof(Particula);
+}
+
 void FiltroParticulas::correct(const PathCorrection& correction) {
     if (!registered_) return;  // its path is its own
     check(correction, steps_);

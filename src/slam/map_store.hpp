@@ -38,6 +38,9 @@ class LandmarkTable {
         records_.resize(sizes_.size() * capacity_);
     }
     void clear(std::size_t block) { sizes_[block] = 0; }
+    std::size_t bytes() const {
+        return values_.size() * sizeof(double) + records_.size() * sizeof(LandmarkRecord);
+    }
 
     void copy(std::size_t from, std::size_t to) {
         View source = (*this)[from];
@@ -135,6 +138,11 @@ class MapStore {
         return sum;
     }
     std::size_t blocks() const { return references_.size(); }
+    std::size_t bytes() const {
+        std::size_t sum = 0;
+        for_each_kind([&]<class S>() { sum += std::get<LandmarkTable<S>>(tables_).bytes(); });
+        return sum;
+    }
 
   private:
     Handle take() {

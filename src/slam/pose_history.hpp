@@ -64,6 +64,9 @@ class PoseHistory {
         return poses;
     }
 
+    std::size_t bytes() const {
+        return nodes_.size() * sizeof(Entry) + free_.size() * sizeof(Node);
+    }
     /// Nodes in use.
     std::size_t size() const { return nodes_.size() - free_.size(); }
 

@@ -28,7 +28,7 @@ class NormalEquations {
     template <class Jacobian, class Weight, class Error>
     void add(std::size_t variable, const Jacobian& j, const Weight& weight, const Error& e) {
         const auto jw = (j.transpose() * weight).eval();
-        if (!gradient_only_) add_block(variable, variable, jw * j);
+        add_block(variable, variable, jw * j);
         add_gradient(variable, jw * e);
     }
     /// Adds one that depends on two, the first before the second.
@@ -37,7 +37,6 @@ class NormalEquations {
              const Weight& weight, const Error& e) {
         add(first, j_first, weight, e);
         add(second, j_second, weight, e);
-        if (gradient_only_) return;
         const auto w_second = (weight * j_second).eval();
         add_block(second, first, w_second.transpose() * j_first);
     }
@@ -47,7 +46,8 @@ class NormalEquations {
     /// Solves; false where H is not positive definite.
     bool solve();
     /// Solves for the sums of this iteration with H as it was at the last solve(), which costs a
-    /// small part of it: where H hardly changes, steps become ever shorter all the same.
+    /// small part of it: where H hardly changes, steps become ever shorter all the same. False
+    /// where there was none.
     bool solve_again();
     /// The step of a variable after solve().
     auto step(std::size_t variable) const {
@@ -99,6 +99,7 @@ class NormalEquations {
 
     template <class Block>
     void add_block(std::size_t row, std::size_t column, const Block& block) {
+        if (gradient_only_) return;
         if (!laid_out_) {
             noted_.push_back({row, column, noted_values_.size()});
             for (Eigen::Index j = 0; j < block.cols(); ++j) {

@@ -69,8 +69,9 @@ class PoseGraphSolver {
     /// are eliminated, is found out once.
     PoseGraphSolver(std::size_t keys, std::span<const PoseEdge> edges);
 
-    /// Returns the greatest move of a key [m] against where it began; keys stay as they are where
-    /// the equations cannot be solved.
+    /// Returns the greatest move of a key [m] against where it began; keys stay where the last step
+    /// left them where the equations cannot be solved. There are as many as the solver was made
+    /// for.
     double solve(std::vector<KeyPose>& keys, const GraphSolution& how) {
         return solve(keys, how, edges_.size());
     }

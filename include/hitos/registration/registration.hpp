@@ -1,6 +1,7 @@
 // Registration: every scan matched with what was seen before, loops closed, a path with covariance.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -41,6 +42,11 @@ class Registration {
     ~Registration();
     Registration(Registration&&) noexcept;
     Registration& operator=(Registration&&) noexcept;
+    /// The same state, to go on from independently; both share the key scans.
+    Registration(const Registration& other);
+    Registration& operator=(const Registration&) = delete;
+    /// Memory that a copy of it takes, about.
+    std::size_t bytes() const;
 
     /// Places the next scan. `controls` lead from the scan before to this one.
     RegisteredStep add(const Scan& scan, std::span<const Control> controls);

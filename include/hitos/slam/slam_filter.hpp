@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,13 @@ class SlamFilter {
     /// Registration moved the path behind, after the last step. An algorithm that takes its motion
     /// from registration moves every pose and landmark along.
     virtual void correct(const PathCorrection& /*correction*/) {}
+
+    /// The same state, to go on from independently: what a step gives afterwards is the same in
+    /// both, to the last bit. An algorithm that cannot be copied gives nothing; then a run of it
+    /// goes back by beginning anew.
+    virtual std::unique_ptr<SlamFilter> clone() const { return nullptr; }
+    /// Memory that a clone takes, about.
+    virtual std::size_t bytes() const { return 0; }
 
     virtual std::uint64_t steps() const = 0;
     /// The best hypothesis (greatest weight before resampling): pose in the world, map (lines

@@ -16,6 +16,11 @@ Algoritmo::Algoritmo(const Configuracion& configuration, std::unique_ptr<TourRea
       reader_(std::move(reader)),
       step_grid_(configuration.grid) {
     check(configuration_);
+    if (options_.go_back) {
+        auto remembered = std::make_unique<RememberedTour>(std::move(reader_));
+        remembered_ = remembered.get();
+        reader_ = std::move(remembered);
+    }
     begin();
 }
 
@@ -93,7 +98,7 @@ void Algoritmo::draw_scan(bool key) {
     step_grid_change_ = {};
     if (registration_ && !key) return;
     if (key) {
-        key_scans_.push_back(scan_);
+        key_scans_.push_back(std::make_shared<const Scan>(scan_));
         key_poses_.push_back(filter_->best_pose());
     }
     if (step_grid_stale_) return;
@@ -105,7 +110,7 @@ const Grid& Algoritmo::step_grid() const {
     if (std::exchange(step_grid_stale_, false)) {
         step_grid_.clear();
         for (std::size_t k = 0; k < key_scans_.size(); ++k) {
-            step_grid_.add(key_scans_[k], key_poses_[k]);
+            step_grid_.add(*key_scans_[k], key_poses_[k]);
         }
         ++step_grid_redrawn_;
     }

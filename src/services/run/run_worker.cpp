@@ -33,6 +33,8 @@ void RunWorker::run(std::uint64_t steps) {
         stop_running();
         return;
     }
+    ++orders_;
+    seek_wanted_.reset();
     budget_ = steps;
     progress_.state = Progress::State::running;
     rate_since_ = std::chrono::steady_clock::now();
@@ -46,7 +48,9 @@ void RunWorker::pause() {
 }
 
 void RunWorker::stop_running() {
+    ++orders_;
     budget_ = 0;
+    seek_wanted_.reset();
     // A step under way says itself that it was the last one.
     if (progress_.state == Progress::State::running && !stepping_) {
         progress_.state = Progress::State::paused;
@@ -56,10 +60,22 @@ void RunWorker::stop_running() {
 
 void RunWorker::restart() {
     const std::scoped_lock lock(mutex_);
+    ++orders_;
     budget_ = 0;
+    seek_wanted_.reset();
     restart_wanted_ = true;
     progress_ = {};
     figures_.clear();
+    wake_.notify_one();
+}
+
+void RunWorker::seek(std::uint64_t steps) {
+    const std::scoped_lock lock(mutex_);
+    if (progress_.state == Progress::State::failed && !restart_wanted_) return;
+    ++orders_;
+    budget_ = 0;
+    seek_wanted_ = steps;
+    progress_.state = Progress::State::running;
     wake_.notify_one();
 }
 
@@ -74,7 +90,8 @@ void RunWorker::wait_for(std::chrono::milliseconds time) {
 }
 
 bool RunWorker::idle() const {
-    return !busy_ && budget_ == 0 && !restart_wanted_ && !snapshot_wanted_ && tasks_.empty();
+    return !busy_ && budget_ == 0 && !restart_wanted_ && !seek_wanted_ && !snapshot_wanted_ &&
+           tasks_.empty();
 }
 
 Progress RunWorker::progress() const {
@@ -109,7 +126,8 @@ void RunWorker::work(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
         wake_.wait(lock, stop, [this] {
-            return budget_ > 0 || restart_wanted_ || snapshot_wanted_ || !tasks_.empty();
+            return budget_ > 0 || restart_wanted_ || seek_wanted_ || snapshot_wanted_ ||
+                   !tasks_.empty();
         });
         if (stop.stop_requested()) break;
         busy_ = true;
@@ -117,6 +135,12 @@ void RunWorker::work(const std::stop_token& stop) {
             restart_wanted_ = false;
             lock.unlock();
             do_restart();
+            lock.lock();
+        } else if (seek_wanted_) {
+            const std::uint64_t steps = *std::exchange(seek_wanted_, std::nullopt);
+            stepping_ = true;
+            lock.unlock();
+            do_seek(steps);
             lock.lock();
         } else if (budget_ > 0) {
             --budget_;
@@ -144,6 +168,7 @@ void RunWorker::do_restart() {
     std::string error;
     tiler_.clear();
     grid_redrawn_ = 0;
+    checkpoints_.clear();
     try {
         run_.restart();
     } catch (const std::exception& failure) {
@@ -157,6 +182,42 @@ void RunWorker::do_restart() {
     progress_.error = error;
 }
 
+void RunWorker::do_seek(std::uint64_t steps) {
+    std::uint64_t orders = 0;
+    {
+        const std::scoped_lock lock(mutex_);
+        orders = orders_;
+    }
+    std::string error;
+    try {
+        // Past the end the path is smoothed: that is no state after a scan.
+        const bool back = run_.steps() > steps || run_.finished();
+        const std::shared_ptr<const RunCheckpoint> nearest = checkpoints_.before(steps);
+        if (nearest && (back || nearest->steps() > run_.steps())) {
+            run_.go_to(*nearest);
+        } else if (back) {
+            tiler_.clear();
+            grid_redrawn_ = 0;
+            if (!run_.rewind()) checkpoints_.clear();
+        }
+    } catch (const std::exception& failure) {
+        error = failure.what();
+    }
+    const std::scoped_lock lock(mutex_);
+    stepping_ = false;
+    if (restart_wanted_) return;
+    note_progress();
+    if (!error.empty()) {
+        progress_.state = Progress::State::failed;
+        progress_.error = error;
+        return;
+    }
+    if (seek_wanted_) return;  // a newer one
+    // What was asked for in the meantime stays asked for.
+    if (orders_ == orders) budget_ = steps - run_.steps();
+    progress_.state = budget_ > 0 ? Progress::State::running : Progress::State::paused;
+}
+
 void RunWorker::do_step() {
     const auto begin = std::chrono::steady_clock::now();
     bool more = false;
@@ -167,7 +228,10 @@ void RunWorker::do_step() {
         error = failure.what();
     }
     const auto end = std::chrono::steady_clock::now();
-    if (more) tiler_.note_change(run_.step_grid_change());
+    if (more) {
+        tiler_.note_change(run_.step_grid_change());
+        checkpoints_.note(run_);
+    }
 
     const std::scoped_lock lock(mutex_);
     stepping_ = false;
@@ -175,9 +239,10 @@ void RunWorker::do_step() {
     progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
     note_progress();
     if (more) {
-        figures_.push_back({progress_.duration_s, progress_.statistics.neff,
-                            progress_.statistics.best_log_weight, progress_.step_seconds,
-                            progress_.lines, progress_.corners});
+        figures_.resize(std::max<std::size_t>(figures_.size(), progress_.steps));
+        figures_[progress_.steps - 1] = {
+            progress_.duration_s,   progress_.statistics.neff, progress_.statistics.best_log_weight,
+            progress_.step_seconds, progress_.lines,           progress_.corners};
         if (budget_ == 0) progress_.state = Progress::State::paused;
         return;
     }

@@ -172,6 +172,13 @@ void GraphSlam::note_associations(bool key) {
     }
 }
 
+std::size_t GraphSlam::bytes() const {
+    return graph_.edges().size() * (sizeof(PoseEdge) + sizeof(std::uint32_t)) +
+           graph_.sightings().size() * (sizeof(Sighting) + sizeof(std::uint32_t)) +
+           graph_.keys().size() * sizeof(KeyPose) + history_.size() * sizeof(Placed) +
+           graph_.landmarks().size() * sizeof(GraphLandmark);
+}
+
 void GraphSlam::correct(const PathCorrection& correction) {
     if (graph_.keys().empty()) return;
     if (correction.keys.size() != graph_.keys().size()) {

@@ -20,6 +20,10 @@ class GraphSlam final : public SlamFilter {
     /// Throws ConfigError where the run has no registration.
     void step(const SlamInput& input) override;
     void correct(const PathCorrection& correction) override;
+    std::unique_ptr<SlamFilter> clone() const override {
+        return std::make_unique<GraphSlam>(*this);
+    }
+    std::size_t bytes() const override;
 
     std::uint64_t steps() const override { return history_.size(); }
     Pose best_pose() const override { return pose_; }

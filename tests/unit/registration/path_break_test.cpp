@@ -16,7 +16,7 @@ KeyGraph graph_of(const Walls& walls, const std::vector<Pose>& poses) {
     KeyGraph graph;
     for (const Pose& pose : poses) {
         KeyScan key;
-        key.points = drawn_points(walls, pose);
+        key.hold(drawn_points(walls, pose));
         graph.add({pose, graph.size()}, std::move(key));
     }
     return graph;

@@ -217,11 +217,15 @@ TEST(PoseGraph, AnEdgeThatIsWrongLosesItsWeight) {
 
 TEST(PoseGraph, OneSolverWithFewerEdgesDoesWhatASolverOfThoseAloneDoes) {
     Ring ring = make_ring(40, 1.0, 23);
-    const std::size_t fewer = ring.edges.size() - 3;
+    for (std::size_t i = 1; i < ring.keys.size(); ++i) {
+        ring.keys[i].pose.x += 0.05 * static_cast<double>(i);
+    }
+    const std::size_t fewer = ring.edges.size() - 1;
     std::vector<KeyPose> alone = ring.keys;
     PoseGraphSolver solver(ring.keys.size(), ring.edges);
-    EXPECT_NEAR(solver.solve(ring.keys, {20, false}, fewer),
-                solve(alone, std::span(ring.edges).first(fewer), {20, false}), 1e-6);
+    const double moved_m = solver.solve(ring.keys, {20, false}, fewer);
+    EXPECT_GT(moved_m, 1.0);
+    EXPECT_NEAR(moved_m, solve(alone, std::span(ring.edges).first(fewer), {20, false}), 1e-6);
     for (std::size_t i = 0; i < alone.size(); ++i) {
         EXPECT_NEAR(ring.keys[i].pose.x, alone[i].pose.x, 1e-6) << "key " << i;
         EXPECT_NEAR(ring.keys[i].pose.y, alone[i].pose.y, 1e-6) << "key " << i;

@@ -34,6 +34,8 @@ class UncertaintyRecord {
 
     /// In the order of scans, lines before corners.
     const std::vector<LandmarkSigma>& entries() const { return entries_; }
+    /// Memory that it takes.
+    std::size_t bytes() const { return entries_.size() * sizeof(LandmarkSigma); }
     /// Scan numbers that are multiples of this are recorded.
     std::uint64_t every() const { return every_; }
 

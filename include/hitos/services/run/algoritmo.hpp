@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "hitos/capture/remembered_tour.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/features/control.hpp"
 #include "hitos/features/extractor.hpp"
@@ -28,7 +29,12 @@ struct AlgoritmoOptions {
     /// Draw the whole tour's grid along this particle's own path too [T 9.2.5]: a place in
     /// SlamFilter::hypotheses().
     std::optional<std::size_t> grid_of = std::nullopt;
+    /// Remember the tour, so that the run can go back.
+    bool go_back = false;
 };
+
+/// All that a run is after a scan; immutable.
+struct RunCheckpoint;
 
 /// Owns the whole chain reader → scans and controls → features → filter. Not thread-safe; RunWorker
 /// runs it on a thread of its own.
@@ -46,6 +52,15 @@ class Algoritmo {
     bool finished() const { return finished_; }
     /// From the beginning of the tour, as if nothing had been done.
     void restart();
+    /// The state as it is, to come back to; null where the options do not ask for it, the
+    /// algorithm cannot be copied, the tour is over or too long to be remembered.
+    std::shared_ptr<const RunCheckpoint> checkpoint() const;
+    /// Goes back to it, or ahead: what follows is the same as it was, to the last bit. It must be
+    /// of this run, since its last restart().
+    void go_to(const RunCheckpoint& checkpoint);
+    /// To the beginning, reading what is remembered again; where nothing is it is a restart(), and
+    /// false: what checkpoints there are belong to another reading.
+    bool rewind();
 
     const Configuracion& configuration() const { return configuration_; }
     const AlgoritmoOptions& options() const { return options_; }
@@ -103,6 +118,7 @@ class Algoritmo {
     Configuracion configuration_;
     AlgoritmoOptions options_;
     std::unique_ptr<TourReader> reader_;
+    RememberedTour* remembered_ = nullptr;  // the reader, where the options ask for it
     std::unique_ptr<ControlTrack> controls_;
     std::unique_ptr<Extractor> extractor_;
     std::unique_ptr<Registration> registration_;
@@ -112,7 +128,8 @@ class Algoritmo {
     mutable bool step_grid_stale_ = false;
     mutable std::uint64_t step_grid_redrawn_ = 0;
     CellArea step_grid_change_;
-    std::vector<Scan> key_scans_;  ///< of registration, with the poses to draw them at
+    std::vector<std::shared_ptr<const Scan>>
+        key_scans_;  ///< of registration, with the poses to draw them at
     std::vector<Pose> key_poses_;
     Trajectory online_;
     LineExtents line_extents_;

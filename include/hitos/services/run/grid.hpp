@@ -56,6 +56,8 @@ class Grid {
     void clear();
 
     bool empty() const { return columns_ == 0; }
+    /// Memory that its cells take.
+    std::size_t bytes() const { return cells_.size() * sizeof(float); }
     int columns() const { return columns_; }
     int rows() const { return rows_; }
     Point2 origin() const;  ///< world coordinates of the lower left corner [m]

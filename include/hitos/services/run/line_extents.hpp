@@ -42,6 +42,8 @@ class LineExtents {
     std::vector<LineExtent> of(const LandmarkMap& map, const Trajectory& path) const;
 
     void clear();
+    /// Memory that it takes.
+    std::size_t bytes() const { return stretches_.size() * sizeof(Stretch); }
 
   private:
     /// Consecutive points of one line in one scan, robot frame.

@@ -15,6 +15,7 @@
 
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/grid_tiles.hpp"
+#include "hitos/services/run/run_checkpoint.hpp"
 
 namespace hitos {
 
@@ -85,6 +86,10 @@ class RunWorker {
     void pause();
     /// Stops and goes back to the beginning.
     void restart();
+    /// Goes to the state after that many scans, or after the last one before the end, and stops
+    /// there: the state of a run forwards, to the last bit. Back it goes from the nearest
+    /// checkpoint, or from the beginning where the options ask for none.
+    void seek(std::uint64_t steps);
     /// Blocks until nothing is left to do (end, failure, pause, steps done).
     void wait();
     /// The same, but no longer than `time`.
@@ -119,11 +124,13 @@ class RunWorker {
     void work(const std::stop_token& stop);
     void do_step();
     void do_restart();
+    void do_seek(std::uint64_t steps);
     void publish_snapshot();
     void note_progress();
 
     Algoritmo run_;    // the worker's own, once it runs
     GridTiler tiler_;  // likewise
+    RunCheckpoints checkpoints_;
     std::uint64_t grid_redrawn_ = 0;
 
     mutable std::mutex mutex_;
@@ -131,6 +138,8 @@ class RunWorker {
     std::condition_variable idle_;
     std::uint64_t budget_ = 0;  // steps still asked for
     bool restart_wanted_ = false;
+    std::optional<std::uint64_t> seek_wanted_;
+    std::uint64_t orders_ = 0;  // run, pause, restart, seek: the last one counts
     bool snapshot_wanted_ = false;
     bool busy_ = false;
     bool stepping_ = false;  // a step is under way

@@ -1,0 +1,70 @@
+// A run's state after a scan, and the few of them that a run keeps to go back to.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "hitos/services/run/algoritmo.hpp"
+
+namespace hitos {
+
+struct RunCheckpoint {
+    RememberedTour::Place place;
+    ControlTrack controls;
+    std::unique_ptr<const Registration> registration;  ///< null where the run has none
+    std::unique_ptr<const SlamFilter> filter;
+    Grid step_grid;
+    bool step_grid_stale = false;
+    std::vector<std::shared_ptr<const Scan>> key_scans;
+    std::vector<Pose> key_poses;
+    Trajectory online;
+    LineExtents line_extents;
+    Suitability suitability;
+    UncertaintyRecord uncertainty;
+    Scan scan;
+    Observation observation;
+    OdometryPath odometry;
+
+    /// Scans taken.
+    std::uint64_t steps() const { return odometry.trajectory().size(); }
+    /// Memory that it takes, about.
+    std::size_t bytes() const;
+};
+
+/// The checkpoints of a run: every so many scans one, further and further apart so that all
+/// together stay within a limit of memory and of number.
+class RunCheckpoints {
+  public:
+    static constexpr std::size_t kMostBytes = std::size_t{160} << 20;
+    static constexpr std::size_t kMost = 40;
+
+    explicit RunCheckpoints(std::size_t most_bytes = kMostBytes) : most_bytes_(most_bytes) {}
+
+    /// Keeps the run's state where one is due; to be called after every step.
+    void note(const Algoritmo& run);
+    /// The last one at or before so many scans; null where there is none.
+    std::shared_ptr<const RunCheckpoint> before(std::uint64_t steps) const;
+    void clear();
+
+    /// Scans from one to the next.
+    std::uint64_t spacing() const { return spacing_; }
+    std::size_t count() const { return kept_.size(); }
+    std::size_t bytes() const { return bytes_; }
+
+  private:
+    struct Kept {
+        std::shared_ptr<const RunCheckpoint> checkpoint;
+        std::size_t bytes;
+    };
+    static constexpr std::uint64_t kFirstSpacing = 8;
+
+    std::size_t most_bytes_;
+    std::uint64_t spacing_ = kFirstSpacing;
+    std::size_t bytes_ = 0;
+    std::map<std::uint64_t, Kept> kept_;  // by scans taken
+};
+
+}  // namespace hitos
