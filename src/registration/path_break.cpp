@@ -12,8 +12,8 @@ namespace hitos {
 bool breaks_path(std::span<const SurfacePoint> scan, const MatchedStep& matched,
                  const KeyGraph& graph) {
     // Of six recorded tours and five worlds the worst scan, with a score of 0.27, has 0.14 of
-    // contradiction. Of 18 gaps that tests/bench/gaps makes in the tours 14 are told; places behind the
-    // others look like those before, and one is 0.4 m wide.
+    // contradiction. Of 18 gaps that tests/bench/gaps makes in the tours 14 are told; places behind
+    // the others look like those before, and one is 0.4 m wide.
     constexpr double kDoubtful = 0.4;
     constexpr double kMuch = 0.2;
     constexpr std::size_t kNewest = 3;  // keys

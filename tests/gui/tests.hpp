@@ -71,6 +71,9 @@ class RunTest : public QObject {
     void the_space_bar_presses_what_has_the_focus();
     void closing_while_running_ends_it();
     void a_run_that_fails_is_told();
+    void the_time_line_goes_to_any_scan();
+    void the_time_line_goes_by_keys();
+    void the_time_line_tells_what_happened();
     void the_plots_have_every_step();
     void errors_against_the_reference_are_measured();
     void errors_against_another_reference_begin_anew();

@@ -9,6 +9,15 @@
 #include "hitos/services/run/quality.hpp"
 
 namespace hitos {
+namespace {
+
+/// Whether the last step closed a loop.
+bool closed_loop(const Algoritmo& run) {
+    if (run.registration() == nullptr || run.registration()->loops().empty()) return false;
+    return run.registration()->loops().back().scan + 1 == run.steps();
+}
+
+}  // namespace
 
 RunWorker::RunWorker(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
                      const AlgoritmoOptions& options)
@@ -138,9 +147,10 @@ void RunWorker::work(const std::stop_token& stop) {
             lock.lock();
         } else if (seek_wanted_) {
             const std::uint64_t steps = *std::exchange(seek_wanted_, std::nullopt);
+            const std::uint64_t orders = orders_;
             stepping_ = true;
             lock.unlock();
-            do_seek(steps);
+            do_seek(steps, orders);
             lock.lock();
         } else if (budget_ > 0) {
             --budget_;
@@ -182,12 +192,7 @@ void RunWorker::do_restart() {
     progress_.error = error;
 }
 
-void RunWorker::do_seek(std::uint64_t steps) {
-    std::uint64_t orders = 0;
-    {
-        const std::scoped_lock lock(mutex_);
-        orders = orders_;
-    }
+void RunWorker::do_seek(std::uint64_t steps, std::uint64_t orders) {
     std::string error;
     try {
         // Past the end the path is smoothed: that is no state after a scan.
@@ -242,7 +247,8 @@ void RunWorker::do_step() {
         figures_.resize(std::max<std::size_t>(figures_.size(), progress_.steps));
         figures_[progress_.steps - 1] = {
             progress_.duration_s,   progress_.statistics.neff, progress_.statistics.best_log_weight,
-            progress_.step_seconds, progress_.lines,           progress_.corners};
+            progress_.step_seconds, progress_.lines,           progress_.corners,
+            closed_loop(run_)};
         if (budget_ == 0) progress_.state = Progress::State::paused;
         return;
     }

@@ -3,29 +3,22 @@
 #include <QAction>
 #include <QApplication>
 #include <QHBoxLayout>
-#include <QProgressBar>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <cmath>
+#include <algorithm>
 
 #include "app/icons.hpp"
+#include "views/time_line.hpp"
 
 namespace hitos::window {
-namespace {
-
-constexpr int kProgressSteps = 1000;
-
-}  // namespace
 
 RunControls::RunControls(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
-    progress_ = new QProgressBar(this);
-    progress_->setObjectName("run_progress");
-    progress_->setRange(0, kProgressSteps);
-    progress_->setTextVisible(false);
-    column->addWidget(progress_);
+    time_line_ = new TimeLine(this);
+    time_line_->setObjectName("time_line");
+    column->addWidget(time_line_);
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     column->addLayout(row);
@@ -70,9 +63,13 @@ void RunControls::set_up(const RunActions& actions, Session& session) {
     connect(actions.stop, &QAction::triggered, &session, &Session::pause);
     connect(actions.step, &QAction::triggered, &session, [&session] { session.run_steps(1); });
     connect(actions.restart, &QAction::triggered, &session, &Session::restart);
+    connect(time_line_, &TimeLine::chosen, &session,
+            [&session](int scan) { session.seek(static_cast<quint64>(scan)); });
     const auto refresh = [this, &session] {
         show_progress(session.progress(), session.has_source());
+        if (session.has_source()) note_marks(*session.worker());
     };
+    connect(&session, &Session::restarted, this, &RunControls::forget_marks);
     connect(&session, &Session::progress_changed, this, refresh);
     connect(&session, &Session::configuration_changed, this, refresh);
     refresh();
@@ -106,12 +103,34 @@ void RunControls::show_progress(const Progress& progress, bool has_source) {
     actions_.best_map->setEnabled(begun);
     actions_.save_map->setEnabled(begun);
     actions_.odometry->setEnabled(has_source);
-    // By scans where their number is known; the place in the file runs ahead by what is buffered.
-    double part = progress.fraction.value_or(0.0);
-    if (total_ && *total_ > 0) {
-        part = static_cast<double>(progress.steps) / static_cast<double>(*total_);
+    time_line_->setEnabled(has_source && progress.state != State::failed);
+    const auto scan = static_cast<int>(progress.steps);
+    time_line_->show_run(scan, static_cast<int>(total_.value_or(figures_taken_)));
+}
+
+void RunControls::set_total(std::optional<quint64> scans) {
+    total_ = scans;
+    time_line_->show_run(time_line_->value(), static_cast<int>(total_.value_or(figures_taken_)));
+}
+
+/// Of scans that were not seen before; going back forgets none.
+void RunControls::note_marks(const RunWorker& worker) {
+    std::vector<TimeLine::Mark> fresh;
+    for (const StepFigures& step : worker.figures_since(figures_taken_)) {
+        const auto scan = static_cast<int>(++figures_taken_);
+        const int born = std::max(0, step.lines - lines_) + std::max(0, step.corners - corners_);
+        if (born > 0) fresh.push_back({scan, tr("new landmarks: %1").arg(born), false});
+        if (step.loop_closed) fresh.push_back({scan, tr("a loop was closed"), true});
+        lines_ = step.lines;
+        corners_ = step.corners;
     }
-    progress_->setValue(static_cast<int>(std::lround(part * kProgressSteps)));
+    time_line_->add_marks(fresh);
+}
+
+void RunControls::forget_marks() {
+    figures_taken_ = 0;
+    lines_ = corners_ = 0;
+    time_line_->set_marks({});
 }
 
 }  // namespace hitos::window

@@ -1,4 +1,4 @@
-// The control panel: seven buttons [T 9.2.6.3] and how far the run has come.
+// The control panel: seven buttons [T 9.2.6.3] and the time line.
 #pragma once
 
 #include <QWidget>
@@ -6,10 +6,11 @@
 #include "app/session.hpp"
 
 class QAction;
-class QProgressBar;
 class QToolButton;
 
 namespace hitos::window {
+
+class TimeLine;
 
 /// The actions of the seven buttons; the window's menus and keys use the same ones.
 struct RunActions {
@@ -34,9 +35,11 @@ class RunControls final : public QWidget {
     /// Which actions are possible in this state.
     void show_progress(const Progress& progress, bool has_source);
     /// The number of scans of the whole log, where it is known.
-    void set_total(std::optional<quint64> scans) { total_ = scans; }
+    void set_total(std::optional<quint64> scans);
 
   private:
+    void note_marks(const RunWorker& worker);
+    void forget_marks();
     QToolButton* add_button(QAction* action, const char* name, bool primary = false);
     /// A button that goes inactive would give the keyboard to whatever is next: from running or
     /// stepping it goes to the stop button, and back.
@@ -47,7 +50,10 @@ class RunControls final : public QWidget {
     QToolButton* stop_ = nullptr;
     QToolButton* step_ = nullptr;
     QWidget* before_stop_ = nullptr;  // what had the keyboard
-    QProgressBar* progress_ = nullptr;
+    TimeLine* time_line_ = nullptr;
+    std::size_t figures_taken_ = 0;  // for marks
+    int lines_ = 0;                  // landmarks so far
+    int corners_ = 0;
     std::optional<quint64> total_;
 };
 

@@ -45,7 +45,9 @@ void Session::set_configuration(const Configuracion& configuration) {
         next = in_background([&] {
             std::unique_ptr<TourReader> reader = open_tour(configuration);
             truth = reader->truth();
-            return std::make_unique<RunWorker>(configuration, std::move(reader));
+            AlgoritmoOptions options;
+            options.go_back = true;
+            return std::make_unique<RunWorker>(configuration, std::move(reader), options);
         });
     }
     retire();
@@ -99,6 +101,12 @@ void Session::run_steps(quint64 steps) {
 void Session::pause() {
     if (!worker_) return;
     worker_->pause();
+    wake();
+}
+
+void Session::seek(quint64 steps) {
+    if (!worker_) return;
+    worker_->seek(std::max<quint64>(steps, 1));
     wake();
 }
 

@@ -50,6 +50,8 @@ class Session final : public QObject {
     void run_steps(quint64 steps);
     void pause();
     void restart();
+    /// To the state after that many scans (at least one), and no further.
+    void seek(quint64 steps);
     /// A view says how long it took to paint.
     void note_cost(double seconds) { paint_seconds_ += seconds; }
 

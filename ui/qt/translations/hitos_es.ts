@@ -1845,6 +1845,17 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::RunControls</name>
+    <message>
+        <source>a loop was closed</source>
+        <translation>se cerró un bucle</translation>
+    </message>
+    <message>
+        <source>new landmarks: %1</source>
+        <translation>hitos nuevos: %1</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::ScanView</name>
     <message>
         <source>The scan, the particles and the landmarks appear here once the algorithm runs.</source>
@@ -2287,6 +2298,17 @@
     <message>
         <source>Changed; the default is %1.</source>
         <translation>Cambiado; el predeterminado es %1.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::TimeLine</name>
+    <message>
+        <source>Time line</source>
+        <translation>Línea de tiempo</translation>
+    </message>
+    <message>
+        <source>Scan %1 of %2</source>
+        <translation>Barrido %1 de %2</translation>
     </message>
 </context>
 <context>

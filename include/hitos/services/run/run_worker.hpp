@@ -48,6 +48,7 @@ struct StepFigures {
     double step_seconds = 0.0;
     int lines = 0;
     int corners = 0;
+    bool loop_closed = false;  ///< by registration
 };
 
 /// How far a run has come; cheap to ask for.
@@ -124,7 +125,8 @@ class RunWorker {
     void work(const std::stop_token& stop);
     void do_step();
     void do_restart();
-    void do_seek(std::uint64_t steps);
+    /// `orders`: the number of orders when this one was taken.
+    void do_seek(std::uint64_t steps, std::uint64_t orders);
     void publish_snapshot();
     void note_progress();
 
