@@ -83,10 +83,10 @@ void NormalEquations::lay_out() {
     std::vector<int> rows;
     std::vector<std::size_t> below;  // the variables of a column's rows
     std::size_t block = 0;
-    for (std::size_t rank = 0; rank < order_.size(); ++rank) {
-        Variable& column = variables_[order_[rank]];
+    for (const std::size_t eliminated : order_) {
+        Variable& column = variables_[eliminated];
         const auto first = static_cast<Eigen::Index>(rows.size());
-        below.assign(1, order_[rank]);
+        below.assign(1, eliminated);
         Eigen::Index length = column.size;
         const std::size_t first_block = block;
         for (; block < blocks.size() && blocks[block].column == column.rank; ++block) {
@@ -101,13 +101,13 @@ void NormalEquations::lay_out() {
         for (std::size_t b = first_block; b < block; ++b) {
             Place& place = places_[blocks[b].noted];
             place.length = length;
-            place.across = noted_[blocks[b].noted].column != order_[rank];
+            place.across = noted_[blocks[b].noted].column != eliminated;
         }
         for (Eigen::Index j = 0; j < column.size; ++j) {
             h_.outerIndexPtr()[column.at + j] = static_cast<int>(rows.size());
             for (const std::size_t row : below) {
                 const Variable& variable = variables_[row];
-                for (Eigen::Index i = row == order_[rank] ? j : 0; i < variable.size; ++i) {
+                for (Eigen::Index i = row == eliminated ? j : 0; i < variable.size; ++i) {
                     rows.push_back(static_cast<int>(variable.at + i));
                 }
             }
