@@ -32,7 +32,8 @@ std::vector<Pose> way(double metres, double step) {
     std::vector<Pose> poses;
     std::size_t leg = 0;
     Pose pose = legs[0];
-    for (double gone = 0.0; gone < metres; gone += step) {
+    const int count = static_cast<int>(std::ceil(metres / step));
+    for (int i = 0; i < count; ++i) {
         poses.push_back(pose);
         pose = compose(pose, {step, 0.0, 0.0});
         const Pose& next = legs[leg % 4 + 1];
@@ -45,8 +46,8 @@ std::vector<Pose> way(double metres, double step) {
     return poses;
 }
 
-/// Drives the way, seeing `walls` up to `change_m` and `later` from there on, its path drifting by
-/// one part in `per` to the left; searches at every second key of the second round.
+/// Drives the way, seeing `walls` for 40 m and `later` from there on, while its path drifts to the
+/// left; searches at every second key of the second round.
 class Rounds {
   public:
     Rounds(const Walls& walls, const Walls& later, double loop_score = 0.6)
