@@ -45,6 +45,9 @@ double match_score(std::span<const SurfacePoint> scan, const PointMap& map, cons
 /// line metric). sigma is wide on purpose: neighbouring rays err together.
 class ScanMatcher {
   public:
+    static constexpr int kMostSteps = 20;
+    static constexpr int kWideSteps = 4;
+
     explicit ScanMatcher(double sigma_m) : information_(1.0 / (sigma_m * sigma_m)) {}
 
     /// Information of one match [1/m^2].
@@ -61,8 +64,7 @@ class ScanMatcher {
     /// points. Stops where fewer than 15 points match. `first` is the step that it begins at: from
     /// kWideSteps on the points have to be near already.
     Pose fit(std::span<const SurfacePoint> scan, const PointMap& map, const Pose& start,
-             const PosePrior& prior, int iterations = 20, int first = 0) const;
-    static constexpr int kWideSteps = 4;
+             const PosePrior& prior, int iterations = kMostSteps, int first = 0) const;
 
   private:
     double information_;

@@ -13,7 +13,6 @@ namespace {
 constexpr double kGoodScore = 0.7;   // no other start is tried
 constexpr double kPoorScore = 0.65;  // a search is worth its time
 constexpr double kLeastScore = 0.2;  // of a match at all
-constexpr int kMostSteps = 20;       // of a fit
 constexpr double kDeparture = 0.05;  // score lost per metre and per radian from the odometry
 
 }  // namespace
@@ -68,8 +67,8 @@ void StepMatcher::try_turned(std::span<const SurfacePoint> scan, const PointMap&
         };
         if (std::any_of(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count), ends_at))
             continue;
-        const Pose pose =
-            matcher_.fit(scan, map, near, odometry, kMostSteps, ScanMatcher::kWideSteps);
+        const Pose pose = matcher_.fit(scan, map, near, odometry, ScanMatcher::kMostSteps,
+                                       ScanMatcher::kWideSteps);
         ends[count++] = pose;
         const double its = score(scan, map, pose, odometry.mean);
         if (its > best.score + 1e-3) best = {pose, its};

@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "hitos/services/run/run_checkpoint.hpp"
+#include "hitos/services/run/run_worker.hpp"
+#include "ready_tour.hpp"
+
+namespace hitos {
+namespace {
+
+using State = Progress::State;
+using test::expected_path;
+using test::kSource;
+using test::path_of;
+using test::ready_tour;
+
+/// Everything that can be seen of a run, to the last bit.
+void expect_same_state(RunWorker& worker, const Algoritmo& expected) {
+    worker
+        .with_run([&expected](const Algoritmo& run) {
+            EXPECT_EQ(run.steps(), expected.steps());
+            EXPECT_EQ(run.finished(), expected.finished());
+            EXPECT_TRUE(run.best_trajectory() == expected.best_trajectory());
+            EXPECT_TRUE(run.online_trajectory() == expected.online_trajectory());
+            EXPECT_TRUE(run.odometry_trajectory() == expected.odometry_trajectory());
+            const LandmarkMap map = run.filter().best_map();
+            const LandmarkMap expected_map = expected.filter().best_map();
+            ASSERT_EQ(map.size(), expected_map.size());
+            for (std::size_t i = 0; i < map.size(); ++i) {
+                EXPECT_EQ(map[i].covariance, expected_map[i].covariance);
+            }
+            EXPECT_EQ(run.filter().statistics().neff, expected.filter().statistics().neff);
+            const auto hypotheses = run.filter().hypotheses();
+            const auto expected_hypotheses = expected.filter().hypotheses();
+            ASSERT_EQ(hypotheses.size(), expected_hypotheses.size());
+            for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+                EXPECT_EQ(hypotheses[i].pose, expected_hypotheses[i].pose);
+            }
+            EXPECT_EQ(run.scan(), expected.scan());
+            const Grid& grid = run.step_grid();
+            const Grid& expected_grid = expected.step_grid();
+            ASSERT_EQ(grid.columns(), expected_grid.columns());
+            ASSERT_EQ(grid.rows(), expected_grid.rows());
+            for (int row = 0; row < grid.rows(); ++row) {
+                for (int column = 0; column < grid.columns(); ++column) {
+                    ASSERT_EQ(grid.log_odds(column, row), expected_grid.log_odds(column, row));
+                }
+            }
+        })
+        .get();
+}
+
+class GoingBack : public testing::TestWithParam<const char*> {};
+
+TEST_P(GoingBack, TheStateAtAScanIsTheOneOfARunForwards) {
+    Configuracion configuration = ready_tour();
+    const std::string algorithm = GetParam();
+    if (algorithm == "registered") {
+        configuration = ArchivoConfiguracion::read(kSource / "config/recorded.cfg");
+        configuration.source.file = kSource / "data/bigloop.log.gz";
+        configuration.filter.particles = 10;
+    } else {
+        configuration.filter.algorithm = algorithm;
+    }
+    RunWorker worker(configuration, open_source(configuration.source),
+                     {.step_grid = true, .go_back = true});
+    worker.seek(150);
+    worker.wait();
+    EXPECT_EQ(worker.progress().state, State::paused);
+    Algoritmo expected(configuration, open_source(configuration.source));
+    const auto expect_at = [&](std::uint64_t steps) {
+        if (expected.steps() > steps || expected.finished()) expected.restart();
+        while (expected.steps() < steps) ASSERT_TRUE(expected.step());
+        worker.seek(steps);
+        worker.wait();
+        EXPECT_EQ(worker.progress().steps, steps);
+        EXPECT_EQ(worker.progress().state, State::paused);
+        expect_same_state(worker, expected);
+    };
+    for (const std::uint64_t steps : {149U, 40U, 97U, 96U, 1U, 0U, 150U}) {
+        SCOPED_TRACE(steps);
+        expect_at(steps);
+    }
+    // From the end, beyond which the path has been smoothed, and on to the end again.
+    worker.run();
+    worker.wait();
+    EXPECT_EQ(worker.progress().state, State::finished);
+    const Trajectory whole = path_of(worker);
+    const std::size_t figures = worker.figures_since(0).size();
+    expect_at(120);
+    EXPECT_EQ(worker.figures_since(0).size(), figures)
+        << "what is known of later scans stays known";
+    worker.run();
+    worker.wait();
+    EXPECT_TRUE(path_of(worker) == whole);
+}
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, GoingBack,
+                         testing::Values("fastslam", "ekf-slam", "graph-slam", "registered"),
+                         [](const auto& name) {
+                             std::string word = name.param;
+                             std::erase(word, '-');
+                             return word;
+                         });
+
+TEST(RunWorker, TheLastOrderCounts) {
+    const Configuracion configuration = ready_tour();
+    RunWorker worker(configuration, open_source(configuration.source), {.go_back = true});
+    worker.seek(200);
+    worker.seek(30);
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 30U);
+    worker.seek(300);
+    worker.restart();
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 0U);
+    worker.seek(50);
+    worker.wait();
+    worker.run(7);
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 57U);
+    EXPECT_EQ(path_of(worker), expected_path(57));
+}
+
+TEST(RunWorker, GoesBackFromTheBeginningWhereNothingIsRemembered) {
+    const Configuracion configuration = ready_tour();
+    RunWorker worker(configuration, open_source(configuration.source));
+    worker.run(60);
+    worker.wait();
+    worker.seek(20);
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 20U);
+    EXPECT_EQ(path_of(worker), expected_path(20));
+}
+
+TEST(RunCheckpoints, StayWithinTheirMemoryAndGrowApart) {
+    const Configuracion configuration = ready_tour();
+    Algoritmo run(configuration, open_source(configuration.source), {.go_back = true});
+    constexpr std::size_t kLittle = std::size_t{4} << 20;
+    RunCheckpoints few(kLittle);
+    RunCheckpoints many;
+    while (run.steps() < 600 && run.step()) {
+        few.note(run);
+        many.note(run);
+    }
+    EXPECT_LE(few.bytes(), kLittle);
+    EXPECT_LE(many.count(), RunCheckpoints::kMost);
+    EXPECT_GT(many.count(), RunCheckpoints::kMost / 3);
+    EXPECT_GT(few.spacing(), many.spacing());
+    EXPECT_EQ(many.before(7), nullptr);
+    const auto at = many.before(599);
+    ASSERT_TRUE(at);
+    EXPECT_LE(at->steps(), 599U);
+    EXPECT_GT(at->steps() + many.spacing(), 599U);
+}
+
+}  // namespace
+}  // namespace hitos
