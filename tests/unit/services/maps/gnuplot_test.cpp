@@ -11,7 +11,6 @@ namespace {
 using test::content;
 using test::TempFolder;
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 /// A search path with this program in it as gnuplot, or without any.
 class GnuplotTest : public testing::Test {
