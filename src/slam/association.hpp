@@ -79,6 +79,7 @@ struct Decision {
     Association::Outcome outcome = Association::Outcome::created;
     std::uint32_t landmark = 0;   ///< where matched
     double log_likelihood = 0.0;  ///< factor of the particle's weight, in logarithm
+    std::uint32_t unseen = 0;     ///< as Association's, once the landmark is updated
 };
 
 /// Decides by maximum likelihood [T table 5.1] or by the nearest landmark in a chi-square gate

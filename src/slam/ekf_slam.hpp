@@ -87,7 +87,7 @@ class EkfSlam final : public SlamFilter {
     /// Notes which landmarks have been seen in this step, and where.
     void note_all_seen();
     template <Sensor S>
-    void note_seen(const Association& association);
+    void note_seen(Association& association);
     /// Moves the landmarks of a kind, their covariances left to the `turns` that it appends.
     template <Sensor S>
     void move(std::span<const Pose> by_scan, std::vector<JointState::Turn>& turns);

@@ -117,7 +117,7 @@ Extent EkfSlam::extent(const Mark& mark) const {
 }
 
 template <Sensor S>
-void EkfSlam::note_seen(const Association& association) {
+void EkfSlam::note_seen(Association& association) {
     Mark& mark = marks<S>()[static_cast<std::size_t>(association.landmark)];
     if (registered_) {
         const SeenReach& reach = reaches_.of<S>()[association.observed];
@@ -126,13 +126,16 @@ void EkfSlam::note_seen(const Association& association) {
         mark.extent = mark.record.observations == 0 ? seen : extent<S>(mark).joined(seen);
         mark.extent_of = S::to_state(landmark);
     }
+    if (mark.record.observations > 0) {
+        association.unseen = static_cast<std::uint32_t>(steps()) - mark.record.last_seen;
+    }
     ++mark.record.observations;
     mark.record.last_seen = static_cast<std::uint32_t>(steps());
 }
 
 void EkfSlam::note_all_seen() {
     for_each_kind([&]<class S>() {
-        for (const Association& association : associations_) {
+        for (Association& association : associations_) {
             if (association.kind == S::kKind && association.landmark >= 0) {
                 note_seen<S>(association);
             }

@@ -54,6 +54,7 @@ void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
     }
     LandmarkRecord& record = landmarks.record(index);
     ++record.observations;
+    decision.unseen = context.scan - record.last_seen;
     record.last_seen = context.scan;
     record.existence = static_cast<float>(
         std::min(static_cast<double>(record.existence) + context.params.hit, context.params.limit));
@@ -86,6 +87,7 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
 }
 
 void FiltroParticulas::step(const SlamInput& input) {
+    statistics_.resampled = statistics_.best_changed = false;
     propose(input);
     observe(input.observation);
     if (params_.landmarks.vanish) free_space_.set(input.scan);
@@ -232,11 +234,13 @@ void FiltroParticulas::weigh(Particula& particle, std::span<const Decision> deci
 
 void FiltroParticulas::choose_best() {
     log_weights_.resize(particles_.size());
+    const PoseHistory::Node before = particles_[best_].history;
     best_ = 0;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
         log_weights_[i] = particles_[i].log_weight;
         if (log_weights_[i] > log_weights_[best_]) best_ = i;
     }
+    statistics_.best_changed = particles_[best_].history != before;
     normalize_log_weights(log_weights_, weights_);
     statistics_.neff = effective_particles(weights_);
     statistics_.best_log_weight = log_weights_[best_];
@@ -250,6 +254,7 @@ void FiltroParticulas::remember_poses() {
 
 void FiltroParticulas::resample() {
     if (!resampler_->wants(statistics_.neff)) return;
+    statistics_.resampled = true;
     RandomStream random(seed_, RandomPurpose::resampling, steps_, 0);
     resampling_->select(weights_, random, selected_);
 

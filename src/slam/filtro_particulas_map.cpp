@@ -122,6 +122,9 @@ void FiltroParticulas::note_associations() {
             if (decision.outcome != Association::Outcome::ignored) {
                 association.landmark = static_cast<std::int32_t>(decision.landmark);
             }
+            if (decision.outcome == Association::Outcome::matched) {
+                association.unseen = decision.unseen;
+            }
             noted_.push_back(association);
         }
     });

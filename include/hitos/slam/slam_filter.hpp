@@ -21,6 +21,8 @@ struct Association {
     std::uint32_t observed = 0;  ///< index in Observation::lines or ::corners
     Outcome outcome = Outcome::ignored;
     std::int32_t landmark = -1;  ///< index in best_map(); -1 where ignored
+    /// Scans since the landmark was seen before; 0 where this scan made it, or nothing was matched.
+    std::uint32_t unseen = 0;
 };
 
 /// A hypothesis of the robot's pose with its normalised weight.
@@ -34,6 +36,8 @@ struct FilterStatistics {
     double best_log_weight = 0.0;  ///< ln of the best weight before resampling, not normalised
     /// Joint associations so far, of all hypotheses, whose search was cut before it had seen all.
     std::uint64_t searches_cut = 0;
+    bool resampled = false;     ///< in the last step
+    bool best_changed = false;  ///< the best one is no continuation of the best one before
 };
 
 /// What a step takes: the scan, the controls from the scan before to this one, and what was found

@@ -2,23 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/services/run/quality.hpp"
 
 namespace hitos {
-namespace {
-
-/// Whether the last step closed a loop.
-bool closed_loop(const Algoritmo& run) {
-    if (run.registration() == nullptr || run.registration()->loops().empty()) return false;
-    return run.registration()->loops().back().scan + 1 == run.steps();
-}
-
-}  // namespace
-
 RunWorker::RunWorker(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
                      const AlgoritmoOptions& options)
     : run_(configuration, std::move(reader), options),
@@ -29,11 +18,7 @@ RunWorker::~RunWorker() {
     worker_.join();
 }
 
-void RunWorker::run() {
-    run(std::numeric_limits<std::uint64_t>::max());
-}
-
-void RunWorker::run(std::uint64_t steps) {
+void RunWorker::run(std::uint64_t steps, const StopRules& rules) {
     const std::scoped_lock lock(mutex_);
     const bool can_run =
         progress_.state != Progress::State::finished && progress_.state != Progress::State::failed;
@@ -45,10 +30,45 @@ void RunWorker::run(std::uint64_t steps) {
     ++orders_;
     seek_wanted_.reset();
     budget_ = steps;
+    rules_ = rules;
+    pacer_.begin();
+    paced_ = true;
+    note_due();
     progress_.state = Progress::State::running;
+    progress_.stopped_by = StopReason::none;
     rate_since_ = std::chrono::steady_clock::now();
     rate_steps_ = progress_.steps;
     wake_.notify_one();
+}
+
+void RunWorker::set_pace(const Pace& pace) {
+    const std::scoped_lock lock(mutex_);
+    pacer_.set(pace);
+    note_due();
+    wake_.notify_one();
+}
+
+void RunWorker::set_reference(std::optional<Trajectory> reference) {
+    const std::scoped_lock lock(mutex_);
+    reference_ = std::move(reference);
+    begin_error();
+}
+
+void RunWorker::begin_error() {
+    error_.reset();
+    if (!reference_) return;
+    error_.emplace(*reference_);
+    for (const StepFigures& step : figures_) {
+        if (error_->at(step.online)) return;  // the first pair is all that it keeps
+    }
+}
+
+void RunWorker::note_due() {
+    if (paced_) due_ = pacer_.next(progress_.steps, progress_.duration_s, Pacer::Clock::now());
+}
+
+bool RunWorker::waits_for_pace() const {
+    return budget_ > 0 && paced_ && Pacer::Clock::now() < due_;
 }
 
 void RunWorker::pause() {
@@ -75,6 +95,7 @@ void RunWorker::restart() {
     restart_wanted_ = true;
     progress_ = {};
     figures_.clear();
+    begin_error();
     wake_.notify_one();
 }
 
@@ -83,8 +104,11 @@ void RunWorker::seek(std::uint64_t steps) {
     if (progress_.state == Progress::State::failed && !restart_wanted_) return;
     ++orders_;
     budget_ = 0;
+    rules_ = {};
+    paced_ = false;
     seek_wanted_ = steps;
     progress_.state = Progress::State::running;
+    progress_.stopped_by = StopReason::none;
     wake_.notify_one();
 }
 
@@ -134,10 +158,15 @@ void RunWorker::post(std::function<void(const Algoritmo&)> task) {
 void RunWorker::work(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
-        wake_.wait(lock, stop, [this] {
-            return budget_ > 0 || restart_wanted_ || seek_wanted_ || snapshot_wanted_ ||
-                   !tasks_.empty();
-        });
+        const auto wanted = [this] {
+            return (budget_ > 0 && !waits_for_pace()) || restart_wanted_ || seek_wanted_ ||
+                   snapshot_wanted_ || !tasks_.empty();
+        };
+        if (waits_for_pace()) {
+            wake_.wait_until(lock, stop, due_, wanted);
+        } else {
+            wake_.wait(lock, stop, wanted);
+        }
         if (stop.stop_requested()) break;
         busy_ = true;
         if (restart_wanted_) {
@@ -152,7 +181,7 @@ void RunWorker::work(const std::stop_token& stop) {
             lock.unlock();
             do_seek(steps, orders);
             lock.lock();
-        } else if (budget_ > 0) {
+        } else if (budget_ > 0 && !waits_for_pace()) {
             --budget_;
             stepping_ = true;
             lock.unlock();
@@ -244,12 +273,19 @@ void RunWorker::do_step() {
     progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
     note_progress();
     if (more) {
-        figures_.resize(std::max<std::size_t>(figures_.size(), progress_.steps));
-        figures_[progress_.steps - 1] = {
-            progress_.duration_s,   progress_.statistics.neff, progress_.statistics.best_log_weight,
-            progress_.step_seconds, progress_.lines,           progress_.corners,
-            closed_loop(run_)};
+        // A scan that was seen before has its figures.
+        if (progress_.steps > figures_.size()) {
+            figures_.push_back(figures_of(run_, progress_.step_seconds));
+        }
+        const StepFigures& figures = figures_[progress_.steps - 1];
+        const StopReason reason =
+            rules_.met(figures, error_ ? error_->at(figures.online) : std::nullopt);
+        if (reason != StopReason::none) {
+            budget_ = 0;
+            progress_.stopped_by = reason;
+        }
         if (budget_ == 0) progress_.state = Progress::State::paused;
+        note_due();
         return;
     }
     budget_ = 0;

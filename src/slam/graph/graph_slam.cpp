@@ -165,11 +165,26 @@ void GraphSlam::note_associations(bool key) {
             landmarks_of_.push_back(matched ? static_cast<std::int32_t>(feature.landmark) : -1);
         }
         if (landmarks_of_[i] >= 0) {
-            association.landmark = places[static_cast<std::size_t>(landmarks_of_[i])];
+            const auto landmark = static_cast<std::size_t>(landmarks_of_[i]);
+            association.landmark = places[landmark];
+            association.unseen = unseen(landmark, key);
         }
         associations_.push_back(association);
         ++i;
     }
+}
+
+/// Scans since a key saw the landmark, or since one before this scan where it is a key.
+std::uint32_t GraphSlam::unseen(std::size_t landmark, bool key) const {
+    const std::vector<std::uint32_t>& sightings = graph_.landmarks()[landmark].sightings;
+    const std::size_t keys = graph_.keys().size() - (key ? 1 : 0);
+    for (auto at = sightings.rbegin(); at != sightings.rend(); ++at) {
+        const std::uint32_t seen_by = graph_.sightings()[*at].key;
+        if (seen_by < keys) {
+            return static_cast<std::uint32_t>(steps() - graph_.keys()[seen_by].scan);
+        }
+    }
+    return 0;
 }
 
 std::size_t GraphSlam::bytes() const {

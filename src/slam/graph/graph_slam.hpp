@@ -60,6 +60,7 @@ class GraphSlam final : public SlamFilter {
     void merge_bridged();
     void merge(std::span<const std::uint32_t> leader);
     void note_associations(bool key);
+    std::uint32_t unseen(std::size_t landmark, bool key) const;
     /// Places of landmarks in the map, which lists them kind by kind.
     std::vector<std::int32_t> places_in_map() const;
 

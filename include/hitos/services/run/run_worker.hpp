@@ -7,6 +7,7 @@
 #include <exception>
 #include <functional>
 #include <future>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,7 +16,9 @@
 
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/grid_tiles.hpp"
+#include "hitos/services/run/pace.hpp"
 #include "hitos/services/run/run_checkpoint.hpp"
+#include "hitos/services/run/step_figures.hpp"
 
 namespace hitos {
 
@@ -40,17 +43,6 @@ struct Snapshot {
     double seconds = 0.0;        ///< of the worker's time that making it took
 };
 
-/// The figures of one step, for plots against time.
-struct StepFigures {
-    double time_s = 0.0;  ///< stamp of the scan, since that of the first one
-    double neff = 0.0;
-    double best_log_weight = 0.0;
-    double step_seconds = 0.0;
-    int lines = 0;
-    int corners = 0;
-    bool loop_closed = false;  ///< by registration
-};
-
 /// How far a run has come; cheap to ask for.
 struct Progress {
     enum class State { ready, running, paused, finished, failed };
@@ -66,7 +58,8 @@ struct Progress {
     FilterStatistics statistics;
     double step_seconds = 0.0;  ///< wall time of the last step
     std::uint64_t skipped_lines = 0;
-    std::string error;  ///< what ended a failed run
+    StopReason stopped_by = StopReason::none;  ///< of the rules that the run was given
+    std::string error;                         ///< what ended a failed run
 };
 
 /// A run on its own thread. Every member may be called from any thread and returns without waiting
@@ -80,9 +73,15 @@ class RunWorker {
     RunWorker(const RunWorker&) = delete;
     RunWorker& operator=(const RunWorker&) = delete;
 
-    /// Runs to the end of the source, or `steps` further steps.
-    void run();
-    void run(std::uint64_t steps);
+    static constexpr std::uint64_t kToTheEnd = std::numeric_limits<std::uint64_t>::max();
+
+    /// Runs `steps` further steps, or to the end of the source, at the pace that is set; stops
+    /// before where a rule is met.
+    void run(std::uint64_t steps = kToTheEnd, const StopRules& rules = {});
+    /// Of run() from now on; seek() is always as fast as possible.
+    void set_pace(const Pace& pace);
+    /// What the rules measure the position by; nothing by default.
+    void set_reference(std::optional<Trajectory> reference);
     /// Stops after the step under way; until its end the run counts as running.
     void pause();
     /// Stops and goes back to the beginning.
@@ -104,7 +103,7 @@ class RunWorker {
     std::shared_ptr<const Snapshot> latest_snapshot() const;
 
     /// The figures of every step from number `first` (0 is the first scan) on. After a restart
-    /// they begin anew.
+    /// they begin anew; going back forgets none.
     std::vector<StepFigures> figures_since(std::uint64_t first) const;
 
     /// Calls `task` with the run between two steps, on the worker.
@@ -129,6 +128,10 @@ class RunWorker {
     void do_seek(std::uint64_t steps, std::uint64_t orders);
     void publish_snapshot();
     void note_progress();
+    /// Counts the error from the first figures on. With the mutex held.
+    void begin_error();
+    bool waits_for_pace() const;  // likewise
+    void note_due();              // likewise
 
     Algoritmo run_;    // the worker's own, once it runs
     GridTiler tiler_;  // likewise
@@ -139,6 +142,12 @@ class RunWorker {
     std::condition_variable_any wake_;
     std::condition_variable idle_;
     std::uint64_t budget_ = 0;  // steps still asked for
+    StopRules rules_;
+    Pacer pacer_;
+    bool paced_ = false;            // these steps are
+    Pacer::Clock::time_point due_;  // the next one, where they are
+    std::optional<Trajectory> reference_;
+    std::optional<PositionError> error_;  // up to the last of figures_
     bool restart_wanted_ = false;
     std::optional<std::uint64_t> seek_wanted_;
     std::uint64_t orders_ = 0;  // run, pause, restart, seek: the last one counts

@@ -1,0 +1,34 @@
+#include "hitos/services/evaluation/position_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hitos {
+
+PositionError::PositionError(Trajectory reference) : reference_(std::move(reference)) {
+    std::ranges::stable_sort(reference_, {}, &StampedPose::time_s);
+}
+
+std::optional<double> PositionError::at(const StampedPose& estimate) {
+    const auto after =
+        std::ranges::lower_bound(reference_, estimate.time_s, {}, &StampedPose::time_s);
+    const StampedPose* nearest = nullptr;
+    double apart = kTolerance;
+    const auto offer = [&](const StampedPose& pose) {
+        const double away = std::abs(pose.time_s - estimate.time_s);
+        if (away > apart) return;
+        apart = away;
+        nearest = &pose;
+    };
+    if (after != reference_.begin()) offer(*std::prev(after));
+    if (after != reference_.end()) offer(*after);
+    if (nearest == nullptr) return std::nullopt;
+    if (!pose_world_reference_) {
+        pose_world_reference_ = compose(estimate.pose, inverse(nearest->pose));
+    }
+    const Pose there = compose(*pose_world_reference_, nearest->pose);
+    return std::hypot(estimate.pose.x - there.x, estimate.pose.y - there.y);
+}
+
+}  // namespace hitos

@@ -1,0 +1,211 @@
+#include "hitos/services/run/step_figures.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/run_worker.hpp"
+#include "ready_tour.hpp"
+#include "support.hpp"
+
+namespace hitos {
+namespace {
+
+using test::content;
+using test::kSource;
+using test::ready_tour;
+using test::TempFolder;
+using State = Progress::State;
+
+/// The ready tour that is noisy: particles differ and are resampled.
+Configuracion noisy_tour() {
+    Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/simulated.cfg");
+    configuration.source.file = kSource / "data/bigloop.log.gz";
+    configuration.filter.particles = 30;
+    configuration.filter.resampling.rule = ResamplingRule::neff;
+    configuration.filter.resampling.neff_threshold = 15.0;
+    return configuration;
+}
+
+std::vector<StepFigures> all_figures(const Configuracion& configuration) {
+    Algoritmo run(configuration, open_source(configuration.source));
+    std::vector<StepFigures> figures;
+    while (run.step()) figures.push_back(figures_of(run, 0.0));
+    return figures;
+}
+
+TEST(StepFigures, CountWhatBecameOfEveryFeature) {
+    const auto figures = all_figures(noisy_tour());
+    ASSERT_EQ(figures.size(), 1050U);
+    for (const StepFigures& step : figures) {
+        EXPECT_EQ(step.matched + step.created + step.ignored, step.seen_lines + step.seen_corners);
+        EXPECT_EQ(step.resampled, step.neff < 15.0) << step.time_s;
+    }
+    EXPECT_GT(figures[0].created, 0);
+    EXPECT_EQ(figures[0].created, figures[0].lines + figures[0].corners);
+    EXPECT_GT(std::ranges::count(figures, true, &StepFigures::resampled), 0);
+    EXPECT_GT(std::ranges::count(figures, true, &StepFigures::best_changed), 0);
+    EXPECT_LT(std::ranges::count(figures, true, &StepFigures::best_changed), 1050);
+}
+
+/// The tour goes round and comes back to what it saw in the beginning, whatever the algorithm.
+class Unseen : public testing::TestWithParam<const char*> {};
+
+TEST_P(Unseen, IsHowLongALandmarkWasOutOfSight) {
+    Configuracion configuration = ready_tour();
+    configuration.filter.algorithm = GetParam();
+    const bool graph = configuration.filter.algorithm == "graph-slam";
+    if (graph) configuration.filter.motion.model = "registered";
+    const auto figures = all_figures(configuration);
+    ASSERT_EQ(figures.size(), 1050U);
+    EXPECT_EQ(figures[0].unseen_s, 0.0);
+    const auto longest = std::ranges::max_element(figures, {}, &StepFigures::unseen_s);
+    EXPECT_GT(longest->unseen_s, 20.0);
+    EXPECT_LE(longest->unseen_s, longest->time_s);
+    // A landmark that was there a moment ago is the usual thing: one scan, or with a graph one key.
+    const auto often =
+        std::ranges::count_if(figures, [](const StepFigures& step) { return step.unseen_s < 2.0; });
+    EXPECT_GT(often, 800);
+}
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, Unseen, testing::Values("fastslam", "ekf-slam", "graph-slam"),
+                         [](const auto& algorithm) {
+                             std::string name = algorithm.param;
+                             std::erase(name, '-');
+                             return name;
+                         });
+
+TEST(StepFigures, TheTableHasALineForEveryScan) {
+    Configuracion configuration = ready_tour();
+    Algoritmo run(configuration, open_source(configuration.source));
+    std::vector<StepFigures> figures;
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(run.step());
+        figures.push_back(figures_of(run, 0.5));
+    }
+    const std::string text = figures_to_csv(figures, nullptr);
+    EXPECT_EQ(std::ranges::count(text, '\n'), 4);
+    EXPECT_THAT(text, testing::StartsWith("scan,stamp_s,time_s,x_m,y_m,theta_rad,neff,"));
+    EXPECT_THAT(text, testing::HasSubstr(",step_s\n1,"));
+    EXPECT_THAT(text, testing::EndsWith(",0.5\n"));
+    const Trajectory reference = {{figures[0].online.time_s, {1.0, 2.0, 0.0}},
+                                  {figures[2].online.time_s, {1.0, 2.0, 0.0}}};
+    const TempFolder folder;
+    write_figures(figures, &reference, folder.path() / "figures.csv");
+    const std::string with = content(folder.path() / "figures.csv");
+    EXPECT_THAT(with, testing::HasSubstr(",step_s,position_error_m\n"));
+    EXPECT_THAT(with, testing::HasSubstr(",0.5,0\n2,"));  // the first is where both meet
+    EXPECT_THAT(with, testing::HasSubstr(",0.5,\n3,"));   // the second has no partner
+}
+
+TEST(PositionErrorTest, IsMeasuredFromTheFirstCommonPose) {
+    PositionError error(
+        {{10.0, {5.0, 5.0, kPi / 2}}, {11.0, {5.0, 6.0, kPi / 2}}, {12.0, {5.0, 7.0, kPi / 2}}});
+    EXPECT_EQ(error.at({9.0, {}}), std::nullopt);
+    EXPECT_NEAR(error.at({10.01, {0.0, 0.0, 0.0}}).value(), 0.0, 1e-12);
+    EXPECT_NEAR(error.at({11.0, {1.0, 0.0, 0.3}}).value(), 0.0, 1e-12);
+    EXPECT_NEAR(error.at({12.0, {2.0, 0.5, 0.0}}).value(), 0.5, 1e-12);
+    EXPECT_EQ(error.at({12.03, {2.0, 0.5, 0.0}}), std::nullopt);
+    EXPECT_NEAR(error.at({11.0, {1.0, 0.0, 0.3}}).value(), 0.0, 1e-12);  // back again
+}
+
+TEST(StopRulesTest, EveryRuleLooksAtItsFigure) {
+    StepFigures step;
+    step.time_s = 10.0;
+    step.neff = 20.0;
+    const auto met = [&](const StopRules& rules, std::optional<double> error = std::nullopt) {
+        return rules.met(step, error);
+    };
+    EXPECT_EQ(met({}), StopReason::none);
+    EXPECT_EQ(met({.time_s = 10.1}), StopReason::none);
+    EXPECT_EQ(met({.time_s = 10.0}), StopReason::time);
+    EXPECT_EQ(met({.neff_below = 20.0}), StopReason::none);
+    EXPECT_EQ(met({.neff_below = 20.1}), StopReason::neff);
+    EXPECT_EQ(met({.landmark_born = true}), StopReason::none);
+    EXPECT_EQ(met({.seen_again_after_s = 5.0}), StopReason::none);
+    EXPECT_EQ(met({.best_changed = true}), StopReason::none);
+    EXPECT_EQ(met({.loop_closed = true}), StopReason::none);
+    EXPECT_EQ(met({.position_error_above_m = 0.5}), StopReason::none);
+    EXPECT_EQ(met({.position_error_above_m = 0.5}, 0.5), StopReason::none);
+    EXPECT_EQ(met({.position_error_above_m = 0.5}, 0.6), StopReason::error);
+    step.created = 1;
+    step.unseen_s = 5.0;
+    step.best_changed = step.loop_closed = true;
+    EXPECT_EQ(met({.landmark_born = true}), StopReason::landmark_born);
+    EXPECT_EQ(met({.seen_again_after_s = 5.0}), StopReason::seen_again);
+    EXPECT_EQ(met({.seen_again_after_s = 5.1}), StopReason::none);
+    EXPECT_EQ(met({.best_changed = true}), StopReason::best_changed);
+    EXPECT_EQ(met({.loop_closed = true}), StopReason::loop_closed);
+}
+
+TEST(StopRulesTest, TheRunStopsAtTheFirstScanThatMeetsOne) {
+    const Configuracion configuration = noisy_tour();
+    const auto figures = all_figures(configuration);
+    RunWorker worker(configuration, open_source(configuration.source));
+    std::uint64_t at = 0;
+    const auto expect_stop = [&](const StopRules& rules, StopReason reason, auto holds) {
+        worker.run(RunWorker::kToTheEnd, rules);
+        worker.wait();
+        const auto found =
+            std::find_if(figures.begin() + static_cast<std::ptrdiff_t>(at), figures.end(), holds);
+        ASSERT_NE(found, figures.end());
+        at = static_cast<std::uint64_t>(found - figures.begin()) + 1;
+        EXPECT_EQ(worker.progress().state, State::paused);
+        EXPECT_EQ(worker.progress().steps, at);
+        EXPECT_EQ(worker.progress().stopped_by, reason);
+    };
+    expect_stop({.landmark_born = true}, StopReason::landmark_born,
+                [](const StepFigures& step) { return step.created > 0; });
+    expect_stop({.time_s = 3.0}, StopReason::time,
+                [](const StepFigures& step) { return step.time_s >= 3.0; });
+    expect_stop({.neff_below = 16.0}, StopReason::neff,
+                [](const StepFigures& step) { return step.neff < 16.0; });
+    expect_stop({.best_changed = true}, StopReason::best_changed,
+                [](const StepFigures& step) { return step.best_changed; });
+    expect_stop({.seen_again_after_s = 20.0}, StopReason::seen_again,
+                [](const StepFigures& step) { return step.unseen_s >= 20.0; });
+    worker.run(5);
+    worker.wait();
+    EXPECT_EQ(worker.progress().stopped_by, StopReason::none);
+}
+
+TEST(StopRulesTest, TheErrorIsAgainstTheReferenceGivenAtAnyTime) {
+    const Configuracion configuration = ready_tour();
+    const auto figures = all_figures(configuration);
+    Trajectory reference;
+    for (const StepFigures& step : figures) reference.push_back(step.online);
+    for (std::size_t i = 60; i < reference.size(); ++i) reference[i].pose.x += 1.0;
+    RunWorker worker(configuration, open_source(configuration.source));
+    worker.run(20);
+    worker.wait();
+    worker.set_reference(reference);
+    worker.run(RunWorker::kToTheEnd, {.position_error_above_m = 0.5});
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 61U);
+    EXPECT_EQ(worker.progress().stopped_by, StopReason::error);
+    worker.restart();
+    worker.run(RunWorker::kToTheEnd, {.position_error_above_m = 0.5});
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 61U);
+}
+
+TEST(StepFigures, OfScansPassedAgainAreThoseOfTheFirstTime) {
+    const Configuracion configuration = noisy_tour();
+    AlgoritmoOptions options;
+    options.go_back = true;
+    RunWorker worker(configuration, open_source(configuration.source), options);
+    worker.run(80);
+    worker.wait();
+    const std::string before = figures_to_csv(worker.figures_since(0), nullptr);
+    worker.seek(30);
+    worker.wait();
+    worker.run(40);
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 70U);
+    EXPECT_TRUE(figures_to_csv(worker.figures_since(0), nullptr) == before);
+}
+
+}  // namespace
+}  // namespace hitos
