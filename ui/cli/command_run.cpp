@@ -32,6 +32,7 @@ struct RunOptions {
     std::string reference;
     std::string reference_trajectory;
     std::string distances;
+    std::string figures;
     bool uncertainty = false;
     bool strict = false;
     std::optional<std::size_t> grid_of;
@@ -139,6 +140,10 @@ void run(const RunOptions& options) {
                 return write_results(finished, references, seconds, options.out);
             })
             .get();
+    if (!options.figures.empty()) {
+        write_figures(worker.figures_since(0),
+                      references.trajectory ? &*references.trajectory : nullptr, options.figures);
+    }
     print_summary(summary, options.out);
     if (options.strict && !summary.not_written.empty()) throw CLI::RuntimeError(kNotWhole);
 }
@@ -171,6 +176,9 @@ void add_run(CLI::App& program) {
     command->add_option("--grid-of", options->grid_of,
                         "Draw the grid along this particle's own path too, as "
                         "grid_particle_NUMBER.png and .jpg: a number from 0 on");
+    command->add_option("--figures", options->figures,
+                        "Write the figures of every scan (Neff, weights, landmarks, features, "
+                        "events, position error, time) into this CSV file (docs/formats.md)");
     command->add_flag("--strict", options->strict,
                       "End with status 2 where a file that a run can do without was not written");
     command->add_option("--out", options->out, "Folder for the results, made if missing")

@@ -8,17 +8,26 @@
 #include <algorithm>
 
 #include "app/icons.hpp"
+#include "pace_control.hpp"
 #include "views/time_line.hpp"
 
 namespace hitos::window {
+namespace {
+
+constexpr double kLongUnseen = 10.0;  // [s]; of a landmark that is worth a mark when it comes back
+
+}  // namespace
 
 RunControls::RunControls(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
+    auto* top = new QHBoxLayout;
+    top->setSpacing(8);
+    column->addLayout(top);
     time_line_ = new TimeLine(this);
     time_line_->setObjectName("time_line");
-    column->addWidget(time_line_);
+    top->addWidget(time_line_, 1);
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     column->addLayout(row);
@@ -39,7 +48,7 @@ QToolButton* RunControls::add_button(QAction* action, const char* name, bool pri
     return button;
 }
 
-void RunControls::set_up(const RunActions& actions, Session& session) {
+void RunControls::set_up(const RunActions& actions, Session& session, QSettings& settings) {
     actions_ = actions;
     actions.run->setIcon(icon(Glyph::run));
     actions.stop->setIcon(icon(Glyph::stop));
@@ -58,8 +67,10 @@ void RunControls::set_up(const RunActions& actions, Session& session) {
     add_button(actions.save_map, "button_save_map");
     row->addStretch(1);
     add_button(actions.restart, "button_restart");
+    auto* top = qobject_cast<QHBoxLayout*>(layout()->itemAt(0)->layout());
+    top->addWidget(new PaceControl(session, settings, this));
 
-    connect(actions.run, &QAction::triggered, &session, &Session::run);
+    connect(actions.run, &QAction::triggered, &session, [&session] { session.run(); });
     connect(actions.stop, &QAction::triggered, &session, &Session::pause);
     connect(actions.step, &QAction::triggered, &session, [&session] { session.run_steps(1); });
     connect(actions.restart, &QAction::triggered, &session, &Session::restart);
@@ -115,21 +126,32 @@ void RunControls::set_total(std::optional<quint64> scans) {
 
 /// Of scans that were not seen before; going back forgets none.
 void RunControls::note_marks(const RunWorker& worker) {
+    using Kind = TimeLine::Mark::Kind;
     std::vector<TimeLine::Mark> fresh;
     for (const StepFigures& step : worker.figures_since(figures_taken_)) {
         const auto scan = static_cast<int>(++figures_taken_);
-        const int born = std::max(0, step.lines - lines_) + std::max(0, step.corners - corners_);
-        if (born > 0) fresh.push_back({scan, tr("new landmarks: %1").arg(born), false});
-        if (step.loop_closed) fresh.push_back({scan, tr("a loop was closed"), true});
-        lines_ = step.lines;
-        corners_ = step.corners;
+        const auto mark = [&](const QString& text, Kind kind) {
+            fresh.push_back({scan, text, kind});
+        };
+        if (step.created > 0) mark(tr("new landmarks: %1").arg(step.created), Kind::event);
+        if (step.loop_closed) mark(tr("a loop was closed"), Kind::loop);
+        if (step.unseen_s >= kLongUnseen) {
+            mark(tr("a landmark seen again after %1 s").arg(step.unseen_s, 0, 'f', 1), Kind::event);
+        }
+        if (step.resampled) mark(tr("resampled"), Kind::filter);
+        if (step.best_changed) mark(tr("another particle is the best"), Kind::filter);
+        if (step.skipped > skipped_) {
+            mark(tr("damaged lines skipped before it: %1").arg(step.skipped - skipped_),
+                 Kind::damage);
+        }
+        skipped_ = step.skipped;
     }
     time_line_->add_marks(fresh);
 }
 
 void RunControls::forget_marks() {
     figures_taken_ = 0;
-    lines_ = corners_ = 0;
+    skipped_ = 0;
     time_line_->set_marks({});
 }
 

@@ -6,6 +6,7 @@
 #include "app/session.hpp"
 
 class QAction;
+class QSettings;
 class QToolButton;
 
 namespace hitos::window {
@@ -30,7 +31,7 @@ class RunControls final : public QWidget {
     explicit RunControls(QWidget* parent = nullptr);
 
     /// Makes the buttons and lets them do what they say with the session.
-    void set_up(const RunActions& actions, Session& session);
+    void set_up(const RunActions& actions, Session& session, QSettings& settings);
 
     /// Which actions are possible in this state.
     void show_progress(const Progress& progress, bool has_source);
@@ -52,8 +53,7 @@ class RunControls final : public QWidget {
     QWidget* before_stop_ = nullptr;  // what had the keyboard
     TimeLine* time_line_ = nullptr;
     std::size_t figures_taken_ = 0;  // for marks
-    int lines_ = 0;                  // landmarks so far
-    int corners_ = 0;
+    std::uint64_t skipped_ = 0;      // damaged lines so far
     std::optional<quint64> total_;
 };
 

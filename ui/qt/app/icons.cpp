@@ -59,6 +59,11 @@ void draw_glyph(QPainter& p, Glyph glyph, const QColor& colour) {
             p.drawPolygon(QPolygonF{{5, 5}, {14, 12}, {5, 19}});
             p.drawLine(QPointF(18.5, 5), QPointF(18.5, 19));
             break;
+        case Glyph::full_speed:
+            p.setBrush(colour);
+            p.drawPolygon(QPolygonF{{3, 5}, {12, 12}, {3, 19}});
+            p.drawPolygon(QPolygonF{{12, 5}, {21, 12}, {12, 19}});
+            break;
         case Glyph::best_map:
             draw_folded_map(p);
             break;

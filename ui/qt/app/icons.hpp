@@ -22,7 +22,8 @@ enum class Glyph {
     frame,
     plots,
     zoom_in,
-    zoom_out
+    zoom_out,
+    full_speed
 };
 
 QIcon icon(Glyph glyph);

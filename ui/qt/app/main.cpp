@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "actions/configuration_actions.hpp"
+#include "actions/pace_control.hpp"
 #include "application.hpp"
 #include "benchmark.hpp"
 #include "command_line.hpp"
@@ -48,6 +49,7 @@ int run(int argc, char** argv, const CommandLine& line) {
     prepare_application(application, QString::fromStdString(line.language));
     QTemporaryDir scratch;
     UserFiles files(without_display(line) ? scratch.path() : QString());
+    if (without_display(line)) PaceControl::set_full_speed(files.settings());
     apply_theme(application, line.theme.empty() && !without_display(line)
                                  ? ViewSettings::saved_theme(files)
                                  : theme_from(QString::fromStdString(line.theme)));

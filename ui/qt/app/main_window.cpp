@@ -14,6 +14,7 @@
 #include "actions/result_actions.hpp"
 #include "dialogs/parameter_text.hpp"
 #include "dialogs/picture_dialog.hpp"
+#include "dialogs/run_until_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "icons.hpp"
@@ -154,7 +155,7 @@ void MainWindow::connect_run() {
     ui_->controls->set_up(
         {ui_->action_run, ui_->action_stop, ui_->action_step, ui_->action_best_map,
          ui_->action_odometry, ui_->action_save_map, ui_->action_restart},
-        session_);
+        session_, files_.settings());
     // The space bar runs and stops, unless a button has the focus; an action that is disabled would
     // swallow it.
     ui_->action_run->setShortcut({});
@@ -166,6 +167,8 @@ void MainWindow::connect_run() {
         }
         (ui_->action_stop->isEnabled() ? ui_->action_stop : ui_->action_run)->trigger();
     });
+    connect(ui_->action_run_until, &QAction::triggered, this,
+            [this] { RunUntilDialog(session_, files_.settings(), this).exec(); });
     connect(&session_, &Session::failed, this, [this](const QString& reason) {
         prompts_.warn(this, tr("The run has failed"), reason);
     });
@@ -182,6 +185,7 @@ void MainWindow::connect_run() {
         ui_->action_save_results->setEnabled(session_.progress().steps > 0 && !results_->writing());
         ui_->action_particle_map->setEnabled(session_.progress().steps > 0);
         ui_->action_study->setEnabled(session_.has_source());
+        ui_->action_run_until->setEnabled(session_.has_source());
     };
     connect(&session_, &Session::progress_changed, this, enable);
     connect(results_, &ResultActions::writing_changed, this, enable);

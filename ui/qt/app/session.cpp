@@ -54,10 +54,11 @@ void Session::set_configuration(const Configuracion& configuration) {
     const bool another_log = configuration.source.file != configuration_.source.file;
     configuration_ = configuration;
     worker_ = std::move(next);
+    if (worker_) worker_->set_pace(pace_);
     truth_ = std::move(truth);
     if (another_log) {
         set_references({});
-    } else if (truth_) {
+    } else {
         join_references();  // the world may have changed
     }
     begin_anew();
@@ -83,19 +84,19 @@ void Session::set_references(const References& references, const QString& map_fi
 void Session::join_references() {
     references_ = user_references_;
     add_truth(references_, truth_);
+    if (worker_) worker_->set_reference(references_.trajectory);
     emit references_changed();
 }
 
-void Session::run() {
+void Session::run(const StopRules& rules, quint64 steps) {
     if (!worker_) return;
-    worker_->run();
+    worker_->run(steps, rules);
     wake();
 }
 
-void Session::run_steps(quint64 steps) {
-    if (!worker_) return;
-    worker_->run(steps);
-    wake();
+void Session::set_pace(const Pace& pace) {
+    pace_ = pace;
+    if (worker_) worker_->set_pace(pace);
 }
 
 void Session::pause() {

@@ -46,8 +46,12 @@ class Session final : public QObject {
     void set_references(const References& references, const QString& map_file = {});
     const QString& reference_map_file() const { return reference_map_file_; }
 
-    void run();
-    void run_steps(quint64 steps);
+    /// Until a rule is met, the end, or so many steps.
+    void run(const StopRules& rules = {}, quint64 steps = RunWorker::kToTheEnd);
+    void run_steps(quint64 steps) { run({}, steps); }
+    /// Of this run and those to come.
+    void set_pace(const Pace& pace);
+    const Pace& pace() const { return pace_; }
     void pause();
     void restart();
     /// To the state after that many scans (at least one), and no further.
@@ -77,6 +81,7 @@ class Session final : public QObject {
     References references_;       ///< with the truth
     std::optional<Truth> truth_;  ///< of the tour
     QString reference_map_file_;
+    Pace pace_;
     std::unique_ptr<RunWorker> worker_;
     std::shared_ptr<const Snapshot> snapshot_;
     QTimer timer_;

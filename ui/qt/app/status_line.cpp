@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QStatusBar>
+#include <utility>
 
 #include "dialogs/parameter_text.hpp"
 #include "hitos/workbench/presets.hpp"
@@ -21,6 +22,29 @@ QString in_words(const Advice& advice) {
     const QString words =
         translated("Advice", advice.text).arg(QString::fromStdString(advice.figure));
     return advice.preset.empty() ? words : words + ' ' + preset_to_try(advice);
+}
+
+/// Why a run stopped by itself; empty where it did not.
+QString in_words(const Progress& p) {
+    switch (p.stopped_by) {
+        case StopReason::none:
+            return {};
+        case StopReason::time:
+            return StatusLine::tr("Stopped at the time asked for.");
+        case StopReason::neff:
+            return StatusLine::tr("Stopped: Neff fell to %1.").arg(p.statistics.neff, 0, 'f', 1);
+        case StopReason::landmark_born:
+            return StatusLine::tr("Stopped: a landmark was born.");
+        case StopReason::seen_again:
+            return StatusLine::tr("Stopped: a landmark was seen again.");
+        case StopReason::loop_closed:
+            return StatusLine::tr("Stopped: a loop was closed.");
+        case StopReason::best_changed:
+            return StatusLine::tr("Stopped: another particle is the best.");
+        case StopReason::error:
+            return StatusLine::tr("Stopped: the position error has passed its limit.");
+    }
+    return {};
 }
 
 }  // namespace
@@ -116,6 +140,10 @@ void StatusLine::refresh() {
         state_->setText(tr("End of the log"));
     } else {
         state_->setText(tr("Failed"));
+    }
+    if (p.stopped_by != std::exchange(stopped_by_, p.stopped_by) &&
+        p.stopped_by != StopReason::none) {
+        notice(in_words(p));
     }
     if (!advice_.isEmpty()) state_->setText(state_->text() + QString::fromUtf8(" ⚠"));
     state_->setToolTip(advice_);

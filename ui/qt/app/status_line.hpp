@@ -34,6 +34,7 @@ class StatusLine final : public QObject {
     QStatusBar* bar_;
     std::optional<quint64> total_;
     QString advice_;  ///< shown with the state; empty: none
+    StopReason stopped_by_ = StopReason::none;
     QLabel* state_;
     QLabel* scan_;
     QLabel* time_;

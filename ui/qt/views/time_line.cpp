@@ -131,6 +131,19 @@ bool TimeLine::event(QEvent* event) {
     return QAbstractSlider::event(event);
 }
 
+void TimeLine::draw(QPainter& painter, const Mark& mark, int middle) const {
+    using Kind = Mark::Kind;
+    const Colours& c = colours();
+    const int x = x_of(mark.scan);
+    const bool above = mark.kind == Kind::filter;
+    const bool rare = mark.kind == Kind::loop || mark.kind == Kind::damage;
+    painter.setPen(mark.kind == Kind::loop     ? c.highlight
+                   : mark.kind == Kind::damage ? c.danger
+                                               : c.muted);
+    const int from = above ? middle - kGroove : middle + kGroove;
+    painter.drawLine(x, from, x, above ? from - 3 : from + (rare ? 6 : 3));
+}
+
 void TimeLine::paintEvent(QPaintEvent* /*event*/) {
     const Colours& c = colours();
     QPainter painter(this);
@@ -146,11 +159,7 @@ void TimeLine::paintEvent(QPaintEvent* /*event*/) {
     painter.drawRoundedRect(QRect(groove.left(), groove.top(), now - groove.left(), kGroove),
                             kGroove / 2.0, kGroove / 2.0);
     painter.setRenderHint(QPainter::Antialiasing, false);
-    for (const Mark& mark : marks_) {
-        painter.setPen(mark.important ? c.highlight : c.muted);
-        const int x = x_of(mark.scan);
-        painter.drawLine(x, middle + kGroove, x, middle + kGroove + (mark.important ? 6 : 3));
-    }
+    for (const Mark& mark : marks_) draw(painter, mark, middle);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(hasFocus() ? c.text : c.accent, hasFocus() ? 2.0 : 1.0));
     painter.setBrush(isEnabled() ? c.accent : c.border);

@@ -16,9 +16,11 @@ class TimeLine final : public QAbstractSlider {
   public:
     /// Something that happened at a scan, counted from 1.
     struct Mark {
+        enum class Kind { event, loop, filter, damage };
         int scan = 0;
         QString text;
-        bool important = false;  ///< drawn longer
+        /// Below the line, the rare ones longer, or above it: what the filter does all the time.
+        Kind kind = Kind::event;
     };
 
     explicit TimeLine(QWidget* parent = nullptr);
@@ -50,6 +52,7 @@ class TimeLine final : public QAbstractSlider {
 
   private:
     void choose(int scan);
+    void draw(QPainter& painter, const Mark& mark, int middle) const;
     QString tip_at(int x) const;
 
     std::vector<Mark> marks_;
