@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "actions/configuration_actions.hpp"
+#include "actions/pace_control.hpp"
 #include "actions/result_actions.hpp"
 #include "app/main_window.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
@@ -103,6 +104,7 @@ struct Fixture {
 
     explicit Fixture(bool with_source = true, int particles = 10) {
         QDir().mkpath(folder.filePath("user"));
+        PaceControl::set_full_speed(files.settings());
         window = std::make_unique<MainWindow>(session, files, prompts);
         window->show();
         if (with_source) session.set_configuration(tour(particles));

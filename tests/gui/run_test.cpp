@@ -7,8 +7,6 @@
 #include "dialogs/configuration_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "tests.hpp"
-#include "views/plots.hpp"
-#include "views/time_line.hpp"
 
 namespace hitos::window {
 namespace {
@@ -192,121 +190,6 @@ void RunTest::a_run_that_fails_is_told() {
     QVERIFY2(f.prompts.warnings.front().contains("empty.txt"),
              qPrintable(f.prompts.warnings.front()));
     QVERIFY(!run_enabled(f));
-}
-
-void RunTest::the_time_line_goes_to_any_scan() {
-    Fixture f;
-    auto* line = f.window->findChild<TimeLine*>("time_line");
-    QTRY_VERIFY(line->maximum() > 100);  // the whole log is counted
-    const auto shown_at = [&f](int scan) {
-        return f.state() == State::paused && f.steps() == static_cast<quint64>(scan) &&
-               f.shows_everything();
-    };
-    const auto click = [&](int scan) {
-        QTest::mouseClick(line, Qt::LeftButton, {}, QPoint(line->x_of(scan), line->height() / 2));
-        return line->scan_at(line->x_of(scan));
-    };
-    const int there = click(60);
-    QTRY_VERIFY(shown_at(there));
-    QTRY_COMPARE(line->value(), there);
-    const Trajectory path = f.session.snapshot()->best_trajectory;
-    const int further = click(90);
-    QTRY_VERIFY(shown_at(further));
-    // Back to where it was: the same state.
-    QCOMPARE(click(60), there);
-    QTRY_VERIFY(shown_at(there));
-    QVERIFY(f.session.snapshot()->best_trajectory == path);
-    // A drag ends where it ends, from the end of the tour too.
-    f.run_to_end();
-    const int x = line->x_of(30);
-    QTest::mousePress(line, Qt::LeftButton, {}, QPoint(line->x_of(80), 5));
-    for (int at = line->x_of(80); at >= x; --at) {
-        QMouseEvent move(QEvent::MouseMove, QPointF(at, 5), line->mapToGlobal(QPointF(at, 5)),
-                         Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(line, &move);
-    }
-    QTest::mouseRelease(line, Qt::LeftButton, {}, QPoint(x, 5));
-    QTRY_VERIFY(shown_at(line->scan_at(x)));
-    f.trigger("action_run");
-    QTRY_COMPARE(f.state(), State::finished);
-}
-
-void RunTest::the_time_line_goes_by_keys() {
-    Fixture f;
-    auto* line = f.window->findChild<TimeLine*>("time_line");
-    QTRY_VERIFY(line->maximum() > 100);
-    line->setFocus();
-    const auto press = [&](Qt::Key key, Qt::KeyboardModifiers with, quint64 scan) {
-        QTest::keyClick(line, key, with);
-        QTRY_VERIFY(f.state() == State::paused && f.steps() == scan);
-        QTRY_COMPARE(line->value(), static_cast<int>(scan));
-    };
-    press(Qt::Key_Right, {}, 1);
-    press(Qt::Key_Right, Qt::ShiftModifier, 11);
-    press(Qt::Key_Right, {}, 12);
-    press(Qt::Key_Left, {}, 11);
-    press(Qt::Key_Left, Qt::ShiftModifier, 1);
-    press(Qt::Key_Left, {}, 1);
-    press(Qt::Key_End, {}, static_cast<quint64>(line->maximum()));
-    press(Qt::Key_Home, {}, 1);
-    // Faster than the run: every press counts.
-    for (int i = 0; i < 20; ++i) QTest::keyClick(line, Qt::Key_Right);
-    QTRY_VERIFY2(f.state() == State::paused && f.steps() == 21,
-                 qPrintable(QString::number(f.steps())));
-    // The space bar runs and stops as elsewhere.
-    QTest::keyClick(line, Qt::Key_Space);
-    QTRY_VERIFY(f.steps() > 21);
-}
-
-void RunTest::the_time_line_tells_what_happened() {
-    Fixture f;
-    auto* line = f.window->findChild<TimeLine*>("time_line");
-    f.run_to_end();
-    QTRY_VERIFY(!line->marks().empty());
-    const auto marks = line->marks().size();
-    for (const TimeLine::Mark& mark : line->marks()) {
-        QVERIFY(mark.scan >= 1 && mark.scan <= line->maximum());
-        QVERIFY(!mark.text.isEmpty());
-    }
-    QTest::keyClick(line, Qt::Key_Home);
-    QTRY_VERIFY(f.state() == State::paused && f.steps() == 1);
-    QCOMPARE(line->marks().size(), marks);  // what is known stays known
-    f.trigger("action_restart");
-    QTRY_VERIFY(line->marks().empty());
-    QCOMPARE(line->value(), 0);
-}
-
-void RunTest::the_plots_have_every_step() {
-    Fixture f;
-    f.trigger("action_plots");
-    f.run_to_end();
-    for (int plot = 0; plot < 4; ++plot) QTRY_COMPARE(f.window->plots().points(plot), 1050);
-    f.trigger("action_restart");
-    QCOMPARE(f.window->plots().points(0), 0);
-}
-
-void RunTest::errors_against_the_reference_are_measured() {
-    Fixture f;
-    References references;
-    references.map = read_map(Fixture::source_file("data/maps/bigloop.map").toStdString());
-    references.trajectory = Trajectory{{0.0, {0.0, 0.0, 0.0}}, {100.0, {1.0, 0.0, 0.0}}};
-    f.session.set_references(references);
-    f.run_steps(100);
-    QTRY_VERIFY(f.window->plots().points(4) > 0);
-}
-
-void RunTest::errors_against_another_reference_begin_anew() {
-    Fixture f;
-    References references;
-    references.map = read_map(Fixture::source_file("data/maps/bigloop.map").toStdString());
-    f.session.set_references(references);
-    f.run_steps(50);
-    QTRY_VERIFY(f.window->plots().points(4) > 0);
-    f.session.set_references(references);
-    QCOMPARE(f.window->plots().points(4), 0);
-    QTRY_COMPARE(f.window->plots().points(4), 1);  // the moment that is shown, measured again
-    f.session.set_references({});
-    QCOMPARE(f.window->plots().points(4), 0);
 }
 
 void RunTest::the_odometry_map_grows_and_can_be_stopped() {

@@ -71,12 +71,6 @@ class RunTest : public QObject {
     void the_space_bar_presses_what_has_the_focus();
     void closing_while_running_ends_it();
     void a_run_that_fails_is_told();
-    void the_time_line_goes_to_any_scan();
-    void the_time_line_goes_by_keys();
-    void the_time_line_tells_what_happened();
-    void the_plots_have_every_step();
-    void errors_against_the_reference_are_measured();
-    void errors_against_another_reference_begin_anew();
     void the_odometry_map_grows_and_can_be_stopped();
     void the_odometry_map_can_be_closed_while_it_grows();
     void the_odometry_map_of_a_lost_log_says_so();
@@ -90,6 +84,28 @@ class RunTest : public QObject {
     void all_results_of_a_world_are_those_of_the_command_line();
     void results_that_cannot_be_written_are_asked_for_again();
     void saving_the_map_can_fail_and_be_cancelled();
+};
+
+class TimeTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void the_time_line_goes_to_any_scan();
+    void the_time_line_goes_by_keys();
+    void the_time_line_tells_what_happened();
+    void the_plots_have_every_step();
+    void errors_against_the_reference_are_measured();
+    void errors_against_another_reference_begin_anew();
+    void at_a_first_start_one_sees_what_happens();
+    void the_pace_is_chosen_and_changed_while_running();
+    void it_runs_so_far_and_back();
+    void it_runs_until_something_happens();
+    void it_runs_until_the_error_is_too_great();
+    void the_plots_share_the_time_lines_cursor();
+    void the_plots_zoom_along_time();
+    void plots_without_a_figure_take_no_room();
+    void errors_are_of_the_same_scans_every_time();
+    void the_figures_are_those_of_the_command_line();
 };
 
 class ViewTest : public QObject {

@@ -11,6 +11,13 @@ std::size_t RunCheckpoint::bytes() const {
            key_scans.size() * (sizeof(Pose) + sizeof(key_scans[0])) + uncertainty.bytes();
 }
 
+Trajectory RunCheckpoint::best_trajectory() const {
+    Trajectory path = odometry.trajectory();
+    const std::vector<Pose> poses = filter->best_history();
+    for (std::size_t i = 0; i < path.size(); ++i) path[i].pose = poses[i];
+    return path;
+}
+
 std::shared_ptr<const RunCheckpoint> Algoritmo::checkpoint() const {
     if (remembered_ == nullptr || !remembered_->whole() || finished_) return nullptr;
     std::unique_ptr<const SlamFilter> filter = filter_->clone();
@@ -76,6 +83,13 @@ void RunCheckpoints::note(const Algoritmo& run) {
 std::shared_ptr<const RunCheckpoint> RunCheckpoints::before(std::uint64_t steps) const {
     const auto behind = kept_.upper_bound(steps);
     return behind == kept_.begin() ? nullptr : std::prev(behind)->second.checkpoint;
+}
+
+std::vector<std::shared_ptr<const RunCheckpoint>> RunCheckpoints::all() const {
+    std::vector<std::shared_ptr<const RunCheckpoint>> all;
+    all.reserve(kept_.size());
+    for (const auto& [steps, kept] : kept_) all.push_back(kept.checkpoint);
+    return all;
 }
 
 void RunCheckpoints::clear() {

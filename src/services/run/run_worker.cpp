@@ -338,6 +338,7 @@ void RunWorker::publish_snapshot() {
     }
     snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
     snapshot->odometry_trajectory = run_.odometry_trajectory();
+    snapshot->checkpoints = checkpoints_.all();
     const Grid& grid = run_.step_grid();
     if (grid_redrawn_ != run_.step_grid_redrawn()) {
         grid_redrawn_ = run_.step_grid_redrawn();

@@ -1,5 +1,6 @@
 #include "pace_control.hpp"
 
+#include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QSettings>
@@ -15,11 +16,11 @@ constexpr const char* kPaceKey = "run/pace";
 constexpr const char* kFullKey = "run/full_speed";
 
 constexpr std::array kPaces = {
-    Pace{Pace::Kind::recorded, 0.25}, Pace{Pace::Kind::recorded, 1.0},
-    Pace{Pace::Kind::recorded, 2.0},  Pace{Pace::Kind::recorded, 4.0},
-    Pace{Pace::Kind::recorded, 10.0}, Pace{Pace::Kind::recorded, 25.0},
+    Pace{Pace::Kind::recorded, 0.25},  Pace{Pace::Kind::recorded, 1.0},
+    Pace{Pace::Kind::recorded, 2.0},   Pace{Pace::Kind::recorded, 4.0},
+    Pace{Pace::Kind::recorded, 10.0},  Pace{Pace::Kind::recorded, 25.0},
     Pace{Pace::Kind::recorded, 100.0}, Pace{Pace::Kind::scans, 1.0},
-    Pace{Pace::Kind::scans, 5.0},     Pace{Pace::Kind::scans, 20.0},
+    Pace{Pace::Kind::scans, 5.0},      Pace{Pace::Kind::scans, 20.0},
     Pace{Pace::Kind::scans, 100.0},
 };
 constexpr int kFirstChoice = 4;
@@ -32,8 +33,9 @@ QString in_words(const Pace& pace) {
 
 }  // namespace
 
-PaceControl::PaceControl(Session& session, QSettings& settings, QWidget* parent)
-    : QWidget(parent), session_(session), settings_(settings) {
+PaceControl::PaceControl(Session& session, QSettings& settings, QAction* full_speed,
+                         QWidget* parent)
+    : QWidget(parent), session_(session), settings_(settings), full_(full_speed) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
@@ -45,23 +47,20 @@ PaceControl::PaceControl(Session& session, QSettings& settings, QWidget* parent)
     const int saved = settings_.value(kPaceKey, kFirstChoice).toInt();
     paces_->setCurrentIndex(saved >= 0 && saved < paces_->count() ? saved : kFirstChoice);
     row->addWidget(paces_);
-    full_ = new QToolButton(this);
-    full_->setObjectName("button_full_speed");
-    full_->setProperty("role", "view");
-    full_->setCheckable(true);
-    full_->setChecked(settings_.value(kFullKey, false).toBool());
-    full_->setFocusPolicy(Qt::TabFocus);
     full_->setIcon(icon(Glyph::full_speed));
-    full_->setShortcut(QKeySequence("Ctrl+Space"));
-    full_->setToolTip(tr("As fast as possible (%1)").arg("Ctrl+Space"));
-    full_->setAccessibleName(tr("As fast as possible"));
-    row->addWidget(full_);
+    full_->setChecked(settings_.value(kFullKey, false).toBool());
+    auto* full = new QToolButton(this);
+    full->setObjectName("button_full_speed");
+    full->setProperty("role", "view");
+    full->setFocusPolicy(Qt::TabFocus);
+    full->setDefaultAction(full_);
+    row->addWidget(full);
     // Who chooses a pace wants it.
     connect(paces_, &QComboBox::activated, this, [this] {
         full_->setChecked(false);
         apply();
     });
-    connect(full_, &QToolButton::toggled, this, &PaceControl::apply);
+    connect(full_, &QAction::toggled, this, &PaceControl::apply);
     apply();
 }
 

@@ -5,9 +5,9 @@
 
 #include "app/session.hpp"
 
+class QAction;
 class QComboBox;
 class QSettings;
-class QToolButton;
 
 namespace hitos::window {
 
@@ -17,7 +17,9 @@ class PaceControl final : public QWidget {
     Q_OBJECT
 
   public:
-    PaceControl(Session& session, QSettings& settings, QWidget* parent = nullptr);
+    /// `full_speed`: the checkable action of as fast as possible.
+    PaceControl(Session& session, QSettings& settings, QAction* full_speed,
+                QWidget* parent = nullptr);
 
     /// As if the user had chosen it the last time.
     static void set_full_speed(QSettings& settings);
@@ -28,7 +30,7 @@ class PaceControl final : public QWidget {
     Session& session_;
     QSettings& settings_;
     QComboBox* paces_ = nullptr;
-    QToolButton* full_ = nullptr;
+    QAction* full_;
 };
 
 }  // namespace hitos::window

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QWidget>
+#include <algorithm>
 #include <chrono>
 
 #include "dialogs/picture_dialog.hpp"
@@ -136,7 +137,9 @@ void ResultActions::save_results() {
 void ResultActions::write_results_to(const QString& folder) {
     RunWorker& worker = *session_.worker();
     double seconds = 0.0;
-    for (const StepFigures& step : worker.figures_since(0)) seconds += step.step_seconds;
+    std::vector<StepFigures> figures = worker.figures_since(0);
+    figures.resize(std::min<std::size_t>(figures.size(), session_.progress().steps));
+    for (const StepFigures& step : figures) seconds += step.step_seconds;
     writing_ = worker.with_run([this, number = ++writings_, folder, seconds,
                                 references = session_.references()](const Algoritmo& run) {
         QString problem;
@@ -174,6 +177,22 @@ void ResultActions::end_writing(int number, const QString& folder, const QString
     const QString saved = tr("Results saved: %1").arg(QDir::toNativeSeparators(folder));
     emit notice(missing.isEmpty() ? saved
                                   : tr("%1; not written: %2").arg(saved, missing.join(", ")));
+}
+
+void ResultActions::save_figures() {
+    if (!session_.has_source()) return;
+    const std::vector<StepFigures> figures = session_.worker()->figures_since(0);
+    const std::optional<Trajectory>& reference = session_.references().trajectory;
+    const QString path = save_until_done(
+        prompts_, window_,
+        {tr("Save the figures of every scan"), files_.last_folder("map") + "/figures.csv",
+         tr("Tables (*.csv)"), "csv"},
+        [&](const QString& target) {
+            write_figures(figures, reference ? &*reference : nullptr, target.toStdString());
+        });
+    if (path.isEmpty()) return;
+    files_.note_folder("map", path);
+    emit notice(tr("Figures saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
 void ResultActions::save_picture(const CanvasView& view) {

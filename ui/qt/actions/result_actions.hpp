@@ -31,6 +31,8 @@ class ResultActions final : public QObject {
     void view_odometry();
     void save_map();
     void save_results();
+    /// The figures of every scan that the run has been at, as a table.
+    void save_figures();
     /// All results are being written; until the end no others can be.
     bool writing() const;
     void save_picture(const hitos::window::CanvasView& view);

@@ -68,7 +68,7 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
     row->addStretch(1);
     add_button(actions.restart, "button_restart");
     auto* top = qobject_cast<QHBoxLayout*>(layout()->itemAt(0)->layout());
-    top->addWidget(new PaceControl(session, settings, this));
+    top->addWidget(new PaceControl(session, settings, actions.full_speed, this));
 
     connect(actions.run, &QAction::triggered, &session, [&session] { session.run(); });
     connect(actions.stop, &QAction::triggered, &session, &Session::pause);
@@ -78,7 +78,7 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
             [&session](int scan) { session.seek(static_cast<quint64>(scan)); });
     const auto refresh = [this, &session] {
         show_progress(session.progress(), session.has_source());
-        if (session.has_source()) note_marks(*session.worker());
+        if (session.has_source()) note_marks(session);
     };
     connect(&session, &Session::restarted, this, &RunControls::forget_marks);
     connect(&session, &Session::progress_changed, this, refresh);
@@ -125,7 +125,9 @@ void RunControls::set_total(std::optional<quint64> scans) {
 }
 
 /// Of scans that were not seen before; going back forgets none.
-void RunControls::note_marks(const RunWorker& worker) {
+void RunControls::note_marks(const Session& session) {
+    const RunWorker& worker = *session.worker();
+    const bool sometimes = session.configuration().filter.resampling.rule != ResamplingRule::always;
     using Kind = TimeLine::Mark::Kind;
     std::vector<TimeLine::Mark> fresh;
     for (const StepFigures& step : worker.figures_since(figures_taken_)) {
@@ -138,7 +140,7 @@ void RunControls::note_marks(const RunWorker& worker) {
         if (step.unseen_s >= kLongUnseen) {
             mark(tr("a landmark seen again after %1 s").arg(step.unseen_s, 0, 'f', 1), Kind::event);
         }
-        if (step.resampled) mark(tr("resampled"), Kind::filter);
+        if (step.resampled && sometimes) mark(tr("resampled"), Kind::filter);
         if (step.best_changed) mark(tr("another particle is the best"), Kind::filter);
         if (step.skipped > skipped_) {
             mark(tr("damaged lines skipped before it: %1").arg(step.skipped - skipped_),

@@ -22,6 +22,7 @@ struct RunActions {
     QAction* odometry = nullptr;
     QAction* save_map = nullptr;
     QAction* restart = nullptr;
+    QAction* full_speed = nullptr;
 };
 
 class RunControls final : public QWidget {
@@ -39,7 +40,7 @@ class RunControls final : public QWidget {
     void set_total(std::optional<quint64> scans);
 
   private:
-    void note_marks(const RunWorker& worker);
+    void note_marks(const Session& session);
     void forget_marks();
     QToolButton* add_button(QAction* action, const char* name, bool primary = false);
     /// A button that goes inactive would give the keyboard to whatever is next: from running or

@@ -154,7 +154,7 @@ void MainWindow::connect_configuration() {
 void MainWindow::connect_run() {
     ui_->controls->set_up(
         {ui_->action_run, ui_->action_stop, ui_->action_step, ui_->action_best_map,
-         ui_->action_odometry, ui_->action_save_map, ui_->action_restart},
+         ui_->action_odometry, ui_->action_save_map, ui_->action_restart, ui_->action_full_speed},
         session_, files_.settings());
     // The space bar runs and stops, unless a button has the focus; an action that is disabled would
     // swallow it.
@@ -177,12 +177,15 @@ void MainWindow::connect_run() {
     connect(ui_->action_odometry, &QAction::triggered, results_, &ResultActions::view_odometry);
     connect(ui_->action_save_map, &QAction::triggered, results_, &ResultActions::save_map);
     connect(ui_->action_save_results, &QAction::triggered, results_, &ResultActions::save_results);
+    connect(ui_->action_save_figures, &QAction::triggered, results_, &ResultActions::save_figures);
+    connect(plots_, &Plots::table_wanted, results_, &ResultActions::save_figures);
     connect(ui_->action_study, &QAction::triggered, this, [this] { open_study(); });
     connect(ui_->action_save_picture, &QAction::triggered, this, &MainWindow::save_picture_in_use);
     connect(ui_->action_exit, &QAction::triggered, this, &QWidget::close);
     connect(results_, &ResultActions::notice, status_, &StatusLine::notice);
     const auto enable = [this] {
         ui_->action_save_results->setEnabled(session_.progress().steps > 0 && !results_->writing());
+        ui_->action_save_figures->setEnabled(session_.progress().steps > 0);
         ui_->action_particle_map->setEnabled(session_.progress().steps > 0);
         ui_->action_study->setEnabled(session_.has_source());
         ui_->action_run_until->setEnabled(session_.has_source());

@@ -1680,6 +1680,30 @@
         <source>&amp;Presets</source>
         <translation>Configuraciones &amp;incluidas</translation>
     </message>
+    <message>
+        <source>Save figures as CSV…</source>
+        <translation>Guardar las cifras como CSV…</translation>
+    </message>
+    <message>
+        <source>Write Neff, weights, landmarks, features, errors and time of every scan as a table</source>
+        <translation>Escribir Neff, pesos, marcas, características, errores y tiempo de cada barrido como tabla</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>Tan rápido como sea posible</translation>
+    </message>
+    <message>
+        <source>As fast as possible (Ctrl+Space)</source>
+        <translation>Tan rápido como sea posible (Ctrl+Espacio)</translation>
+    </message>
+    <message>
+        <source>Run until…</source>
+        <translation>Ejecutar hasta…</translation>
+    </message>
+    <message>
+        <source>Run so many scans, to a scan or a time, or until something happens</source>
+        <translation>Ejecutar tantos barridos, hasta un barrido o un instante, o hasta que ocurra algo</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::MapWindow</name>
@@ -1706,6 +1730,25 @@
     <message>
         <source>Map of %1 scans</source>
         <translation>Mapa de %1 barridos</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::PaceControl</name>
+    <message>
+        <source>recorded × %1</source>
+        <translation>grabado × %1</translation>
+    </message>
+    <message>
+        <source>%1 scans/s</source>
+        <translation>%1 barridos/s</translation>
+    </message>
+    <message>
+        <source>How fast the run goes: against the time of the recording, or in scans</source>
+        <translation>Con qué rapidez avanza la ejecución: respecto al tiempo de la grabación, o en barridos</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>Ritmo</translation>
     </message>
 </context>
 <context>
@@ -1780,6 +1823,18 @@
         <source>Save as image…</source>
         <translation>Guardar como imagen…</translation>
     </message>
+    <message>
+        <source>Features in the scan</source>
+        <translation>Características del barrido</translation>
+    </message>
+    <message>
+        <source>Position error [m]</source>
+        <translation>Error de posición [m]</translation>
+    </message>
+    <message>
+        <source>Save the figures as CSV…</source>
+        <translation>Guardar las cifras como CSV…</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ResultActions</name>
@@ -1843,6 +1898,18 @@
         <source>%1; not written: %2</source>
         <translation>%1; sin escribir: %2</translation>
     </message>
+    <message>
+        <source>Save the figures of every scan</source>
+        <translation>Guardar las cifras de cada barrido</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>Figures saved: %1</source>
+        <translation>Cifras guardadas: %1</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::RunControls</name>
@@ -1853,6 +1920,89 @@
     <message>
         <source>new landmarks: %1</source>
         <translation>hitos nuevos: %1</translation>
+    </message>
+    <message>
+        <source>a landmark seen again after %1 s</source>
+        <translation>una marca vista de nuevo tras %1 s</translation>
+    </message>
+    <message>
+        <source>resampled</source>
+        <translation>remuestreo</translation>
+    </message>
+    <message>
+        <source>another particle is the best</source>
+        <translation>otra partícula es la mejor</translation>
+    </message>
+    <message>
+        <source>damaged lines skipped before it: %1</source>
+        <translation>líneas dañadas omitidas antes: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::RunUntilDialog</name>
+    <message>
+        <source>Run until</source>
+        <translation>Ejecutar hasta</translation>
+    </message>
+    <message>
+        <source>The run stops at the first of these that is met.</source>
+        <translation>La ejecución se detiene con la primera de estas condiciones que se cumpla.</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>so many scans further</source>
+        <translation>tantos barridos más</translation>
+    </message>
+    <message>
+        <source>this scan is reached, forwards or back</source>
+        <translation>se llegue a este barrido, hacia delante o hacia atrás</translation>
+    </message>
+    <message>
+        <source>this time of the tour is reached, forwards or back</source>
+        <translation>se llegue a este instante del recorrido, hacia delante o hacia atrás</translation>
+    </message>
+    <message>
+        <source>Neff falls below</source>
+        <translation>Neff baje de</translation>
+    </message>
+    <message>
+        <source>a landmark is born</source>
+        <translation>nazca una marca</translation>
+    </message>
+    <message>
+        <source>a landmark is seen again that was out of sight for</source>
+        <translation>se vuelva a ver una marca no vista durante</translation>
+    </message>
+    <message>
+        <source>registration closes a loop</source>
+        <translation>el registro cierre un bucle</translation>
+    </message>
+    <message>
+        <source>another particle becomes the best</source>
+        <translation>otra partícula pase a ser la mejor</translation>
+    </message>
+    <message>
+        <source>the position error exceeds</source>
+        <translation>el error de posición supere</translation>
+    </message>
+    <message>
+        <source>Against the reference trajectory; both begin at the same place.</source>
+        <translation>Respecto a la trayectoria de referencia; ambas empiezan en el mismo lugar.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecutar</translation>
+    </message>
+    <message>
+        <source>There is no reference trajectory to measure against.</source>
+        <translation>No hay trayectoria de referencia con la que medir.</translation>
     </message>
 </context>
 <context>
@@ -1982,6 +2132,34 @@
     <message>
         <source>Try Configuration → Presets → %1.</source>
         <translation>Pruebe Configuración → Configuraciones incluidas → %1.</translation>
+    </message>
+    <message>
+        <source>Stopped at the time asked for.</source>
+        <translation>Detenido en el instante pedido.</translation>
+    </message>
+    <message>
+        <source>Stopped: Neff fell to %1.</source>
+        <translation>Detenido: Neff ha bajado a %1.</translation>
+    </message>
+    <message>
+        <source>Stopped: a landmark was born.</source>
+        <translation>Detenido: ha nacido una marca.</translation>
+    </message>
+    <message>
+        <source>Stopped: a landmark was seen again.</source>
+        <translation>Detenido: se ha vuelto a ver una marca.</translation>
+    </message>
+    <message>
+        <source>Stopped: a loop was closed.</source>
+        <translation>Detenido: se ha cerrado un bucle.</translation>
+    </message>
+    <message>
+        <source>Stopped: another particle is the best.</source>
+        <translation>Detenido: otra partícula es la mejor.</translation>
+    </message>
+    <message>
+        <source>Stopped: the position error has passed its limit.</source>
+        <translation>Detenido: el error de posición ha superado su límite.</translation>
     </message>
 </context>
 <context>

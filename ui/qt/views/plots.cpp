@@ -2,49 +2,64 @@
 
 #include <qcustomplot.h>
 
+#include <QApplication>
 #include <QContextMenuEvent>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <cmath>
+#include <limits>
 
+#include "hitos/slam/filters.hpp"
 #include "plot_style.hpp"
 
 namespace hitos::window {
 namespace {
 
 constexpr int kRefreshMs = 250;
-constexpr int kColumns = 3;
+constexpr int kLeastRow = 110;  // pixels
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// One plot: a figure of every step, or one that is measured now and then against a reference.
+/// A figure of every step, or one that is measured now and then against a reference.
 struct PlotInfo {
     const char* title = "";  ///< source text
     QColor Colours::*colour = nullptr;
     double (*step)(const StepFigures&) = nullptr;
-    std::optional<double> (*measured)(const Measured&) = nullptr;
+    std::optional<double> (*measured)(const ErrorPoint&) = nullptr;
     bool from_zero = true;
+    bool of_hypotheses = false;  ///< says nothing where there is only one
 };
 
-/// One entry a plot, row by row.
+/// By Plots::Figure.
 const std::array kPlots = {
     PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Effective particles (Neff)"),
-             &Colours::particle, [](const StepFigures& step) { return step.neff; }},
+             &Colours::particle, [](const StepFigures& step) { return step.neff; }, nullptr, true,
+             true},
     PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Landmarks"), &Colours::landmark,
              [](const StepFigures& step) -> double { return step.lines + step.corners; }},
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Features in the scan"), &Colours::observed,
+             [](const StepFigures& step) -> double { return step.seen_lines + step.seen_corners; }},
     PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Best weight (ln)"), &Colours::association,
-             [](const StepFigures& step) { return step.best_log_weight; }, nullptr, false},
+             [](const StepFigures& step) { return step.best_log_weight; }, nullptr, false, true},
     PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Time per step [ms]"), &Colours::muted,
              [](const StepFigures& step) { return step.step_seconds * 1e3; }},
-    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Landmark error [m]"), &Colours::reference,
-             nullptr,
-             [](const Measured& figures) {
-                 return figures.map ? std::optional(figures.map->mean_m) : std::nullopt;
-             }},
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Position error [m]"), &Colours::path},
     PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Trajectory error [m]"), &Colours::path,
-             nullptr, [](const Measured& figures) {
-                 return figures.trajectory ? std::optional(figures.trajectory->rmse_m)
-                                           : std::nullopt;
-             }}};
+             nullptr, [](const ErrorPoint& error) { return error.trajectory_m; }},
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Landmark error [m]"), &Colours::reference,
+             nullptr, [](const ErrorPoint& error) { return error.map_m; }},
+};
+
+const PlotInfo& info(Plots::Figure figure) {
+    return kPlots[static_cast<std::size_t>(figure)];
+}
+
+int columns_for(std::size_t plots) {
+    constexpr std::size_t kOneRow = 5;
+    return plots <= kOneRow ? std::max(1, static_cast<int>(plots)) : 4;
+}
 
 }  // namespace
 
@@ -53,101 +68,277 @@ Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(plot_);
-    plot_->setMinimumHeight(220);
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
     plot_->setContextMenuPolicy(Qt::NoContextMenu);
-    plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    for (std::size_t i = 0; i < kPlots.size(); ++i) add_plot(i);
+    plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    plot_->installEventFilter(this);
+    plot_->setMouseTracking(true);
+    connect(plot_, &QCustomPlot::mousePress, this,
+            [this](QMouseEvent* event) { pressed_ = event->position().toPoint(); });
+    connect(plot_, &QCustomPlot::mouseRelease, this, [this](QMouseEvent* event) {
+        const QPoint place = event->position().toPoint();
+        const bool moved =
+            (place - pressed_).manhattanLength() >= QApplication::startDragDistance();
+        if (event->button() == Qt::LeftButton && !moved) go_to(place);
+    });
+    connect(plot_, &QCustomPlot::mouseDoubleClick, this, &Plots::show_all_times);
     clock_.start();
     connect(&session, &Session::restarted, this, &Plots::clear);
-    connect(&session, &Session::references_changed, this, &Plots::clear_errors);
+    connect(&session, &Session::references_changed, this, &Plots::clear);
     connect(&session, &Session::progress_changed, this,
             [this] { refresh(session_.progress().state != Progress::State::running); });
     connect(&meter, &ReferenceMeter::measured, this,
             [this](const std::shared_ptr<const Measured>& figures) { note_errors(*figures); });
+    clear();
+}
+
+std::vector<Plots::Figure> Plots::wanted() const {
+    std::vector<Figure> wanted;
+    const bool several = hypothesis_count(session_.configuration().filter) > 1;
+    for (std::size_t i = 0; i < kPlots.size(); ++i) {
+        const auto figure = static_cast<Figure>(i);
+        const PlotInfo& plot = kPlots[i];
+        bool any = plot.step != nullptr && (several || !plot.of_hypotheses);
+        if (figure == position_error) {
+            any =
+                std::ranges::any_of(position_errors_m_, [](double e) { return std::isfinite(e); });
+        } else if (plot.measured != nullptr) {
+            any = std::ranges::any_of(course_, [&plot](const ErrorPoint& error) {
+                return plot.measured(error).has_value();
+            });
+        }
+        if (any) wanted.push_back(figure);
+    }
+    return wanted;
+}
+
+void Plots::lay_out() {
+    const std::vector<Figure> figures = wanted();
+    if (std::ranges::equal(figures, shown_, {}, {}, &Shown::figure)) return;
+    plot_->clearItems();
+    plot_->clearGraphs();
+    plot_->plotLayout()->clear();
+    shown_.clear();
+    filled_ = 0;
+    const int columns = columns_for(figures.size());
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        add_plot(figures[i], static_cast<int>(i), columns);
+        // Below the lowest of each column.
+        if (i + static_cast<std::size_t>(columns) < figures.size()) continue;
+        shown_.back().rect->axis(QCPAxis::atBottom)->setLabel(tr("Time [s]"));
+    }
+    const int rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
+    plot_->setMinimumHeight(std::max(1, rows) * kLeastRow);
     restyle();
 }
 
-void Plots::add_plot(std::size_t plot) {
-    const int row = static_cast<int>(plot) / kColumns;
-    const int column = static_cast<int>(plot) % kColumns;
-    QCPAxisRect* rect = add_titled_plot(*plot_, row, column, tr(kPlots[plot].title));
+void Plots::add_plot(Figure figure, int place, int columns) {
+    const int row = place / columns;
+    const int column = place % columns;
+    QCPAxisRect* rect = add_titled_plot(*plot_, row, column, {});
     for (QCPAxis* axis : rect->axes()) axis->ticker()->setTickCount(4);
-    if (plot + kColumns >= kPlots.size()) rect->axis(QCPAxis::atBottom)->setLabel(tr("Time [s]"));
-    rects_.push_back(rect);
-    graphs_.push_back(plot_->addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft)));
+    rect->setRangeDrag(Qt::Horizontal);
+    rect->setRangeZoom(Qt::Horizontal);
+    QCPAxis* time = rect->axis(QCPAxis::atBottom);
+    connect(time, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
+            [this](const QCPRange& range) {
+                zoomed_ = true;
+                set_times(range.lower, range.upper);
+            });
+    Shown shown{figure, rect, title_of(*plot_, row, column),
+                plot_->addGraph(time, rect->axis(QCPAxis::atLeft)), new QCPItemStraightLine(plot_)};
+    shown.now->setClipAxisRect(rect);
+    for (QCPItemPosition* end : shown.now->positions()) {
+        end->setAxes(time, rect->axis(QCPAxis::atLeft));
+        end->setAxisRect(rect);
+        end->setTypeX(QCPItemPosition::ptPlotCoords);
+        end->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    }
+    shown_.push_back(shown);
 }
 
 void Plots::restyle() {
     const Colours& c = colours();
     plot_->setBackground(c.card);
     const QFont small = plot_font(font());
-    for (std::size_t i = 0; i < kPlots.size(); ++i) {
-        graphs_[i]->setPen(QPen(c.*kPlots[i].colour, 1.4));
-        if (kPlots[i].measured != nullptr) {
-            graphs_[i]->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 4.0));
+    for (const Shown& shown : shown_) {
+        const PlotInfo& plot = info(shown.figure);
+        shown.graph->setPen(QPen(c.*plot.colour, 1.4));
+        shown.now->setPen(QPen(c.accent, 1.0));
+        if (plot.measured != nullptr) {
+            shown.graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 4.0));
         }
-        const int place = static_cast<int>(i);
-        style_plot(*rects_[i], *title_of(*plot_, place / kColumns, place % kColumns), c, small);
+        style_plot(*shown.rect, *shown.title, c, small);
     }
+    hide_values();
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+/// Nothing is known of the run, or of what it is measured against.
 void Plots::clear() {
-    taken_ = 0;
-    for (QCPGraph* graph : graphs_) graph->data()->clear();
-    plot_->replot(QCustomPlot::rpQueuedReplot);
-}
-
-/// They were measured against another reference.
-void Plots::clear_errors() {
-    for (std::size_t i = 0; i < kPlots.size(); ++i) {
-        if (kPlots[i].measured != nullptr) graphs_[i]->data()->clear();
+    figures_.clear();
+    position_errors_m_.clear();
+    position_error_.reset();
+    if (const auto& reference = session_.references().trajectory) {
+        position_error_.emplace(*reference);
     }
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+    course_.clear();
+    filled_ = 0;
+    zoomed_ = false;
+    for (const Shown& shown : shown_) shown.graph->data()->clear();
+    refresh(true);
 }
 
 void Plots::refresh(bool at_once) {
-    if (!isVisible() || !session_.has_source()) return;
+    if (!isVisible()) return;
     if (!at_once && clock_.elapsed() < kRefreshMs) return;
     clock_.restart();
-    const std::vector<StepFigures> fresh = session_.worker()->figures_since(taken_);
-    if (fresh.empty()) return;
-    taken_ += fresh.size();
-    for (std::size_t i = 0; i < kPlots.size(); ++i) {
-        if (kPlots[i].step == nullptr) continue;
-        for (const StepFigures& step : fresh) {
-            graphs_[i]->addData(step.time_s, kPlots[i].step(step));
+    if (session_.has_source()) {
+        for (const StepFigures& step : session_.worker()->figures_since(figures_.size())) {
+            figures_.push_back(step);
+            const auto away =
+                position_error_ ? position_error_->at(step.online) : std::optional<double>();
+            position_errors_m_.push_back(away.value_or(kNothing));
         }
     }
-    for (QCPGraph* graph : graphs_) graph->rescaleAxes();
-    for (QCPAxisRect* rect : rects_)
-        rect->axis(QCPAxis::atBottom)->setRange(0.0, std::max(1.0, fresh.back().time_s));
-    for (std::size_t i = 0; i < kPlots.size(); ++i) {
-        if (kPlots[i].from_zero) rects_[i]->axis(QCPAxis::atLeft)->setRangeLower(0.0);
+    lay_out();
+    fill();
+}
+
+void Plots::fill() {
+    for (const Shown& shown : shown_) {
+        const PlotInfo& plot = info(shown.figure);
+        if (plot.measured != nullptr) {
+            shown.graph->data()->clear();
+            for (const ErrorPoint& error : course_) {
+                if (const auto value = plot.measured(error)) {
+                    shown.graph->addData(error.time_s, *value);
+                }
+            }
+        } else {
+            for (std::size_t i = filled_; i < figures_.size(); ++i) {
+                const double value =
+                    plot.step != nullptr ? plot.step(figures_[i]) : position_errors_m_[i];
+                if (std::isfinite(value)) shown.graph->addData(figures_[i].time_s, value);
+            }
+        }
+        shown.graph->rescaleValueAxis();
+        if (plot.from_zero) shown.rect->axis(QCPAxis::atLeft)->setRangeLower(0.0);
+        const double now = session_.progress().duration_s;
+        shown.now->point1->setCoords(now, 0.0);
+        shown.now->point2->setCoords(now, 1.0);
+    }
+    filled_ = figures_.size();
+    if (zoomed_) {
+        plot_->replot(QCustomPlot::rpQueuedReplot);
+    } else {
+        show_all_times();
+    }
+}
+
+void Plots::set_times(double from_s, double to_s) {
+    for (const Shown& shown : shown_) {
+        QCPAxis* axis = shown.rect->axis(QCPAxis::atBottom);
+        const QSignalBlocker quiet(axis);
+        axis->setRange(from_s, to_s);
     }
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+void Plots::show_all_times() {
+    zoomed_ = false;
+    set_times(0.0, figures_.empty() ? 1.0 : std::max(1.0, figures_.back().time_s));
+}
+
 void Plots::note_errors(const Measured& figures) {
-    for (std::size_t i = 0; i < kPlots.size(); ++i) {
-        if (kPlots[i].measured == nullptr) continue;
-        if (const std::optional<double> value = kPlots[i].measured(figures)) {
-            graphs_[i]->addData(figures.time_s, *value);
-        }
-        graphs_[i]->rescaleValueAxis();
-        if (kPlots[i].from_zero) rects_[i]->axis(QCPAxis::atLeft)->setRangeLower(0.0);
+    course_ = figures.course;
+    refresh(true);
+}
+
+void Plots::show_values(const QPoint& place) {
+    const QCPAxisRect* under = plot_->axisRectAt(place);
+    if (under == nullptr || figures_.empty()) {
+        hide_values();
+        return;
     }
-    if (isVisible()) plot_->replot(QCustomPlot::rpQueuedReplot);
+    const double time_s = under->axis(QCPAxis::atBottom)->pixelToCoord(place.x());
+    for (const Shown& shown : shown_) {
+        const auto& points = *shown.graph->data();
+        auto at = points.findEnd(time_s, false);  // the first behind it
+        const QString title = tr(info(shown.figure).title);
+        if (at == points.constBegin()) {
+            shown.title->setText(title);
+            continue;
+        }
+        --at;
+        shown.title->setText(
+            QString("%1: %2 (%3 s)").arg(title).arg(at->value, 0, 'g', 4).arg(at->key, 0, 'f', 1));
+    }
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void Plots::hide_values() {
+    for (const Shown& shown : shown_) shown.title->setText(tr(info(shown.figure).title));
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void Plots::go_to(const QPoint& place) {
+    const QCPAxisRect* under = plot_->axisRectAt(place);
+    if (under == nullptr || figures_.empty()) return;
+    const double time_s = under->axis(QCPAxis::atBottom)->pixelToCoord(place.x());
+    auto at = std::ranges::lower_bound(figures_, time_s, {}, &StepFigures::time_s);
+    if (at == figures_.end()) --at;
+    if (at != figures_.begin() && time_s - std::prev(at)->time_s < at->time_s - time_s) --at;
+    session_.seek(static_cast<quint64>(at - figures_.begin()) + 1);
+}
+
+bool Plots::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseMove) {
+        // NOLINTNEXTLINE(*-static-cast-downcast): by its type
+        show_values(static_cast<QMouseEvent*>(event)->position().toPoint());
+    } else if (event->type() == QEvent::Leave) {
+        hide_values();
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 QImage Plots::picture(double scale) const {
     return plot_->toPixmap(plot_->width(), plot_->height(), scale).toImage();
 }
 
-int Plots::points(int plot) const {
-    return graphs_[static_cast<std::size_t>(plot)]->data()->size();
+const Plots::Shown* Plots::find(Figure figure) const {
+    const auto found = std::ranges::find(shown_, figure, &Shown::figure);
+    return found == shown_.end() ? nullptr : &*found;
+}
+
+bool Plots::shows(Figure figure) const {
+    return find(figure) != nullptr;
+}
+
+int Plots::points(Figure figure) const {
+    const Shown* shown = find(figure);
+    return shown == nullptr ? 0 : shown->graph->data()->size();
+}
+
+QString Plots::title(Figure figure) const {
+    const Shown* shown = find(figure);
+    return shown == nullptr ? QString() : shown->title->text();
+}
+
+QPoint Plots::place_of(double time_s) const {
+    if (shown_.empty()) return {};
+    const QCPAxisRect& rect = *shown_.front().rect;
+    return plot_->mapTo(
+        this,
+        QPoint(static_cast<int>(std::lround(rect.axis(QCPAxis::atBottom)->coordToPixel(time_s))),
+               rect.center().y()));
+}
+
+std::pair<double, double> Plots::times() const {
+    if (shown_.empty()) return {};
+    const QCPRange range = shown_.front().rect->axis(QCPAxis::atBottom)->range();
+    return {range.lower, range.upper};
 }
 
 void Plots::showEvent(QShowEvent* event) {
@@ -159,6 +350,7 @@ void Plots::contextMenuEvent(QContextMenuEvent* event) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("Save as image…"), this, &Plots::picture_wanted);
+    menu->addAction(tr("Save the figures as CSV…"), this, &Plots::table_wanted);
     menu->popup(event->globalPos());
 }
 

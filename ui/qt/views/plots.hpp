@@ -11,42 +11,90 @@
 
 class QCPAxisRect;
 class QCPGraph;
+class QCPItemStraightLine;
+class QCPTextElement;
 class QCustomPlot;
 
 namespace hitos::window {
 
-/// Neff, landmarks, best weight, time per step, and with a reference the errors of map and path.
+/// One plot for every figure that there is something to say of: Neff and weights where there are
+/// several hypotheses, errors where there is a reference. Wheel and drag zoom and move all along
+/// time, a double click shows all; a click goes to that scan; the titles tell the values under the
+/// mouse.
 class Plots final : public QWidget {
     Q_OBJECT
 
   public:
+    /// Their order is that on the screen.
+    enum Figure {
+        neff,
+        landmarks,
+        features,
+        best_weight,
+        step_time,
+        position_error,
+        trajectory_error,
+        map_error,
+    };
+
     Plots(Session& session, ReferenceMeter& meter, QWidget* parent = nullptr);
 
     QImage picture(double scale) const;
-    /// Points drawn so far of the plot in that place, for tests.
-    int points(int plot) const;
+
+    /// Points drawn so far; 0 where the plot is not shown.
+    int points(Figure figure) const;
+    bool shows(Figure figure) const;
+    /// As the title tells it, with the value under the mouse.
+    QString title(Figure figure) const;
+    /// Where a time [s] is in the plots, and the times that they show.
+    QPoint place_of(double time_s) const;
+    std::pair<double, double> times() const;
 
     void restyle();
 
   signals:
     void picture_wanted();
+    void table_wanted();
 
   protected:
     void showEvent(QShowEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    void add_plot(std::size_t plot);
+    struct Shown {
+        Figure figure;
+        QCPAxisRect* rect;
+        QCPTextElement* title;
+        QCPGraph* graph;
+        QCPItemStraightLine* now;
+    };
+
+    std::vector<Figure> wanted() const;
+    /// Makes the plots anew where others are wanted.
+    void lay_out();
+    void add_plot(Figure figure, int place, int columns);
     void clear();
-    void clear_errors();
     void refresh(bool at_once);
+    void fill();
     void note_errors(const Measured& figures);
+    void set_times(double from_s, double to_s);
+    void show_all_times();
+    void show_values(const QPoint& place);
+    void hide_values();
+    void go_to(const QPoint& place);
+    const Shown* find(Figure figure) const;
 
     Session& session_;
     QCustomPlot* plot_;
-    std::vector<QCPAxisRect*> rects_;
-    std::vector<QCPGraph*> graphs_;
-    quint64 taken_ = 0;
+    std::vector<Shown> shown_;
+    std::vector<StepFigures> figures_;
+    std::vector<double> position_errors_m_;  // by scan; not a number: none
+    std::optional<PositionError> position_error_;
+    std::vector<ErrorPoint> course_;
+    std::size_t filled_ = 0;  // scans in the graphs
+    bool zoomed_ = false;
+    QPoint pressed_;
     QElapsedTimer clock_;
 };
 

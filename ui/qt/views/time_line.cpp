@@ -102,7 +102,10 @@ void TimeLine::wheelEvent(QWheelEvent* event) {
 QString TimeLine::tip_at(int x) const {
     QStringList lines{tr("Scan %1 of %2").arg(scan_at(x)).arg(maximum())};
     for (const Mark& mark : marks_) {
-        if (std::abs(x_of(mark.scan) - x) > kNear) continue;
+        // What happens all the time is told of the one scan alone.
+        const bool near = mark.kind == Mark::Kind::filter ? mark.scan == scan_at(x)
+                                                          : std::abs(x_of(mark.scan) - x) <= kNear;
+        if (!near) continue;
         if (lines.size() == kLines) {
             lines << QStringLiteral("…");
             break;

@@ -1,6 +1,7 @@
 #include "reference_meter.hpp"
 
 #include <QTimer>
+#include <algorithm>
 #include <utility>
 
 #include "background.hpp"
@@ -10,12 +11,42 @@ namespace {
 
 constexpr int kLeastMs = 330;
 
-Measured measure(const Snapshot& snapshot, const References& references) {
-    Measured out;
-    if (!snapshot.best_trajectory.empty()) {
-        out.time_s =
-            snapshot.best_trajectory.back().time_s - snapshot.best_trajectory.front().time_s;
+ErrorPoint point(const Trajectory& path, const std::optional<MapError>& map,
+                 const std::optional<TrajectoryError>& trajectory) {
+    ErrorPoint point;
+    if (!path.empty()) point.time_s = path.back().time_s - path.front().time_s;
+    if (map) point.map_m = map->mean_m;
+    if (trajectory) point.trajectory_m = trajectory->rmse_m;
+    return point;
+}
+
+ErrorPoint measure(const RunCheckpoint& checkpoint, const References& references) {
+    const Trajectory path = checkpoint.best_trajectory();
+    std::optional<MapError> map;
+    if (references.map) map = map_error(checkpoint.filter->best_map(), *references.map);
+    std::optional<TrajectoryError> trajectory;
+    if (references.trajectory) trajectory = trajectory_error(path, *references.trajectory);
+    return point(path, map, trajectory);
+}
+
+std::vector<ErrorPoint> course_of(const Snapshot& snapshot, const References& references,
+                                  const ErrorPoint& now, KnownErrors& known) {
+    std::vector<ErrorPoint> course;
+    for (const auto& checkpoint : snapshot.checkpoints) {
+        const std::uint64_t steps = checkpoint->steps();
+        const auto found = known.find(steps);
+        course.push_back(
+            found != known.end()
+                ? found->second
+                : known.emplace(steps, measure(*checkpoint, references)).first->second);
     }
+    const auto after = std::ranges::lower_bound(course, now.time_s, {}, &ErrorPoint::time_s);
+    if (after == course.end() || after->time_s != now.time_s) course.insert(after, now);
+    return course;
+}
+
+Measured measure(const Snapshot& snapshot, const References& references, KnownErrors& known) {
+    Measured out;
     if (references.map) out.map = map_error(snapshot.best_map, *references.map);
     if (references.trajectory) {
         out.trajectory = trajectory_error(snapshot.best_trajectory, *references.trajectory);
@@ -27,6 +58,8 @@ Measured measure(const Snapshot& snapshot, const References& references) {
                 {stamped.time_s, compose(pose_world_reference, stamped.pose)});
         }
     }
+    out.course = course_of(snapshot, references,
+                           point(snapshot.best_trajectory, out.map, out.trajectory), known);
     return out;
 }
 
@@ -38,14 +71,16 @@ ReferenceMeter::ReferenceMeter(Session& session, QObject* parent)
     clock_.start();
     connect(&session, &Session::snapshot_changed, this, &ReferenceMeter::consider);
     connect(&session, &Session::references_changed, this, [this] {
-        last_revision_ = 0;
-        ++generation_;
+        begin_anew();
         consider();
     });
-    connect(&session, &Session::restarted, this, [this] {
-        last_revision_ = 0;
-        ++generation_;
-    });
+    connect(&session, &Session::restarted, this, &ReferenceMeter::begin_anew);
+}
+
+void ReferenceMeter::begin_anew() {
+    last_revision_ = 0;
+    known_ = std::make_shared<KnownErrors>();
+    ++generation_;
 }
 
 ReferenceMeter::~ReferenceMeter() {
@@ -70,9 +105,9 @@ void ReferenceMeter::consider() {
     }
     busy_ = true;
     clock_.restart();
-    pool_.start([this, snapshot, references, generation = generation_] {
+    pool_.start([this, snapshot, references, known = known_, generation = generation_] {
         begin_background_work();
-        auto figures = std::make_shared<const Measured>(measure(*snapshot, references));
+        auto figures = std::make_shared<const Measured>(measure(*snapshot, references, *known));
         QMetaObject::invokeMethod(
             this,
             [this, figures, revision = snapshot->revision, generation] {

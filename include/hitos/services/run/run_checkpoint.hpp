@@ -30,6 +30,8 @@ struct RunCheckpoint {
 
     /// Scans taken.
     std::uint64_t steps() const { return odometry.trajectory().size(); }
+    /// As Algoritmo::best_trajectory().
+    Trajectory best_trajectory() const;
     /// Memory that it takes, about.
     std::size_t bytes() const;
 };
@@ -47,6 +49,8 @@ class RunCheckpoints {
     void note(const Algoritmo& run);
     /// The last one at or before so many scans; null where there is none.
     std::shared_ptr<const RunCheckpoint> before(std::uint64_t steps) const;
+    /// By scans taken.
+    std::vector<std::shared_ptr<const RunCheckpoint>> all() const;
     void clear();
 
     /// Scans from one to the next.

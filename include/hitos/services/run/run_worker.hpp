@@ -40,7 +40,9 @@ struct Snapshot {
     Trajectory odometry_trajectory;
     GridTiles step_grid;
     std::vector<Advice> advice;  ///< of a finished run: what speaks against it
-    double seconds = 0.0;        ///< of the worker's time that making it took
+    /// The states that the run could go back to, by scans.
+    std::vector<std::shared_ptr<const RunCheckpoint>> checkpoints;
+    double seconds = 0.0;  ///< of the worker's time that making it took
 };
 
 /// How far a run has come; cheap to ask for.

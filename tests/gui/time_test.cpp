@@ -1,0 +1,368 @@
+// Time as a control: the time line, the pace, running until something happens, and the plots.
+
+#include <qcustomplot.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QSettings>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include "actions/pace_control.hpp"
+#include "dialogs/run_until_dialog.hpp"
+#include "gui_fixture.hpp"
+#include "hitos/workbench/open_tour.hpp"
+#include "tests.hpp"
+#include "views/plots.hpp"
+#include "views/time_line.hpp"
+
+namespace hitos::window {
+namespace {
+
+using State = Progress::State;
+
+template <class Widget>
+Widget& child(const QObject& parent, const char* name) {
+    auto* found = parent.findChild<Widget*>(name);
+    if (found == nullptr) qFatal("no widget %s", name);
+    return *found;
+}
+
+/// Opens "run until", ticks these lines and runs.
+void run_until(Fixture& f, const std::vector<std::pair<const char*, double>>& lines) {
+    in_dialog<RunUntilDialog>([lines](RunUntilDialog& dialog) {
+        for (auto* box : dialog.findChildren<QCheckBox*>()) box->setChecked(false);
+        for (const auto& [name, value] : lines) {
+            child<QCheckBox>(dialog, qPrintable(QString("until_") + name)).setChecked(true);
+            auto* box = dialog.findChild<QAbstractSpinBox*>(QString("value_") + name);
+            if (box != nullptr) box->setProperty("value", value);
+        }
+        child<QPushButton>(dialog, "run_until_run").click();
+    });
+    f.trigger("action_run_until");
+    QTRY_VERIFY(f.state() != State::running && f.shows_everything());
+}
+
+}  // namespace
+
+void TimeTest::the_time_line_goes_to_any_scan() {
+    Fixture f;
+    auto* line = f.window->findChild<TimeLine*>("time_line");
+    QTRY_VERIFY(line->maximum() > 100);  // the whole log is counted
+    const auto shown_at = [&f](int scan) {
+        return f.state() == State::paused && f.steps() == static_cast<quint64>(scan) &&
+               f.shows_everything();
+    };
+    const auto click = [&](int scan) {
+        QTest::mouseClick(line, Qt::LeftButton, {}, QPoint(line->x_of(scan), line->height() / 2));
+        return line->scan_at(line->x_of(scan));
+    };
+    const int there = click(60);
+    QTRY_VERIFY(shown_at(there));
+    QTRY_COMPARE(line->value(), there);
+    const Trajectory path = f.session.snapshot()->best_trajectory;
+    const int further = click(90);
+    QTRY_VERIFY(shown_at(further));
+    // Back to where it was: the same state.
+    QCOMPARE(click(60), there);
+    QTRY_VERIFY(shown_at(there));
+    QVERIFY(f.session.snapshot()->best_trajectory == path);
+    // A drag ends where it ends, from the end of the tour too.
+    f.run_to_end();
+    const int x = line->x_of(30);
+    QTest::mousePress(line, Qt::LeftButton, {}, QPoint(line->x_of(80), 5));
+    for (int at = line->x_of(80); at >= x; --at) {
+        QMouseEvent move(QEvent::MouseMove, QPointF(at, 5), line->mapToGlobal(QPointF(at, 5)),
+                         Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(line, &move);
+    }
+    QTest::mouseRelease(line, Qt::LeftButton, {}, QPoint(x, 5));
+    QTRY_VERIFY(shown_at(line->scan_at(x)));
+    f.trigger("action_run");
+    QTRY_COMPARE(f.state(), State::finished);
+}
+
+void TimeTest::the_time_line_goes_by_keys() {
+    Fixture f;
+    auto* line = f.window->findChild<TimeLine*>("time_line");
+    QTRY_VERIFY(line->maximum() > 100);
+    line->setFocus();
+    const auto press = [&](Qt::Key key, Qt::KeyboardModifiers with, quint64 scan) {
+        QTest::keyClick(line, key, with);
+        QTRY_VERIFY(f.state() == State::paused && f.steps() == scan);
+        QTRY_COMPARE(line->value(), static_cast<int>(scan));
+    };
+    press(Qt::Key_Right, {}, 1);
+    press(Qt::Key_Right, Qt::ShiftModifier, 11);
+    press(Qt::Key_Right, {}, 12);
+    press(Qt::Key_Left, {}, 11);
+    press(Qt::Key_Left, Qt::ShiftModifier, 1);
+    press(Qt::Key_Left, {}, 1);
+    press(Qt::Key_End, {}, static_cast<quint64>(line->maximum()));
+    press(Qt::Key_Home, {}, 1);
+    // Faster than the run: every press counts.
+    for (int i = 0; i < 20; ++i) QTest::keyClick(line, Qt::Key_Right);
+    QTRY_VERIFY2(f.state() == State::paused && f.steps() == 21,
+                 qPrintable(QString::number(f.steps())));
+    // The space bar runs and stops as elsewhere.
+    QTRY_VERIFY(f.action("action_run")->isEnabled());
+    QTest::keyClick(line, Qt::Key_Space);
+    QTRY_VERIFY(f.steps() > 21);
+}
+
+void TimeTest::the_time_line_tells_what_happened() {
+    Fixture f;
+    auto* line = f.window->findChild<TimeLine*>("time_line");
+    f.run_to_end();
+    QTRY_VERIFY(!line->marks().empty());
+    const auto marks = line->marks().size();
+    for (const TimeLine::Mark& mark : line->marks()) {
+        QVERIFY(mark.scan >= 1 && mark.scan <= line->maximum());
+        QVERIFY(!mark.text.isEmpty());
+    }
+    QTest::keyClick(line, Qt::Key_Home);
+    QTRY_VERIFY(f.state() == State::paused && f.steps() == 1);
+    QCOMPARE(line->marks().size(), marks);  // what is known stays known
+    f.trigger("action_restart");
+    QTRY_VERIFY(line->marks().empty());
+    QCOMPARE(line->value(), 0);
+}
+
+void TimeTest::the_plots_have_every_step() {
+    Fixture f;
+    f.trigger("action_plots");
+    f.run_to_end();
+    for (const Plots::Figure figure :
+         {Plots::neff, Plots::landmarks, Plots::features, Plots::best_weight, Plots::step_time}) {
+        QTRY_COMPARE(f.window->plots().points(figure), 1050);
+    }
+    f.trigger("action_restart");
+    QCOMPARE(f.window->plots().points(Plots::neff), 0);
+}
+
+void TimeTest::errors_against_the_reference_are_measured() {
+    Fixture f;
+    f.trigger("action_plots");
+    References references;
+    references.map = read_map(Fixture::source_file("data/maps/bigloop.map").toStdString());
+    references.trajectory = Trajectory{{0.0, {0.0, 0.0, 0.0}}, {100.0, {1.0, 0.0, 0.0}}};
+    f.session.set_references(references);
+    f.run_steps(100);
+    QTRY_VERIFY(f.window->plots().points(Plots::map_error) > 0);
+}
+
+void TimeTest::errors_against_another_reference_begin_anew() {
+    Fixture f;
+    f.trigger("action_plots");
+    References references;
+    references.map = read_map(Fixture::source_file("data/maps/bigloop.map").toStdString());
+    f.session.set_references(references);
+    f.run_steps(50);
+    constexpr int points = 7;  // at every eighth scan, and at the last
+    QTRY_COMPARE(f.window->plots().points(Plots::map_error), points);
+    f.session.set_references(references);
+    QCOMPARE(f.window->plots().points(Plots::map_error), 0);
+    QTRY_COMPARE(f.window->plots().points(Plots::map_error), points);  // measured again
+    f.session.set_references({});
+    QCOMPARE(f.window->plots().points(Plots::map_error), 0);
+}
+
+void TimeTest::at_a_first_start_one_sees_what_happens() {
+    Fixture f;
+    f.files.settings().clear();
+    MainWindow first(f.session, f.files, f.prompts);
+    QCOMPARE(f.session.pace(), (Pace{Pace::Kind::recorded, 10.0}));  // 210 s in 21
+    auto& full = child<QToolButton>(first, "button_full_speed");
+    QVERIFY(!full.isChecked());
+    full.click();
+    QCOMPARE(f.session.pace(), Pace{});
+    const MainWindow second(f.session, f.files, f.prompts);
+    QCOMPARE(f.session.pace(), Pace{});  // it is remembered
+}
+
+void TimeTest::the_pace_is_chosen_and_changed_while_running() {
+    Fixture f;
+    auto& paces = child<QComboBox>(*f.window, "pace");
+    auto& full = child<QToolButton>(*f.window, "button_full_speed");
+    const int slowest = paces.findText("1 scans/s");
+    QVERIFY(slowest >= 0);
+    paces.setCurrentIndex(slowest);
+    emit paces.activated(slowest);
+    QVERIFY(!full.isChecked());
+    QCOMPARE(f.session.pace(), (Pace{Pace::Kind::scans, 1.0}));
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() >= 1);
+    QCOMPARE(f.state(), State::running);
+    // While it waits for the next scan it stops at once, and all is shown.
+    f.trigger("action_stop");
+    QTRY_VERIFY(f.state() == State::paused && f.shows_everything());
+    QVERIFY(f.steps() < 1050);
+    f.trigger("action_run");
+    QTest::keyClick(f.window.get(), Qt::Key_Space, Qt::ControlModifier);
+    QVERIFY(full.isChecked());
+    QTRY_COMPARE(f.state(), State::finished);
+    // Another log is run at the same pace.
+    full.click();
+    f.session.set_configuration(Fixture::tour(10));
+    QCOMPARE(f.session.pace(), (Pace{Pace::Kind::scans, 1.0}));
+}
+
+void TimeTest::it_runs_so_far_and_back() {
+    Fixture f;
+    run_until(f, {{"more", 25}});
+    QCOMPARE(f.steps(), 25U);
+    run_until(f, {{"to_scan", 60}});
+    QCOMPARE(f.steps(), 60U);
+    run_until(f, {{"to_scan", 40}});
+    QCOMPARE(f.steps(), 40U);
+    run_until(f, {{"to_time", 16.0}});  // five scans a second
+    QCOMPARE(f.steps(), 81U);
+    run_until(f, {{"to_time", 10.0}});
+    QCOMPARE(f.steps(), 51U);
+    run_until(f, {{"more", 5}, {"to_scan", 90}});
+    QCOMPARE(f.steps(), 56U);
+}
+
+void TimeTest::it_runs_until_something_happens() {
+    Fixture f;
+    run_until(f, {{"born", 0}});
+    QCOMPARE(f.steps(), 1U);
+    QVERIFY2(f.notice().contains("landmark was born"), qPrintable(f.notice()));
+    run_until(f, {{"again", 20.0}});
+    QCOMPARE(f.state(), State::paused);
+    const std::vector<StepFigures> figures = f.session.worker()->figures_since(0);
+    QCOMPARE(figures.size(), f.steps());
+    QVERIFY(figures.back().unseen_s >= 20.0);
+    QVERIFY(figures[figures.size() - 2].unseen_s < 20.0);
+    QVERIFY2(f.notice().contains("seen again"), qPrintable(f.notice()));
+    run_until(f, {{"neff", 1e6}});
+    QCOMPARE(f.steps(), figures.size() + 1);
+    QVERIFY2(f.notice().contains("Neff"), qPrintable(f.notice()));
+}
+
+void TimeTest::it_runs_until_the_error_is_too_great() {
+    Fixture f;
+    in_dialog<RunUntilDialog>([](RunUntilDialog& dialog) {
+        QVERIFY(!child<QCheckBox>(dialog, "until_error").isEnabled());
+        dialog.reject();
+    });
+    f.trigger("action_run_until");
+    References references;
+    references.trajectory.emplace();
+    Algoritmo run(Fixture::tour(10), open_tour(Fixture::tour(10)));
+    for (int i = 0; i < 60 && run.step(); ++i) {
+        StampedPose there = run.online_trajectory().back();
+        if (i >= 44) there.pose.y += 2.0;
+        references.trajectory->push_back(there);
+    }
+    f.session.set_references(references);
+    run_until(f, {{"error", 0.5}});
+    QCOMPARE(f.steps(), 45U);
+    QVERIFY2(f.notice().contains("position error"), qPrintable(f.notice()));
+    f.trigger("action_plots");
+    QTRY_COMPARE(f.window->plots().points(Plots::position_error), 45);
+}
+
+void TimeTest::the_plots_share_the_time_lines_cursor() {
+    Fixture f;
+    f.trigger("action_plots");
+    f.run_to_end();
+    Plots& plots = f.window->plots();
+    QTRY_COMPARE(plots.points(Plots::neff), 1050);
+    auto* canvas = plots.findChild<QCustomPlot*>();
+    const auto on_canvas = [&](double time_s) {
+        return canvas->mapFrom(&plots, plots.place_of(time_s));
+    };
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, on_canvas(100.0));
+    QTRY_VERIFY(f.state() == State::paused && f.shows_everything());
+    QVERIFY2(f.steps() > 480 && f.steps() < 520, qPrintable(QString::number(f.steps())));
+    auto* line = f.window->findChild<TimeLine*>("time_line");
+    QTRY_COMPARE(line->value(), static_cast<int>(f.steps()));
+    // What is under the mouse is told.
+    QCOMPARE(plots.title(Plots::landmarks), QString("Landmarks"));
+    QMouseEvent move(QEvent::MouseMove, QPointF(on_canvas(150.0)),
+                     canvas->mapToGlobal(QPointF(on_canvas(150.0))), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(canvas, &move);
+    QVERIFY2(plots.title(Plots::landmarks).startsWith("Landmarks: 1"),
+             qPrintable(plots.title(Plots::landmarks)));
+}
+
+void TimeTest::the_plots_zoom_along_time() {
+    Fixture f;
+    f.trigger("action_plots");
+    f.run_to_end();
+    Plots& plots = f.window->plots();
+    QTRY_COMPARE(plots.points(Plots::neff), 1050);
+    const auto whole = plots.times();
+    auto* canvas = plots.findChild<QCustomPlot*>();
+    const QPoint place = canvas->mapFrom(&plots, plots.place_of(100.0));
+    QWheelEvent turn(place, canvas->mapToGlobal(place), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    QApplication::sendEvent(canvas, &turn);
+    QVERIFY(plots.times().second - plots.times().first < whole.second - whole.first);
+    QTest::mouseDClick(canvas, Qt::LeftButton, {}, place);
+    QTRY_COMPARE(plots.times(), whole);
+}
+
+void TimeTest::plots_without_a_figure_take_no_room() {
+    Fixture f;
+    f.trigger("action_plots");
+    Plots& plots = f.window->plots();
+    f.run_steps(30);
+    QTRY_COMPARE(plots.points(Plots::neff), 30);
+    QVERIFY(!plots.shows(Plots::map_error) && !plots.shows(Plots::trajectory_error) &&
+            !plots.shows(Plots::position_error));
+    Configuracion ekf = Fixture::tour(10);
+    ekf.filter.algorithm = "ekf-slam";
+    f.session.set_configuration(ekf);
+    f.run_steps(30);
+    QTRY_COMPARE(plots.points(Plots::landmarks), 30);
+    QVERIFY(!plots.shows(Plots::neff) && !plots.shows(Plots::best_weight));
+}
+
+void TimeTest::errors_are_of_the_same_scans_every_time() {
+    References references;
+    references.map = read_map(Fixture::source_file("data/maps/bigloop.map").toStdString());
+    const auto points = [&](quint64 piece) {
+        Fixture f;
+        f.session.set_references(references);
+        f.trigger("action_plots");
+        for (quint64 at = 0; at < 96; at += piece) f.run_steps(piece);
+        const Plots& plots = f.window->plots();
+        // Every eighth scan has a checkpoint.
+        if (!QTest::qWaitFor([&] { return plots.points(Plots::map_error) >= 12; }, kPatienceMs))
+            return -1;
+        return plots.points(Plots::map_error);
+    };
+    QCOMPARE(points(96), 12);
+    QCOMPARE(points(24), 12);
+}
+
+void TimeTest::the_figures_are_those_of_the_command_line() {
+    Fixture f;
+    f.run_to_end();
+    f.prompts.saves = {f.path("figures.csv")};
+    f.trigger("action_save_figures");
+    QProcess program;
+    program.start(QString(HITOS_BIN_DIR) + "/hitos-cli",
+                  {"run", Fixture::source_file("data/bigloop.log.gz"), "--config",
+                   Fixture::source_file("config/thesis.cfg"), "--set", "filter.particles=10",
+                   "--out", f.path("out"), "--figures", f.path("cli.csv")});
+    QVERIFY(program.waitForFinished(kPatienceMs));
+    QCOMPARE(program.exitCode(), 0);
+    // All columns but the last, the time that each step took.
+    const auto without_time = [](const QByteArray& table) {
+        QList<QByteArray> lines = table.split('\n');
+        for (QByteArray& line : lines) line.truncate(line.lastIndexOf(','));
+        return lines;
+    };
+    const auto saved = without_time(Fixture::read(f.path("figures.csv")));
+    QCOMPARE(saved.size(), 1052);  // with the heading and the end
+    QVERIFY(saved == without_time(Fixture::read(f.path("cli.csv"))));
+}
+
+}  // namespace hitos::window
