@@ -45,6 +45,8 @@ void MainWindow::show_keys() {
     const QList<QPair<QString, QString>> keys{
         {tr("Space"), tr("run or stop")},
         {tr("Right arrow"), tr("one step")},
+        {"Ctrl+U", tr("run until something happens")},
+        {tr("Ctrl+Space"), tr("as fast as possible, or at the pace chosen")},
         {"Ctrl+R", tr("restart")},
         {"B, O", tr("map of the best particle, of the odometry")},
         {"Ctrl+Shift+S", tr("save the best particle's map")},

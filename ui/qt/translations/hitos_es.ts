@@ -1704,6 +1704,18 @@
         <source>Run so many scans, to a scan or a time, or until something happens</source>
         <translation>Ejecutar tantos barridos, hasta un barrido o un instante, o hasta que ocurra algo</translation>
     </message>
+    <message>
+        <source>run until something happens</source>
+        <translation>ejecutar hasta que ocurra algo</translation>
+    </message>
+    <message>
+        <source>Ctrl+Space</source>
+        <translation>Ctrl+Espacio</translation>
+    </message>
+    <message>
+        <source>as fast as possible, or at the pace chosen</source>
+        <translation>tan rápido como sea posible, o al ritmo elegido</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::MapWindow</name>
