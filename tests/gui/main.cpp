@@ -32,8 +32,9 @@ int main(int argc, char** argv) {
     if (name == "run") return run<RunTest>(arguments);
     if (name == "study") return run<StudyTest>(arguments);
     if (name == "time") return run<TimeTest>(arguments);
+    if (name == "random") return run<RandomUserTest>(arguments);
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
-    qCritical("expected source, configuration, run, study, time, view or words");
+    qCritical("expected source, configuration, random, run, study, time, view or words");
     return 2;
 }

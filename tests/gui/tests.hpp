@@ -108,6 +108,13 @@ class TimeTest : public QObject {
     void the_figures_are_those_of_the_command_line();
 };
 
+class RandomUserTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void nothing_that_a_user_does_breaks_the_window();
+};
+
 class ViewTest : public QObject {
     Q_OBJECT
 

@@ -70,6 +70,7 @@ Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
     column->addWidget(plot_);
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
+    plot_->setMinimumSize(kLeastRow, kLeastRow);  // it cannot paint on nothing
     plot_->setContextMenuPolicy(Qt::NoContextMenu);
     plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     plot_->installEventFilter(this);
