@@ -1,7 +1,11 @@
 // Use case 8.2.2.9: what a run leaves is saved as the command line writes it.
 
+#include <QDialogButtonBox>
 #include <QDir>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QProcess>
+#include <QPushButton>
 
 #include "gui_fixture.hpp"
 #include "hitos/services/maps/map_file.hpp"
@@ -73,22 +77,29 @@ void RunTest::the_map_is_saved_as_the_command_line_writes_it() {
     QVERIFY(!Fixture::read(cli + "/map.dxf").isEmpty());
 }
 
-void RunTest::a_files_ending_follows_the_chosen_filter() {
-    const QString maps = "Maps (*.txt *.map)";
+void RunTest::a_typed_ending_wins_over_the_filter() {
     const QString drawings = "CAD drawings (*.dxf)";
     const QString all = "All files (*)";
-    const QString filters = maps + ";;" + drawings + ";;" + all;
-    const auto ending = [&](const QString& path, const QString& chosen) {
-        return with_ending(path, filters, chosen, "txt");
-    };
-    QCOMPARE(ending("/a.b/map", maps), "/a.b/map.txt");
-    QCOMPARE(ending("/a.b/map", drawings), "/a.b/map.dxf");
-    QCOMPARE(ending("/a.b/map", all), "/a.b/map.txt");
-    QCOMPARE(ending("map.txt", drawings), "map.dxf");
-    QCOMPARE(ending("map.MAP", maps), "map.MAP");
-    QCOMPARE(ending("map.v2", drawings), "map.v2");  // the user's own wish
-    QCOMPARE(ending("map.dxf", all), "map.dxf");
-    QCOMPARE(with_ending("folder", "Folders (*)", "Folders (*)", {}), "folder");
+    QCOMPARE(with_ending("/a.b/map", "Maps (*.txt *.map)", "txt"), "/a.b/map.txt");
+    QCOMPARE(with_ending("/a.b/map", drawings, "txt"), "/a.b/map.dxf");
+    QCOMPARE(with_ending("/a.b/map", all, "txt"), "/a.b/map.txt");
+    QCOMPARE(with_ending("map.txt", drawings, "txt"), "map.txt");
+    QCOMPARE(with_ending("map.v2", drawings, "txt"), "map.v2");
+    QCOMPARE(with_ending("folder", "Folders (*)", {}), "folder");
+    // Through the dialog itself, with the filter as it opens: "Maps (*.txt *.map)".
+    const QTemporaryDir folder;
+    for (const auto& [typed, written] :
+         {std::pair("out1.dxf", "out1.dxf"), std::pair("out1", "out1.txt")}) {
+        in_dialog<QFileDialog>([name = typed](QFileDialog& dialog) {
+            dialog.findChild<QLineEdit*>("fileNameEdit")->setText(name);
+            dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
+        });
+        QtPrompts prompts;
+        QCOMPARE(prompts.save_file(nullptr, {"Save", folder.path() + "/map",
+                                             "Maps (*.txt *.map);;CAD drawings (*.dxf)", "txt"}),
+                 folder.filePath(written));
+        expect_no_awaited_dialog();
+    }
 }
 
 void RunTest::the_map_is_saved_while_running() {

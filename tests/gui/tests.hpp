@@ -78,7 +78,7 @@ class RunTest : public QObject {
     void the_best_particles_map_is_shown();
     void any_particles_map_is_shown();
     void the_map_is_saved_as_the_command_line_writes_it();
-    void a_files_ending_follows_the_chosen_filter();
+    void a_typed_ending_wins_over_the_filter();
     void the_map_is_saved_while_running();
     void all_results_are_those_of_the_command_line();
     void all_results_of_a_world_are_those_of_the_command_line();

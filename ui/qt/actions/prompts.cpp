@@ -27,16 +27,11 @@ QStringList endings_of(const QString& filter) {
 
 }  // namespace
 
-QString with_ending(const QString& path, const QString& filters, const QString& chosen,
-                    const QString& otherwise) {
-    const QFileInfo file(path);
-    const QString ending = file.suffix().toLower();
+QString with_ending(const QString& path, const QString& chosen, const QString& otherwise) {
+    if (!QFileInfo(path).suffix().isEmpty()) return path;
     const QStringList wanted = endings_of(chosen);
     const QString added = wanted.isEmpty() ? otherwise : wanted.front();
-    if (added.isEmpty() || wanted.contains(ending)) return path;
-    if (ending.isEmpty()) return path + '.' + added;
-    if (wanted.isEmpty() || !endings_of(filters).contains(ending)) return path;
-    return path.chopped(ending.size()) + added;
+    return added.isEmpty() ? path : path + '.' + added;
 }
 
 QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
@@ -49,7 +44,7 @@ QString QtPrompts::save_file(QWidget* parent, const FileQuestion& question) {
     const QString path =
         QFileDialog::getSaveFileName(parent, question.title, question.start, question.filters,
                                      &filter, QFileDialog::DontConfirmOverwrite);
-    return path.isEmpty() ? path : with_ending(path, question.filters, filter, question.suffix);
+    return path.isEmpty() ? path : with_ending(path, filter, question.suffix);
 }
 
 QString QtPrompts::choose_folder(QWidget* parent, const QString& title, const QString& start) {

@@ -52,11 +52,10 @@ class QtPrompts final : public Prompts {
     void warn(QWidget* parent, const QString& title, const QString& text) override;
 };
 
-/// The path with the ending that the chosen filter asks for ("Drawings (*.dxf)"): added where the
-/// name has none, and in the place of one that another of the filters asks for. Any other ending
-/// is the user's wish and stays; `otherwise` ends a name where the filter names no ending.
-QString with_ending(const QString& path, const QString& filters, const QString& chosen,
-                    const QString& otherwise);
+/// The path; where its name has no ending, with the one that the chosen filter asks for ("Drawings
+/// (*.dxf)"), or `otherwise` where the filter names none. An ending that was typed stays: it says
+/// what is written.
+QString with_ending(const QString& path, const QString& chosen, const QString& otherwise);
 
 /// What an error says.
 inline QString words_of(const std::exception& error) {

@@ -95,7 +95,7 @@ void ResultActions::save_map() {
                             .share();
     const QString path = save_until_done(
         prompts_, window_,
-        {tr("Save best particle's map"), files_.last_folder("map") + "/map.txt",
+        {tr("Save best particle's map"), files_.last_folder("map") + "/map",
          tr("Maps (*.txt *.map);;Segments (*.seg);;CAD drawings (*.dxf);;All files (*)"), "txt"},
         [&](const QString& target) {
             const auto& [map, segments, trajectory] = moment.get();
