@@ -1,7 +1,5 @@
 #include "hitos/workbench/configuration_choices.hpp"
 
-#include "hitos/services/configuration/archivo_configuracion.hpp"
-
 namespace hitos {
 
 void choose_values(Configuracion& configuration, const ValueChoices& choices) {
@@ -23,18 +21,6 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
         find_parameter("run.threads").set(configuration, std::to_string(*choices.threads));
     }
     check(configuration);
-}
-
-Configuracion read_configuration(const std::filesystem::path& file) {
-    Configuracion configuration = ArchivoConfiguracion::read(file);
-    const std::filesystem::path log = configuration.source.file;
-    std::error_code ignored;
-    if (log.empty() || log.is_absolute() || std::filesystem::exists(log, ignored)) {
-        return configuration;
-    }
-    const std::filesystem::path beside = std::filesystem::absolute(file).parent_path() / log;
-    if (std::filesystem::exists(beside, ignored)) configuration.source.file = beside.string();
-    return configuration;
 }
 
 }  // namespace hitos

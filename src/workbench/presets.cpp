@@ -10,7 +10,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
-#include "hitos/workbench/configuration_choices.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 
 namespace hitos {
@@ -71,7 +71,7 @@ Configuracion preset_configuration(std::string_view word) {
         throw FileError(name,
                         "is not there; it comes with Hitos: start the program from its folder");
     }
-    return read_configuration(file);
+    return ArchivoConfiguracion::read(file);
 }
 
 }  // namespace hitos

@@ -20,7 +20,7 @@
 #include "actions/pace_control.hpp"
 #include "actions/result_actions.hpp"
 #include "app/main_window.hpp"
-#include "hitos/workbench/configuration_choices.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "views/grid_view.hpp"
 #include "views/map_window.hpp"
 #include "views/scan_view.hpp"
@@ -117,7 +117,7 @@ struct Fixture {
 
     static Configuracion tour(int particles) {
         Configuracion configuration =
-            read_configuration(source_file("config/thesis.cfg").toStdString());
+            ArchivoConfiguracion::read(source_file("config/thesis.cfg").toStdString());
         configuration.source.file = source_file("data/bigloop.log.gz").toStdString();
         configuration.filter.particles = particles;
         return configuration;

@@ -1,8 +1,9 @@
-// How the window starts where its files are bad.
+// How the window starts: with bad files, from another folder, on a world.
 
 #include "app/command_line.hpp"
 #include "gui_fixture.hpp"
 #include "tests.hpp"
+#include "views/plots.hpp"
 
 namespace hitos::window {
 
@@ -37,6 +38,40 @@ void ConfigurationTest::a_bad_file_of_the_command_line_is_told_in_the_window() {
     QVERIFY(f.prompts.warnings.back().contains("/nowhere/c.map"));
     QVERIFY(!f.session.has_source());
     QCOMPARE(f.session.configuration().filter.particles, 7);
+}
+
+void ConfigurationTest::what_is_saved_finds_its_log_from_everywhere() {
+    Fixture f(false);
+    const QString log = f.write("small.txt", "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n");
+    QVERIFY(f.window->configuration_actions().open(QDir::current().relativeFilePath(log)));
+    f.prompts.saves = {f.path("beside.cfg")};
+    f.trigger("action_save");
+    QVERIFY(Fixture::read(f.path("beside.cfg")).contains("\nfile = \"small.txt\"\n"));
+    f.prompts.confirms = {true};
+    f.trigger("action_set_default");
+    // Elsewhere the program starts with it as it did.
+    const QString here = QDir::currentPath();
+    QVERIFY(QDir::setCurrent("/"));
+    f.session.set_configuration({});
+    f.window->configuration_actions().start_or_warn({});
+    QVERIFY(QDir::setCurrent(here));
+    QCOMPARE(QFileInfo(QString::fromStdString(f.session.configuration().source.file))
+                 .canonicalFilePath(),
+             QFileInfo(log).canonicalFilePath());
+    QVERIFY(f.session.has_source() && f.prompts.warnings.isEmpty());
+}
+
+void RunTest::a_worlds_true_path_is_its_reference() {
+    Fixture f(false);
+    CommandLine line;
+    line.open = "bigloop";
+    f.window->configuration_actions().start_or_warn(line);
+    QVERIFY(f.session.references().trajectory.has_value());
+    QVERIFY(!f.session.user_references().trajectory);
+    f.run_steps(50);
+    QTRY_VERIFY(f.window->plots().points(5) > 0);
+    QVERIFY(f.window->configuration_actions().open(Fixture::source_file("data/bigloop.log.gz")));
+    QVERIFY(!f.session.references().trajectory);
 }
 
 }  // namespace hitos::window

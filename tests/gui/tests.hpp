@@ -31,6 +31,7 @@ class ConfigurationTest : public QObject {
     void loading_can_be_declined_or_cancelled();
     void a_bad_file_is_told_and_asked_for_again();
     void a_relative_log_is_found_beside_its_file();
+    void what_is_saved_finds_its_log_from_everywhere();
     void the_configuration_is_saved();
     void saving_asks_before_it_overwrites();
     void a_target_that_cannot_be_written_is_told_and_asked_for_again();
@@ -71,6 +72,7 @@ class RunTest : public QObject {
     void the_space_bar_presses_what_has_the_focus();
     void closing_while_running_ends_it();
     void a_run_that_fails_is_told();
+    void a_worlds_true_path_is_its_reference();
     void the_odometry_map_grows_and_can_be_stopped();
     void the_odometry_map_can_be_closed_while_it_grows();
     void the_odometry_map_of_a_lost_log_says_so();
@@ -131,6 +133,7 @@ class ViewTest : public QObject {
     void dragging_pans_and_fit_comes_back();
     void the_view_follows_the_robot();
     void a_click_highlights_in_both_views();
+    void what_is_highlighted_goes_with_its_run();
     void layers_are_remembered();
     void the_landmark_below_the_cursor_stays_named();
     void what_is_not_shown_cannot_be_clicked();

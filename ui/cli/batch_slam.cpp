@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/results.hpp"
-#include "hitos/workbench/configuration_choices.hpp"
 #include "study_console.hpp"
 
 namespace hitos::cli {
@@ -40,7 +40,7 @@ int batch(const BatchOptions& options) {
         study.parameters.push_back(
             parameter(options.second.front(), {options.second.begin() + 1, options.second.end()}));
     }
-    study.configuration = read_configuration(options.config);
+    study.configuration = ArchivoConfiguracion::read(options.config);
     if (study.configuration.source.file.empty()) {
         throw ConfigError("source.file", "found no file name in " + options.config +
                                              "; expected the path of the log to study");

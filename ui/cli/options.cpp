@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include "hitos/capture/tour_reader.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/workbench/presets.hpp"
 
 namespace hitos::cli {
@@ -37,7 +38,7 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
 
 Configuracion load(const ConfigurationOptions& options, const std::string& source) {
     Configuracion configuration;
-    if (!options.file.empty()) configuration = read_configuration(options.file);
+    if (!options.file.empty()) configuration = ArchivoConfiguracion::read(options.file);
     if (!options.preset.empty()) {
         configuration = preset_configuration(options.preset);
     } else if (options.file.empty() && is_world_file(source)) {

@@ -1,8 +1,7 @@
-// The configuration that a user asks for: a file, and single values over it.
+// Single values that a user asks for, over a configuration.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,9 +22,5 @@ struct ValueChoices {
 /// The assignments over the configuration, in order, then the others; those of a world are put
 /// behind what source.world_set says already. All checked. Throws ConfigError.
 void choose_values(Configuracion& configuration, const ValueChoices& choices);
-
-/// The configuration of a file. A log that it names by a relative path, and that is not there, is
-/// looked for beside the file. Throws as ArchivoConfiguracion::read().
-Configuracion read_configuration(const std::filesystem::path& file);
 
 }  // namespace hitos

@@ -221,10 +221,28 @@ void append_comment(std::string& out, std::string_view text) {
     out += '\n';
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return std::filesystem::absolute(file).lexically_normal().parent_path();
+}
+
+/// The log as a configuration file names it: so that it is found wherever the program is started,
+/// and still is when a folder with both is moved.
+std::string named_in(const std::filesystem::path& file, const std::string& log) {
+    if (log.empty()) return log;
+    const std::filesystem::path whole = std::filesystem::absolute(log).lexically_normal();
+    const std::filesystem::path relative = whole.lexically_relative(folder_of(file));
+    return (relative.empty() || *relative.begin() == ".." ? whole : relative).string();
+}
+
 }  // namespace
 
 Configuracion ArchivoConfiguracion::read(const std::filesystem::path& path) {
-    return parse(input::read_text(path), path.string());
+    Configuracion configuration = parse(input::read_text(path), path.string());
+    std::string& log = configuration.source.file;
+    const std::filesystem::path beside = folder_of(path) / log;
+    std::error_code ignored;
+    if (!log.empty() && std::filesystem::exists(beside, ignored)) log = beside.string();
+    return configuration;
 }
 
 Configuracion ArchivoConfiguracion::parse(std::string_view text, const std::string& name) {
@@ -272,7 +290,9 @@ std::string ArchivoConfiguracion::to_text(const Configuracion& configuration) {
 
 void ArchivoConfiguracion::write(const Configuracion& configuration,
                                  const std::filesystem::path& path) {
-    write_file(path, to_text(configuration));
+    Configuracion stored = configuration;
+    stored.source.file = named_in(path, configuration.source.file);
+    write_file(path, to_text(stored));
 }
 
 }  // namespace hitos

@@ -9,22 +9,7 @@
 namespace hitos {
 namespace {
 
-using test::TempFolder;
 using ::testing::HasSubstr;
-
-TEST(ReadConfiguration, LooksForTheLogBesideTheFile) {
-    const TempFolder folder;
-    const auto file = folder.put("a.cfg", "[source]\nfile = \"tour-of-this-test.log\"\n");
-    EXPECT_EQ(read_configuration(file).source.file, "tour-of-this-test.log");  // nowhere
-    const auto log = folder.put("tour-of-this-test.log", "ODOM 0 0 0\n");
-    EXPECT_EQ(read_configuration(file).source.file, log.string());
-    const auto absolute = folder.put("b.cfg", "[source]\nfile = \"/none/tour.log\"\n");
-    folder.put("tour.log", "");
-    EXPECT_EQ(read_configuration(absolute).source.file, "/none/tour.log");
-    const auto without = folder.put("c.cfg", "[filter]\nparticles = 7\n");
-    EXPECT_EQ(read_configuration(without).source.file, "");
-    EXPECT_EQ(read_configuration(without).filter.particles, 7);
-}
 
 TEST(ChooseValues, TakesAssignmentsInOrderThenSeedAndThreads) {
     Configuracion configuration;

@@ -121,7 +121,7 @@ bool ConfigurationActions::open(const QString& path, bool confirmed) {
 bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
     Configuracion next;
     try {
-        next = read_configuration(path.toStdString());
+        next = ArchivoConfiguracion::read(path.toStdString());
     } catch (const std::exception& error) {
         prompts_.warn(window_, tr("The configuration was not loaded"), words_of(error));
         return false;

@@ -85,13 +85,13 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     const QString named = QString::fromStdString(line.open);
     const bool named_configuration = !named.isEmpty() && kind_of(named) == FileKind::configuration;
     if (!line.config.empty()) {
-        configuration = read_configuration(line.config);
+        configuration = ArchivoConfiguracion::read(line.config);
     } else if (!line.preset.empty()) {
         configuration = preset_configuration(line.preset);
     } else if (named_configuration) {
-        configuration = read_configuration(line.open);
+        configuration = ArchivoConfiguracion::read(line.open);
     } else if (init == Init::read && files.has_init()) {
-        configuration = read_configuration(files.init_path().toStdString());
+        configuration = ArchivoConfiguracion::read(files.init_path().toStdString());
     } else if (!named.isEmpty() && is_world_file(source_named(line.open))) {
         configuration = preset_configuration(kWorldPreset);
     } else if (named.isEmpty() && !shipped_file(kReadyTour).empty()) {

@@ -12,7 +12,8 @@ class ArchivoConfiguracion {
   public:
     /// The defaults with the file's values over them. Throws FileError where it cannot be read and
     /// FormatError, with the line, for bad TOML, unknown keys (naming near ones), wrong types and
-    /// values out of range; all mistakes of the file in one message.
+    /// values out of range; all mistakes of the file in one message. A log that it names by a
+    /// relative path is looked for beside the file, then from the current folder.
     static Configuracion read(const std::filesystem::path& path);
 
     /// As read(), from text; `name` stands in messages.
@@ -22,7 +23,8 @@ class ArchivoConfiguracion {
     /// comment. Reading it back gives an equal configuration, to the last bit.
     static std::string to_text(const Configuracion& configuration);
 
-    /// Writes to_text() atomically: a failed write leaves the file that was there.
+    /// Writes to_text() atomically: a failed write leaves the file that was there. The log is named
+    /// relative to the file where it lies beside or below it, else by its whole path.
     static void write(const Configuracion& configuration, const std::filesystem::path& path);
 };
 

@@ -221,6 +221,35 @@ TEST(ArchivoConfiguracion, WritesAndReadsFiles) {
     EXPECT_EQ(folder.files(), 1U);
 }
 
+TEST(ArchivoConfiguracion, LooksForTheLogBesideTheFile) {
+    const TempFolder folder;
+    const auto file = folder.put("a.cfg", "[source]\nfile = \"tour-of-this-test.log\"\n");
+    EXPECT_EQ(ArchivoConfiguracion::read(file).source.file, "tour-of-this-test.log");  // nowhere
+    const auto log = folder.put("tour-of-this-test.log", "ODOM 0 0 0\n");
+    EXPECT_EQ(ArchivoConfiguracion::read(file).source.file, log.string());
+    const auto absolute = folder.put("b.cfg", "[source]\nfile = \"/none/tour.log\"\n");
+    folder.put("tour.log", "");
+    EXPECT_EQ(ArchivoConfiguracion::read(absolute).source.file, "/none/tour.log");
+    const auto without = folder.put("c.cfg", "[filter]\nparticles = 7\n");
+    EXPECT_EQ(ArchivoConfiguracion::read(without).source.file, "");
+    EXPECT_EQ(ArchivoConfiguracion::read(without).filter.particles, 7);
+}
+
+TEST(ArchivoConfiguracion, NamesTheLogSoThatItIsFoundFromEverywhere) {
+    const TempFolder folder;
+    const auto named = [&](const std::filesystem::path& log) {
+        Configuracion c;
+        c.source.file = log.string();
+        ArchivoConfiguracion::write(c, folder / "a.cfg");
+        return ArchivoConfiguracion::parse(test::content(folder / "a.cfg"), "a.cfg").source.file;
+    };
+    EXPECT_EQ(named(folder / "tour.log"), "tour.log");
+    EXPECT_EQ(named(folder / "logs/../logs/tour.log"), "logs/tour.log");
+    EXPECT_EQ(named("/none/tour.log"), "/none/tour.log");
+    EXPECT_EQ(named("data/tour.log"), std::filesystem::current_path() / "data/tour.log");
+    EXPECT_EQ(named(""), "");
+}
+
 TEST(ArchivoConfiguracion, MessagesNameTheFileThatWasRead) {
     const TempFolder folder;
     const auto path = folder.put("bad.cfg", "\nx = 1\n");
