@@ -229,6 +229,23 @@ void ViewTest::a_click_highlights_in_both_views() {
     QVERIFY(f.window->findChild<QLabel*>("status_place")->text().startsWith("x "));
 }
 
+void ViewTest::what_is_highlighted_goes_with_its_run() {
+    Fixture f;
+    f.trigger("action_world_frame");
+    ScanView& view = f.window->scan_view();
+    const auto both = [&] {
+        return std::pair(view.grab().toImage(), f.window->grid_view().grab().toImage());
+    };
+    f.run_steps(60);
+    const auto bare = both();
+    // Emitted instead of clicked: the cursor would name the landmark below it.
+    emit view.landmark_clicked({f.session.snapshot()->best_map.front()});
+    QVERIFY(both() != bare);
+    f.trigger("action_restart");
+    f.run_steps(60);
+    QVERIFY(both() == bare);
+}
+
 void ViewTest::layers_are_remembered() {
     Fixture f;
     f.run_steps(30);

@@ -218,6 +218,7 @@ void MainWindow::connect_views() {
     }
     connect(ui_->scan_view, &ScanView::landmark_clicked, this, &MainWindow::set_highlight);
     connect(ui_->grid_view, &GridView::landmark_clicked, this, &MainWindow::set_highlight);
+    connect(&session_, &Session::restarted, this, [this] { set_highlight({}); });
     connect(view_settings_, &ViewSettings::layers_changed, ui_->scan_view, &ScanView::set_layers);
     connect(view_settings_, &ViewSettings::layers_changed, ui_->grid_view, &GridView::set_layers);
     connect(view_settings_, &ViewSettings::theme_changed, this, &MainWindow::restyle);
