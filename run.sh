@@ -12,13 +12,9 @@ if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then window=hitos; fi
 cmake --build --preset release --target hitos-cli $window
 
 cli=build/release/bin/hitos-cli
-mkdir -p out
-# The recorded odometry is perfect; the thesis adds noise to it, so that there is work to do.
-"$cli" convert data/bigloop.log.gz --to normalized --odometry-noise 0.1 --seed 3 \
-    --out out/bigloop-noisy.log.gz
-tour=(out/bigloop-noisy.log.gz --config config/thesis.cfg --reference data/maps/bigloop.map)
 if [ -n "$window" ]; then
-    exec build/release/bin/hitos "${tour[@]}" "$@"
+    exec build/release/bin/hitos "$@"
 fi
+tour=(data/bigloop-noisy.log.gz --config config/thesis.cfg --reference data/maps/bigloop.map)
 "$cli" run "${tour[@]}" --out out/bigloop "$@"
 echo "Open out/bigloop/grid_best.png and out/bigloop/grid_odometry.png to compare them."

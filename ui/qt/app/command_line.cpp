@@ -12,7 +12,7 @@
 namespace hitos::window {
 namespace {
 
-constexpr const char* kReadyTour = "data/bigloop.log.gz";
+constexpr const char* kReadyTour = "data/bigloop-noisy.log.gz";
 constexpr const char* kReadyPreset = "thesis";
 
 }  // namespace
