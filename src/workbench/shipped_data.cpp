@@ -55,7 +55,12 @@ std::string source_named(const std::string& name) {
     std::error_code ignored;
     if (std::filesystem::exists(name, ignored)) return name;
     const bool bare = !name.empty() && name.find_first_of("./") == std::string::npos;
-    return bare ? find_world(name).string() : name;
+    if (!bare) return name;
+    const std::vector<std::string> worlds = shipped_worlds();
+    if (std::ranges::find(worlds, name) != worlds.end()) return find_world(name).string();
+    throw FileError(name, fmt::format("no such log, nor a world of that name; the worlds that come "
+                                      "with Hitos are {}",
+                                      fmt::join(worlds, ", ")));
 }
 
 std::filesystem::path find_thesis_results() {

@@ -318,7 +318,8 @@ void ConfigurationTest::a_default_that_cannot_be_written_is_told() {
     UserFiles files(file + "/user");
     ScriptedPrompts prompts;
     Session session;
-    ConfigurationActions actions(session, files, prompts, nullptr);
+    const RunGuard guard(session, prompts, nullptr);
+    ConfigurationActions actions(session, files, prompts, guard, nullptr);
     prompts.confirms = {true};
     actions.set_default();
     QCOMPARE(prompts.warnings.size(), 1);

@@ -47,6 +47,7 @@ class ScriptedPrompts final : public Prompts {
     QList<int> numbers;
     // What was asked.
     QStringList warnings;
+    QStringList warning_titles;
     QStringList confirmed_texts;
     QStringList number_texts;
     int greatest_number = -1;
@@ -74,7 +75,10 @@ class ScriptedPrompts final : public Prompts {
         greatest_number = greatest;
         return numbers.isEmpty() ? std::nullopt : std::optional(numbers.takeFirst());
     }
-    void warn(QWidget*, const QString&, const QString& text) override { warnings << text; }
+    void warn(QWidget*, const QString& title, const QString& text) override {
+        warning_titles << title;
+        warnings << text;
+    }
 };
 
 /// Those of in_dialog() that have not met their dialog yet.
@@ -106,6 +110,7 @@ struct Fixture {
         QDir().mkpath(folder.filePath("user"));
         PaceControl::set_full_speed(files.settings());
         window = std::make_unique<MainWindow>(session, files, prompts);
+        window->run_guard().set_long_run(kPatienceMs);  // no question, however slow the machine
         window->show();
         if (with_source) session.set_configuration(tour(particles));
     }

@@ -23,10 +23,13 @@ int main(int argc, char** argv) {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     QStandardPaths::setTestModeEnabled(true);
     QApplication application(argc, argv);
-    prepare_application(application, "en");
+    prepare_application();
+    speak(application, "en");
     apply_theme(application, Theme::light);
     const QStringList arguments = QApplication::arguments();
     const QString name = arguments.value(1);
+    if (name == "contact") return run<ContactTest>(arguments);
+    if (name == "fit") return run<FitTest>(arguments);
     if (name == "source") return run<SourceTest>(arguments);
     if (name == "configuration") return run<ConfigurationTest>(arguments);
     if (name == "run") return run<RunTest>(arguments);
@@ -35,6 +38,7 @@ int main(int argc, char** argv) {
     if (name == "random") return run<RandomUserTest>(arguments);
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
-    qCritical("expected source, configuration, random, run, study, time, view or words");
+    qCritical(
+        "expected contact, fit, source, configuration, random, run, study, time, view or words");
     return 2;
 }

@@ -69,7 +69,7 @@ void RunTest::a_worlds_true_path_is_its_reference() {
     QVERIFY(f.session.references().trajectory.has_value());
     QVERIFY(!f.session.user_references().trajectory);
     f.run_steps(50);
-    QTRY_VERIFY(f.window->plots().points(5) > 0);
+    QTRY_VERIFY(f.window->plots().points(Plots::trajectory_error) > 0);
     QVERIFY(f.window->configuration_actions().open(Fixture::source_file("data/bigloop.log.gz")));
     QVERIFY(!f.session.references().trajectory);
 }

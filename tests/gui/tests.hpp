@@ -167,6 +167,42 @@ class StudyTest : public QObject {
     void its_words_are_remembered();
 };
 
+class ContactTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void a_log_that_does_not_suit_is_told_with_one_button();
+    void what_cannot_be_opened_is_told_as_what_it_is();
+    void a_refused_file_shows_its_first_lines();
+    void file_dialogs_open_where_there_are_files();
+    void skipped_lines_are_listed();
+    void a_damaged_log_is_not_told_in_green();
+    void no_message_hides_the_state();
+    void map_windows_lie_beside_each_other();
+    void after_the_form_the_window_has_the_keyboard();
+    void a_long_run_is_not_discarded_without_a_question();
+    void a_short_run_is_discarded_at_once();
+    void the_studys_paths_are_wide();
+    void several_files_can_be_dropped_at_once();
+    void the_configuration_can_be_undone_and_redone();
+    void a_preset_of_the_users_own_is_in_the_menu();
+    void a_first_start_opens_the_noisy_tour();
+    void the_language_is_chosen_in_the_menu();
+    void limits_of_whole_numbers_are_whole();
+    void what_the_command_line_opens_is_recent();
+};
+
+class FitTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void every_window_fits_data();
+    void every_window_fits();
+    void what_opens_is_no_larger_than_its_screen();
+    void at_scale_two_it_fits_too();
+    void the_summary_can_be_folded();
+};
+
 class WordsTest : public QObject {
     Q_OBJECT
 

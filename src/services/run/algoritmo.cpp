@@ -142,7 +142,7 @@ std::vector<Advice> Algoritmo::advice() const {
     }
     // What simulators write may be replayed as the thesis did; these formats come from robots.
     const bool recording = reader_->format() == "carmen" || reader_->format() == "radish";
-    if (recording && !registration_ && steps() > 0) {
+    if (recording && !registration_) {
         advice.insert(advice.begin(),
                       {HITOS_TEXT("Advice",
                                   "This is the recording of a robot (%1), and its scans are not "

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QTimer>
 #include <QWidget>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -16,10 +17,36 @@
 #include "hitos/workbench/presets.hpp"
 
 namespace hitos::window {
+namespace {
+
+bool is_source(const std::string& named) {
+    return !named.empty() && kind_of(QString::fromStdString(named)) == FileKind::source;
+}
+
+/// Why a file was refused, and how it begins, to see what it is instead.
+QString with_beginning(const QString& reason, const std::string& file) {
+    constexpr std::size_t kMostLines = 5;
+    const std::vector<std::string> lines = beginning_of(file);
+    if (lines.empty()) return reason;
+    QString text = reason + "\n\n" + ConfigurationActions::tr("The file begins:");
+    for (const std::string& line : lines | std::views::take(kMostLines))
+        text += '\n' + QString::fromStdString(line);
+    return text;
+}
+
+}  // namespace
 
 ConfigurationActions::ConfigurationActions(Session& session, UserFiles& files, Prompts& prompts,
-                                           QWidget* window)
-    : QObject(window), session_(session), files_(files), prompts_(prompts), window_(window) {}
+                                           const RunGuard& guard, QWidget* window)
+    : QObject(window),
+      session_(session),
+      files_(files),
+      prompts_(prompts),
+      guard_(guard),
+      window_(window),
+      now_(session.configuration()) {
+    connect(&session, &Session::configuration_changed, this, &ConfigurationActions::note_change);
+}
 
 void ConfigurationActions::start(const CommandLine& line) {
     const Configuracion configuration = starting_configuration(line, files_);
@@ -31,14 +58,18 @@ void ConfigurationActions::start(const CommandLine& line) {
 
 void ConfigurationActions::start_or_warn(const CommandLine& line) {
     std::vector<std::pair<QString, QString>> complaints;
-    const auto possible = [&complaints](const QString& otherwise, const auto& act) {
+    const QString unusable_log = tr("The log cannot be used");
+    const auto possible = [&](const QString& otherwise, const auto& act) {
         try {
             act();
             return true;
+        } catch (const FileError& error) {
+            const bool log = error.path() == line.open && is_source(line.open);
+            complaints.emplace_back(log ? unusable_log : otherwise, words_of(error));
         } catch (const std::exception& error) {
             complaints.emplace_back(otherwise, words_of(error));
-            return false;
         }
+        return false;
     };
     Configuracion configuration;
     const auto read = [&](Init init) {
@@ -53,8 +84,9 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
             complaints.resize(told);
         }
     }
-    if (!possible(tr("The log cannot be used"),
-                  [&] { session_.set_configuration(configuration); })) {
+    if (!possible(unusable_log, [&] { session_.set_configuration(configuration); })) {
+        QString& reason = complaints.back().second;
+        reason = with_beginning(reason, configuration.source.file);
         configuration.source.file.clear();
         possible(unusable, [&] { session_.set_configuration(configuration); });
     }
@@ -63,10 +95,24 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
             starting_references(line, configuration),
             QString::fromStdString(starting_reference_map(line, configuration)));
     });
+    note_named(line);
     if (complaints.empty()) return;
     QTimer::singleShot(0, this, [this, complaints] {
         for (const auto& [title, reason] : complaints) prompts_.warn(window_, title, reason);
     });
+}
+
+/// What was opened from outside is as recent as what was opened here.
+void ConfigurationActions::note_named(const CommandLine& line) {
+    const std::string& log = session_.configuration().source.file;
+    if (!line.config.empty()) files_.note_recent(QString::fromStdString(line.config));
+    if (line.open.empty()) return;
+    const QString named = QString::fromStdString(line.open);
+    if (kind_of(named) == FileKind::configuration) {
+        files_.note_recent(named);
+    } else if (!log.empty()) {
+        files_.note_recent(QString::fromStdString(log));
+    }
 }
 
 bool ConfigurationActions::use(const Configuracion& configuration) {
@@ -82,11 +128,11 @@ bool ConfigurationActions::use(const Configuracion& configuration) {
 void ConfigurationActions::select_source(const QString& path) {
     SourceParams source = session_.configuration().source;
     if (!path.isEmpty()) source.file = path.toStdString();
-    SourceDialog dialog(source, prompts_, files_.last_folder("log"), window_);
+    SourceDialog dialog(source, prompts_, files_.folder_to_open("log"), window_);
     while (dialog.exec() == QDialog::Accepted) {
         Configuracion next = session_.configuration();
         next.source = dialog.source();
-        if (!use(next)) continue;
+        if (!guard_.may_discard() || !use(next)) continue;
         const QString file = QString::fromStdString(next.source.file);
         files_.note_folder("log", file);
         files_.note_recent(file);
@@ -99,13 +145,15 @@ void ConfigurationActions::select_source(const QString& path) {
 }
 
 bool ConfigurationActions::use_log(const QString& path) {
+    if (!guard_.may_discard()) return true;  // the user's own wish
     Configuracion next = session_.configuration();
     next.source.file = path.toStdString();
     next.source.format = kAutoFormat;
     try {
         session_.set_configuration(next);
     } catch (const std::exception& error) {
-        prompts_.warn(window_, tr("The log cannot be used"), words_of(error));
+        prompts_.warn(window_, tr("The log cannot be used"),
+                      with_beginning(words_of(error), path.toStdString()));
         return false;
     }
     files_.note_recent(path);
@@ -115,7 +163,16 @@ bool ConfigurationActions::use_log(const QString& path) {
 
 bool ConfigurationActions::open(const QString& path, bool confirmed) {
     if (path.isEmpty()) return false;
-    return kind_of(path) == FileKind::configuration ? load_file(path, confirmed) : use_log(path);
+    const FileKind kind = kind_of(path);
+    if (kind == FileKind::configuration) return load_file(path, confirmed);
+    if (kind == FileKind::source) return use_log(path);
+    return use_reference(path, kind);
+}
+
+void ConfigurationActions::open_all(QStringList paths) {
+    const auto order = [](const QString& path) { return static_cast<int>(kind_of(path)); };
+    std::ranges::stable_sort(paths, {}, order);  // a reference belongs to the log before it
+    for (const QString& path : paths) open(path);
 }
 
 bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
@@ -142,7 +199,7 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
     return true;
 }
 
-void ConfigurationActions::use_preset(std::string_view word) {
+void ConfigurationActions::use_preset(std::string_view word, bool confirmed) {
     Configuracion next;
     try {
         next = preset_configuration(word);
@@ -154,7 +211,8 @@ void ConfigurationActions::use_preset(std::string_view word) {
     next.source = session_.configuration().source;
     next.source.world_set = world_set;
     const QString name = translated("Preset", find_preset(word).label);
-    if (!prompts_.confirm(window_, {tr("Preset"), tr("Replace the configuration by %1?").arg(name),
+    if (!confirmed &&
+        !prompts_.confirm(window_, {tr("Preset"), tr("Replace the configuration by %1?").arg(name),
                                     tr("The run starts from the beginning."), tr("Load")})) {
         return;
     }
@@ -162,7 +220,7 @@ void ConfigurationActions::use_preset(std::string_view word) {
 }
 
 void ConfigurationActions::load() {
-    QString start = files_.last_folder("config");
+    QString start = files_.folder_to_open("config");
     for (;;) {
         const QString path = prompts_.open_file(
             window_,
@@ -174,10 +232,18 @@ void ConfigurationActions::load() {
 }
 
 void ConfigurationActions::save() {
+    save_in(files_.last_folder("config"), tr("Save configuration"));
+}
+
+void ConfigurationActions::save_preset() {
+    QDir().mkpath(files_.presets_folder());
+    save_in(files_.presets_folder(), tr("Save as preset"));
+}
+
+void ConfigurationActions::save_in(const QString& folder, const QString& title) {
     const QString path = save_until_done(
         prompts_, window_,
-        {tr("Save configuration"), files_.last_folder("config") + "/hitos.cfg",
-         tr("Configurations (*.cfg);;All files (*)"), "cfg"},
+        {title, folder + "/hitos.cfg", tr("Configurations (*.cfg);;All files (*)"), "cfg"},
         [this](const QString& target) {
             ArchivoConfiguracion::write(session_.configuration(), target.toStdString());
         });
@@ -185,6 +251,39 @@ void ConfigurationActions::save() {
     files_.note_folder("config", path);
     files_.note_recent(path);
     emit notice(tr("Configuration saved: %1").arg(QDir::toNativeSeparators(path)));
+}
+
+/// Keeps the configuration that was, unless there was no log to run it on.
+void ConfigurationActions::note_change() {
+    constexpr std::size_t kMost = 50;
+    if (!in_history_ && !now_.source.file.empty()) {
+        before_.push_back(now_);
+        if (before_.size() > kMost) before_.erase(before_.begin());
+        after_.clear();
+    }
+    now_ = session_.configuration();
+    emit history_changed();
+}
+
+void ConfigurationActions::undo() {
+    go_to(before_, after_);
+}
+
+void ConfigurationActions::redo() {
+    go_to(after_, before_);
+}
+
+void ConfigurationActions::go_to(std::vector<Configuracion>& there,
+                                 std::vector<Configuracion>& back) {
+    if (there.empty() || !guard_.may_discard()) return;
+    const Configuracion from = now_;
+    in_history_ = true;
+    const bool done = use(there.back());
+    in_history_ = false;
+    if (!done) return;
+    there.pop_back();
+    back.push_back(from);
+    emit history_changed();
 }
 
 void ConfigurationActions::configure() {
@@ -201,6 +300,7 @@ void ConfigurationActions::configure_group(ParameterGroup group) {
     while (dialog.exec() == QDialog::Accepted) {
         if (!use(dialog.configuration())) continue;
         emit notice(tr("The configuration has changed"));
+        window_->activateWindow();  // two dialogs have closed at once
         return;
     }
 }
@@ -222,44 +322,43 @@ void ConfigurationActions::set_default() {
     }
 }
 
-void ConfigurationActions::load_reference_map() {
-    for (;;) {
-        const QString path = prompts_.open_file(window_, {tr("Load reference map"),
-                                                          files_.last_folder("map"),
-                                                          tr("Maps (*.map *.txt);;All files (*)"),
-                                                          {}});
-        if (path.isEmpty()) return;
-        try {
-            References references = session_.user_references();
+bool ConfigurationActions::use_reference(const QString& path, FileKind kind) {
+    try {
+        References references = session_.user_references();
+        if (kind == FileKind::map) {
             references.map = read_map(path.toStdString());
             session_.set_references(references, path);
-            files_.note_folder("map", path);
             emit notice(tr("Reference map: %1 landmarks").arg(references.map->size()));
-            return;
-        } catch (const std::exception& error) {
-            prompts_.warn(window_, tr("The reference was not loaded"), words_of(error));
+        } else {
+            references.trajectory = read_trajectory(path.toStdString());
+            session_.set_references(references, session_.reference_map_file());
+            emit notice(tr("Reference trajectory: %1 poses").arg(references.trajectory->size()));
         }
+    } catch (const std::exception& error) {
+        prompts_.warn(window_, tr("The reference was not loaded"), words_of(error));
+        return false;
     }
+    files_.note_folder("map", path);
+    files_.note_recent(path);
+    return true;
+}
+
+void ConfigurationActions::load_reference_map() {
+    load_reference(FileKind::map, tr("Load reference map"),
+                   tr("Maps (*.map *.txt);;All files (*)"));
 }
 
 void ConfigurationActions::load_reference_trajectory() {
+    load_reference(FileKind::trajectory, tr("Load reference trajectory"),
+                   tr("Trajectories (*.tum *.txt *.gz);;All files (*)"));
+}
+
+void ConfigurationActions::load_reference(FileKind kind, const QString& title,
+                                          const QString& filters) {
     for (;;) {
         const QString path =
-            prompts_.open_file(window_, {tr("Load reference trajectory"),
-                                         files_.last_folder("map"),
-                                         tr("Trajectories (*.tum *.txt *.gz);;All files (*)"),
-                                         {}});
-        if (path.isEmpty()) return;
-        try {
-            References references = session_.user_references();
-            references.trajectory = read_trajectory(path.toStdString());
-            session_.set_references(references, session_.reference_map_file());
-            files_.note_folder("map", path);
-            emit notice(tr("Reference trajectory: %1 poses").arg(references.trajectory->size()));
-            return;
-        } catch (const std::exception& error) {
-            prompts_.warn(window_, tr("The reference was not loaded"), words_of(error));
-        }
+            prompts_.open_file(window_, {title, files_.folder_to_open("map"), filters, {}});
+        if (path.isEmpty() || use_reference(path, kind)) return;
     }
 }
 

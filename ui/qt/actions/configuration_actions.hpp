@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QObject>
+#include <vector>
 
 #include "app/session.hpp"
 #include "prompts.hpp"
+#include "run_guard.hpp"
 #include "user_files.hpp"
 
 class QWidget;
@@ -17,7 +19,8 @@ class ConfigurationActions final : public QObject {
     Q_OBJECT
 
   public:
-    ConfigurationActions(Session& session, UserFiles& files, Prompts& prompts, QWidget* window);
+    ConfigurationActions(Session& session, UserFiles& files, Prompts& prompts,
+                         const RunGuard& guard, QWidget* window);
 
     /// Takes what the command line and the user's files ask for. Throws hitos::Error.
     void start(const CommandLine& line);
@@ -28,13 +31,23 @@ class ConfigurationActions final : public QObject {
     /// An empty path is nothing to open.
     bool open(const QString& path, bool confirmed = false);
 
+    /// Each of several: configurations, then logs, then the references to compare with.
+    void open_all(QStringList paths);
+
     void select_source(const QString& path = {});
     void configure();
     void configure_group(ParameterGroup group);
     void load();
     /// The configuration that comes with Hitos under that word; the source stays.
-    void use_preset(std::string_view word);
+    void use_preset(std::string_view word, bool confirmed = false);
     void save();
+    /// A configuration of the user's own, among the presets from then on.
+    void save_preset();
+    /// To the configuration before the last change, with its log, and forwards again.
+    void undo();
+    void redo();
+    bool can_undo() const { return !before_.empty(); }
+    bool can_redo() const { return !after_.empty(); }
     void set_default();
     void load_reference_map();
     void load_reference_trajectory();
@@ -42,16 +55,29 @@ class ConfigurationActions final : public QObject {
 
   signals:
     void notice(QString text);
+    /// What can be undone or redone is another.
+    void history_changed();
 
   private:
+    void note_change();
+    void go_to(std::vector<Configuracion>& there, std::vector<Configuracion>& back);
+    void save_in(const QString& folder, const QString& title);
     bool load_file(const QString& path, bool confirmed);
     bool use_log(const QString& path);
+    bool use_reference(const QString& path, FileKind kind);
+    void load_reference(FileKind kind, const QString& title, const QString& filters);
+    void note_named(const CommandLine& line);
     bool use(const Configuracion& configuration);
 
     Session& session_;
     UserFiles& files_;
     Prompts& prompts_;
+    const RunGuard& guard_;
     QWidget* window_;
+    std::vector<Configuracion> before_;  ///< the last at the back
+    std::vector<Configuracion> after_;   ///< undone ones, the next at the back
+    Configuracion now_;
+    bool in_history_ = false;  ///< undoing or redoing, which is no change
 };
 
 }  // namespace hitos::window

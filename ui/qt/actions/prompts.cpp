@@ -7,6 +7,9 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStringList>
+#include <QUrl>
+
+#include "user_files.hpp"
 
 namespace hitos::window {
 namespace {
@@ -35,7 +38,20 @@ QString with_ending(const QString& path, const QString& chosen, const QString& o
 }
 
 QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
-    return QFileDialog::getOpenFileName(parent, question.title, question.start, question.filters);
+    const QFileInfo start(question.start);
+    const bool folder = start.isDir();
+    QFileDialog dialog(parent, question.title, folder ? question.start : start.absolutePath(),
+                       question.filters);
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    if (!folder) dialog.selectFile(start.fileName());
+    // What comes with Hitos is a click away, wherever the last file was.
+    QList<QUrl> places = dialog.sidebarUrls();
+    for (const char* kind : {"config", "log", "map"}) {
+        const QString shipped = shipped_folder(kind);
+        if (!shipped.isEmpty()) places << QUrl::fromLocalFile(shipped);
+    }
+    dialog.setSidebarUrls(places);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
 QString QtPrompts::save_file(QWidget* parent, const FileQuestion& question) {

@@ -5,8 +5,11 @@
 #include <QWidget>
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
+#include "app/screen_fit.hpp"
 #include "dialogs/picture_dialog.hpp"
+#include "dialogs/skipped_lines.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
@@ -14,21 +17,54 @@
 #include "views/grid_view.hpp"
 
 namespace hitos::window {
+namespace {
 
-ResultActions::ResultActions(Session& session, UserFiles& files, Prompts& prompts, QWidget* window)
-    : QObject(window), session_(session), files_(files), prompts_(prompts), window_(window) {}
+/// What the best particle knows at one moment.
+struct BestParticle {
+    MarkedMap landmarks;
+    Trajectory path;
+};
+
+BestParticle best_of(const Algoritmo& run) {
+    BestParticle best{{run.filter().best_map(), {}}, run.best_trajectory()};
+    best.landmarks.extents = run.line_extents().of(best.landmarks.map, best.path);
+    return best;
+}
+
+}  // namespace
+
+ResultActions::ResultActions(Session& session, UserFiles& files, Prompts& prompts,
+                             const ViewSettings& settings, QWidget* window)
+    : QObject(window),
+      session_(session),
+      files_(files),
+      prompts_(prompts),
+      settings_(settings),
+      window_(window) {}
 
 ResultActions::~ResultActions() {
     if (writing_.valid()) writing_.wait();  // it calls back here
     if (path_of_particle_.valid()) path_of_particle_.wait();
+    if (skipped_.valid()) skipped_.wait();
 }
 
 MapWindow* ResultActions::open_window(QPointer<MapWindow>& place, const QString& title,
                                       MapWindow::Show show) {
+    const QString log =
+        QFileInfo(QString::fromStdString(session_.configuration().source.file)).fileName();
+    const std::optional<QRect> before = place ? std::optional(place->geometry()) : std::nullopt;
     if (place) place->close();
-    place = new MapWindow(title, show, window_);
+    place = new MapWindow(title + " – " + log, show, settings_, window_);
+    if (before) {
+        place->setGeometry(*before);
+    } else {  // no window covers another one whole
+        constexpr int kStep = 48;
+        const int others = (best_ ? 1 : 0) + (particle_ ? 1 : 0) + (odometry_ ? 1 : 0);
+        place_beside_parent(*place, QPoint(kStep, kStep) * others);
+    }
     connect(place, &MapWindow::picture_wanted, this,
             [this](const GridView* view) { save_picture(*view); });
+    emit opened(place);
     place->show();
     return place;
 }
@@ -37,16 +73,17 @@ void ResultActions::view_best() {
     if (session_.progress().steps == 0) return;
     const auto snapshot = session_.snapshot();
     // The newest state, which while the run goes on is a few steps after the one in the views.
-    auto path =
-        session_.worker()->with_run([](const Algoritmo& run) { return run.best_trajectory(); });
+    auto moment = session_.worker()->with_run([](const Algoritmo& run) { return best_of(run); });
     MapWindow* map =
         open_window(best_, tr("Grid map of the best particle"), MapWindow::Show::result);
     const bool shown = snapshot && snapshot->steps > 0;
-    if (!shown || path.wait_for(std::chrono::milliseconds(40)) == std::future_status::ready) {
-        map->builder().build(session_.configuration(), path.get());
-    } else {  // a slow step is under way; what is in the views will do
-        map->builder().build(session_.configuration(), snapshot->best_trajectory);
-    }
+    // Where a slow step is under way, what is in the views will do.
+    const BestParticle best =
+        !shown || moment.wait_for(std::chrono::milliseconds(40)) == std::future_status::ready
+            ? moment.get()
+            : BestParticle{{snapshot->best_map, snapshot->line_extents}, snapshot->best_trajectory};
+    map->view().set_landmarks(best.landmarks);
+    map->builder().build(session_.configuration(), best.path);
 }
 
 void ResultActions::view_particle() {
@@ -78,27 +115,30 @@ void ResultActions::view_odometry() {
     map->builder().build(session_.configuration(), std::nullopt);
 }
 
+void ResultActions::list_skipped() {
+    if (!session_.has_source()) return;
+    skipped_ = session_.worker()->with_run([this](const Algoritmo& run) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, report = run.reader().report(), file = run.reader().name()] {
+                show_skipped_lines(window_, QString::fromStdString(file), report);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
 void ResultActions::save_map() {
     if (session_.progress().steps == 0) return;
     // The map of this moment, however long the user thinks about its name.
-    struct Moment {
-        LandmarkMap map;
-        std::vector<LineExtent> segments;
-        Trajectory path;
-    };
-    const auto moment = session_.worker()
-                            ->with_run([](const Algoritmo& run) {
-                                Moment now{run.filter().best_map(), {}, run.best_trajectory()};
-                                now.segments = run.line_extents().of(now.map, now.path);
-                                return now;
-                            })
-                            .share();
+    const auto moment =
+        session_.worker()->with_run([](const Algoritmo& run) { return best_of(run); }).share();
     const QString path = save_until_done(
         prompts_, window_,
         {tr("Save best particle's map"), files_.last_folder("map") + "/map",
          tr("Maps (*.txt *.map);;Segments (*.seg);;CAD drawings (*.dxf);;All files (*)"), "txt"},
         [&](const QString& target) {
-            const auto& [map, segments, trajectory] = moment.get();
+            const auto& [landmarks, trajectory] = moment.get();
+            const auto& [map, segments] = landmarks;
             const std::string file = target.toStdString();
             const QString ending = QFileInfo(target).suffix().toLower();
             if (ending == "dxf") {

@@ -13,12 +13,14 @@
 namespace hitos::window {
 
 class CanvasView;
+class ViewSettings;
 
 class ResultActions final : public QObject {
     Q_OBJECT
 
   public:
-    ResultActions(Session& session, UserFiles& files, Prompts& prompts, QWidget* window);
+    ResultActions(Session& session, UserFiles& files, Prompts& prompts,
+                  const ViewSettings& settings, QWidget* window);
     ~ResultActions() override;
 
     MapWindow* best_window() const { return best_; }
@@ -29,6 +31,8 @@ class ResultActions final : public QObject {
     /// The grid along the path of a particle whose number the user gives [T 9.2.5].
     void view_particle();
     void view_odometry();
+    /// The damaged lines of the log that were skipped so far, in a window of its own.
+    void list_skipped();
     void save_map();
     void save_results();
     /// The figures of every scan that the run has been at, as a table.
@@ -40,6 +44,8 @@ class ResultActions final : public QObject {
   signals:
     void notice(QString text);
     void writing_changed();
+    /// A map has a window of its own now.
+    void opened(QWidget* window);
 
   private:
     MapWindow* open_window(QPointer<MapWindow>& place, const QString& title, MapWindow::Show show);
@@ -51,11 +57,13 @@ class ResultActions final : public QObject {
     Session& session_;
     UserFiles& files_;
     Prompts& prompts_;
+    const ViewSettings& settings_;
     QWidget* window_;
     QPointer<MapWindow> best_;
     QPointer<MapWindow> odometry_;
     QPointer<MapWindow> particle_;
     std::future<void> path_of_particle_;
+    std::future<void> skipped_;
     std::future<void> writing_;  ///< valid while results are written
     int writings_ = 0;           ///< so far; what an earlier one has to say is dropped
     QString results_folder_;     ///< that could not be written

@@ -62,18 +62,19 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
     step_ = add_button(actions.step, "button_step");
     auto* row = qobject_cast<QHBoxLayout*>(layout()->itemAt(1)->layout());
     row->addStretch(1);
-    add_button(actions.best_map, "button_best_map");
-    add_button(actions.odometry, "button_odometry");
-    add_button(actions.save_map, "button_save_map");
+    pictured_ = {add_button(actions.best_map, "button_best_map"),
+                 add_button(actions.odometry, "button_odometry"),
+                 add_button(actions.save_map, "button_save_map")};
     row->addStretch(1);
     add_button(actions.restart, "button_restart");
     auto* top = qobject_cast<QHBoxLayout*>(layout()->itemAt(0)->layout());
     top->addWidget(new PaceControl(session, settings, actions.full_speed, this));
+    least_width_ = row_width(Qt::ToolButtonIconOnly);
+    full_width_ = row_width(Qt::ToolButtonTextBesideIcon);
 
     connect(actions.run, &QAction::triggered, &session, [&session] { session.run(); });
     connect(actions.stop, &QAction::triggered, &session, &Session::pause);
     connect(actions.step, &QAction::triggered, &session, [&session] { session.run_steps(1); });
-    connect(actions.restart, &QAction::triggered, &session, &Session::restart);
     connect(time_line_, &TimeLine::chosen, &session,
             [&session](int scan) { session.seek(static_cast<quint64>(scan)); });
     const auto refresh = [this, &session] {
@@ -84,6 +85,30 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
     connect(&session, &Session::progress_changed, this, refresh);
     connect(&session, &Session::configuration_changed, this, refresh);
     refresh();
+}
+
+/// What the row of buttons needs.
+int RunControls::row_width(Qt::ToolButtonStyle pictured) {
+    const int spacing = layout()->itemAt(1)->layout()->spacing();
+    for (QToolButton* button : pictured_) button->setToolButtonStyle(pictured);
+    int width = -spacing;
+    for (auto* button : findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+        button->ensurePolished();
+        width += button->sizeHint().width() + spacing;
+    }
+    return width;
+}
+
+QSize RunControls::minimumSizeHint() const {
+    const QSize top = layout()->itemAt(0)->minimumSize();
+    return {std::max(least_width_, top.width()), QWidget::minimumSizeHint().height()};
+}
+
+void RunControls::resizeEvent(QResizeEvent* event) {
+    const auto style =
+        width() < full_width_ ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
+    for (QToolButton* button : pictured_) button->setToolButtonStyle(style);
+    QWidget::resizeEvent(event);
 }
 
 void RunControls::pass_focus(bool running, bool can_run) {

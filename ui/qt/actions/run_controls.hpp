@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "app/session.hpp"
 
@@ -39,7 +40,13 @@ class RunControls final : public QWidget {
     /// The number of scans of the whole log, where it is known.
     void set_total(std::optional<quint64> scans);
 
+    QSize minimumSizeHint() const override;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    int row_width(Qt::ToolButtonStyle pictured);
     void note_marks(const Session& session);
     void forget_marks();
     QToolButton* add_button(QAction* action, const char* name, bool primary = false);
@@ -51,7 +58,10 @@ class RunControls final : public QWidget {
     QToolButton* run_ = nullptr;
     QToolButton* stop_ = nullptr;
     QToolButton* step_ = nullptr;
-    QWidget* before_stop_ = nullptr;  // what had the keyboard
+    std::vector<QToolButton*> pictured_;  // told by their icon alone where the row is narrow
+    int least_width_ = 0;                 // of the row
+    int full_width_ = 0;                  // with all words
+    QWidget* before_stop_ = nullptr;      // what had the keyboard
     TimeLine* time_line_ = nullptr;
     std::size_t figures_taken_ = 0;  // for marks
     std::uint64_t skipped_ = 0;      // damaged lines so far

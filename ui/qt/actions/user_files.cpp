@@ -2,7 +2,13 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QMap>
 #include <QStandardPaths>
+
+#include "hitos/base/error.hpp"
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/workbench/shipped_data.hpp"
 
 namespace hitos::window {
 namespace {
@@ -15,7 +21,25 @@ QString folder_or_default(const QString& folder) {
                             : folder;
 }
 
+/// Whether the file is what `read` takes.
+template <class Read>
+bool reads(const QString& path, Read read) {
+    try {
+        read(path.toStdString());
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 }  // namespace
+
+QString shipped_folder(const QString& kind) {
+    static const QMap<QString, const char*> folders{
+        {"config", "config"}, {"log", "data"}, {"map", "data/maps"}};
+    const char* folder = folders.value(kind, nullptr);
+    return folder == nullptr ? QString() : QString::fromStdString(shipped_file(folder).string());
+}
 
 UserFiles::UserFiles(const QString& folder, QObject* parent)
     : QObject(parent),
@@ -28,6 +52,19 @@ QString UserFiles::init_path() const {
 
 bool UserFiles::has_init() const {
     return QFileInfo::exists(init_path());
+}
+
+QString UserFiles::presets_folder() const {
+    return folder_ + "/presets";
+}
+
+QStringList UserFiles::presets() const {
+    const QDir folder(presets_folder());
+    QStringList paths;
+    for (const QString& name : folder.entryList({"*.cfg"}, QDir::Files)) {
+        paths << folder.filePath(name);
+    }
+    return paths;
 }
 
 QStringList UserFiles::recent() const {
@@ -51,8 +88,16 @@ void UserFiles::clear_recent() {
 }
 
 QString UserFiles::last_folder(const QString& kind) const {
-    const QString home = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return settings_.value("folders/" + kind, home).toString();
+    const QString last = settings_.value("folders/" + kind).toString();
+    if (QFileInfo(last).isDir()) return last;
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
+}
+
+QString UserFiles::folder_to_open(const QString& kind) const {
+    if (settings_.contains("folders/" + kind)) return last_folder(kind);
+    const QString shipped = shipped_folder(kind);
+    return shipped.isEmpty() ? last_folder(kind) : shipped;
 }
 
 void UserFiles::note_folder(const QString& kind, const QString& path) {
@@ -60,7 +105,16 @@ void UserFiles::note_folder(const QString& kind, const QString& path) {
 }
 
 FileKind kind_of(const QString& path) {
-    return QFileInfo(path).suffix().toLower() == "cfg" ? FileKind::configuration : FileKind::source;
+    QString name = QFileInfo(path).fileName().toLower();
+    if (name.endsWith(".gz")) name.chop(3);
+    if (name.endsWith(".cfg")) return FileKind::configuration;
+    if (name.endsWith(".map")) return FileKind::map;
+    if (name.endsWith(".tum")) return FileKind::trajectory;
+    if (!name.endsWith(".txt")) return FileKind::source;
+    if (reads(path, [](const std::string& file) { read_map(file); })) return FileKind::map;
+    return reads(path, [](const std::string& file) { read_trajectory(file); })
+               ? FileKind::trajectory
+               : FileKind::source;
 }
 
 }  // namespace hitos::window

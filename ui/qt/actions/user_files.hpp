@@ -22,14 +22,20 @@ class UserFiles final : public QObject {
     QString init_path() const;
     bool has_init() const;
     QSettings& settings() { return settings_; }
+    /// Where the user's own presets lie, and those that are there, by name.
+    QString presets_folder() const;
+    QStringList presets() const;
 
     /// Newest first; only what still exists.
     QStringList recent() const;
     void note_recent(const QString& path);
     void clear_recent();
 
-    /// The folder to begin a file dialog of this kind with ("log", "config", "picture", "map").
+    /// The folder to save a file of this kind in ("log", "config", "picture", "map"): where the
+    /// last one was, else the user's documents. It is there.
     QString last_folder(const QString& kind) const;
+    /// The folder to look for one in: at first that of those which come with Hitos.
+    QString folder_to_open(const QString& kind) const;
     void note_folder(const QString& kind, const QString& path);
 
   signals:
@@ -43,8 +49,14 @@ class UserFiles final : public QObject {
 /// What the user may name on the command line or drop on the window.
 enum class FileKind {
     configuration,  ///< .cfg
-    source          ///< a log, or a world (.toml)
+    source,         ///< a log, or a world (.toml)
+    map,            ///< .map: a reference
+    trajectory      ///< .tum: likewise
 };
+/// By the file's ending; a .txt is whichever it reads as.
 FileKind kind_of(const QString& path);
+
+/// The folder of the files of this kind that come with Hitos; empty where there is none.
+QString shipped_folder(const QString& kind);
 
 }  // namespace hitos::window

@@ -13,12 +13,15 @@ static void use_resources() {
 
 namespace hitos::window {
 
-void prepare_application(QApplication& application, const QString& language) {
+void prepare_application() {
     use_resources();
     QApplication::setApplicationName("hitos");
     QApplication::setApplicationDisplayName("Hitos");
     QApplication::setApplicationVersion(QString::fromStdString(version()));
     QApplication::setDesktopFileName("hitos");
+}
+
+void speak(QApplication& application, const QString& language) {
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     // Files and command lines write numbers with a point; so does the window.
     QLocale::setDefault(QLocale::c());

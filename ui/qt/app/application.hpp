@@ -7,7 +7,10 @@ class QApplication;
 
 namespace hitos::window {
 
-/// Names, translations ("en", "es"; empty: the system's language) and numbers with a point.
-void prepare_application(QApplication& application, const QString& language);
+/// The names that the program goes by, and what it carries with it.
+void prepare_application();
+
+/// Translations ("en", "es"; empty: the system's language), and numbers with a point.
+void speak(QApplication& application, const QString& language);
 
 }  // namespace hitos::window

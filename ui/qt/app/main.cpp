@@ -13,7 +13,9 @@
 #include "benchmark.hpp"
 #include "command_line.hpp"
 #include "dialogs/study_dialog.hpp"
+#include "language.hpp"
 #include "main_window.hpp"
+#include "screen_fit.hpp"
 #include "screenshot.hpp"
 #include "views/view_settings.hpp"
 
@@ -29,15 +31,12 @@ void prepare_study(StudyDialog& study, const CommandLine& line) {
     }
 }
 
+/// Where no screen limits it.
+constexpr QSize kWithoutScreen(1360, 860);
+
 /// Pictures and measurements need no display, and leave the user's files alone.
 bool without_display(const CommandLine& line) {
     return !line.screenshot.empty() || line.benchmark;
-}
-
-void apply_size(MainWindow& window, const std::string& size) {
-    const QStringList parts = QString::fromStdString(size).split('x');
-    if (parts.size() != 2) return;
-    window.resize(parts[0].toInt(), parts[1].toInt());
 }
 
 int run(int argc, char** argv, const CommandLine& line) {
@@ -46,16 +45,19 @@ int run(int argc, char** argv, const CommandLine& line) {
         if (line.scale != 1.0) qputenv("QT_SCALE_FACTOR", QByteArray::number(line.scale));
     }
     QApplication application(argc, argv);
-    prepare_application(application, QString::fromStdString(line.language));
+    prepare_application();
     QTemporaryDir scratch;
     UserFiles files(without_display(line) ? scratch.path() : QString());
     if (without_display(line)) PaceControl::set_full_speed(files.settings());
+    speak(application,
+          line.language.empty() ? saved_language(files) : QString::fromStdString(line.language));
     apply_theme(application, line.theme.empty() && !without_display(line)
                                  ? ViewSettings::saved_theme(files)
                                  : theme_from(QString::fromStdString(line.theme)));
     Session session;
     QtPrompts prompts;
     MainWindow window(session, files, prompts);
+    if (without_display(line)) window.resize(kWithoutScreen);
     apply_size(window, line.size);
 
     ConfigurationActions& actions = window.configuration_actions();

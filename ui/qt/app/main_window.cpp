@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -18,6 +19,8 @@
 #include "dialogs/study_dialog.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "icons.hpp"
+#include "language.hpp"
+#include "screen_fit.hpp"
 #include "status_line.hpp"
 #include "ui_main_window.h"
 #include "views/plots.hpp"
@@ -28,18 +31,23 @@
 namespace hitos::window {
 namespace {
 
-/// The first file of this computer among what is dragged; empty where there is none.
-QString file_of(const QMimeData& dragged) {
+/// The files of this computer among what is dragged.
+QStringList files_of(const QMimeData& dragged) {
+    QStringList files;
     for (const QUrl& url : dragged.urls()) {
-        if (url.isLocalFile() && !url.toLocalFile().isEmpty()) return url.toLocalFile();
+        if (url.isLocalFile() && !url.toLocalFile().isEmpty()) files << url.toLocalFile();
     }
-    return {};
+    return files;
 }
 
 }  // namespace
 
 MainWindow::MainWindow(Session& session, UserFiles& files, Prompts& prompts)
-    : ui_(std::make_unique<Ui::MainWindow>()), session_(session), files_(files), prompts_(prompts) {
+    : ui_(std::make_unique<Ui::MainWindow>()),
+      session_(session),
+      files_(files),
+      prompts_(prompts),
+      guard_(session, prompts, this) {
     ui_->setupUi(this);
     setWindowIcon(icon(Glyph::application));
     make_parts();
@@ -65,11 +73,12 @@ GridView& MainWindow::grid_view() const {
 }
 
 void MainWindow::make_parts() {
-    configuration_ = new ConfigurationActions(session_, files_, prompts_, this);
-    results_ = new ResultActions(session_, files_, prompts_, this);
+    configuration_ = new ConfigurationActions(session_, files_, prompts_, guard_, this);
     view_settings_ = new ViewSettings(files_, ui_->menu_layers, ui_->menu_theme, this);
+    results_ = new ResultActions(session_, files_, prompts_, *view_settings_, this);
     meter_ = new ReferenceMeter(session_, this);
     status_ = new StatusLine(ui_->statusbar, session_);
+    fill_languages(*ui_->menu_language, files_, *status_);
     counter_ = new LogCounter(session_, this);
     connect(counter_, &LogCounter::counted, ui_->controls, &RunControls::set_total);
     connect(counter_, &LogCounter::counted, status_, &StatusLine::set_total);
@@ -85,6 +94,7 @@ void MainWindow::make_parts() {
     ui_->menu_view->insertAction(ui_->menu_theme->menuAction(), show_plots);
     ui_->menu_view->insertSeparator(ui_->menu_theme->menuAction());
     ui_->views->setSizes({500, 500});
+    fit_to_screen(*this);
 }
 
 void MainWindow::set_up_view_buttons() {
@@ -121,13 +131,18 @@ void MainWindow::connect_configuration() {
             [this] { configuration_->select_source(); });
     connect(ui_->action_manual, &QAction::triggered, configuration_,
             &ConfigurationActions::configure);
-    for (const Preset& preset : presets()) {
-        QAction* action = ui_->menu_presets->addAction(translated("Preset", preset.label));
-        action->setObjectName("action_preset_" + to_qt(preset.word));
-        action->setToolTip(translated("Preset", preset.purpose));
-        connect(action, &QAction::triggered, configuration_,
-                [this, word = preset.word] { configuration_->use_preset(word); });
-    }
+    connect(ui_->menu_presets, &QMenu::aboutToShow, this, &MainWindow::refill_presets);
+    refill_presets();
+    connect(ui_->action_save_preset, &QAction::triggered, configuration_,
+            &ConfigurationActions::save_preset);
+    connect(ui_->action_undo, &QAction::triggered, configuration_, &ConfigurationActions::undo);
+    connect(ui_->action_redo, &QAction::triggered, configuration_, &ConfigurationActions::redo);
+    const auto enable_history = [this] {
+        ui_->action_undo->setEnabled(configuration_->can_undo());
+        ui_->action_redo->setEnabled(configuration_->can_redo());
+    };
+    connect(configuration_, &ConfigurationActions::history_changed, this, enable_history);
+    enable_history();
     connect(ui_->action_load, &QAction::triggered, configuration_, &ConfigurationActions::load);
     connect(ui_->action_save, &QAction::triggered, configuration_, &ConfigurationActions::save);
     connect(ui_->action_set_default, &QAction::triggered, configuration_,
@@ -147,6 +162,10 @@ void MainWindow::connect_configuration() {
     connect(ui_->summary, &SummaryBar::group_clicked, configuration_,
             &ConfigurationActions::configure_group);
     connect(configuration_, &ConfigurationActions::notice, status_, &StatusLine::notice);
+    ui_->hint->set_session(session_);
+    connect(ui_->hint, &HintBar::preset_wanted, configuration_, [this](const std::string& preset) {
+        if (guard_.may_discard()) configuration_->use_preset(preset, true);
+    });
     connect(&session_, &Session::configuration_changed, this, &MainWindow::show_configuration);
     connect(&files_, &UserFiles::recent_changed, this, &MainWindow::refill_recent);
 }
@@ -172,6 +191,9 @@ void MainWindow::connect_run() {
     connect(&session_, &Session::failed, this, [this](const QString& reason) {
         prompts_.warn(this, tr("The run has failed"), reason);
     });
+    connect(ui_->action_restart, &QAction::triggered, this, [this] {
+        if (guard_.may_discard()) session_.restart();
+    });
     connect(ui_->action_best_map, &QAction::triggered, results_, &ResultActions::view_best);
     connect(ui_->action_particle_map, &QAction::triggered, results_, &ResultActions::view_particle);
     connect(ui_->action_odometry, &QAction::triggered, results_, &ResultActions::view_odometry);
@@ -183,6 +205,10 @@ void MainWindow::connect_run() {
     connect(ui_->action_save_picture, &QAction::triggered, this, &MainWindow::save_picture_in_use);
     connect(ui_->action_exit, &QAction::triggered, this, &QWidget::close);
     connect(results_, &ResultActions::notice, status_, &StatusLine::notice);
+    connect(status_, &StatusLine::skipped_wanted, results_, &ResultActions::list_skipped);
+    // The keys of the run go there too.
+    connect(results_, &ResultActions::opened, this,
+            [this](QWidget* map) { map->addActions(ui_->menu_run->actions()); });
     const auto enable = [this] {
         ui_->action_save_results->setEnabled(session_.progress().steps > 0 && !results_->writing());
         ui_->action_save_figures->setEnabled(session_.progress().steps > 0);
@@ -226,6 +252,7 @@ void MainWindow::connect_views() {
     ui_->grid_view->set_layers(view_settings_->layers());
     connect(ui_->action_world_frame, &QAction::toggled, ui_->scan_view,
             [this](bool on) { ui_->scan_view->set_robot_frame(!on); });
+    connect(ui_->action_summary, &QAction::toggled, ui_->summary, &QWidget::setVisible);
     connect(ui_->action_follow, &QAction::toggled, ui_->grid_view, &CanvasView::set_follow);
     connect(ui_->grid_view, &CanvasView::follow_changed, ui_->action_follow, &QAction::setChecked);
     connect(plots_, &Plots::picture_wanted, this, &MainWindow::save_plots_picture);
@@ -291,6 +318,26 @@ void MainWindow::refill_recent() {
             &UserFiles::clear_recent);
 }
 
+/// Those that come with Hitos, then the user's own.
+void MainWindow::refill_presets() {
+    ui_->menu_presets->clear();
+    for (const Preset& preset : presets()) {
+        QAction* action = ui_->menu_presets->addAction(translated("Preset", preset.label));
+        action->setObjectName("action_preset_" + to_qt(preset.word));
+        action->setToolTip(translated("Preset", preset.purpose));
+        connect(action, &QAction::triggered, configuration_,
+                [this, word = preset.word] { configuration_->use_preset(word); });
+    }
+    ui_->menu_presets->addSeparator();
+    for (const QString& path : files_.presets()) {
+        QAction* action = ui_->menu_presets->addAction(QFileInfo(path).completeBaseName());
+        action->setToolTip(QDir::toNativeSeparators(path));
+        connect(action, &QAction::triggered, configuration_,
+                [this, path] { configuration_->open(path); });
+    }
+    ui_->menu_presets->addAction(ui_->action_save_preset);
+}
+
 void MainWindow::show_configuration() {
     const Configuracion& configuration = session_.configuration();
     ui_->summary->set_configuration(configuration);
@@ -300,6 +347,10 @@ void MainWindow::show_configuration() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (study_ != nullptr && !study_->may_end()) {
+        event->ignore();
+        return;
+    }
+    if (!guard_.may_discard()) {
         event->ignore();
         return;
     }
@@ -314,6 +365,7 @@ void MainWindow::save_state() {
     settings.setValue("window/state", saveState());
     settings.setValue("window/views", ui_->views->saveState());
     settings.setValue("window/world_frame", ui_->action_world_frame->isChecked());
+    settings.setValue("window/summary", ui_->action_summary->isChecked());
 }
 
 void MainWindow::restore_state() {
@@ -322,18 +374,19 @@ void MainWindow::restore_state() {
     restoreState(settings.value("window/state").toByteArray());
     ui_->views->restoreState(settings.value("window/views").toByteArray());
     ui_->action_world_frame->setChecked(settings.value("window/world_frame", false).toBool());
+    ui_->action_summary->setChecked(settings.value("window/summary", true).toBool());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!file_of(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+    if (!files_of(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    const QString path = file_of(*event->mimeData());
-    if (path.isEmpty()) return;
+    const QStringList paths = files_of(*event->mimeData());
+    if (paths.isEmpty()) return;
     event->acceptProposedAction();
     // Not at once: where it came from waits for the end of the drop, and a question may follow.
-    QTimer::singleShot(0, configuration_, [this, path] { configuration_->open(path); });
+    QTimer::singleShot(0, configuration_, [this, paths] { configuration_->open_all(paths); });
 }
 
 }  // namespace hitos::window

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "actions/prompts.hpp"
+#include "actions/run_guard.hpp"
 #include "actions/user_files.hpp"
 #include "session.hpp"
 
@@ -37,6 +38,7 @@ class MainWindow final : public QMainWindow {
 
     ConfigurationActions& configuration_actions() { return *configuration_; }
     ResultActions& result_actions() { return *results_; }
+    RunGuard& run_guard() { return guard_; }
     ScanView& scan_view() const;
     GridView& grid_view() const;
     Plots& plots() const { return *plots_; }
@@ -59,6 +61,7 @@ class MainWindow final : public QMainWindow {
     void connect_help();
     void set_up_view_buttons();
     void refill_recent();
+    void refill_presets();
     void show_configuration();
     void set_highlight(const PickedLandmark& picked);
     void save_picture_in_use();
@@ -74,6 +77,7 @@ class MainWindow final : public QMainWindow {
     Session& session_;
     UserFiles& files_;
     Prompts& prompts_;
+    RunGuard guard_;
     ConfigurationActions* configuration_ = nullptr;
     ResultActions* results_ = nullptr;
     ViewSettings* view_settings_ = nullptr;

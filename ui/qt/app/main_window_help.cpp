@@ -53,14 +53,21 @@ void MainWindow::show_keys() {
         {"Ctrl+P", tr("save the view in use as an image")},
         {"Ctrl+O, Ctrl+M", tr("data source, parameters")},
         {"Ctrl+L, Ctrl+S", tr("load, save the configuration")},
+        {"Ctrl+Z, Ctrl+Shift+Z", tr("undo, redo a change of the configuration")},
+        {"Ctrl+H", tr("configuration at a glance")},
         {"Ctrl+G", tr("plots")},
         {"Ctrl+E", tr("study of one parameter")},
         {"Ctrl+T, Ctrl+F", tr("world frame, follow the robot")},
         {"Alt+1 … Alt+9", tr("layers")},
         {"+, −, F, WASD", tr("zoom, fit and move the view in use")}};
     QString table = "<table cellspacing='6'>";
-    for (const auto& [key, meaning] : keys)
-        table += "<tr><td><b>" + key + "</b>&nbsp;&nbsp;</td><td>" + meaning + "</td></tr>";
+    const qsizetype rows = (keys.size() + 1) / 2;  // two columns, for small screens
+    for (qsizetype row = 0; row < rows; ++row) {
+        table += "<tr>";
+        for (const auto& [key, meaning] : {keys.value(row), keys.value(row + rows)})
+            table += "<td><b>" + key + "</b>&nbsp;</td><td>" + meaning + "&nbsp;&nbsp;</td>";
+        table += "</tr>";
+    }
     show_text(this, "keys", tr("Keyboard"), table + "</table>");
 }
 

@@ -18,6 +18,7 @@
 #include "dialogs/study_dialog.hpp"
 #include "hitos/base/error.hpp"
 #include "main_window.hpp"
+#include "screen_fit.hpp"
 #include "views/map_window.hpp"
 #include "views/scan_view.hpp"
 
@@ -52,6 +53,7 @@ void run_steps(Session& session, std::uint64_t steps) {
 }
 
 void write_picture_of(QWidget& widget, const CommandLine& line) {
+    apply_size(widget, line.size);
     write_image(widget.grab().toImage(), QString::fromStdString(line.screenshot));
 }
 

@@ -6,12 +6,12 @@
 
 #include "dialogs/parameter_text.hpp"
 #include "hitos/workbench/presets.hpp"
+#include "views/canvas_view.hpp"
 
 namespace hitos::window {
 namespace {
 
 constexpr int kNoticeMs = 6000;
-constexpr int kAdviceMs = 30'000;
 
 QString preset_to_try(const Advice& advice) {
     return StatusLine::tr("Try Configuration → Presets → %1.")
@@ -55,7 +55,7 @@ StatusLine::StatusLine(QStatusBar* bar, Session& session)
     state_ = new QLabel;
     state_->setObjectName("status_state");
     state_->setContentsMargins(8, 2, 8, 2);
-    bar->addWidget(state_);
+    bar->addPermanentWidget(state_);  // no message hides it
     place_ = new QLabel;
     place_->setObjectName("status_place");
     place_->setProperty("role", "muted");
@@ -66,8 +66,12 @@ StatusLine::StatusLine(QStatusBar* bar, Session& session)
     time_ = add("status_time", tr("Time %1 s").arg("10000.0"));
     speed_ = add("status_speed", tr("%1 steps/s").arg(10000));
     neff_ = add("status_neff", tr("Neff %1").arg("10000.0"));
-    landmarks_ = add("status_landmarks",
-                     tr("Landmarks %1 (lines %2, corners %3)").arg(999).arg(999).arg(999));
+    landmarks_ = add("status_landmarks", tr("Landmarks %1").arg(9999));
+    skipped_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    skipped_->setFocusPolicy(Qt::TabFocus);
+    skipped_->setToolTip(tr("List the damaged lines"));
+    connect(skipped_, &QLabel::linkActivated, this, &StatusLine::skipped_wanted);
+    connect(bar, &QStatusBar::messageChanged, bar, &QWidget::setToolTip);
     connect(&session, &Session::progress_changed, this, &StatusLine::refresh);
     connect(&session, &Session::snapshot_changed, this, &StatusLine::show_advice);
     refresh();
@@ -93,8 +97,7 @@ void StatusLine::set_total(std::optional<quint64> scans) {
 }
 
 void StatusLine::show_place(QPointF world_m) {
-    place_->setText(
-        QString("x %1  y %2 m").arg(world_m.x(), 0, 'f', 2).arg(world_m.y(), 0, 'f', 2));
+    place_->setText(place_words(world_m));
 }
 
 void StatusLine::clear_place() {
@@ -105,7 +108,7 @@ void StatusLine::notice(const QString& text) {
     bar_->showMessage(text, kNoticeMs);
 }
 
-/// Said once when a run ends, and kept as the tool tip of the state.
+/// The reasons are long, and stand in the tool tip of the state.
 void StatusLine::show_advice() {
     const std::shared_ptr<const Snapshot> snapshot = session_.snapshot();
     QStringList sentences;
@@ -115,13 +118,6 @@ void StatusLine::show_advice() {
     const QString said = sentences.join(' ');
     if (said == advice_) return;
     advice_ = said;
-    // The reasons are long, and stand in the tool tip.
-    if (!said.isEmpty()) {
-        const Advice& first = snapshot->advice.front();
-        bar_->showMessage(QString::fromUtf8("⚠ ") +
-                              (first.preset.empty() ? in_words(first) : preset_to_try(first)),
-                          kAdviceMs);
-    }
     refresh();
 }
 
@@ -155,12 +151,10 @@ void StatusLine::refresh() {
                         ? QString()
                         : tr("%1 steps/s").arg(p.steps_per_second, 0, 'f', 0));
     neff_->setText(tr("Neff %1").arg(p.statistics.neff, 0, 'f', 1));
-    landmarks_->setText(tr("Landmarks %1 (lines %2, corners %3)")
-                            .arg(p.lines + p.corners)
-                            .arg(p.lines)
-                            .arg(p.corners));
+    landmarks_->setText(tr("Landmarks %1").arg(p.lines + p.corners));
+    landmarks_->setToolTip(tr("Lines %1, corners %2").arg(p.lines).arg(p.corners));
     skipped_->setVisible(p.skipped_lines > 0);
-    skipped_->setText(tr("Skipped lines %1").arg(p.skipped_lines));
+    skipped_->setText("<a href='skipped'>" + tr("Skipped lines %1").arg(p.skipped_lines) + "</a>");
 }
 
 }  // namespace hitos::window

@@ -25,6 +25,10 @@ class StatusLine final : public QObject {
     /// A short message that goes away.
     void notice(const QString& text);
 
+  signals:
+    /// The user wants to see the damaged lines.
+    void skipped_wanted();
+
   private:
     void refresh();
     void show_advice();

@@ -121,6 +121,7 @@ QLabel[role="title"] { font-weight: 600; }
 QLabel[role="muted"] { color: %muted; }
 QLabel[role="error"] { color: %danger; }
 QLabel[role="good"] { color: %good; }
+QLabel[role="warning"] { color: %warning; }
 QLabel[role="changed"] { color: %accent; font-weight: 600; }
 QLabel:disabled, QLabel[role="muted"]:disabled, QLabel[role="changed"]:disabled { color: %faint; }
 QToolButton[role="run"], QPushButton, QDialogButtonBox QPushButton {
@@ -162,6 +163,7 @@ QDockWidget::title { padding: 6px 8px; text-align: left; font-weight: 600; }
     sheet.replace("%onaccent", c.on_accent.name());
     sheet.replace("%danger", c.danger.name());
     sheet.replace("%good", c.good.name());
+    sheet.replace("%warning", c.odometry.name());
     return sheet;
 }
 

@@ -5,10 +5,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 
+#include "app/screen_fit.hpp"
 #include "app/theme.hpp"
 #include "hitos/base/error.hpp"
 #include "parameter_text.hpp"
@@ -74,6 +76,10 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, Pro
     connect(ui_->buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
             [this] { fill(Configuracion{}); });
     fill(configuration);
+    // The form scrolls down, and nowhere else.
+    ui_->scroll->setMinimumWidth(ui_->groups->minimumSizeHint().width() +
+                                 ui_->scroll->verticalScrollBar()->sizeHint().width());
+    fit_to_screen(*this);
 }
 
 ConfigurationDialog::~ConfigurationDialog() = default;

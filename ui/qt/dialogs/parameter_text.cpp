@@ -66,9 +66,12 @@ QString value_with_unit(const ConfigParameter& parameter, const Configuracion& c
 
 QString allowed_of(const ConfigParameter& parameter) {
     const QString unit = unit_of(parameter);
+    const auto limit = [&parameter](double value) {
+        return parameter.type == ConfigParameter::Type::integer ? QString::number(value, 'f', 0)
+                                                                : QString::number(value);
+    };
     return QCoreApplication::translate("Parameter", "%1 to %2 %3")
-        .arg(parameter.minimum)
-        .arg(parameter.maximum)
+        .arg(limit(parameter.minimum), limit(parameter.maximum))
         .arg(unit)
         .trimmed();
 }

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <utility>
 
+#include "app/screen_fit.hpp"
 #include "app/theme.hpp"
 #include "hitos/base/error.hpp"
 #include "parameter_text.hpp"
@@ -23,6 +24,14 @@ QString format_words(const std::string& word) {
 }
 
 }  // namespace
+
+std::vector<std::string> beginning_of(const std::string& file) {
+    try {
+        return first_lines_of(file);
+    } catch (const Error&) {
+        return {};
+    }
+}
 
 SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder, QWidget* parent)
     : QDialog(parent),
@@ -45,6 +54,7 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     connect(ui_->buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(ui_->buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     begin_check();
+    fit_to_screen(*this);
 }
 
 SourceDialog::~SourceDialog() {
@@ -93,7 +103,7 @@ void SourceDialog::begin_check() {
     pool_.start([this, wanted, stop = stop_] {
         begin_background_work();
         std::optional<SourceInspection> summary;
-        QString problem;
+        Refusal refusal;
         try {
             summary = inspect_source(wanted, [&](double part) {
                 QMetaObject::invokeMethod(
@@ -105,33 +115,40 @@ void SourceDialog::begin_check() {
                 return !stop->load();
             });
         } catch (const std::exception& error) {
-            problem = QString::fromUtf8(error.what());
+            refusal = {QString::fromUtf8(error.what()), beginning_of(wanted.file)};
         }
         QMetaObject::invokeMethod(
-            this, [this, stop, summary, problem] { end_check(stop, summary, problem); },
+            this, [this, stop, summary, refusal] { end_check(stop, summary, refusal); },
             Qt::QueuedConnection);
     });
 }
 
 void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspection>& summary,
-                             const QString& problem) {
+                             const Refusal& refusal) {
     if (stop != stop_ || *stop) return;  // a later check is under way
     ui_->reading->hide();
     if (!summary) {
-        show_verdict(problem, "error");
+        show_verdict(refusal.reason, "error");
+        show_lines(refusal.first_lines);
         emit checked(false);
         return;
     }
     summary_ = summary;
-    QStringList lines;
-    for (const std::string& line : summary->first_lines) lines << QString::fromStdString(line);
-    ui_->lines->setPlainText(lines.join('\n'));
+    show_lines(summary->first_lines);
     const bool scans = summary->tour.report.scans > 0;
     show_verdict(
         scans ? words_of(summary->tour) : tr("The file holds odometry but not one readable scan."),
-        scans ? "good" : "error");
+        !scans                             ? "error"
+        : summary->tour.report.skipped > 0 ? "warning"
+                                           : "good");
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans);
     emit checked(scans);
+}
+
+void SourceDialog::show_lines(const std::vector<std::string>& first_lines) {
+    QStringList lines;
+    for (const std::string& line : first_lines) lines << QString::fromStdString(line);
+    ui_->lines->setPlainText(lines.join('\n'));
 }
 
 QString SourceDialog::words_of(const TourSummary& summary) const {

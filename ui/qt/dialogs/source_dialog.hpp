@@ -6,6 +6,8 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "actions/prompts.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
@@ -16,6 +18,10 @@ namespace hitos::window {
 namespace Ui {
 class SourceDialog;
 }
+
+/// The first lines of a file, to see what it is where it is no log; nothing where it cannot be
+/// read.
+std::vector<std::string> beginning_of(const std::string& file);
 
 /// Reads the whole file while the user looks at its first lines; only a log that can be read can be
 /// accepted.
@@ -44,10 +50,17 @@ class SourceDialog final : public QDialog {
   private:
     using Stop = std::shared_ptr<std::atomic<bool>>;
 
+    /// Why a file was not taken, and what it is.
+    struct Refusal {
+        QString reason;
+        std::vector<std::string> first_lines;
+    };
+
     void browse();
     void begin_check();
     void end_check(const Stop& stop, const std::optional<SourceInspection>& summary,
-                   const QString& problem);
+                   const Refusal& refusal);
+    void show_lines(const std::vector<std::string>& first_lines);
     void show_verdict(const QString& text, const char* role);
     QString words_of(const TourSummary& summary) const;
 

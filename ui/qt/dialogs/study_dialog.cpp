@@ -7,6 +7,7 @@
 #include <QUrl>
 #include <cmath>
 
+#include "app/screen_fit.hpp"
 #include "app/theme.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
@@ -43,6 +44,7 @@ StudyDialog::StudyDialog(Session& session, UserFiles& files, Prompts& prompts, Q
       files_(files),
       prompts_(prompts),
       form_(*ui_, session, files, prompts, this) {
+    fit_to_screen(*this);
     connect(ui_->start, &QPushButton::clicked, this, &StudyDialog::start);
     connect(ui_->stop, &QPushButton::clicked, this, [this] {
         ui_->stop->setEnabled(false);

@@ -3,7 +3,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <array>
 #include <thread>
 
@@ -105,9 +104,8 @@ void StudyForm::restore() {
     ui_.reference->setText(QDir::toNativeSeparators(
         loaded.isEmpty() ? settings.value("study/reference").toString() : loaded));
     ui_.pictures->setChecked(settings.value("study/pictures", false).toBool());
-    const QString documents =
-        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/hitos-study";
-    set_folder(settings.value("study/folder", documents).toString());
+    const QString folder = files_.last_folder("study") + "/hitos-study";
+    set_folder(settings.value("study/folder", folder).toString());
 }
 
 void StudyForm::remember() {
@@ -153,7 +151,7 @@ QString StudyForm::assignment() const {
 void StudyForm::show_source() {
     const QString file = QString::fromStdString(session_.configuration().source.file);
     ui_.source_title->setText(ui_.source_title->fontMetrics().elidedText(
-        QFileInfo(file).fileName(), Qt::ElideMiddle, ui_.form->maximumWidth() - 40));
+        QFileInfo(file).fileName(), Qt::ElideMiddle, ui_.form_scroll->minimumWidth() - 60));
     ui_.source_title->setToolTip(QDir::toNativeSeparators(file));
 }
 
@@ -194,7 +192,7 @@ void StudyForm::browse_reference() {
     const QString path = prompts_.open_file(
         dialog_,
         {tr("Reference map"),
-         ui_.reference->text().isEmpty() ? files_.last_folder("map") : ui_.reference->text(),
+         ui_.reference->text().isEmpty() ? files_.folder_to_open("map") : ui_.reference->text(),
          tr("Maps (*.map *.txt);;All files (*)"),
          {}});
     if (path.isEmpty()) return;

@@ -72,6 +72,17 @@
     </message>
 </context>
 <context>
+    <name>Language</name>
+    <message>
+        <source>As the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>The language changes when Hitos starts again.</source>
+        <translation>El idioma cambia cuando Hitos se inicia de nuevo.</translation>
+    </message>
+</context>
+<context>
     <name>Layers</name>
     <message>
         <source>Scan points</source>
@@ -1171,6 +1182,40 @@
     </message>
 </context>
 <context>
+    <name>RunGuard</name>
+    <message>
+        <source>A long run</source>
+        <translation>Una ejecución larga</translation>
+    </message>
+    <message>
+        <source>Discard this run?</source>
+        <translation>¿Descartar esta ejecución?</translation>
+    </message>
+    <message>
+        <source>It has computed for %1 s. Its results can be kept first with File → Save all results.</source>
+        <translation>Ha calculado durante %1 s. Sus resultados se pueden guardar antes con Archivo → Guardar todos los resultados.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+</context>
+<context>
+    <name>SkippedLines</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Línea %1: %2</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… y %1 más</translation>
+    </message>
+    <message>
+        <source>Damaged lines of %1</source>
+        <translation>Líneas dañadas de %1</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::CanvasView</name>
     <message>
         <source>The picture would have %1 × %2 pixels and may have %3 a side; choose a smaller scale.</source>
@@ -1303,6 +1348,14 @@
         <source>Preset</source>
         <translation>Configuración incluida</translation>
     </message>
+    <message>
+        <source>The file begins:</source>
+        <translation>El archivo empieza así:</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Guardar como configuración propia</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ConfigurationDialog</name>
@@ -1340,6 +1393,17 @@
     <message>
         <source>The map grows here, step by step, from the best particle of each step.</source>
         <translation>Aquí crece el mapa, paso a paso, con la mejor partícula de cada paso.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::HintBar</name>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Use “%1”</source>
+        <translation>Usar «%1»</translation>
     </message>
 </context>
 <context>
@@ -1705,6 +1769,46 @@
         <translation>Ejecutar tantos barridos, hasta un barrido o un instante, o hasta que ocurra algo</translation>
     </message>
     <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Back to the configuration before the last change</source>
+        <translation>Volver a la configuración anterior al último cambio</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Save as preset…</source>
+        <translation>Guardar como configuración propia…</translation>
+    </message>
+    <message>
+        <source>Keep this configuration among the presets</source>
+        <translation>Guardar esta configuración en este menú</translation>
+    </message>
+    <message>
+        <source>Configuration at a glance</source>
+        <translation>Resumen de la configuración</translation>
+    </message>
+    <message>
+        <source>Show the five groups above the views</source>
+        <translation>Mostrar los cinco grupos encima de las vistas</translation>
+    </message>
+    <message>
+        <source>undo, redo a change of the configuration</source>
+        <translation>deshacer, rehacer un cambio de la configuración</translation>
+    </message>
+    <message>
+        <source>configuration at a glance</source>
+        <translation>resumen de la configuración</translation>
+    </message>
+    <message>
         <source>run until something happens</source>
         <translation>ejecutar hasta que ocurra algo</translation>
     </message>
@@ -1742,6 +1846,10 @@
     <message>
         <source>Map of %1 scans</source>
         <translation>Mapa de %1 barridos</translation>
+    </message>
+    <message>
+        <source>&amp;Layers</source>
+        <translation>&amp;Capas</translation>
     </message>
 </context>
 <context>
@@ -2110,10 +2218,6 @@
         <translation>Neff %1</translation>
     </message>
     <message>
-        <source>Landmarks %1 (lines %2, corners %3)</source>
-        <translation>Hitos %1 (rectas %2, esquinas %3)</translation>
-    </message>
-    <message>
         <source>No data source</source>
         <translation>Sin origen de datos</translation>
     </message>
@@ -2172,6 +2276,18 @@
     <message>
         <source>Stopped: the position error has passed its limit.</source>
         <translation>Detenido: el error de posición ha superado su límite.</translation>
+    </message>
+    <message>
+        <source>Landmarks %1</source>
+        <translation>Hitos %1</translation>
+    </message>
+    <message>
+        <source>List the damaged lines</source>
+        <translation>Listar las líneas dañadas</translation>
+    </message>
+    <message>
+        <source>Lines %1, corners %2</source>
+        <translation>Rectas %1, esquinas %2</translation>
     </message>
 </context>
 <context>

@@ -34,10 +34,14 @@ QTransform Camera::to_screen(const QSizeF& size) const {
     return transform;
 }
 
+QString place_words(QPointF world_m) {
+    return QString("x %1  y %2 m").arg(world_m.x(), 0, 'f', 2).arg(world_m.y(), 0, 'f', 2);
+}
+
 CanvasView::CanvasView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(220, 180);
+    setMinimumSize(220, 120);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setCursor(Qt::CrossCursor);
 }

@@ -24,6 +24,9 @@ struct Camera {
     QTransform to_screen(const QSizeF& size) const;
 };
 
+/// "x 1.20  y -3.00 m", as coordinates are shown everywhere.
+QString place_words(QPointF world_m);
+
 /// What a picture is drawn with.
 struct Scene {
     QTransform to_screen;  ///< from the view's frame [m] to pixels

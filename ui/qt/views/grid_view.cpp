@@ -15,6 +15,7 @@ void GridView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
         path_.clear();
         odometry_.clear();
         online_.clear();
+        landmarks_ = {};
         content_changed(std::nullopt);
         return;
     }
@@ -32,6 +33,11 @@ void GridView::set_grid(const GridTiles& tiles, const Trajectory& path) {
     layer_.set_tiles(tiles_);
     path_ = points_of(path);
     content_changed(path_.empty() ? std::nullopt : std::optional<QPointF>(path_.back()));
+}
+
+void GridView::set_landmarks(const MarkedMap& landmarks) {
+    landmarks_ = landmarks;
+    update();
 }
 
 void GridView::set_layers(const LayerSet& layers) {
@@ -81,11 +87,12 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
         draw_path(painter, scene, path_, thin_pen(light_colours().path, 1.8));
     }
     if (layers_.has(Layer::graph)) paint_graph(painter, scene);
+    if (!snapshot_ && layers_.has(Layer::landmarks)) paint_landmarks(painter, scene);
     paint_marks(painter, scene);
     if (scene.chrome) draw_scale_bar(painter, scene);
-    if (snapshot_ && hovered_ >= 0) {
+    if (hovered_ >= 0) {
         draw_chip(painter, scene, scene.to_screen.map(hovered_at_m_) + QPointF(14.0, 14.0),
-                  describe(snapshot_->best_map[static_cast<std::size_t>(hovered_)], hovered_));
+                  describe(landmarks_.map[static_cast<std::size_t>(hovered_)], hovered_));
     }
 }
 
@@ -122,9 +129,17 @@ void GridView::paint_graph(QPainter& painter, const Scene& scene) const {
     }
 }
 
+/// On paper, which a grid is in every theme.
+void GridView::paint_landmarks(QPainter& painter, const Scene& scene) const {
+    const Scene paper{scene.to_screen, scene.size, scene.pixels_per_m, light_colours(), false};
+    draw_landmarks(painter, paper, landmarks_,
+                   {layers_.has(Layer::uncertainty), layers_.has(Layer::endless),
+                    layers_.has(Layer::names), -1});
+}
+
 void GridView::paint_marks(QPainter& painter, const Scene& scene) const {
-    if (snapshot_ && (highlight_.landmark || hovered_ >= 0)) {
-        int index = find_same(snapshot_->best_map, highlight_.landmark);
+    if (highlight_.landmark || hovered_ >= 0) {
+        int index = find_same(landmarks_.map, highlight_.landmark);
         if (index < 0) index = hovered_;
         if (index >= 0) {
             draw_highlight(painter, scene, landmarks_, index, layers_.has(Layer::uncertainty));
@@ -143,7 +158,7 @@ void GridView::paint_marks(QPainter& painter, const Scene& scene) const {
 
 void GridView::hover(std::optional<QPointF> point) {
     int found = -1;
-    if (point && snapshot_) {
+    if (point) {
         found = landmark_at(landmarks_, {point->x(), point->y()}, tolerance_m());
         hovered_at_m_ = *point;
     }
@@ -153,10 +168,9 @@ void GridView::hover(std::optional<QPointF> point) {
 }
 
 void GridView::click(const QPointF& point) {
-    if (!snapshot_) return;
     const int found = landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m());
     PickedLandmark picked;
-    if (found >= 0) picked.landmark = snapshot_->best_map[static_cast<std::size_t>(found)];
+    if (found >= 0) picked.landmark = landmarks_.map[static_cast<std::size_t>(found)];
     emit landmark_clicked(picked);
 }
 

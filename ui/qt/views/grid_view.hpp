@@ -25,6 +25,8 @@ class GridView final : public CanvasView {
     void set_snapshot(const std::shared_ptr<const Snapshot>& snapshot);
     /// Shows a grid that is not of a snapshot, with the path it was made along.
     void set_grid(const GridTiles& tiles, const Trajectory& path);
+    /// The landmarks over such a grid, in its frame.
+    void set_landmarks(const hitos::window::MarkedMap& landmarks);
     void set_layers(const LayerSet& layers);
     void set_highlight(const hitos::window::PickedLandmark& picked);
     void set_reference_map(const std::optional<LandmarkMap>& map);
@@ -44,6 +46,7 @@ class GridView final : public CanvasView {
   private:
     void paint_reference(QPainter& painter, const Scene& scene) const;
     void paint_graph(QPainter& painter, const Scene& scene) const;
+    void paint_landmarks(QPainter& painter, const Scene& scene) const;
     void paint_marks(QPainter& painter, const Scene& scene) const;
 
     std::shared_ptr<const Snapshot> snapshot_;

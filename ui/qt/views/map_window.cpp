@@ -4,17 +4,21 @@
 #include <cmath>
 
 #include "ui_map_window.h"
+#include "views/view_settings.hpp"
 
 namespace hitos::window {
 
-MapWindow::MapWindow(const QString& title, Show show, QWidget* parent)
+MapWindow::MapWindow(const QString& title, Show show, const ViewSettings& settings, QWidget* parent)
     : QDialog(parent, Qt::Window), ui_(std::make_unique<Ui::MapWindow>()), show_(show) {
     ui_->setupUi(this);
     setWindowTitle(title);
     setAttribute(Qt::WA_DeleteOnClose);
-    LayerSet layers = default_layers();
-    layers.set(Layer::reference, false);
-    ui_->view->set_layers(layers);
+    ui_->view->set_layers(settings.layers());
+    connect(&settings, &ViewSettings::layers_changed, ui_->view, &GridView::set_layers);
+    ui_->layers->setMenu(settings.layers_menu());
+    connect(ui_->view, &CanvasView::hovered_at, this,
+            [this](QPointF world_m) { ui_->place->setText(place_words(world_m)); });
+    connect(ui_->view, &CanvasView::left, ui_->place, &QLabel::clear);
     connect(ui_->stop, &QPushButton::clicked, &builder_, &MapBuilder::stop);
     connect(ui_->close, &QPushButton::clicked, this, &QDialog::close);
     connect(ui_->picture, &QPushButton::clicked, this, [this] { emit picture_wanted(ui_->view); });

@@ -9,6 +9,7 @@
 namespace hitos::window {
 
 class GridView;
+class ViewSettings;
 namespace Ui {
 class MapWindow;
 }
@@ -22,7 +23,8 @@ class MapWindow final : public QDialog {
         result   ///< only when it is whole
     };
 
-    MapWindow(const QString& title, Show show, QWidget* parent);
+    /// `settings`: the layers are those of the other views.
+    MapWindow(const QString& title, Show show, const ViewSettings& settings, QWidget* parent);
     ~MapWindow() override;
 
     MapBuilder& builder() { return builder_; }

@@ -10,7 +10,7 @@
 namespace hitos::window {
 
 ViewSettings::ViewSettings(UserFiles& files, QMenu* layers_menu, QMenu* theme_menu, QObject* parent)
-    : QObject(parent), files_(files), layers_(default_layers()) {
+    : QObject(parent), files_(files), layers_menu_(layers_menu), layers_(default_layers()) {
     fill_layers(layers_menu);
     fill_themes(theme_menu);
 }

@@ -18,6 +18,9 @@ class ViewSettings final : public QObject {
     /// Fills the two menus; `theme` is what the user asked for on the command line, if anything.
     ViewSettings(UserFiles& files, QMenu* layers_menu, QMenu* theme_menu, QObject* parent);
 
+    /// With the switch of every layer.
+    QMenu* layers_menu() const { return layers_menu_; }
+
     const LayerSet& layers() const { return layers_; }
     static Theme saved_theme(UserFiles& files);
 
@@ -30,6 +33,7 @@ class ViewSettings final : public QObject {
     void fill_themes(QMenu* menu);
 
     UserFiles& files_;
+    QMenu* layers_menu_;
     LayerSet layers_;
 };
 

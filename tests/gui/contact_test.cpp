@@ -1,0 +1,346 @@
+// First contact: what a new user meets first, and what must not be lost or hidden.
+
+#include <QDialogButtonBox>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <cmath>
+
+#include "app/command_line.hpp"
+#include "app/hint_bar.hpp"
+#include "app/language.hpp"
+#include "dialogs/configuration_dialog.hpp"
+#include "dialogs/parameter_text.hpp"
+#include "dialogs/source_dialog.hpp"
+#include "dialogs/study_dialog.hpp"
+#include "gui_fixture.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr const char* kDamaged =
+    "ODOM 0 0 0\nLASER 0 2 1 0 1 1\nLASER broken\nODOM 1 0.1 0\nLASER 1 2 1 0 1 1.1\n";
+
+QString verdict_of(const QDialog& dialog) {
+    return dialog.findChild<QLabel*>("verdict")->text();
+}
+
+void drop(MainWindow& window, const QStringList& paths) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& path : paths) urls << QUrl::fromLocalFile(path);
+    data.setUrls(urls);
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &enter);
+    QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &event);
+}
+
+}  // namespace
+
+void ContactTest::a_log_that_does_not_suit_is_told_with_one_button() {
+    Fixture f;
+    auto* hint = f.window->findChild<HintBar*>("hint");
+    QVERIFY(hint->isHidden());
+    const auto open = [&f] {
+        QVERIFY(f.window->configuration_actions().open(
+            Fixture::source_file("data/logs/carmen-flaser.log.gz")));
+    };
+    open();
+    QVERIFY(hint->isVisible());
+    QVERIFY(f.window->findChild<QLabel*>("hint_text")->text().contains("carmen"));
+    f.window->findChild<QPushButton*>("hint_use")->click();
+    QVERIFY(f.session.configuration().filter.motion.model == "registered");
+    QVERIFY(f.session.configuration().source.file.ends_with("carmen-flaser.log.gz"));
+    QVERIFY(hint->isHidden());
+    QCOMPARE(f.prompts.confirmed_texts.size(), 0);  // nothing was lost
+    // Closed it stays closed, until there is something new to say.
+    f.session.set_configuration(Fixture::tour(10));
+    open();
+    f.window->findChild<QPushButton*>("hint_close")->click();
+    QVERIFY(hint->isHidden());
+}
+
+void ContactTest::what_cannot_be_opened_is_told_as_what_it_is() {
+    for (const char* named : {"/nonexistent.log", "nonexistent"}) {
+        Fixture f(false);
+        CommandLine line;
+        line.open = named;
+        f.window->configuration_actions().start_or_warn(line);
+        QTRY_COMPARE(f.prompts.warnings.size(), 1);
+        QCOMPARE(f.prompts.warning_titles.front(), QString("The log cannot be used"));
+        QVERIFY2(f.prompts.warnings.front().startsWith(named),
+                 qPrintable(f.prompts.warnings.front()));
+        QVERIFY(!f.prompts.warnings.front().contains("no such world"));
+    }
+}
+
+void ContactTest::a_refused_file_shows_its_first_lines() {
+    Fixture f(false);
+    const QString letter = f.write("letter.log", "Dear reader,\nthis is no log.\n");
+    QVERIFY(!f.window->configuration_actions().open(letter));
+    QVERIFY2(f.prompts.warnings.front().contains("Dear reader,\nthis is"),
+             qPrintable(f.prompts.warnings.front()));
+    in_dialog<SourceDialog>([letter](SourceDialog& dialog) {
+        dialog.set_path(letter);
+        QTRY_VERIFY(!verdict_of(dialog).startsWith("Reading"));
+        QVERIFY(dialog.findChild<QPlainTextEdit*>("lines")->toPlainText().contains("Dear reader,"));
+        dialog.reject();
+    });
+    f.trigger("action_select_source");
+}
+
+void ContactTest::file_dialogs_open_where_there_are_files() {
+    Fixture f;
+    // The user's documents folder need not be there; a folder that was used last may have gone.
+    QVERIFY(QFileInfo(f.files.last_folder("picture")).isDir());
+    f.files.note_folder("picture", f.path("gone/a.png"));
+    QVERIFY(QFileInfo(f.files.last_folder("picture")).isDir());
+    QCOMPARE(QFileInfo(f.files.folder_to_open("config")).canonicalFilePath(),
+             QFileInfo(Fixture::source_file("config")).canonicalFilePath());
+    f.files.note_folder("config", f.path("a.cfg"));
+    QCOMPARE(f.files.folder_to_open("config"), f.folder.path());
+    // And what comes with Hitos is one click away.
+    in_dialog<QFileDialog>([](QFileDialog& dialog) {
+        bool there = false;
+        for (const QUrl& place : dialog.sidebarUrls())
+            there = there || place.toLocalFile().endsWith("/config");
+        QVERIFY(there);
+        dialog.reject();
+    });
+    QtPrompts prompts;
+    QVERIFY(prompts.open_file(nullptr, {"Open", f.folder.path(), "All files (*)", {}}).isEmpty());
+}
+
+void ContactTest::skipped_lines_are_listed() {
+    Fixture f(false);
+    QVERIFY(f.window->configuration_actions().open(f.write("small.txt", kDamaged)));
+    f.run_to_end();
+    auto* label = f.window->findChild<QLabel*>("status_skipped");
+    QTRY_VERIFY(label->isVisible());
+    emit label->linkActivated("skipped");
+    QTRY_VERIFY(f.window->findChild<QDialog*>("skipped_lines") != nullptr);
+    auto* list = f.window->findChild<QDialog*>("skipped_lines");
+    const QString text = list->findChild<QPlainTextEdit*>()->toPlainText();
+    QVERIFY2(text.startsWith("Line 3: "), qPrintable(text));
+    list->close();
+}
+
+void ContactTest::a_damaged_log_is_not_told_in_green() {
+    Fixture f(false);
+    const QByteArray whole = Fixture::read(Fixture::source_file("data/bigloop.log.gz"));
+    const QString cut = f.write("cut.log.gz", whole.first(whole.size() / 2));
+    in_dialog<SourceDialog>([cut](SourceDialog& dialog) {
+        auto* verdict = dialog.findChild<QLabel*>("verdict");
+        dialog.set_path(Fixture::source_file("data/bigloop.log.gz"));
+        QTRY_VERIFY(verdict->text().contains("1050 scans"));
+        QCOMPARE(verdict->property("role").toString(), QString("good"));
+        dialog.set_path(cut);
+        QTRY_VERIFY(verdict->text().contains("scans") && !verdict->text().contains("1050"));
+        QCOMPARE(verdict->property("role").toString(), QString("warning"));
+        dialog.reject();
+    });
+    f.trigger("action_select_source");
+}
+
+void ContactTest::no_message_hides_the_state() {
+    Fixture f(true, 200);
+    f.trigger("action_run");
+    auto* state = f.window->findChild<QLabel*>("status_state");
+    QTRY_COMPARE(state->text(), QString("Running"));
+    f.window->statusBar()->showMessage("Source loaded: tour.log, 1050 scans");
+    QVERIFY(state->isVisible());
+    QCOMPARE(f.window->statusBar()->toolTip(), f.notice());  // whole, however narrow the window
+}
+
+void ContactTest::map_windows_lie_beside_each_other() {
+    Fixture f;
+    f.run_steps(60);
+    f.trigger("action_best_map");
+    f.trigger("action_odometry");
+    ResultActions& results = f.window->result_actions();
+    MapWindow* best = results.best_window();
+    MapWindow* odometry = results.odometry_window();
+    QVERIFY(best->pos() != odometry->pos());
+    QVERIFY2(best->windowTitle().contains("bigloop.log.gz"), qPrintable(best->windowTitle()));
+    QTRY_VERIFY(!best->builder().state().running && !odometry->builder().state().running);
+    // Landmarks, with the layers of the other views.
+    const QImage with = best->view().grab().toImage();
+    f.trigger("layer_landmarks");
+    QVERIFY(best->view().grab().toImage() != with);
+    QCOMPARE(best->findChild<QPushButton*>("layers")->menu(),
+             f.window->findChild<QMenu*>("menu_layers"));
+    QMouseEvent move(QEvent::MouseMove, QPointF(100, 100),
+                     best->view().mapToGlobal(QPointF(100, 100)), Qt::NoButton, {}, {});
+    QApplication::sendEvent(&best->view(), &move);
+    QVERIFY(best->findChild<QLabel*>("place")->text().startsWith("x "));
+    // The keys of the run.
+    best->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(best));
+    const QRect place = odometry->geometry();
+    QPointer<MapWindow> old = odometry;
+    QTest::keyClick(&best->view(), Qt::Key_O);
+    QTRY_VERIFY(!old && results.odometry_window() != nullptr);
+    QCOMPARE(results.odometry_window()->geometry(), place);
+}
+
+void ContactTest::after_the_form_the_window_has_the_keyboard() {
+    Fixture f;
+    f.prompts.confirms = {true};
+    in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
+        dialog.findChild<QLineEdit*>("field_filter.particles")->setText("25");
+        dialog.findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Ok)->click();
+    });
+    f.trigger("action_manual");
+    QCOMPARE(f.session.configuration().filter.particles, 25);
+    QTRY_COMPARE(QApplication::activeWindow(), static_cast<QWidget*>(f.window.get()));
+    QVERIFY(QApplication::focusWidget() != nullptr);
+}
+
+void ContactTest::a_long_run_is_not_discarded_without_a_question() {
+    Fixture f;
+    f.run_steps(20);
+    const auto asked = [&f] { return f.prompts.confirmed_texts.size(); };
+    f.window->run_guard().set_long_run(0.0);  // any run is long
+    f.trigger("action_restart");              // declined
+    QCOMPARE(asked(), 1);
+    QVERIFY(f.window->configuration_actions().open(
+        Fixture::source_file("data/logs/carmen-flaser.log.gz")));
+    QCOMPARE(asked(), 2);
+    QVERIFY(!f.window->close());
+    QCOMPARE(asked(), 3);
+    QCOMPARE(f.steps(), 20U);
+    QVERIFY(f.session.configuration().source.file.ends_with("bigloop.log.gz"));
+    f.prompts.confirms = {true};
+    f.trigger("action_restart");
+    QTRY_COMPARE(f.steps(), 0U);
+    f.trigger("action_odometry");
+    QVERIFY(f.window->close());  // nothing to lose
+    QCOMPARE(asked(), 4);
+}
+
+void ContactTest::a_short_run_is_discarded_at_once() {
+    Fixture f;
+    f.run_steps(20);
+    f.trigger("action_restart");
+    QTRY_COMPARE(f.steps(), 0U);
+    QCOMPARE(f.prompts.confirmed_texts.size(), 0);
+}
+
+void ContactTest::the_studys_paths_are_wide() {
+    Fixture f;
+    StudyDialog& study = f.window->open_study();
+    for (const char* name : {"reference", "folder"}) {
+        auto* line = study.findChild<QLineEdit*>(name);
+        const int needed =
+            line->fontMetrics().horizontalAdvance("/home/somebody/Documents/hitos-study");
+        QVERIFY2(line->width() > needed, qPrintable(QString::number(line->width())));
+    }
+}
+
+void ContactTest::several_files_can_be_dropped_at_once() {
+    Fixture f(false);
+    f.prompts.confirms = {true};
+    drop(*f.window, {f.write("path.tum", "0 0 0 0 0 0 0 1\n100 1 0 0 0 0 0 1\n"),
+                     Fixture::source_file("data/maps/bigloop.map"),
+                     Fixture::source_file("data/bigloop.log.gz"),
+                     f.write("seven.cfg", "[filter]\nparticles = 7\n")});
+    QTRY_VERIFY2(f.session.user_references().trajectory.has_value(),
+                 qPrintable(f.prompts.warnings.join(' ')));
+    QVERIFY(f.session.has_source());
+    QCOMPARE(f.session.configuration().filter.particles, 7);
+    QCOMPARE(f.session.references().map->size(), 16U);
+    QCOMPARE(f.files.recent().size(), 4);
+    QVERIFY(f.prompts.warnings.isEmpty());
+    // A text is what it reads as.
+    QCOMPARE(
+        kind_of(f.write("a.txt", Fixture::read(Fixture::source_file("data/maps/bigloop.map")))),
+        FileKind::map);
+    QCOMPARE(kind_of(f.write("b.txt", kDamaged)), FileKind::source);
+}
+
+void ContactTest::the_configuration_can_be_undone_and_redone() {
+    Fixture f;
+    const auto particles = [&f] { return f.session.configuration().filter.particles; };
+    QVERIFY(!f.action("action_undo")->isEnabled());
+    f.session.set_configuration(Fixture::tour(20));
+    QVERIFY(f.window->configuration_actions().open(
+        Fixture::source_file("data/logs/carmen-flaser.log.gz")));
+    f.trigger("action_undo");
+    QVERIFY(f.session.configuration().source.file.ends_with("bigloop.log.gz"));
+    f.trigger("action_undo");
+    QCOMPARE(particles(), 10);
+    QVERIFY(!f.action("action_undo")->isEnabled());
+    f.trigger("action_redo");
+    QCOMPARE(particles(), 20);
+    f.session.set_configuration(Fixture::tour(30));
+    QVERIFY(!f.action("action_redo")->isEnabled());  // another way was taken
+    f.trigger("action_undo");
+    QCOMPARE(particles(), 20);
+}
+
+void ContactTest::a_preset_of_the_users_own_is_in_the_menu() {
+    Fixture f;
+    f.prompts.saves = {f.files.presets_folder() + "/mine.cfg"};
+    f.trigger("action_save_preset");
+    f.session.set_configuration(Fixture::tour(20));
+    auto* menu = f.window->findChild<QMenu*>("menu_presets");
+    emit menu->aboutToShow();
+    QAction* mine = nullptr;
+    for (QAction* action : menu->actions()) {
+        if (action->text() == "mine") mine = action;
+    }
+    QVERIFY(mine != nullptr);
+    f.prompts.confirms = {true};
+    mine->trigger();
+    QCOMPARE(f.session.configuration().filter.particles, 10);
+}
+
+void ContactTest::a_first_start_opens_the_noisy_tour() {
+    Fixture f(false);
+    f.window->configuration_actions().start_or_warn({});
+    QVERIFY(f.session.configuration().source.file.ends_with("bigloop-noisy.log.gz"));
+    QCOMPARE(f.session.references().map->size(), 16U);
+    f.run_to_end();
+    // The odometry drifts, and the run mends it: a first look shows what SLAM is for.
+    const auto snapshot = f.session.snapshot();
+    const auto error = map_error(snapshot->best_map, *f.session.references().map);
+    QVERIFY2(error && error->mean_m < 0.1, qPrintable(QString::number(error->mean_m)));
+    const Pose& by_odometry = snapshot->odometry_trajectory.back().pose;
+    const Pose& best = snapshot->best_pose;
+    QVERIFY(std::hypot(by_odometry.x - best.x, by_odometry.y - best.y) > 0.3);
+}
+
+void ContactTest::the_language_is_chosen_in_the_menu() {
+    Fixture f;
+    f.trigger("language_es");
+    QCOMPARE(saved_language(f.files), QString("es"));
+    QVERIFY(!f.notice().isEmpty());
+    f.trigger("language_");
+    QVERIFY(saved_language(f.files).isEmpty());
+}
+
+void ContactTest::limits_of_whole_numbers_are_whole() {
+    for (const ConfigParameter& parameter : parameters()) {
+        if (parameter.type != ConfigParameter::Type::integer) continue;
+        QVERIFY2(!allowed_of(parameter).contains("e+"), qPrintable(allowed_of(parameter)));
+    }
+}
+
+void ContactTest::what_the_command_line_opens_is_recent() {
+    Fixture f(false);
+    CommandLine line;
+    line.open = Fixture::source_file("data/bigloop.log.gz").toStdString();
+    line.config = Fixture::source_file("config/thesis.cfg").toStdString();
+    f.window->configuration_actions().start_or_warn(line);
+    QCOMPARE(f.files.recent().size(), 2);
+    QVERIFY(f.files.recent().front().endsWith("bigloop.log.gz"));
+}
+
+}  // namespace hitos::window

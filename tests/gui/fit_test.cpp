@@ -1,0 +1,152 @@
+// Every window fits the screen that it opens on.
+
+#include <QAbstractButton>
+#include <QAbstractScrollArea>
+#include <QDialogButtonBox>
+#include <QDockWidget>
+#include <QProcess>
+#include <QTranslator>
+
+#include "app/screen_fit.hpp"
+#include "dialogs/configuration_dialog.hpp"
+#include "dialogs/picture_dialog.hpp"
+#include "dialogs/run_until_dialog.hpp"
+#include "dialogs/source_dialog.hpp"
+#include "dialogs/study_dialog.hpp"
+#include "gui_fixture.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+/// What a desktop leaves of a screen for a window, in points; that of 1920 x 1080 pixels at scale 2
+/// has 960 x 540.
+const QList<QSize> kScreens{{1024, 700}, {1280, 660}, {1366, 708}, {960, 500}};
+
+bool scrolls(const QWidget* widget) {
+    for (; widget != nullptr && !widget->isWindow(); widget = widget->parentWidget()) {
+        if (qobject_cast<const QAbstractScrollArea*>(widget) != nullptr) return true;
+    }
+    return false;
+}
+
+/// On every screen the window is no larger, and its buttons are whole and inside.
+void check_fits(QWidget& window, const QString& name) {
+    for (const QSize& screen : kScreens) {
+        const QSize wanted = window.size().boundedTo(screen);
+        window.resize(wanted);
+        QCoreApplication::processEvents();
+        const QString where = QString("%1 on %2 x %3: %4 x %5")
+                                  .arg(name)
+                                  .arg(screen.width())
+                                  .arg(screen.height())
+                                  .arg(window.width())
+                                  .arg(window.height());
+        QVERIFY2(window.size() == wanted, qPrintable(where));
+        for (const auto* button : window.findChildren<QAbstractButton*>()) {
+            if (!button->isVisible() || button->window() != &window || scrolls(button)) continue;
+            const QRect place(button->mapTo(&window, QPoint()), button->size());
+            QVERIFY2(window.rect().contains(place),
+                     qPrintable(where + ": outside: " + button->objectName() + button->text()));
+            if (button->text().isEmpty()) continue;
+            QVERIFY2(button->width() >= button->sizeHint().width(),
+                     qPrintable(where + ": cut: " + button->objectName() + button->text()));
+        }
+    }
+}
+
+/// At its own size first, as it opens on a great screen.
+void check_dialog(QWidget& dialog, const QSize& own, const QString& name) {
+    dialog.resize(own);
+    dialog.show();
+    check_fits(dialog, name);
+    dialog.close();
+}
+
+}  // namespace
+
+void FitTest::every_window_fits_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<bool>("dark");
+    for (const char* language : {"en", "es"}) {
+        for (const bool dark : {false, true}) {
+            QTest::addRow("%s, %s", language, dark ? "dark" : "light") << language << dark;
+        }
+    }
+}
+
+void FitTest::every_window_fits() {
+    QFETCH(QString, language);
+    QFETCH(bool, dark);
+    QTranslator words;
+    QVERIFY(words.load(":/i18n/hitos_es.qm"));
+    if (language == "es") QApplication::installTranslator(&words);
+    apply_theme(*qApp, dark ? Theme::dark : Theme::light);
+    {
+        Fixture f;
+        f.window->resize(1600, 1000);
+        f.run_steps(30);
+        check_fits(*f.window, "main window");
+        QVERIFY(f.window->configuration_actions().open(
+            Fixture::source_file("data/logs/carmen-flaser.log.gz")));  // with its hint
+        f.window->plots_dock().show();
+        f.window->resize(1024, 700);
+        QCoreApplication::processEvents();
+        QCOMPARE(f.window->size(), QSize(1024, 700));
+        ConfigurationDialog form(f.session.configuration(), f.prompts, f.window.get());
+        check_dialog(form, {980, 790}, "form");
+        SourceDialog source(f.session.configuration().source, f.prompts, {}, f.window.get());
+        check_dialog(source, {720, 480}, "source");
+        PictureDialog picture(f.window->grid_view(), f.window.get());
+        check_dialog(picture, picture.sizeHint(), "picture");
+        RunUntilDialog until(f.session, f.files.settings(), f.window.get());
+        check_dialog(until, until.sizeHint(), "run until");
+        check_dialog(f.window->open_study(), {1120, 720}, "study");
+        f.trigger("action_odometry");
+        check_dialog(*f.window->result_actions().odometry_window(), {820, 680}, "map");
+        f.trigger("action_keys");
+        f.trigger("action_about");
+        for (const char* name : {"keys", "about"}) {
+            auto* box = f.window->findChild<QDialog*>(name);
+            QVERIFY(box != nullptr);
+            check_fits(*box, name);
+        }
+    }
+    apply_theme(*qApp, Theme::light);
+    QApplication::removeTranslator(&words);
+}
+
+void FitTest::what_opens_is_no_larger_than_its_screen() {
+    QWidget window;
+    window.resize(5000, 4000);
+    fit_to_screen(window);
+    const QSize screen = window.screen()->availableGeometry().size();
+    QVERIFY(window.width() < screen.width() && window.height() < screen.height());
+    QWidget small;
+    small.resize(100, 80);
+    fit_to_screen(small);
+    QCOMPARE(small.size(), QSize(100, 80));
+}
+
+void FitTest::at_scale_two_it_fits_too() {
+    const QTemporaryDir folder;
+    const QString picture = folder.filePath("a.png");
+    QProcess program;
+    program.start(QString(HITOS_BIN_DIR) + "/hitos", {"--screenshot", picture, "--size", "960x540",
+                                                      "--scale", "2", "--language", "es"});
+    QVERIFY(program.waitForFinished(kPatienceMs));
+    QCOMPARE(QImage(picture).size(), QSize(1920, 1080));
+}
+
+void FitTest::the_summary_can_be_folded() {
+    Fixture f;
+    auto* summary = f.window->findChild<QWidget*>("summary");
+    QVERIFY(summary->isVisible());
+    f.trigger("action_summary");
+    QVERIFY(!summary->isVisible());
+    f.window->close();
+    const MainWindow next(f.session, f.files, f.prompts);
+    QVERIFY(!next.findChild<QAction*>("action_summary")->isChecked());
+}
+
+}  // namespace hitos::window

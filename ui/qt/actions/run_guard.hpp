@@ -1,0 +1,28 @@
+// Whether what a run has computed may be thrown away.
+#pragma once
+
+#include "app/session.hpp"
+#include "prompts.hpp"
+
+namespace hitos::window {
+
+/// The one rule: a run that has computed for longer than a minute is not discarded without a
+/// question.
+class RunGuard {
+  public:
+    RunGuard(const Session& session, Prompts& prompts, QWidget* window)
+        : session_(session), prompts_(prompts), window_(window) {}
+
+    /// True where little would be lost, or the user agrees.
+    bool may_discard() const;
+    /// What counts as long [s].
+    void set_long_run(double seconds) { long_run_s_ = seconds; }
+
+  private:
+    const Session& session_;
+    Prompts& prompts_;
+    QWidget* window_;
+    double long_run_s_ = 60.0;
+};
+
+}  // namespace hitos::window

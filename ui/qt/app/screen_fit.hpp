@@ -1,0 +1,20 @@
+// No window opens larger than its screen.
+#pragma once
+
+#include <QPoint>
+#include <string>
+
+class QWidget;
+
+namespace hitos::window {
+
+/// Before a window is shown: shrinks it to the screen it will open on, with room for its frame.
+void fit_to_screen(QWidget& window);
+
+/// The same, and places it at an offset from its parent, as far as the screen goes.
+void place_beside_parent(QWidget& window, QPoint offset);
+
+/// "1360x860", as the command line takes it; what is no size changes nothing.
+void apply_size(QWidget& window, const std::string& size);
+
+}  // namespace hitos::window

@@ -1,0 +1,49 @@
+#include "skipped_lines.hpp"
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QPlainTextEdit>
+#include <QVBoxLayout>
+
+#include "app/screen_fit.hpp"
+
+namespace hitos::window {
+namespace {
+
+QString skipped_words(const char* text) {
+    return QCoreApplication::translate("SkippedLines", text);
+}
+
+}  // namespace
+
+void show_skipped_lines(QWidget* parent, const QString& file, const ReadReport& report) {
+    QStringList lines;
+    for (const ReadReport::Skip& skip : report.examples) {
+        lines << skipped_words(QT_TRANSLATE_NOOP("SkippedLines", "Line %1: %2"))
+                     .arg(skip.line)
+                     .arg(QString::fromStdString(skip.reason));
+    }
+    if (report.skipped > report.examples.size()) {
+        lines << skipped_words(QT_TRANSLATE_NOOP("SkippedLines", "… and %1 more"))
+                     .arg(report.skipped - report.examples.size());
+    }
+    auto* dialog = new QDialog(parent);
+    dialog->setObjectName("skipped_lines");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(skipped_words(QT_TRANSLATE_NOOP("SkippedLines", "Damaged lines of %1"))
+                               .arg(QFileInfo(file).fileName()));
+    auto* column = new QVBoxLayout(dialog);
+    auto* text = new QPlainTextEdit(lines.join('\n'), dialog);
+    text->setReadOnly(true);
+    text->setTabChangesFocus(true);
+    column->addWidget(text);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+    column->addWidget(buttons);
+    dialog->resize(560, 320);
+    fit_to_screen(*dialog);
+    dialog->show();
+}
+
+}  // namespace hitos::window
