@@ -122,6 +122,8 @@ class ViewTest : public QObject {
 
   private slots:
     void a_view_is_saved_as_jpg_and_png();
+    void pictures_are_written_as_shapes_too();
+    void a_picture_goes_to_the_clipboard();
     void pictures_ask_before_they_overwrite();
     void a_picture_of_another_kind_is_refused();
     void the_right_button_offers_the_picture();

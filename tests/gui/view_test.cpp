@@ -1,5 +1,6 @@
 // Use case 8.2.2.10, and finding one's way in the views.
 
+#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QImage>
 #include <QLabel>
@@ -56,6 +57,37 @@ void ViewTest::a_view_is_saved_as_jpg_and_png() {
             QCOMPARE(image.size(), f.window->scan_view().picture_size(whole, 2.0));
         }
     }
+}
+
+void ViewTest::pictures_are_written_as_shapes_too() {
+    Fixture f;
+    f.run_steps(40);
+    f.prompts.saves = {f.path("map.svg")};
+    accept_picture(true);
+    emit f.window->grid_view().picture_wanted();
+    QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join(' ')));
+    const QByteArray svg = Fixture::read(f.path("map.svg"));
+    QVERIFY(svg.contains("<svg") && svg.contains("<path"));
+    QVERIFY(svg.contains("<image"));  // the cells
+    f.prompts.saves = {f.path("scan.pdf")};
+    accept_picture(false);
+    emit f.window->scan_view().picture_wanted();
+    QVERIFY(Fixture::read(f.path("scan.pdf")).startsWith("%PDF"));
+    f.trigger("action_plots");
+    f.prompts.saves = {f.path("plots.svg")};
+    emit f.window->plots().picture_wanted();
+    // Letters are letters, and can be edited.
+    QVERIFY(Fixture::read(f.path("plots.svg")).contains("Landmarks</text>"));
+}
+
+void ViewTest::a_picture_goes_to_the_clipboard() {
+    Fixture f;
+    f.run_steps(10);
+    QApplication::clipboard()->clear();
+    f.window->scan_view().setFocus();
+    f.trigger("action_copy_picture");
+    QCOMPARE(QApplication::clipboard()->image().size(),
+             f.window->scan_view().picture_size(false, 2.0));
 }
 
 void ViewTest::pictures_ask_before_they_overwrite() {

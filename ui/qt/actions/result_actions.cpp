@@ -241,9 +241,9 @@ void ResultActions::save_picture(const CanvasView& view) {
     const QString path =
         save_until_done(prompts_, window_,
                         {tr("Save as image"), files_.last_folder("picture") + "/hitos.jpg",
-                         tr("Images (*.jpg *.jpeg *.png)"), "jpg"},
+                         picture_filter(), "jpg"},
                         [&](const QString& target) {
-                            write_image(view.picture(dialog.whole(), dialog.scale()), target);
+                            write_picture(view.picture(dialog.whole(), dialog.scale()), target);
                         });
     if (path.isEmpty()) return;
     files_.note_folder("picture", path);

@@ -14,7 +14,6 @@
 #include "actions/configuration_actions.hpp"
 #include "actions/result_actions.hpp"
 #include "dialogs/parameter_text.hpp"
-#include "dialogs/picture_dialog.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "hitos/workbench/presets.hpp"
@@ -203,6 +202,11 @@ void MainWindow::connect_run() {
     connect(plots_, &Plots::table_wanted, results_, &ResultActions::save_figures);
     connect(ui_->action_study, &QAction::triggered, this, [this] { open_study(); });
     connect(ui_->action_save_picture, &QAction::triggered, this, &MainWindow::save_picture_in_use);
+    connect(ui_->action_copy_picture, &QAction::triggered, this, [this] {
+        const bool scan = ui_->scan_view->hasFocus();
+        (scan ? static_cast<const CanvasView&>(*ui_->scan_view) : *ui_->grid_view).copy_picture();
+        status_->notice(tr("The picture is in the clipboard."));
+    });
     connect(ui_->action_exit, &QAction::triggered, this, &QWidget::close);
     connect(results_, &ResultActions::notice, status_, &StatusLine::notice);
     connect(status_, &StatusLine::skipped_wanted, results_, &ResultActions::list_skipped);
@@ -281,9 +285,9 @@ void MainWindow::save_picture_in_use() {
 void MainWindow::save_plots_picture() {
     const QString path = save_until_done(
         prompts_, this,
-        {tr("Save as image"), files_.last_folder("picture") + "/plots.png",
-         tr("Images (*.jpg *.jpeg *.png)"), "png"},
-        [this](const QString& target) { write_image(plots_->picture(2.0), target); });
+        {tr("Save as image"), files_.last_folder("picture") + "/plots.png", picture_filter(),
+         "png"},
+        [this](const QString& target) { write_picture(plots_->picture(2.0), target); });
     if (!path.isEmpty()) files_.note_folder("picture", path);
 }
 

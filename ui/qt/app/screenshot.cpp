@@ -13,13 +13,13 @@
 
 #include "actions/result_actions.hpp"
 #include "dialogs/configuration_dialog.hpp"
-#include "dialogs/picture_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "hitos/base/error.hpp"
 #include "main_window.hpp"
 #include "screen_fit.hpp"
 #include "views/map_window.hpp"
+#include "views/picture.hpp"
 #include "views/scan_view.hpp"
 
 namespace hitos::window {

@@ -1,4 +1,4 @@
-// Saving a view as JPG or PNG [T use case 8.2.2.10].
+// Saving a view as a picture [T use case 8.2.2.10].
 #pragma once
 
 #include <QDialog>
@@ -26,11 +26,5 @@ class PictureDialog final : public QDialog {
   private:
     std::unique_ptr<Ui::PictureDialog> ui_;
 };
-
-/// The image as the content of a .png, .jpg or .jpeg file; throws hitos::Error for another kind.
-QByteArray encoded(const QImage& image, const QString& path);
-
-/// Writes the image atomically. Throws hitos::Error.
-void write_image(const QImage& image, const QString& path);
 
 }  // namespace hitos::window

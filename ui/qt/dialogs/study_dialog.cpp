@@ -11,7 +11,6 @@
 #include "app/theme.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
-#include "picture_dialog.hpp"
 #include "ui_study_dialog.h"
 
 namespace hitos::window {
@@ -209,19 +208,10 @@ void StudyDialog::reject() {
 }
 
 void StudyDialog::save_plot() {
-    const QString path =
-        save_until_done(prompts_, this,
-                        {tr("Save plot"), files_.last_folder("picture") + "/study.png",
-                         tr("Plots (*.png *.jpg *.jpeg *.pdf)"), "png"},
-                        [this](const QString& target) {
-                            if (QFileInfo(target).suffix().toLower() != "pdf") {
-                                write_image(ui_->plots->picture(2.0), target);
-                                return;
-                            }
-                            const QByteArray pdf = ui_->plots->pdf();
-                            write_file(target.toStdString(),
-                                       {pdf.constData(), static_cast<std::size_t>(pdf.size())});
-                        });
+    const QString path = save_until_done(
+        prompts_, this,
+        {tr("Save plot"), files_.last_folder("picture") + "/study.png", picture_filter(), "png"},
+        [this](const QString& target) { write_picture(ui_->plots->picture(2.0), target); });
     if (path.isEmpty()) return;
     files_.note_folder("picture", path);
     show_verdict(tr("Plot saved: %1").arg(QDir::toNativeSeparators(path)), "muted");

@@ -1097,14 +1097,18 @@
     </message>
 </context>
 <context>
-    <name>PictureDialog</name>
-    <message>
-        <source>pictures are written as .png, .jpg or .jpeg</source>
-        <translation>las imágenes se escriben como .png, .jpg o .jpeg</translation>
-    </message>
+    <name>Picture</name>
     <message>
         <source>the picture could not be encoded</source>
-        <translation>la imagen no se pudo codificar</translation>
+        <translation>no se pudo codificar la imagen</translation>
+    </message>
+    <message>
+        <source>pictures are written as %1</source>
+        <translation>las imágenes se escriben como %1</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg *.pdf)</source>
+        <translation>Imágenes (*.png *.jpg *.jpeg *.svg *.pdf)</translation>
     </message>
 </context>
 <context>
@@ -1236,6 +1240,10 @@
     <message>
         <source>Zoom out</source>
         <translation>Alejar</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Copiar imagen</translation>
     </message>
 </context>
 <context>
@@ -1645,10 +1653,6 @@
         <translation>Guardar como imagen</translation>
     </message>
     <message>
-        <source>Images (*.jpg *.jpeg *.png)</source>
-        <translation>Imágenes (*.jpg *.jpeg *.png)</translation>
-    </message>
-    <message>
         <source>Clear the list</source>
         <translation>Vaciar la lista</translation>
     </message>
@@ -1819,6 +1823,18 @@
     <message>
         <source>as fast as possible, or at the pace chosen</source>
         <translation>tan rápido como sea posible, o al ritmo elegido</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Copiar imagen</translation>
+    </message>
+    <message>
+        <source>Put the view in use into the clipboard as an image</source>
+        <translation>Poner la vista en uso en el portapapeles como imagen</translation>
+    </message>
+    <message>
+        <source>The picture is in the clipboard.</source>
+        <translation>La imagen está en el portapapeles.</translation>
     </message>
 </context>
 <context>
@@ -1993,10 +2009,6 @@
     <message>
         <source>Save as image</source>
         <translation>Guardar como imagen</translation>
-    </message>
-    <message>
-        <source>Images (*.jpg *.jpeg *.png)</source>
-        <translation>Imágenes (*.jpg *.jpeg *.png)</translation>
     </message>
     <message>
         <source>Image saved: %1</source>
@@ -2467,10 +2479,6 @@
     <message>
         <source>Save plot</source>
         <translation>Guardar gráfica</translation>
-    </message>
-    <message>
-        <source>Plots (*.png *.jpg *.jpeg *.pdf)</source>
-        <translation>Gráficas (*.png *.jpg *.jpeg *.pdf)</translation>
     </message>
     <message>
         <source>Plot saved: %1</source>

@@ -1,5 +1,7 @@
 #include "canvas_view.hpp"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -19,7 +21,8 @@ namespace {
 
 constexpr double kLeastZoom = 0.5;      // pixels per metre
 constexpr double kGreatestZoom = 5000;  // a millimetre is five pixels
-constexpr int kLongestSide = 16000;     // of saved pictures
+constexpr double kCopyScale = 2.0;
+constexpr int kLongestSide = 16000;  // of saved pictures
 constexpr double kClickPixels = 4.0;
 constexpr double kScaleBand = 46.0;  // pixels at the bottom that belong to the scale bar
 
@@ -131,7 +134,7 @@ QSize CanvasView::picture_size(bool whole, double scale) const {
     return (map * scale).toSize().expandedTo(QSize(64, 64));
 }
 
-QImage CanvasView::picture(bool whole, double scale) const {
+Picture CanvasView::picture(bool whole, double scale) const {
     const QSize pixels = picture_size(whole, scale);
     if (pixels.width() > kLongestSide || pixels.height() > kLongestSide) {
         throw Error(tr("The picture would have %1 × %2 pixels and may have %3 a side; choose a "
@@ -141,22 +144,23 @@ QImage CanvasView::picture(bool whole, double scale) const {
                         .arg(kLongestSide)
                         .toStdString());
     }
-    QImage image(pixels, QImage::Format_RGB32);
-    const Colours& paper = light_colours();
-    image.fill(paper.canvas);
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(font());
-    painter.scale(scale, scale);
     const QSizeF logical = QSizeF(pixels) / scale;
-    Camera camera = camera_;
-    if (whole && content().isValid()) {
-        camera.centre = content().center();
-        camera.pixels_per_m = whole_pixels_per_m();
-        make_room_for_scale_bar(camera, logical);
-    }
-    paint_scene(painter, {camera.to_screen(logical), logical, camera.pixels_per_m, paper, true});
-    return image;
+    return {logical, scale, [this, whole, logical](QPaintDevice& device, double by) {
+                const Colours& paper = light_colours();
+                QPainter painter(&device);
+                painter.setRenderHint(QPainter::Antialiasing);
+                painter.setFont(font());
+                painter.scale(by, by);
+                painter.fillRect(QRectF(QPointF(), logical), paper.canvas);
+                Camera camera = camera_;
+                if (whole && content().isValid()) {
+                    camera.centre = content().center();
+                    camera.pixels_per_m = whole_pixels_per_m();
+                    make_room_for_scale_bar(camera, logical);
+                }
+                paint_scene(painter,
+                            {camera.to_screen(logical), logical, camera.pixels_per_m, paper, true});
+            }};
 }
 
 void CanvasView::paintEvent(QPaintEvent* event) {
@@ -292,6 +296,10 @@ void CanvasView::keyPressEvent(QKeyEvent* event) {
     }
 }
 
+void CanvasView::copy_picture() const {
+    QApplication::clipboard()->setImage(image_of(picture(false, kCopyScale)));
+}
+
 void CanvasView::resizeEvent(QResizeEvent* event) {
     apply_fit();
     QWidget::resizeEvent(event);
@@ -302,6 +310,7 @@ void CanvasView::contextMenuEvent(QContextMenuEvent* event) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->setObjectName("view_menu");
     menu->addAction(tr("Save as image…"), this, &CanvasView::picture_wanted);
+    menu->addAction(tr("Copy picture"), this, &CanvasView::copy_picture);
     menu->addSeparator();
     menu->addAction(tr("Fit to window"), this, &CanvasView::fit);
     menu->addAction(tr("Zoom in"), this, [this] { zoom(1.25); });

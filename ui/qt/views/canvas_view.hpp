@@ -1,7 +1,6 @@
 // What all views of the plane share: navigation, scale, coordinates, pictures.
 #pragma once
 
-#include <QImage>
 #include <QPointF>
 #include <QRectF>
 #include <QSizeF>
@@ -11,6 +10,7 @@
 
 #include "app/theme.hpp"
 #include "hitos/base/geometry.hpp"
+#include "views/picture.hpp"
 
 class QContextMenuEvent;
 
@@ -49,8 +49,10 @@ class CanvasView : public QWidget {
     /// The picture as seen, or the whole content, each pixel of the screen made `scale` pixels.
     /// Whole content is drawn with `whole_pixels_per_m()` times scale. Throws hitos::Error where
     /// it would be too great.
-    QImage picture(bool whole, double scale) const;
+    Picture picture(bool whole, double scale) const;
     QSize picture_size(bool whole, double scale) const;
+    /// What is seen, to the clipboard.
+    void copy_picture() const;
     /// World coordinates at a point of the widget.
     QPointF world_at(const QPointF& pixel) const;
 

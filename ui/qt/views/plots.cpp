@@ -304,8 +304,8 @@ bool Plots::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-QImage Plots::picture(double scale) const {
-    return plot_->toPixmap(plot_->width(), plot_->height(), scale).toImage();
+Picture Plots::picture(double scale) const {
+    return picture_of(*plot_, scale);
 }
 
 const Plots::Shown* Plots::find(Figure figure) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/session.hpp"
+#include "views/picture.hpp"
 #include "workers/reference_meter.hpp"
 
 class QCPAxisRect;
@@ -39,7 +40,7 @@ class Plots final : public QWidget {
 
     Plots(Session& session, ReferenceMeter& meter, QWidget* parent = nullptr);
 
-    QImage picture(double scale) const;
+    Picture picture(double scale) const;
 
     /// Points drawn so far; 0 where the plot is not shown.
     int points(Figure figure) const;

@@ -266,30 +266,12 @@ void StudyPlots::in_light_colours(Draw draw) {
     restyle();
 }
 
-QImage StudyPlots::picture(double scale) {
-    QImage image;
-    in_light_colours(
-        [&] { image = plot_->toPixmap(plot_->width(), plot_->height(), scale).toImage(); });
-    return image;
-}
-
-QByteArray StudyPlots::pdf() {
-    constexpr double kPointsPerPixel = 72.0 / 96.0;
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    QPdfWriter writer(&buffer);
-    writer.setPageMargins({});
-    writer.setPageSize(QPageSize(QSizeF(plot_->size()) * kPointsPerPixel, QPageSize::Point));
-    in_light_colours([&] {
-        QCPPainter painter;
-        painter.begin(&writer);
-        painter.setWindow(plot_->rect());
-        painter.setMode(QCPPainter::pmVectorized);
-        plot_->toPainter(&painter, plot_->width(), plot_->height());
-        painter.end();
-    });
-    return bytes;
+Picture StudyPlots::picture(double scale) {
+    Picture picture = picture_of(*plot_, scale);
+    picture.paint = [this, paint = picture.paint](QPaintDevice& device, double by) {
+        in_light_colours([&] { paint(device, by); });
+    };
+    return picture;
 }
 
 int StudyPlots::means() const {

@@ -1,8 +1,6 @@
 // The outcome of a study of one parameter, as the thesis draws it [T 10.4].
 #pragma once
 
-#include <QByteArray>
-#include <QImage>
 #include <QString>
 #include <QWidget>
 #include <optional>
@@ -11,6 +9,7 @@
 #include "app/theme.hpp"
 #include "hitos/services/study/study_abscissa.hpp"
 #include "hitos/services/study/study_result.hpp"
+#include "views/picture.hpp"
 
 class QCPAxisRect;
 class QCPErrorBars;
@@ -35,8 +34,7 @@ class StudyPlots final : public QWidget {
     void restyle();
 
     /// For paper: in light colours. `scale` is pixels per point.
-    QImage picture(double scale);
-    QByteArray pdf();
+    Picture picture(double scale);
 
     /// Values that have a mean quality, for tests.
     int means() const;

@@ -1,0 +1,125 @@
+#include "picture.hpp"
+
+#include <qcustomplot.h>
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QSvgGenerator>
+
+#include "app/theme.hpp"
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr int kDotsPerInch = 96;  // of the screen's points
+constexpr double kPointsPerInch = 72.0;
+
+QString words(const char* text) {
+    return QCoreApplication::translate("Picture", text);
+}
+
+QString ending_of(const QString& path) {
+    return QFileInfo(path).suffix().toLower();
+}
+
+QByteArray pixels_of(const QImage& image, const QString& path) {
+    constexpr int kJpegQuality = 95;
+    const bool jpeg = ending_of(path) != "png";
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, jpeg ? "JPG" : "PNG", jpeg ? kJpegQuality : -1)) {
+        throw FileError(
+            path.toStdString(),
+            words(QT_TRANSLATE_NOOP("Picture", "the picture could not be encoded")).toStdString());
+    }
+    return bytes;
+}
+
+QByteArray svg_of(const Picture& picture) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QSvgGenerator device;
+    device.setOutputDevice(&buffer);
+    device.setSize(picture.size.toSize());
+    device.setViewBox(QRectF(QPointF(), picture.size));
+    device.setResolution(kDotsPerInch);
+    device.setTitle("Hitos");
+    picture.paint(device, 1.0);
+    return bytes;
+}
+
+QByteArray pdf_of(const Picture& picture) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter device(&buffer);
+        device.setResolution(kDotsPerInch);
+        device.setPageSize(QPageSize(picture.size * kPointsPerInch / kDotsPerInch, QPageSize::Point,
+                                     {}, QPageSize::ExactMatch));
+        device.setPageMargins({});
+        device.setTitle("Hitos");
+        picture.paint(device, 1.0);
+    }
+    return bytes;
+}
+
+void write_bytes(const QByteArray& bytes, const QString& path) {
+    write_file(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
+void check_ending(const QString& path, const QStringList& known) {
+    if (known.contains(ending_of(path))) return;
+    throw FileError(path.toStdString(),
+                    words(QT_TRANSLATE_NOOP("Picture", "pictures are written as %1"))
+                        .arg("." + known.join(", ."))
+                        .toStdString());
+}
+
+}  // namespace
+
+Picture picture_of(QCustomPlot& plot, double scale) {
+    Picture picture;
+    picture.size = plot.size();
+    picture.scale = scale;
+    picture.paint = [&plot](QPaintDevice& device, double by) {
+        QCPPainter painter(&device);
+        painter.setMode(QCPPainter::pmVectorized);
+        painter.scale(by, by);
+        plot.toPainter(&painter, plot.width(), plot.height());
+    };
+    return picture;
+}
+
+QImage image_of(const Picture& picture) {
+    QImage image(picture.pixels(), QImage::Format_RGB32);
+    image.fill(light_colours().canvas);
+    picture.paint(image, picture.scale);
+    return image;
+}
+
+QString picture_filter() {
+    return words(QT_TRANSLATE_NOOP("Picture", "Pictures (*.png *.jpg *.jpeg *.svg *.pdf)"));
+}
+
+void write_picture(const Picture& picture, const QString& path) {
+    check_ending(path, {"png", "jpg", "jpeg", "svg", "pdf"});
+    const QString ending = ending_of(path);
+    if (ending == "svg") return write_bytes(svg_of(picture), path);
+    if (ending == "pdf") return write_bytes(pdf_of(picture), path);
+    write_bytes(pixels_of(image_of(picture), path), path);
+}
+
+void write_image(const QImage& image, const QString& path) {
+    check_ending(path, {"png", "jpg", "jpeg"});
+    write_bytes(pixels_of(image, path), path);
+}
+
+}  // namespace hitos::window
