@@ -1,27 +1,52 @@
 // The Help menu.
 
 #include <QDesktopServices>
-#include <QMessageBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QTextBrowser>
 #include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
 
 #include "hitos/services/run/results.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "icons.hpp"
 #include "main_window.hpp"
+#include "screen_fit.hpp"
 #include "ui_main_window.h"
 
 namespace hitos::window {
 namespace {
 
-/// A window that the user closes when it pleases; the run goes on meanwhile.
-void show_text(QWidget* parent, const char* name, const QString& title, const QString& text) {
-    auto* box = new QMessageBox(QMessageBox::NoIcon, title, text, QMessageBox::Close, parent);
-    box->setObjectName(name);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::RichText);
-    box->setIconPixmap(icon(Glyph::application).pixmap(64, 64));
-    box->setModal(false);
-    box->show();
+/// A window that the user closes when it pleases; the run goes on meanwhile. What is longer than
+/// the screen scrolls.
+void show_text(QWidget* parent, const char* name, const QString& title, const QString& html) {
+    auto* dialog = new QDialog(parent);
+    dialog->setObjectName(name);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    auto* column = new QVBoxLayout(dialog);
+    auto* row = new QHBoxLayout;
+    column->addLayout(row);
+    auto* picture = new QLabel;
+    picture->setPixmap(icon(Glyph::application).pixmap(64, 64));
+    row->addWidget(picture, 0, Qt::AlignTop);
+    auto* text = new QTextBrowser;
+    text->setFrameShape(QFrame::NoFrame);
+    text->setHtml(html);
+    constexpr double kWidest = 640.0;
+    QTextDocument& document = *text->document();
+    document.setTextWidth(std::min(document.idealWidth(), kWidest));
+    row->addWidget(text);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+    column->addWidget(buttons);
+    constexpr QSize kAround(140, 80);  // picture, margins and button
+    dialog->resize(document.size().toSize() + kAround);
+    fit_to_screen(*dialog);
+    dialog->show();
 }
 
 }  // namespace
@@ -61,13 +86,8 @@ void MainWindow::show_keys() {
         {"Alt+1 … Alt+9", tr("layers")},
         {"+, −, F, WASD", tr("zoom, fit and move the view in use")}};
     QString table = "<table cellspacing='6'>";
-    const qsizetype rows = (keys.size() + 1) / 2;  // two columns, for small screens
-    for (qsizetype row = 0; row < rows; ++row) {
-        table += "<tr>";
-        for (const auto& [key, meaning] : {keys.value(row), keys.value(row + rows)})
-            table += "<td><b>" + key + "</b>&nbsp;</td><td>" + meaning + "&nbsp;&nbsp;</td>";
-        table += "</tr>";
-    }
+    for (const auto& [key, meaning] : keys)
+        table += "<tr><td><b>" + key + "</b>&nbsp;&nbsp;</td><td>" + meaning + "</td></tr>";
     show_text(this, "keys", tr("Keyboard"), table + "</table>");
 }
 
