@@ -250,7 +250,7 @@ LandmarkMap EkfSlam::best_map() const {
             const Extent kept = extent<S>(mark);
             map.push_back({S::from_state(state_.landmark(mark.at)),
                            state_.landmark_covariance(mark.at), mark.record.observations, kept.low,
-                           kept.high});
+                           kept.high, mark.record.first_seen, mark.record.last_seen});
         }
     });
     return map;

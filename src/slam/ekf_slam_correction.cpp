@@ -98,6 +98,7 @@ void EkfSlam::take_in(Mark& mark, const Mark& other) {
     mark.extent_of = S::to_state(first);
     mark.record.observations += other.record.observations;
     mark.record.last_seen = std::max(mark.record.last_seen, other.record.last_seen);
+    mark.record.first_seen = std::min(mark.record.first_seen, other.record.first_seen);
     normalize();
 }
 
@@ -129,8 +130,8 @@ void EkfSlam::note_seen(Association& association) {
     if (mark.record.observations > 0) {
         association.unseen = static_cast<std::uint32_t>(steps()) - mark.record.last_seen;
     }
-    ++mark.record.observations;
     mark.record.last_seen = static_cast<std::uint32_t>(steps());
+    if (++mark.record.observations == 1) mark.record.first_seen = mark.record.last_seen;
 }
 
 void EkfSlam::note_all_seen() {

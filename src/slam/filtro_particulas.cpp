@@ -81,6 +81,8 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
     const MapStore::Handle empty = maps_.create();
     for (std::size_t i = 0; i < particles_.size(); ++i) {
         particles_[i].map = empty;
+        particles_[i].weight_before = 1.0 / static_cast<double>(particles_.size());
+        particles_[i].from = static_cast<std::uint32_t>(i);
         if (i > 0) maps_.share(empty);
     }
     statistics_.neff = static_cast<double>(particles_.size());
@@ -242,6 +244,10 @@ void FiltroParticulas::choose_best() {
     }
     statistics_.best_changed = particles_[best_].history != before;
     normalize_log_weights(log_weights_, weights_);
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        particles_[i].weight_before = weights_[i];
+        particles_[i].from = static_cast<std::uint32_t>(i);
+    }
     statistics_.neff = effective_particles(weights_);
     statistics_.best_log_weight = log_weights_[best_];
 }
@@ -294,7 +300,8 @@ std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
     std::vector<WeightedPose> poses;
     poses.reserve(particles_.size());
     for (std::size_t i = 0; i < particles_.size(); ++i) {
-        poses.push_back({particles_[i].pose, weights[i]});
+        const Particula& particle = particles_[i];
+        poses.push_back({particle.pose, weights[i], particle.weight_before, particle.from});
     }
     return poses;
 }

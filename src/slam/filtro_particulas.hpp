@@ -27,6 +27,8 @@ struct Particula {
     double log_weight = 0.0;
     MapStore::Handle map = 0;
     PoseHistory::Node history = PoseHistory::kNone;
+    double weight_before = 1.0;  // normalised, before the last resampling
+    std::uint32_t from = 0;      // its number then
 };
 
 /// The particle filter with one small EKF per landmark and particle.
@@ -41,7 +43,8 @@ class FiltroParticulas final : public SlamFilter {
 
     std::uint64_t steps() const override { return steps_; }
     Pose best_pose() const override { return particles_[best_].pose; }
-    LandmarkMap best_map() const override;
+    LandmarkMap best_map() const override { return map(best_); }
+    LandmarkMap map(std::size_t hypothesis) const override;
     std::vector<Pose> best_history() const override;
     int best_count(FeatureKind kind) const override;
     std::span<const Association> associations() const override { return associations_; }
@@ -49,6 +52,8 @@ class FiltroParticulas final : public SlamFilter {
     std::vector<Pose> history(std::size_t hypothesis) const override {
         return history_.path(particles_[hypothesis].history);
     }
+    std::size_t best_hypothesis() const override { return best_; }
+    std::vector<HistoryBranch> ancestry() const override;
     FilterStatistics statistics() const override { return statistics_; }
     Matrix3 pose_covariance() const override;
 

@@ -150,17 +150,18 @@ void FiltroParticulas::publish_associations() {
     });
 }
 
-LandmarkMap FiltroParticulas::best_map() const {
+LandmarkMap FiltroParticulas::map(std::size_t hypothesis) const {
+    const MapStore::Handle handle = particles_[hypothesis].map;
     LandmarkMap map;
-    map.reserve(maps_.size(particles_[best_].map));
+    map.reserve(maps_.size(handle));
     for_each_kind([&]<class S>() {
-        const auto landmarks = maps_.landmarks<S>(particles_[best_].map);
+        const auto landmarks = maps_.landmarks<S>(handle);
         for (std::size_t i = 0; i < landmarks.size(); ++i) {
             const LandmarkRecord& record = landmarks.record(i);
             if (!confirmed(record)) continue;
             const Extent extent = heeds_extents_ ? landmarks.extent(i) : Extent{};
             map.push_back({landmarks.mean(i), landmarks.covariance(i), record.observations,
-                           extent.low, extent.high});
+                           extent.low, extent.high, record.first_seen, record.last_seen});
         }
     });
     return map;
@@ -168,6 +169,13 @@ LandmarkMap FiltroParticulas::best_map() const {
 
 std::vector<Pose> FiltroParticulas::best_history() const {
     return history_.path(particles_[best_].history);
+}
+
+std::vector<HistoryBranch> FiltroParticulas::ancestry() const {
+    std::vector<PoseHistory::Node> leaves;
+    leaves.reserve(particles_.size());
+    for (const Particula& particle : particles_) leaves.push_back(particle.history);
+    return history_.branches(leaves);
 }
 
 int FiltroParticulas::best_count(FeatureKind kind) const {

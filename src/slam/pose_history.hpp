@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "hitos/base/geometry.hpp"
+#include "hitos/slam/slam_filter.hpp"
 
 namespace hitos {
 
@@ -62,6 +62,45 @@ class PoseHistory {
         for (; node != kNone; node = nodes_[node].parent) poses.push_back(nodes_[node].pose);
         std::reverse(poses.begin(), poses.end());
         return poses;
+    }
+
+    /// What the leaves, all of the newest scan, have behind them, as branches; the oldest first.
+    std::vector<HistoryBranch> branches(std::span<const Node> leaves) const {
+        constexpr std::size_t kNoBranch = SIZE_MAX;
+        std::vector<HistoryBranch> branches;
+        std::vector<std::size_t> branch_of(nodes_.size(), kNoBranch);
+        std::vector<Node> level;  // nodes of one scan
+        std::vector<Node> before;
+        const auto open = [&](Node node, std::vector<Node>& nodes) {
+            branch_of[node] = branches.size();
+            branches.emplace_back();
+            nodes.push_back(node);
+        };
+        for (const Node leaf : leaves) {
+            if (leaf == kNone) continue;
+            if (branch_of[leaf] == kNoBranch) open(leaf, level);
+            ++branches[branch_of[leaf]].particles;
+        }
+        for (; !level.empty(); level.swap(before)) {
+            before.clear();
+            for (const Node node : level) {
+                const std::size_t branch = branch_of[node];
+                branches[branch].poses.push_back(nodes_[node].pose);
+                const Node parent = nodes_[node].parent;
+                if (parent == kNone) continue;
+                if (nodes_[parent].references == 1) {
+                    branch_of[parent] = branch;
+                    before.push_back(parent);
+                    continue;
+                }
+                if (branch_of[parent] == kNoBranch) open(parent, before);
+                branches[branch].poses.push_back(nodes_[parent].pose);
+                branches[branch_of[parent]].particles += branches[branch].particles;
+            }
+        }
+        for (HistoryBranch& branch : branches) std::ranges::reverse(branch.poses);
+        std::ranges::reverse(branches);
+        return branches;
     }
 
     std::size_t bytes() const {

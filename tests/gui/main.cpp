@@ -33,12 +33,13 @@ int main(int argc, char** argv) {
     if (name == "source") return run<SourceTest>(arguments);
     if (name == "configuration") return run<ConfigurationTest>(arguments);
     if (name == "run") return run<RunTest>(arguments);
+    if (name == "inspect") return run<InspectTest>(arguments);
     if (name == "study") return run<StudyTest>(arguments);
     if (name == "time") return run<TimeTest>(arguments);
     if (name == "random") return run<RandomUserTest>(arguments);
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
-        "expected contact, fit, source, configuration, random, run, study, time, view or words");
+        "expected contact, fit, source, configuration, random, run, study, time, view, inspect or words");
     return 2;
 }

@@ -144,6 +144,18 @@ class ViewTest : public QObject {
     void the_grid_view_shows_the_grid_map();
 };
 
+class InspectTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void the_landmark_table_has_every_landmark();
+    void a_chosen_landmark_is_marked_everywhere();
+    void a_chosen_particle_shows_what_it_believes();
+    void a_click_on_the_cloud_chooses_a_particle();
+    void any_particles_map_path_and_grid_are_opened();
+    void the_ancestry_of_the_particles_is_a_layer();
+};
+
 class StudyTest : public QObject {
     Q_OBJECT
 

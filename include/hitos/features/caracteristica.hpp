@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string_view>
 #include <variant>
@@ -87,6 +88,8 @@ struct ICaracteristica {
     /// line where its owner does not keep that. Corners have none.
     double from_m = -std::numeric_limits<double>::infinity();
     double to_m = std::numeric_limits<double>::infinity();
+    std::uint32_t first_seen = 0;  ///< number of the scan that saw it first, from 0
+    std::uint32_t last_seen = 0;   ///< of the one that saw it last
 
     FeatureKind kind() const {
         return std::holds_alternative<Recta>(value) ? FeatureKind::line : FeatureKind::corner;

@@ -29,6 +29,14 @@ struct Association {
 struct WeightedPose {
     Pose pose;
     double weight = 0.0;
+    double weight_before = 1.0;  ///< before the last resampling, of the one that it was drawn from
+    std::uint32_t from = 0;      ///< the number that this one had then
+};
+
+/// A stretch without a fork of the tree that the hypotheses' histories are.
+struct HistoryBranch {
+    std::vector<Pose> poses;  ///< from the fork or the first scan to the next fork or the newest
+    std::uint32_t particles = 0;  ///< hypotheses that have it behind them
 };
 
 struct FilterStatistics {
@@ -83,6 +91,12 @@ class SlamFilter {
     /// The poses of one of hypotheses() at every scan so far. An algorithm that has a single one
     /// need not say more than this does.
     virtual std::vector<Pose> history(std::size_t /*hypothesis*/) const { return best_history(); }
+    /// Its map, likewise.
+    virtual LandmarkMap map(std::size_t /*hypothesis*/) const { return best_map(); }
+    /// The place of the best one in hypotheses().
+    virtual std::size_t best_hypothesis() const { return 0; }
+    /// The histories of all hypotheses as the trees that they are, the oldest branches first.
+    virtual std::vector<HistoryBranch> ancestry() const { return {{best_history(), 1}}; }
     virtual FilterStatistics statistics() const = 0;
     /// Covariance of (x, y, theta) [m, m, rad]: the filter's own, or that of its hypotheses.
     virtual Eigen::Matrix3d pose_covariance() const = 0;

@@ -8,6 +8,13 @@
 #include "hitos/services/run/quality.hpp"
 
 namespace hitos {
+ParticleDetails details_of(const Algoritmo& run, std::size_t hypothesis) {
+    ParticleDetails details{
+        hypothesis, run.filter().map(hypothesis), {}, run.trajectory_of(hypothesis)};
+    details.line_extents = run.line_extents().of(details.map, details.path);
+    return details;
+}
+
 RunWorker::RunWorker(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
                      const AlgoritmoOptions& options)
     : run_(configuration, std::move(reader), options),
@@ -132,8 +139,9 @@ Progress RunWorker::progress() const {
     return progress_;
 }
 
-void RunWorker::request_snapshot() {
+void RunWorker::request_snapshot(const SnapshotParts& parts) {
     const std::scoped_lock lock(mutex_);
+    parts_wanted_ = parts;
     snapshot_wanted_ = true;
     wake_.notify_one();
 }
@@ -189,8 +197,9 @@ void RunWorker::work(const std::stop_token& stop) {
             lock.lock();
         }
         if (std::exchange(snapshot_wanted_, false)) {
+            const SnapshotParts parts = parts_wanted_;
             lock.unlock();
-            publish_snapshot();
+            publish_snapshot(parts);
             lock.lock();
         }
         for (const auto& task : std::exchange(tasks_, {})) {
@@ -313,9 +322,10 @@ void RunWorker::note_progress() {
     }
 }
 
-void RunWorker::publish_snapshot() {
+void RunWorker::publish_snapshot(const SnapshotParts& parts) {
     const double begin = thread_seconds();
     auto snapshot = std::make_shared<Snapshot>();
+    snapshot->parts = parts;
     snapshot->steps = run_.steps();
     snapshot->revision = run_.revision();
     snapshot->scan = run_.scan();
@@ -325,6 +335,11 @@ void RunWorker::publish_snapshot() {
     snapshot->best_pose = run_.filter().best_pose();
     snapshot->best_map = run_.filter().best_map();
     snapshot->hypotheses = run_.filter().hypotheses();
+    snapshot->best_hypothesis = run_.filter().best_hypothesis();
+    if (parts.particle && *parts.particle < snapshot->hypotheses.size()) {
+        snapshot->particle = details_of(run_, *parts.particle);
+    }
+    if (parts.ancestry) snapshot->ancestry = run_.filter().ancestry();
     snapshot->best_trajectory = run_.best_trajectory();
     snapshot->online_trajectory = run_.online_trajectory();
     if (const Registration* registration = run_.registration()) {

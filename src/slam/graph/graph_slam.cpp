@@ -257,8 +257,14 @@ LandmarkMap GraphSlam::best_map() const {
             if (S::kKind == FeatureKind::line) {
                 extent = extent_along(LocalCoordinates<S>::place(estimate.mean), landmark);
             }
+            const auto scan_of = [&](std::uint32_t sighting) {
+                return static_cast<std::uint32_t>(
+                    graph_.keys()[graph_.sightings()[sighting].key].scan);
+            };
             map.push_back({estimate.mean, estimate.covariance,
-                           static_cast<int>(landmark.sightings.size()), extent.low, extent.high});
+                           static_cast<int>(landmark.sightings.size()), extent.low, extent.high,
+                           scan_of(landmark.sightings.front()),
+                           scan_of(landmark.sightings.back())});
         }
     });
     map_ = map;

@@ -9,6 +9,70 @@
 namespace hitos {
 namespace {
 
+/// All ways from the first pose to the newest ones that branches describe, each as often as it is
+/// taken.
+std::vector<std::vector<Pose>> ways_of(const std::vector<HistoryBranch>& branches,
+                                       std::size_t length) {
+    std::vector<std::vector<Pose>> ways;
+    const auto follow = [&](const auto& self, const HistoryBranch& branch,
+                            std::vector<Pose> way) -> void {
+        if (!way.empty()) way.pop_back();  // the fork is in both
+        way.insert(way.end(), branch.poses.begin(), branch.poses.end());
+        if (way.size() == length) {
+            ways.insert(ways.end(), branch.particles, way);
+            return;
+        }
+        std::uint32_t particles = 0;
+        for (const HistoryBranch& next : branches) {
+            if (&next == &branch || next.poses.front() != way.back()) continue;
+            self(self, next, way);
+            particles += next.particles;
+        }
+        EXPECT_EQ(particles, branch.particles);
+    };
+    follow(follow, branches.front(), {});
+    return ways;
+}
+
+TEST(PoseHistory, BranchesAreTheTreeOfAllHistories) {
+    constexpr std::size_t kParticles = 12;
+    constexpr std::size_t kSteps = 40;
+    std::mt19937 engine(47);
+    std::uniform_real_distribution<double> value(-1.0, 1.0);
+    std::uniform_int_distribution<std::size_t> pick(0, kParticles - 1);
+    PoseHistory history;
+    EXPECT_TRUE(history.branches(std::vector<PoseHistory::Node>{PoseHistory::kNone}).empty());
+    // They start as copies of one.
+    const auto root = history.append(PoseHistory::kNone, {});
+    std::vector<PoseHistory::Node> leaves(kParticles, root);
+    for (std::size_t i = 1; i < kParticles; ++i) history.share(root);
+    for (std::size_t step = 1; step < kSteps; ++step) {
+        for (auto& leaf : leaves) {
+            leaf = history.append(leaf, {value(engine), value(engine), value(engine)});
+        }
+        if (step % 3 != 0) continue;
+        std::vector<PoseHistory::Node> next;
+        for (std::size_t i = 0; i < kParticles; ++i) {
+            next.push_back(leaves[pick(engine)]);
+            history.share(next.back());
+        }
+        for (const auto leaf : leaves) history.release(leaf);
+        leaves = next;
+    }
+    const std::vector<HistoryBranch> branches = history.branches(leaves);
+    EXPECT_GT(branches.size(), 3U);
+    std::size_t poses = branches.front().poses.size();
+    for (std::size_t i = 1; i < branches.size(); ++i) poses += branches[i].poses.size() - 1;
+    EXPECT_EQ(poses, history.size());  // each is drawn once
+    auto ways = ways_of(branches, kSteps);
+    ASSERT_EQ(ways.size(), kParticles);
+    for (const auto leaf : leaves) {
+        const auto way = std::ranges::find(ways, history.path(leaf));
+        ASSERT_NE(way, ways.end());
+        ways.erase(way);
+    }
+}
+
 TEST(PoseHistory, EqualsPlainCopiesUnderRandomResampling) {
     constexpr std::size_t kParticles = 20;
     std::mt19937 engine(43);

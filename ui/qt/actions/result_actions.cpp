@@ -19,16 +19,8 @@
 namespace hitos::window {
 namespace {
 
-/// What the best particle knows at one moment.
-struct BestParticle {
-    MarkedMap landmarks;
-    Trajectory path;
-};
-
-BestParticle best_of(const Algoritmo& run) {
-    BestParticle best{{run.filter().best_map(), {}}, run.best_trajectory()};
-    best.landmarks.extents = run.line_extents().of(best.landmarks.map, best.path);
-    return best;
+ParticleDetails best_of(const Algoritmo& run) {
+    return details_of(run, run.filter().best_hypothesis());
 }
 
 }  // namespace
@@ -78,11 +70,12 @@ void ResultActions::view_best() {
         open_window(best_, tr("Grid map of the best particle"), MapWindow::Show::result);
     const bool shown = snapshot && snapshot->steps > 0;
     // Where a slow step is under way, what is in the views will do.
-    const BestParticle best =
+    const ParticleDetails best =
         !shown || moment.wait_for(std::chrono::milliseconds(40)) == std::future_status::ready
             ? moment.get()
-            : BestParticle{{snapshot->best_map, snapshot->line_extents}, snapshot->best_trajectory};
-    map->view().set_landmarks(best.landmarks);
+            : ParticleDetails{snapshot->best_hypothesis, snapshot->best_map, snapshot->line_extents,
+                              snapshot->best_trajectory};
+    map->view().set_landmarks({best.map, best.line_extents});
     map->builder().build(session_.configuration(), best.path);
 }
 
@@ -92,13 +85,17 @@ void ResultActions::view_particle() {
     const std::optional<int> particle =
         prompts_.number(window_, tr("Map of one particle"),
                         tr("Number of the particle, 0 to %1:").arg(count - 1), 0, count - 1);
-    if (!particle || session_.worker() == nullptr) return;
-    MapWindow* map = open_window(particle_, tr("Grid map of particle %1").arg(*particle),
+    if (particle) view_grid_of(*particle);
+}
+
+void ResultActions::view_grid_of(int particle) {
+    if (session_.worker() == nullptr) return;
+    MapWindow* map = open_window(particle_, tr("Grid map of particle %1").arg(particle),
                                  MapWindow::Show::result);
     // The run may be in the middle of a slow step: the window does not wait for its end.
     path_of_particle_ = session_.worker()->with_run(
         [this, place = QPointer<MapWindow>(map), configuration = session_.configuration(),
-         number = static_cast<std::size_t>(*particle)](const Algoritmo& run) {
+         number = static_cast<std::size_t>(particle)](const Algoritmo& run) {
             QMetaObject::invokeMethod(
                 this,
                 [place, configuration, path = run.trajectory_of(number)] {
@@ -129,29 +126,59 @@ void ResultActions::list_skipped() {
 
 void ResultActions::save_map() {
     if (session_.progress().steps == 0) return;
-    // The map of this moment, however long the user thinks about its name.
-    const auto moment =
-        session_.worker()->with_run([](const Algoritmo& run) { return best_of(run); }).share();
+    save_moment(moment_of(std::nullopt), tr("Save best particle's map"));
+}
+
+void ResultActions::save_map_of(int particle) {
+    if (session_.progress().steps == 0) return;
+    save_moment(moment_of(static_cast<std::size_t>(particle)),
+                tr("Save the map of particle %1").arg(particle));
+}
+
+std::shared_future<ParticleDetails> ResultActions::moment_of(
+    std::optional<std::size_t> particle) const {
+    return session_.worker()
+        ->with_run([particle](const Algoritmo& run) {
+            return particle ? details_of(run, *particle) : best_of(run);
+        })
+        .share();
+}
+
+void ResultActions::save_moment(const std::shared_future<ParticleDetails>& moment,
+                                const QString& title) {
     const QString path = save_until_done(
         prompts_, window_,
-        {tr("Save best particle's map"), files_.last_folder("map") + "/map",
+        {title, files_.last_folder("map") + "/map",
          tr("Maps (*.txt *.map);;Segments (*.seg);;CAD drawings (*.dxf);;All files (*)"), "txt"},
         [&](const QString& target) {
-            const auto& [landmarks, trajectory] = moment.get();
-            const auto& [map, segments] = landmarks;
+            const ParticleDetails& now = moment.get();
             const std::string file = target.toStdString();
             const QString ending = QFileInfo(target).suffix().toLower();
             if (ending == "dxf") {
-                write_dxf(map, segments, trajectory, file);
+                write_dxf(now.map, now.line_extents, now.path, file);
             } else if (ending == "seg") {
-                write_segments(map, segments, file);
+                write_segments(now.map, now.line_extents, file);
             } else {
-                write_map(map, file);
+                write_map(now.map, file);
             }
         });
     if (path.isEmpty()) return;
     files_.note_folder("map", path);
     emit notice(tr("Map saved: %1").arg(QDir::toNativeSeparators(path)));
+}
+
+void ResultActions::save_path_of(int particle) {
+    if (session_.progress().steps == 0) return;
+    const auto moment = moment_of(static_cast<std::size_t>(particle));
+    const QString path = save_until_done(
+        prompts_, window_,
+        {tr("Save the path of particle %1").arg(particle),
+         files_.last_folder("map") + "/trajectory", tr("Trajectories (*.tum);;All files (*)"),
+         "tum"},
+        [&](const QString& target) { write_trajectory(moment.get().path, target.toStdString()); });
+    if (path.isEmpty()) return;
+    files_.note_folder("map", path);
+    emit notice(tr("Path saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
 /// What was asked of a run that has ended since is over too.

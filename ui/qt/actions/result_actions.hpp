@@ -30,10 +30,15 @@ class ResultActions final : public QObject {
     void view_best();
     /// The grid along the path of a particle whose number the user gives [T 9.2.5].
     void view_particle();
+    /// The same of this one.
+    void view_grid_of(int particle);
     void view_odometry();
     /// The damaged lines of the log that were skipped so far, in a window of its own.
     void list_skipped();
     void save_map();
+    void save_map_of(int particle);
+    /// As a TUM file.
+    void save_path_of(int particle);
     void save_results();
     /// The figures of every scan that the run has been at, as a table.
     void save_figures();
@@ -50,6 +55,9 @@ class ResultActions final : public QObject {
   private:
     MapWindow* open_window(QPointer<MapWindow>& place, const QString& title, MapWindow::Show show);
 
+    /// What one hypothesis believes at this moment, however long the user thinks about a name.
+    std::shared_future<ParticleDetails> moment_of(std::optional<std::size_t> particle) const;
+    void save_moment(const std::shared_future<ParticleDetails>& moment, const QString& title);
     void write_results_to(const QString& folder);
     void end_writing(int number, const QString& folder, const QString& problem,
                      const QStringList& missing);

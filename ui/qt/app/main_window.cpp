@@ -18,6 +18,7 @@
 #include "dialogs/study_dialog.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "icons.hpp"
+#include "inspect/inspection.hpp"
 #include "language.hpp"
 #include "screen_fit.hpp"
 #include "status_line.hpp"
@@ -91,6 +92,7 @@ void MainWindow::make_parts() {
     show_plots->setObjectName("action_plots");
     show_plots->setShortcut(QKeySequence("Ctrl+G"));
     ui_->menu_view->insertAction(ui_->menu_theme->menuAction(), show_plots);
+    inspection_ = new Inspection(session_, this, ui_->menu_view, ui_->menu_theme->menuAction());
     ui_->menu_view->insertSeparator(ui_->menu_theme->menuAction());
     ui_->views->setSizes({500, 500});
     fit_to_screen(*this);
@@ -246,8 +248,11 @@ void MainWindow::connect_views() {
         connect(view, &CanvasView::picture_wanted, results_,
                 [this, view] { results_->save_picture(*view); });
     }
-    connect(ui_->scan_view, &ScanView::landmark_clicked, this, &MainWindow::set_highlight);
-    connect(ui_->grid_view, &GridView::landmark_clicked, this, &MainWindow::set_highlight);
+    connect(inspection_, &Inspection::landmark_chosen, this, &MainWindow::set_highlight);
+    inspection_->connect_views(*ui_->scan_view, *ui_->grid_view);
+    inspection_->connect_results(*results_);
+    connect(view_settings_, &ViewSettings::layers_changed, inspection_, &Inspection::set_layers);
+    inspection_->set_layers(view_settings_->layers());
     connect(&session_, &Session::restarted, this, [this] { set_highlight({}); });
     connect(view_settings_, &ViewSettings::layers_changed, ui_->scan_view, &ScanView::set_layers);
     connect(view_settings_, &ViewSettings::layers_changed, ui_->grid_view, &GridView::set_layers);
@@ -274,6 +279,7 @@ void MainWindow::connect_views() {
 void MainWindow::set_highlight(const PickedLandmark& picked) {
     ui_->scan_view->set_highlight(picked);
     ui_->grid_view->set_highlight(picked);
+    inspection_->set_highlight(picked);
 }
 
 void MainWindow::save_picture_in_use() {

@@ -16,6 +16,7 @@ namespace hitos::window {
 class CanvasView;
 class ConfigurationActions;
 class GridView;
+class Inspection;
 class LogCounter;
 struct PickedLandmark;
 class Plots;
@@ -86,6 +87,7 @@ class MainWindow final : public QMainWindow {
     StatusLine* status_ = nullptr;
     Plots* plots_ = nullptr;
     QDockWidget* dock_ = nullptr;
+    Inspection* inspection_ = nullptr;
     StudyDialog* study_ = nullptr;
 };
 

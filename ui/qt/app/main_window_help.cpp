@@ -81,6 +81,7 @@ void MainWindow::show_keys() {
         {"Ctrl+Z, Ctrl+Shift+Z", tr("undo, redo a change of the configuration")},
         {"Ctrl+H", tr("configuration at a glance")},
         {"Ctrl+G", tr("plots")},
+        {"Ctrl+Shift+L, Ctrl+Shift+P", tr("tables of landmarks and particles")},
         {"Ctrl+E", tr("study of one parameter")},
         {"Ctrl+T, Ctrl+F", tr("world frame, follow the robot")},
         {"Alt+1 … Alt+9", tr("layers")},

@@ -117,6 +117,12 @@ void Session::restart() {
     begin_anew();
 }
 
+void Session::want(const SnapshotParts& parts) {
+    if (parts == parts_) return;
+    parts_ = parts;
+    if (worker_) timer_.start();  // not at once: who asks may be about to go
+}
+
 void Session::wake() {
     timer_.start();
     tick();
@@ -150,11 +156,11 @@ void Session::tick() {
             now_us + std::max(kFrameUs, static_cast<qint64>(cost / kShare * 1e6));
     }
     const bool running = now.state == Progress::State::running;
-    const bool behind = now.steps > 0 && (!snapshot_ || snapshot_->revision != now.revision);
+    const bool behind = now.steps > 0 && !shows(now);
     if (!requested_ && behind && (!running || now_us >= request_not_before_us_)) {
         before_request_ = worker_->latest_snapshot();
         requested_ = true;
-        worker_->request_snapshot();
+        worker_->request_snapshot(parts_);
     }
     if (!running && !behind && told_.steps == now.steps && !changed_state) timer_.stop();
 }

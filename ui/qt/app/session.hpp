@@ -36,8 +36,11 @@ class Session final : public QObject {
     /// The newest one; null before the first.
     std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
     Progress progress() const;
-    /// Whether the snapshot is of the run as it is now.
-    bool up_to_date() const { return snapshot_ && snapshot_->revision == progress().revision; }
+    /// Whether the snapshot is of the run as it is now, with all that is wanted.
+    bool up_to_date() const { return shows(progress()); }
+    /// Parts that somebody looks at; a view changes those of its own.
+    const SnapshotParts& parts() const { return parts_; }
+    void want(const SnapshotParts& parts);
 
     /// What the user named, and the truth that the tour itself knows where the user named nothing.
     const References& references() const { return references_; }
@@ -71,6 +74,9 @@ class Session final : public QObject {
 
   private:
     void tick();
+    bool shows(const Progress& progress) const {
+        return snapshot_ && snapshot_->revision == progress.revision && snapshot_->parts == parts_;
+    }
     void wake();
     void retire();
     void begin_anew();
@@ -90,6 +96,7 @@ class Session final : public QObject {
     qint64 told_ms_ = 0;
     qint64 request_not_before_us_ = 0;
     bool requested_ = false;
+    SnapshotParts parts_;
     std::shared_ptr<const Snapshot> before_request_;
     double paint_seconds_ = 0.0;
 };

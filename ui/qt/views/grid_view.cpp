@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "particle_painter.hpp"
+
 namespace hitos::window {
 
 GridView::GridView(QWidget* parent) : CanvasView(parent), layers_(default_layers()) {}
@@ -85,6 +87,11 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
     }
     if (layers_.has(Layer::path)) {
         draw_path(painter, scene, path_, thin_pen(light_colours().path, 1.8));
+    }
+    if (snapshot_) {
+        const Scene paper{scene.to_screen, scene.size, scene.pixels_per_m, light_colours(), false};
+        if (layers_.has(Layer::ancestry)) draw_ancestry(painter, paper, snapshot_->ancestry, {});
+        if (snapshot_->particle) draw_particle(painter, paper, *snapshot_->particle, {});
     }
     if (layers_.has(Layer::graph)) paint_graph(painter, scene);
     if (!snapshot_ && layers_.has(Layer::landmarks)) paint_landmarks(painter, scene);

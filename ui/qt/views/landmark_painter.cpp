@@ -25,6 +25,11 @@ struct Painter {
     const Scene& scene;
     const LandmarkStyle& style;
 
+    QColor colour_of(bool strong) const {
+        if (strong) return scene.colours.highlight;
+        return style.colour.isValid() ? style.colour : scene.colours.landmark;
+    }
+
     void band(const Recta& recta, const Eigen::Matrix2d& covariance, double from, double to,
               double sigmas) const {
         // The line moves by d_rho - t d_theta at the place t along it, t = 0 at the foot.
@@ -44,7 +49,7 @@ struct Painter {
     }
 
     void endless(const Recta& recta, bool strong) const {
-        const QColor colour = strong ? scene.colours.highlight : scene.colours.landmark;
+        const QColor colour = colour_of(strong);
         painter.setPen(thin_pen(faded(colour, 90), 1.0, Qt::DashLine));
         painter.drawPolyline(visible_line(scene, recta.rho, recta.theta));
     }
@@ -56,7 +61,7 @@ struct Painter {
         const QRectF sight(-50.0, -50.0, scene.size.width() + 100.0, scene.size.height() + 100.0);
         const QRectF box = QRectF(line.p1(), line.p2()).normalized().adjusted(-1, -1, 1, 1);
         if (!sight.intersects(box)) return;
-        const QColor colour = strong ? scene.colours.highlight : scene.colours.landmark;
+        const QColor colour = colour_of(strong);
         const Eigen::Matrix2d& covariance = landmark.covariance;
         const double widest = std::max(std::abs(from), std::abs(to));
         const double sigma = std::sqrt(covariance(0, 0)) + widest * std::sqrt(covariance(1, 1));
@@ -71,7 +76,7 @@ struct Painter {
     }
 
     void corner(const Esquina& esquina, const Eigen::Matrix2d& covariance, bool strong) const {
-        const QColor colour = strong ? scene.colours.highlight : scene.colours.landmark;
+        const QColor colour = colour_of(strong);
         const QPointF centre(esquina.x, esquina.y);
         const double sigma = std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
         const QRectF sight(-50.0, -50.0, scene.size.width() + 100.0, scene.size.height() + 100.0);
@@ -152,7 +157,8 @@ void draw_landmarks(QPainter& painter, const Scene& scene, const MarkedMap& mark
 
 void draw_highlight(QPainter& painter, const Scene& scene, const MarkedMap& marked, int index,
                     bool uncertainty) {
-    const LandmarkStyle style{uncertainty, true, false, -1};
+    LandmarkStyle style;
+    style.uncertainty = uncertainty;
     const Painter draw{painter, scene, style};
     const ICaracteristica& landmark = marked.map[static_cast<std::size_t>(index)];
     if (const auto* corner = std::get_if<Esquina>(&landmark.value)) {

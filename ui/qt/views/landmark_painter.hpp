@@ -23,6 +23,7 @@ struct LandmarkStyle {
     bool endless = false;  ///< lines as what they are, not only where they were seen
     bool numbers = false;
     int highlighted = -1;  ///< index in the map
+    QColor colour = {};    ///< of all; that of landmarks where it is none
 };
 
 /// The landmark of the world's frame that the user points at, if any.

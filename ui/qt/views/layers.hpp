@@ -23,7 +23,8 @@ enum class Layer : std::size_t {
     online,
     graph,
     reference,
-    names
+    names,
+    ancestry
 };
 
 struct LayerInfo {
@@ -50,6 +51,7 @@ inline constexpr auto kLayerTable = std::to_array<LayerInfo>({
     {Layer::graph, "graph", QT_TRANSLATE_NOOP("Layers", "Key scans and loops"), true},
     {Layer::reference, "reference", QT_TRANSLATE_NOOP("Layers", "Reference"), true},
     {Layer::names, "names", QT_TRANSLATE_NOOP("Layers", "Landmark numbers"), false},
+    {Layer::ancestry, "ancestry", QT_TRANSLATE_NOOP("Layers", "Particles' ancestry"), false},
 });
 inline constexpr std::size_t kLayers = kLayerTable.size();
 

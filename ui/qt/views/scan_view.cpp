@@ -73,7 +73,7 @@ void ScanView::prepare() {
     points_.clear();
     segments_.clear();
     corners_.clear();
-    particles_.clear();
+    cloud_ = {};
     links_.clear();
     landmarks_ = {};
     if (!snapshot_) {
@@ -90,17 +90,27 @@ void ScanView::prepare() {
     }
     for (const Esquina& corner : seen.corners)
         corners_.push_back(moved(from_robot, {corner.x, corner.y}));
-    const auto& cloud = snapshot_->hypotheses;
-    const std::size_t stride = 1 + (cloud.size() - 1) / kMostParticlesDrawn;
-    for (std::size_t i = 0; i < cloud.size(); i += stride) {
-        const Pose pose = compose(from_world, cloud[i].pose);
-        particles_.emplace_back(pose.x, pose.y, pose.x + std::cos(pose.theta),
-                                pose.y + std::sin(pose.theta));
-    }
+    prepare_cloud();
     landmarks_ = transform(from_world, snapshot_->best_map, snapshot_->line_extents);
     prepare_links();
     grow_content();
     content_changed(QPointF(from_robot.x, from_robot.y));
+}
+
+void ScanView::prepare_cloud() {
+    const Pose from_world = pose_view_world();
+    const auto& hypotheses = snapshot_->hypotheses;
+    cloud_stride_ = 1 + (hypotheses.size() - 1) / kMostParticlesDrawn;
+    double heaviest = 0.0;
+    for (const WeightedPose& particle : hypotheses) {
+        heaviest = std::max(heaviest, particle.weight_before);
+    }
+    for (std::size_t i = 0; i < hypotheses.size(); i += cloud_stride_) {
+        const Pose pose = compose(from_world, hypotheses[i].pose);
+        cloud_.particles.emplace_back(pose.x, pose.y, pose.x + std::cos(pose.theta),
+                                      pose.y + std::sin(pose.theta));
+        cloud_.weights.push_back(heaviest > 0.0 ? hypotheses[i].weight_before / heaviest : 1.0);
+    }
 }
 
 void ScanView::prepare_links() {
@@ -168,7 +178,7 @@ void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
         painter.setPen(QPen(scene.colours.scan, 2.6, Qt::SolidLine, Qt::RoundCap));
         painter.drawPoints(pixels);
     }
-    if (layers_.has(Layer::particles)) paint_particles(painter, scene);
+    paint_particles(painter, scene);
     if (layers_.has(Layer::robot)) draw_robot(painter, scene, pose_view_robot());
     if (layers_.has(Layer::detected)) paint_detected(painter, scene);
     if (layers_.has(Layer::associations)) paint_links(painter, scene);
@@ -180,25 +190,26 @@ void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
 }
 
 void ScanView::paint_particles(QPainter& painter, const Scene& scene) const {
-    constexpr double kArrowPixels = 9.0;
-    QVector<QLineF> arrows;
-    QPolygonF places;
-    arrows.reserve(static_cast<qsizetype>(particles_.size()));
-    for (const QLineF& particle : particles_) {
-        QLineF arrow = scene.to_screen.map(particle);
-        arrow.setLength(kArrowPixels);
-        arrows.append(arrow);
-        places.append(arrow.p1());
+    if (layers_.has(Layer::ancestry) && !robot_frame_) {
+        draw_ancestry(painter, scene, snapshot_->ancestry, {});
     }
-    const bool smooth = particles_.size() <= 300;  // antialiasing a thousand lines is dear
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing, smooth);
-    const int alpha = particles_.size() > 300 ? 110 : 150;
-    painter.setPen(thin_pen(faded(scene.colours.particle, alpha)));
-    painter.drawLines(arrows);
-    painter.setPen(QPen(scene.colours.particle, 2.4, Qt::SolidLine, Qt::RoundCap));
-    painter.drawPoints(places);
-    painter.restore();
+    if (snapshot_->particle) {
+        draw_particle(painter, scene, *snapshot_->particle, pose_view_world());
+    }
+    if (layers_.has(Layer::particles)) draw_cloud(painter, scene, cloud_);
+}
+
+int ScanView::particle_at(const QPointF& point) const {
+    if (!layers_.has(Layer::particles)) return -1;
+    int found = -1;
+    double nearest = tolerance_m();
+    for (std::size_t i = 0; i < cloud_.particles.size(); ++i) {
+        const double away = QLineF(cloud_.particles[i].p1(), point).length();
+        if (away >= nearest) continue;
+        nearest = away;
+        found = static_cast<int>(i * cloud_stride_);
+    }
+    return found;
 }
 
 void ScanView::paint_detected(QPainter& painter, const Scene& scene) const {
@@ -263,6 +274,8 @@ void ScanView::click(const QPointF& point) {
     PickedLandmark picked;
     if (found >= 0) picked.landmark = snapshot_->best_map[static_cast<std::size_t>(found)];
     emit landmark_clicked(picked);
+    const int particle = particle_at(point);
+    if (particle >= 0) emit particle_clicked(particle);
 }
 
 QString ScanView::empty_text() const {

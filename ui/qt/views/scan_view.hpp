@@ -9,6 +9,7 @@
 #include "hitos/services/run/run_worker.hpp"
 #include "landmark_painter.hpp"
 #include "layers.hpp"
+#include "particle_painter.hpp"
 
 namespace hitos::window {
 
@@ -30,6 +31,7 @@ class ScanView final : public CanvasView {
 
   signals:
     void landmark_clicked(hitos::window::PickedLandmark landmark);
+    void particle_clicked(int particle);
 
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;
@@ -48,11 +50,14 @@ class ScanView final : public CanvasView {
     };
 
     void prepare();
+    void prepare_cloud();
     void prepare_links();
     void grow_content();
     Pose pose_view_world() const;
     Pose pose_view_robot() const;
     void paint_particles(QPainter& painter, const Scene& scene) const;
+    /// Number of the particle at a point of the view's frame; -1 where there is none.
+    int particle_at(const QPointF& point) const;
     void paint_detected(QPainter& painter, const Scene& scene) const;
     void paint_links(QPainter& painter, const Scene& scene) const;
 
@@ -67,7 +72,8 @@ class ScanView final : public CanvasView {
     std::vector<QPointF> points_;
     std::vector<QLineF> segments_;
     std::vector<QPointF> corners_;
-    std::vector<QLineF> particles_;  // place and heading
+    ParticleCloud cloud_;
+    std::size_t cloud_stride_ = 1;  // particles from one of the cloud to the next
     std::vector<Link> links_;
     MarkedMap landmarks_;
     QRectF content_;

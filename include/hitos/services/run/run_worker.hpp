@@ -22,8 +22,26 @@
 
 namespace hitos {
 
+/// What of a state only some views need: a snapshot has it where it was asked for.
+struct SnapshotParts {
+    std::optional<std::size_t> particle;  ///< map and path of one of the hypotheses
+    bool ancestry = false;
+    friend bool operator==(const SnapshotParts&, const SnapshotParts&) = default;
+};
+
+/// What one hypothesis believes.
+struct ParticleDetails {
+    std::size_t number = 0;  ///< place in Snapshot::hypotheses
+    LandmarkMap map;
+    std::vector<LineExtent> line_extents;
+    Trajectory path;
+};
+
+ParticleDetails details_of(const Algoritmo& run, std::size_t hypothesis);
+
 /// Everything a view needs of the state after a step; immutable once published.
 struct Snapshot {
+    SnapshotParts parts;  ///< what was asked for
     std::uint64_t steps = 0;
     std::uint64_t revision = 0;  ///< as Algoritmo::revision()
     Scan scan;
@@ -33,6 +51,9 @@ struct Snapshot {
     LandmarkMap best_map;
     std::vector<LineExtent> line_extents;  ///< segments of the lines of best_map
     std::vector<WeightedPose> hypotheses;
+    std::size_t best_hypothesis = 0;
+    std::optional<ParticleDetails> particle;  ///< where asked for and there
+    std::vector<HistoryBranch> ancestry;      ///< where asked for
     Trajectory best_trajectory;
     Trajectory online_trajectory;   ///< as Algoritmo::online_trajectory()
     std::vector<KeyPose> keys;      ///< of registration; empty without
@@ -101,7 +122,7 @@ class RunWorker {
 
     /// Asks for a snapshot of the state after the step under way (at once where none is); it is
     /// made on the worker and handed out by latest_snapshot().
-    void request_snapshot();
+    void request_snapshot(const SnapshotParts& parts = {});
     std::shared_ptr<const Snapshot> latest_snapshot() const;
 
     /// The figures of every step from number `first` (0 is the first scan) on. After a restart
@@ -128,7 +149,7 @@ class RunWorker {
     void do_restart();
     /// `orders`: the number of orders when this one was taken.
     void do_seek(std::uint64_t steps, std::uint64_t orders);
-    void publish_snapshot();
+    void publish_snapshot(const SnapshotParts& parts);
     void note_progress();
     /// Counts the error from the first figures on. With the mutex held.
     void begin_error();
@@ -154,6 +175,7 @@ class RunWorker {
     std::optional<std::uint64_t> seek_wanted_;
     std::uint64_t orders_ = 0;  // run, pause, restart, seek: the last one counts
     bool snapshot_wanted_ = false;
+    SnapshotParts parts_wanted_;
     bool busy_ = false;
     bool stepping_ = false;  // a step is under way
     std::vector<std::function<void(const Algoritmo&)>> tasks_;

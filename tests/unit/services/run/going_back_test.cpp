@@ -36,6 +36,8 @@ void expect_same_state(RunWorker& worker, const Algoritmo& expected) {
             ASSERT_EQ(hypotheses.size(), expected_hypotheses.size());
             for (std::size_t i = 0; i < hypotheses.size(); ++i) {
                 EXPECT_EQ(hypotheses[i].pose, expected_hypotheses[i].pose);
+                EXPECT_EQ(hypotheses[i].weight_before, expected_hypotheses[i].weight_before);
+                EXPECT_EQ(hypotheses[i].from, expected_hypotheses[i].from);
             }
             EXPECT_EQ(run.scan(), expected.scan());
             const Grid& grid = run.step_grid();

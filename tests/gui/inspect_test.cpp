@@ -1,0 +1,206 @@
+// Looking at a run in numbers: the tables of landmarks and particles.
+
+#include <QDockWidget>
+#include <QImage>
+#include <QPushButton>
+#include <algorithm>
+
+#include "gui_fixture.hpp"
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
+#include "inspect/landmark_table.hpp"
+#include "inspect/particle_table.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+QAbstractItemModel& rows_of(const FiguresTable& table) {
+    return *table.model();
+}
+
+QString cell(const FiguresTable& table, int row, int column) {
+    return rows_of(table).index(row, column).data().toString();
+}
+
+/// As a click on the row does.
+void click_row(const FiguresTable& table, int row) {
+    const QRect box = table.visualRect(rows_of(table).index(row, 0));
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, box.center());
+}
+
+QImage picture_of(QWidget& widget) {
+    return widget.grab().toImage();
+}
+
+QPoint pixel_in(const CanvasView& view, const QPointF& world) {
+    return view.camera().to_screen(view.size()).map(world).toPoint();
+}
+
+template <class Result, class Task>
+Result ask(const Fixture& f, Task task) {
+    return f.session.worker()->with_run(std::move(task)).get();
+}
+
+FiguresTable& table_of(const Fixture& f, const char* name) {
+    auto* table = f.window->findChild<FiguresTable*>(name);
+    if (table == nullptr) qFatal("no table %s", name);
+    return *table;
+}
+
+}  // namespace
+
+void InspectTest::the_landmark_table_has_every_landmark() {
+    Fixture f;
+    f.run_steps(100);
+    const FiguresTable& table = table_of(f, "landmark_table");
+    QCOMPARE(rows_of(table).rowCount(), 0);  // hidden, it does nothing
+    f.trigger("action_landmarks_dock");
+    const LandmarkMap& map = f.session.snapshot()->best_map;
+    QCOMPARE(rows_of(table).rowCount(), static_cast<int>(map.size()));
+    for (int row = 0; row < rows_of(table).rowCount(); ++row) {
+        const ICaracteristica& landmark = map[static_cast<std::size_t>(row)];
+        QCOMPARE(cell(table, row, LandmarkModel::number).toInt(), row + 1);
+        QCOMPARE(cell(table, row, LandmarkModel::seen).toInt(), landmark.observations);
+        QVERIFY(landmark.first_seen <= landmark.last_seen);
+        QVERIFY(landmark.last_seen < 100);
+        const QString first = cell(table, row, LandmarkModel::born);
+        QVERIFY2(first.startsWith(QString("%1 (").arg(landmark.first_seen + 1)), qPrintable(first));
+    }
+    rows_of(table).sort(LandmarkModel::seen, Qt::DescendingOrder);
+    for (int row = 1; row < rows_of(table).rowCount(); ++row) {
+        QVERIFY(cell(table, row - 1, LandmarkModel::seen).toInt() >=
+                cell(table, row, LandmarkModel::seen).toInt());
+    }
+    f.run_steps(100);
+    QCOMPARE(rows_of(table).rowCount(), static_cast<int>(f.session.snapshot()->best_map.size()));
+}
+
+void InspectTest::a_chosen_landmark_is_marked_everywhere() {
+    Fixture f;
+    f.trigger("action_world_frame");
+    f.trigger("action_landmarks_dock");
+    f.run_steps(60);
+    FiguresTable& table = table_of(f, "landmark_table");
+    rows_of(table).sort(LandmarkModel::sigma_1, Qt::DescendingOrder);
+    const QImage scan = picture_of(f.window->scan_view());
+    const QImage grid = picture_of(f.window->grid_view());
+    click_row(table, 1);
+    QVERIFY(table.chosen() >= 0);
+    QVERIFY(picture_of(f.window->scan_view()) != scan);
+    QVERIFY(picture_of(f.window->grid_view()) != grid);
+    // And from a view into the table.
+    const LineExtent extent = f.session.snapshot()->line_extents.front();
+    const QPointF middle((extent.a.x + extent.b.x) / 2.0, (extent.a.y + extent.b.y) / 2.0);
+    for (CanvasView* view : {static_cast<CanvasView*>(&f.window->scan_view()),
+                             static_cast<CanvasView*>(&f.window->grid_view())}) {
+        table.choose(-1);
+        QTest::mouseClick(view, Qt::LeftButton, {}, pixel_in(*view, middle));
+        QCOMPARE(table.chosen(), extent.landmark);
+    }
+    // It stays chosen as the map grows and is sorted anew.
+    const ICaracteristica before =
+        f.session.snapshot()->best_map[static_cast<std::size_t>(table.chosen())];
+    f.run_steps(20);
+    const LandmarkMap& map = f.session.snapshot()->best_map;
+    QCOMPARE(table.chosen(), find_same(map, before));
+}
+
+void InspectTest::a_chosen_particle_shows_what_it_believes() {
+    Fixture f;
+    f.run_steps(40);
+    f.trigger("action_particles_dock");
+    FiguresTable& table = table_of(f, "particle_table");
+    QCOMPARE(rows_of(table).rowCount(), 10);
+    QVERIFY(!f.session.snapshot()->particle.has_value());
+    const QImage scan = picture_of(f.window->scan_view());
+    const QImage grid = picture_of(f.window->grid_view());
+    rows_of(table).sort(ParticleModel::number, Qt::DescendingOrder);
+    click_row(table, 2);
+    QTRY_VERIFY(f.shows_everything() && f.session.snapshot()->particle.has_value());
+    const ParticleDetails& shown = *f.session.snapshot()->particle;
+    QCOMPARE(shown.number, std::size_t{7});
+    QVERIFY(shown.path ==
+            ask<Trajectory>(f, [](const Algoritmo& run) { return run.trajectory_of(7); }));
+    QVERIFY(map_to_text(shown.map) == map_to_text(ask<LandmarkMap>(f, [](const Algoritmo& run) {
+                return run.filter().map(7);
+            })));
+    QVERIFY(picture_of(f.window->scan_view()) != scan);
+    QVERIFY(picture_of(f.window->grid_view()) != grid);
+    f.run_steps(1);
+    QCOMPARE(f.session.snapshot()->particle->path.size(), std::size_t{41});
+    // What nobody sees is not made.
+    f.trigger("action_particles_dock");
+    QTRY_VERIFY(f.shows_everything() && !f.session.snapshot()->particle.has_value());
+}
+
+void InspectTest::a_click_on_the_cloud_chooses_a_particle() {
+    Fixture f;
+    f.trigger("action_world_frame");
+    f.trigger("action_particles_dock");
+    f.run_steps(40);
+    const FiguresTable& table = table_of(f, "particle_table");
+    ScanView& view = f.window->scan_view();
+    const Pose pose = f.session.snapshot()->hypotheses[4].pose;
+    view.fit();
+    for (int i = 0; i < 20; ++i) view.zoom(1.25);
+    view.set_follow(true);
+    const QPoint pixel = pixel_in(view, {pose.x, pose.y});
+    QVERIFY(view.rect().contains(pixel));
+    QTest::mouseClick(&view, Qt::LeftButton, {}, pixel);
+    QVERIFY(table.chosen() >= 0);
+    // Copies of one particle lie upon each other.
+    const Pose chosen =
+        f.session.snapshot()->hypotheses[static_cast<std::size_t>(table.chosen())].pose;
+    QCOMPARE(pixel_in(view, {chosen.x, chosen.y}), pixel);
+}
+
+void InspectTest::any_particles_map_path_and_grid_are_opened() {
+    Fixture f;
+    f.trigger("action_particles_dock");
+    f.run_steps(40);
+    const auto press = [&](const char* name) {
+        auto* button = f.window->findChild<QPushButton*>(name);
+        QVERIFY(button->isEnabled());
+        button->click();
+    };
+    QVERIFY(!f.window->findChild<QPushButton*>("particle_grid")->isEnabled());
+    click_row(table_of(f, "particle_table"), 3);
+    f.prompts.saves = {f.path("three.map"), f.path("three.tum")};
+    press("particle_map");
+    press("particle_path");
+    const auto map = ask<LandmarkMap>(f, [](const Algoritmo& run) { return run.filter().map(3); });
+    QCOMPARE(Fixture::read(f.path("three.map")).toStdString(), map_to_text(map));
+    const auto path = ask<Trajectory>(f, [](const Algoritmo& run) { return run.trajectory_of(3); });
+    QCOMPARE(Fixture::read(f.path("three.tum")).toStdString(), trajectory_to_text(path));
+    press("particle_grid");
+    MapWindow* grid = f.window->result_actions().particle_window();
+    QVERIFY(grid != nullptr);
+    QTRY_VERIFY(!grid->builder().state().running && !grid->builder().state().path.empty());
+    QVERIFY(grid->builder().state().path == path);
+}
+
+void InspectTest::the_ancestry_of_the_particles_is_a_layer() {
+    Fixture f;
+    f.trigger("action_world_frame");
+    f.run_steps(60);
+    QVERIFY(f.session.snapshot()->ancestry.empty());
+    const QImage scan = picture_of(f.window->scan_view());
+    const QImage grid = picture_of(f.window->grid_view());
+    f.trigger("layer_ancestry");
+    QTRY_VERIFY(f.shows_everything() && !f.session.snapshot()->ancestry.empty());
+    QVERIFY(picture_of(f.window->scan_view()) != scan);
+    QVERIFY(picture_of(f.window->grid_view()) != grid);
+    std::uint32_t particles = 0;
+    for (const HistoryBranch& branch : f.session.snapshot()->ancestry) {
+        const bool newest = std::ranges::any_of(
+            f.session.snapshot()->hypotheses,
+            [&](const WeightedPose& particle) { return particle.pose == branch.poses.back(); });
+        if (newest) particles += branch.particles;
+    }
+    QCOMPARE(particles, 10U);
+    f.trigger("layer_ancestry");
+    QTRY_VERIFY(f.shows_everything() && f.session.snapshot()->ancestry.empty());
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,105 @@
+#include "figures_table.hpp"
+
+#include <QFont>
+#include <QHeaderView>
+#include <QScopedValueRollback>
+#include <utility>
+
+namespace hitos::window {
+
+FiguresModel::FiguresModel(QStringList titles, QObject* parent)
+    : QAbstractTableModel(parent), titles_(std::move(titles)) {}
+
+int FiguresModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : rows_;
+}
+
+int FiguresModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(titles_.size());
+}
+
+QVariant FiguresModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    return titles_.value(section);
+}
+
+QVariant FiguresModel::data(const QModelIndex& index, int role) const {
+    const int row = index.row();
+    switch (role) {
+        case Qt::DisplayRole:
+            return text(row, index.column());
+        case kKeyRole:
+            return key(row, index.column());
+        case Qt::TextAlignmentRole:
+            return static_cast<int>(Qt::AlignVCenter | Qt::AlignRight);
+        case Qt::FontRole: {
+            if (!strong(row)) return {};
+            QFont font;
+            font.setBold(true);
+            return font;
+        }
+        default:
+            return {};
+    }
+}
+
+void FiguresModel::change(int rows, const std::function<void()>& take) {
+    if (rows < rows_) {
+        beginRemoveRows({}, rows, rows_ - 1);
+        rows_ = rows;
+        endRemoveRows();
+    }
+    const int kept = rows_;
+    take();
+    if (rows > rows_) {
+        beginInsertRows({}, rows_, rows - 1);
+        rows_ = rows;
+        endInsertRows();
+    }
+    if (kept > 0) emit dataChanged(index(0, 0), index(kept - 1, columnCount() - 1));
+}
+
+FiguresTable::FiguresTable(FiguresModel* model, QWidget* parent) : QTableView(parent) {
+    proxy_.setSourceModel(model);
+    proxy_.setSortRole(FiguresModel::kKeyRole);
+    setModel(&proxy_);
+    setSortingEnabled(true);
+    sortByColumn(0, Qt::AscendingOrder);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setAlternatingRowColors(true);
+    setShowGrid(false);
+    setWordWrap(false);
+    setCornerButtonEnabled(false);
+    setTabKeyNavigation(false);
+    verticalHeader()->hide();
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setResizeContentsPrecision(20);  // rows; all of them would cost time
+}
+
+int FiguresTable::chosen() const {
+    const QModelIndexList rows = selectionModel()->selectedRows();
+    return rows.isEmpty() ? -1 : proxy_.mapToSource(rows.front()).row();
+}
+
+void FiguresTable::choose(int row) {
+    if (row == chosen()) return;
+    const QScopedValueRollback quiet(telling_, false);
+    if (row < 0) {
+        clearSelection();
+        return;
+    }
+    const QModelIndex index = proxy_.mapFromSource(proxy_.sourceModel()->index(row, 0));
+    selectRow(index.row());
+    scrollTo(index);
+}
+
+void FiguresTable::selectionChanged(const QItemSelection& selected,
+                                    const QItemSelection& deselected) {
+    QTableView::selectionChanged(selected, deselected);
+    if (telling_ && !selected.isEmpty()) emit row_chosen(chosen());
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,66 @@
+// Tables of figures that follow the run: sorted by any column, one row chosen.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QSortFilterProxyModel>
+#include <QStringList>
+#include <QTableView>
+#include <functional>
+
+namespace hitos::window {
+
+/// Rows of figures. A change keeps every row in its place, and with it what is chosen.
+class FiguresModel : public QAbstractTableModel {
+    Q_OBJECT
+
+  public:
+    /// What a view sorts by: data() of this role.
+    static constexpr int kKeyRole = Qt::UserRole;
+
+    FiguresModel(QStringList titles, QObject* parent);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+
+  protected:
+    /// `take` takes over the figures of that many rows.
+    void change(int rows, const std::function<void()>& take);
+
+    /// A number or a text to sort by.
+    virtual QVariant key(int row, int column) const = 0;
+    virtual QString text(int row, int column) const = 0;
+    /// Whether the row stands out.
+    virtual bool strong(int /*row*/) const { return false; }
+
+  private:
+    QStringList titles_;
+    int rows_ = 0;
+};
+
+class FiguresTable final : public QTableView {
+    Q_OBJECT
+
+  public:
+    FiguresTable(FiguresModel* model, QWidget* parent);
+
+    /// The chosen row of the model; -1 where there is none.
+    int chosen() const;
+    /// Chooses a row and brings it in sight; -1 chooses none. Nobody is told.
+    void choose(int row);
+
+  signals:
+    /// The user has chosen a row of the model.
+    void row_chosen(int row);
+
+  protected:
+    void selectionChanged(const QItemSelection& selected,
+                          const QItemSelection& deselected) override;
+
+  private:
+    QSortFilterProxyModel proxy_;
+    bool telling_ = true;
+};
+
+}  // namespace hitos::window

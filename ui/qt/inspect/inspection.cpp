@@ -1,0 +1,74 @@
+#include "inspection.hpp"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+
+#include "actions/result_actions.hpp"
+#include "landmark_table.hpp"
+#include "particle_table.hpp"
+#include "views/grid_view.hpp"
+#include "views/scan_view.hpp"
+
+namespace hitos::window {
+
+Inspection::Inspection(Session& session, QMainWindow* window, QMenu* menu, QAction* before)
+    : QObject(window),
+      session_(session),
+      window_(window),
+      menu_(menu),
+      before_(before),
+      landmarks_(new LandmarkTable(session, window)),
+      particles_(new ParticleTable(session, window)) {
+    add_dock(landmarks_, tr("Landmarks"), "landmarks_dock", QKeySequence("Ctrl+Shift+L"));
+    add_dock(particles_, tr("Particles"), "particles_dock", QKeySequence("Ctrl+Shift+P"));
+    connect(landmarks_, &LandmarkTable::landmark_chosen, this, &Inspection::landmark_chosen);
+}
+
+void Inspection::add_dock(QWidget* widget, const QString& title, const char* name,
+                          const QKeySequence& key) {
+    auto* dock = new QDockWidget(title, window_);
+    dock->setObjectName(name);
+    dock->setWidget(widget);
+    window_->addDockWidget(Qt::RightDockWidgetArea, dock);
+    if (first_ == nullptr) {
+        first_ = dock;
+    } else {
+        window_->tabifyDockWidget(first_, dock);
+    }
+    dock->hide();
+    QAction* toggle = dock->toggleViewAction();
+    toggle->setObjectName(QString("action_") + name);
+    toggle->setShortcut(key);
+    connect(toggle, &QAction::triggered, dock, [dock](bool on) {
+        if (on) dock->raise();
+    });
+    menu_->insertAction(before_, toggle);
+}
+
+void Inspection::connect_views(ScanView& scan, GridView& grid) {
+    connect(&scan, &ScanView::landmark_clicked, this, &Inspection::landmark_chosen);
+    connect(&grid, &GridView::landmark_clicked, this, &Inspection::landmark_chosen);
+    connect(&scan, &ScanView::particle_clicked, particles_, [this](int particle) {
+        if (particles_->isVisible()) particles_->choose(static_cast<std::size_t>(particle));
+    });
+}
+
+void Inspection::connect_results(ResultActions& results) {
+    connect(particles_, &ParticleTable::grid_wanted, &results, &ResultActions::view_grid_of);
+    connect(particles_, &ParticleTable::map_wanted, &results, &ResultActions::save_map_of);
+    connect(particles_, &ParticleTable::path_wanted, &results, &ResultActions::save_path_of);
+}
+
+void Inspection::set_highlight(const PickedLandmark& picked) {
+    landmarks_->set_highlight(picked);
+}
+
+void Inspection::set_layers(const LayerSet& layers) {
+    SnapshotParts parts = session_.parts();
+    parts.ancestry = layers.has(Layer::ancestry);
+    session_.want(parts);
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,128 @@
+#include "particle_table.hpp"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace hitos::window {
+namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+
+}  // namespace
+
+ParticleModel::ParticleModel(QObject* parent)
+    : FiguresModel({tr("No."), tr("Weight"), tr("Weight now"), "x", "y", "θ", tr("Drawn from")},
+                   parent) {}
+
+void ParticleModel::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
+    change(snapshot ? static_cast<int>(snapshot->hypotheses.size()) : 0,
+           [&] { snapshot_ = snapshot; });
+}
+
+QVariant ParticleModel::key(int row, int column) const {
+    const WeightedPose& particle = snapshot_->hypotheses[static_cast<std::size_t>(row)];
+    switch (column) {
+        case number:
+            return row;
+        case weight:
+            return particle.weight_before;
+        case weight_now:
+            return particle.weight;
+        case x:
+            return particle.pose.x;
+        case y:
+            return particle.pose.y;
+        case heading:
+            return particle.pose.theta;
+        default:
+            return particle.from;
+    }
+}
+
+QString ParticleModel::text(int row, int column) const {
+    const WeightedPose& particle = snapshot_->hypotheses[static_cast<std::size_t>(row)];
+    switch (column) {
+        case number:
+            return QString::number(row);
+        case weight:
+            return QString::number(particle.weight_before, 'g', 4);
+        case weight_now:
+            return QString::number(particle.weight, 'g', 4);
+        case x:
+            return QString("%1 m").arg(particle.pose.x, 0, 'f', 3);
+        case y:
+            return QString("%1 m").arg(particle.pose.y, 0, 'f', 3);
+        case heading:
+            return QString("%1°").arg(particle.pose.theta * kDegrees, 0, 'f', 2);
+        default:
+            return QString::number(particle.from);
+    }
+}
+
+bool ParticleModel::strong(int row) const {
+    return static_cast<std::size_t>(row) == snapshot_->best_hypothesis;
+}
+
+ParticleTable::ParticleTable(Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), model_(new ParticleModel(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
+    table_ = new FiguresTable(model_, this);
+    table_->setObjectName("particle_table");
+    table_->setAccessibleName(tr("Particles"));
+    column->addWidget(table_);
+    buttons_ = new QWidget(this);
+    auto* row = new QHBoxLayout(buttons_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(add_button(tr("Grid map"), "particle_grid", &ParticleTable::grid_wanted));
+    row->addWidget(add_button(tr("Save map…"), "particle_map", &ParticleTable::map_wanted));
+    row->addWidget(add_button(tr("Save path…"), "particle_path", &ParticleTable::path_wanted));
+    buttons_->setEnabled(false);
+    column->addWidget(buttons_);
+    connect(&session, &Session::snapshot_changed, this, &ParticleTable::refresh);
+    connect(table_, &FiguresTable::row_chosen, this,
+            [this](int particle) { choose(static_cast<std::size_t>(particle)); });
+}
+
+QPushButton* ParticleTable::add_button(const QString& text, const char* name,
+                                       void (ParticleTable::*wanted)(int)) {
+    auto* button = new QPushButton(text, buttons_);
+    button->setObjectName(name);
+    connect(button, &QPushButton::clicked, this,
+            [this, wanted] { emit(this->*wanted)(table_->chosen()); });
+    return button;
+}
+
+void ParticleTable::choose(std::optional<std::size_t> particle) {
+    chosen_ = particle;
+    refresh();
+    want();
+}
+
+void ParticleTable::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
+    want();
+}
+
+void ParticleTable::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    want();
+}
+
+void ParticleTable::want() {
+    SnapshotParts parts = session_.parts();
+    parts.particle = isVisible() ? chosen_ : std::nullopt;
+    session_.want(parts);
+}
+
+void ParticleTable::refresh() {
+    if (!isVisible()) return;
+    model_->set_snapshot(session_.snapshot());
+    const bool there = chosen_ && static_cast<int>(*chosen_) < model_->rowCount();
+    table_->choose(there ? static_cast<int>(*chosen_) : -1);
+    buttons_->setEnabled(there);
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,87 @@
+#include "particle_painter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "landmark_painter.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr std::size_t kShades = 6;
+
+/// From next to nothing to the colour of the heaviest.
+QColor shade_of(const Scene& scene, double weight) {
+    const QColor& light = scene.colours.muted;
+    const QColor& heavy = scene.colours.particle;
+    const auto mixed = [weight](int from, int to) {
+        return static_cast<int>(std::lround(from + (to - from) * weight));
+    };
+    return {mixed(light.red(), heavy.red()), mixed(light.green(), heavy.green()),
+            mixed(light.blue(), heavy.blue()), mixed(90, 255)};
+}
+
+}  // namespace
+
+void draw_particle(QPainter& painter, const Scene& scene, const ParticleDetails& particle,
+                   const Pose& pose_view_world) {
+    LandmarkStyle style;
+    style.uncertainty = false;
+    style.colour = scene.colours.highlight;
+    draw_landmarks(painter, scene, transform(pose_view_world, particle.map, particle.line_extents),
+                   style);
+    draw_path(painter, scene, points_of(particle.path, pose_view_world),
+              thin_pen(faded(scene.colours.highlight, 190), 1.6));
+    if (particle.path.empty()) return;
+    const Pose pose = compose(pose_view_world, particle.path.back().pose);
+    QLineF heading = scene.to_screen.map(
+        QLineF(pose.x, pose.y, pose.x + std::cos(pose.theta), pose.y + std::sin(pose.theta)));
+    heading.setLength(18.0);
+    painter.setPen(thin_pen(scene.colours.highlight, 2.4));
+    painter.drawLine(heading);
+    draw_disc(painter, heading.p1(), 5.5, scene.colours.highlight);
+}
+
+void draw_ancestry(QPainter& painter, const Scene& scene,
+                   const std::vector<HistoryBranch>& branches, const Pose& pose_view_world) {
+    for (const HistoryBranch& branch : branches) {
+        std::vector<QPointF> points;
+        points.reserve(branch.poses.size());
+        for (const Pose& pose : branch.poses) {
+            const Point2 point = transform(pose_view_world, Point2{pose.x, pose.y});
+            points.emplace_back(point.x, point.y);
+        }
+        const double width = std::min(0.8 + 0.4 * std::log2(1.0 + branch.particles), 4.0);
+        draw_path(painter, scene, points, thin_pen(faded(scene.colours.particle, 200), width));
+    }
+}
+
+void draw_cloud(QPainter& painter, const Scene& scene, const ParticleCloud& cloud) {
+    constexpr double kArrowPixels = 9.0;
+    std::array<QVector<QLineF>, kShades> arrows;
+    std::array<QPolygonF, kShades> places;
+    for (std::size_t i = 0; i < cloud.particles.size(); ++i) {
+        const auto shade = static_cast<std::size_t>(
+            std::lround(cloud.weights[i] * static_cast<double>(kShades - 1)));
+        QLineF arrow = scene.to_screen.map(cloud.particles[i]);
+        arrow.setLength(kArrowPixels);
+        arrows.at(shade).append(arrow);
+        places.at(shade).append(arrow.p1());
+    }
+    const bool many = cloud.particles.size() > 300;  // antialiasing a thousand lines is dear
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, !many);
+    for (std::size_t shade = 0; shade < kShades; ++shade) {  // the heavy ones on top
+        QColor colour =
+            shade_of(scene, static_cast<double>(shade) / static_cast<double>(kShades - 1));
+        painter.setPen(QPen(colour, 2.4, Qt::SolidLine, Qt::RoundCap));
+        painter.drawPoints(places.at(shade));
+        colour.setAlpha(colour.alpha() * (many ? 110 : 150) / 255);
+        painter.setPen(thin_pen(colour));
+        painter.drawLines(arrows.at(shade));
+    }
+    painter.restore();
+}
+
+}  // namespace hitos::window
