@@ -13,6 +13,13 @@ AssociationRule::AssociationRule(const AssociationParams& params)
 Associator::Associator(const AssociationParams& params)
     : params_(params), rule_(params), log_p0_(std::log(params.p0)) {}
 
+void Associator::note_limits(AssociationRecord& record) const {
+    const bool by_likelihood = params_.method == AssociationMethod::maximum_likelihood;
+    record.log_p0 = log_p0_;
+    record.gate = by_likelihood ? std::nullopt : std::optional(rule_.gate());
+    record.new_gate = std::nullopt;
+}
+
 SeenFeature Associator::seen(const Measurement& measured) const {
     if (params_.method != AssociationMethod::maximum_likelihood) return {measured, rule_.gate()};
     // det Q >= det R, so ln likelihood <= -ln 2 pi - ln(det R) / 2 - d^2 / 2.

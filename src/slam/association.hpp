@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "hitos/base/random_stream.hpp"
+#include "hitos/slam/association_record.hpp"
 #include "hitos/slam/params.hpp"
-#include "hitos/slam/slam_filter.hpp"
 #include "measurement.hpp"
 #include "models/ekf.hpp"
 
@@ -77,9 +77,41 @@ class AssociationRule {
 /// The decision for one observation in one particle.
 struct Decision {
     Association::Outcome outcome = Association::Outcome::created;
+    Association::Reason reason = Association::Reason::fits_none;
     std::uint32_t landmark = 0;   ///< where matched
     double log_likelihood = 0.0;  ///< factor of the particle's weight, in logarithm
     std::uint32_t unseen = 0;     ///< as Association's, once the landmark is updated
+};
+
+/// Sees nothing of the comparisons.
+struct Unwatched {
+    static constexpr bool kWatches = false;
+    Unwatched feature(std::size_t /*place*/) const { return {}; }
+};
+
+/// Records the comparisons of one hypothesis, landmarks by their places in their kind.
+class Watched {
+  public:
+    static constexpr bool kWatches = true;
+    class Feature {
+      public:
+        static constexpr bool kWatches = true;
+        explicit Feature(std::vector<ComparedLandmark>& compared) : compared_(compared) {}
+        void note(std::size_t landmark, const Vector2& nu, const Likelihood& close,
+                  Standing standing) const {
+            compared_.push_back({static_cast<std::int32_t>(landmark), nu, close.mahalanobis_squared,
+                                 close.log_likelihood, standing});
+        }
+
+      private:
+        std::vector<ComparedLandmark>& compared_;
+    };
+
+    explicit Watched(std::vector<RecordedFeature>& features) : features_(features) {}
+    Feature feature(std::size_t place) const { return Feature(features_[place].compared); }
+
+  private:
+    std::vector<RecordedFeature>& features_;
 };
 
 /// Decides by maximum likelihood [T table 5.1] or by the nearest landmark in a chi-square gate
@@ -93,9 +125,10 @@ class Associator {
     /// With `random` an ambiguous observation is of one of its landmarks, or of a new one, drawn by
     /// their likelihoods, and weighs the sum of these: the likelihood of the one drawn over the
     /// probability of drawing it.
-    template <Sensor S>
+    template <Sensor S, class Watch = Unwatched>
     Decision decide(const typename S::Columns& landmarks, const Pose& pose,
-                    const PreparedObservation& observed, RandomStream* random = nullptr) const;
+                    const PreparedObservation& observed, RandomStream* random = nullptr,
+                    const Watch& watch = {}) const;
 
     /// Whether a landmark was seen where the observation is, or near enough, and from its side;
     /// always where lines are not bounded. `unsure` is how far the pose may be wrong [m].
@@ -108,15 +141,21 @@ class Associator {
         return !known.opposite(seen) && known.gap(seen) <= params_.segment_margin_m + unsure;
     }
 
-    /// Calls body(landmark, Likelihood) for every landmark above p0 or inside the gate.
-    template <Sensor S, class Body>
+    /// Calls body(landmark, Likelihood) for every landmark above p0 or inside the gate. What
+    /// watches sees all the others too.
+    template <Sensor S, class Body, class Watch = Unwatched>
     void for_each_candidate(const typename S::Columns& landmarks, const Pose& pose,
-                            const PreparedObservation& observed, const Body& body) const;
+                            const PreparedObservation& observed, const Body& body,
+                            const Watch& watch = {}) const;
     /// For an observation that fits no landmark.
-    Decision fits_none() const { return {Association::Outcome::created, 0, log_p0_}; }
+    Decision fits_none() const {
+        return {Association::Outcome::created, Association::Reason::fits_none, 0, log_p0_};
+    }
     /// For one that fits landmarks but is kept out of the map; `best_log` is the greatest of their
     /// likelihoods.
-    Decision kept_out(double best_log) const;
+    Decision kept_out(double best_log, Association::Reason reason) const;
+    /// What all decisions go by.
+    void note_limits(AssociationRecord& record) const;
 
   private:
     Decision resolve(const BestTwo& candidates) const;
@@ -139,25 +178,28 @@ class Associator {
 inline Decision Associator::resolve(const BestTwo& candidates) const {
     if (candidates.none()) return fits_none();
     if (!rule_.ambiguous(candidates, log_p0_)) {
-        return {Association::Outcome::matched, candidates.best(), candidates.best_log()};
+        return {Association::Outcome::matched, Association::Reason::fits, candidates.best(),
+                candidates.best_log()};
     }
-    return kept_out(std::max(candidates.best_log(), candidates.second_log()));
+    return kept_out(std::max(candidates.best_log(), candidates.second_log()),
+                    Association::Reason::ambiguous);
 }
 
-inline Decision Associator::kept_out(double best_log) const {
+inline Decision Associator::kept_out(double best_log, Association::Reason reason) const {
     switch (params_.ambiguity) {
         case AmbiguityRule::neutral:
-            return {Association::Outcome::ignored, 0, 0.0};
+            return {Association::Outcome::ignored, reason, 0, 0.0};
         case AmbiguityRule::new_landmark:
-            return {Association::Outcome::ignored, 0, log_p0_};
+            return {Association::Outcome::ignored, reason, 0, log_p0_};
         default:
-            return {Association::Outcome::ignored, 0, best_log};
+            return {Association::Outcome::ignored, reason, 0, best_log};
     }
 }
 
-template <Sensor S, class Body>
+template <Sensor S, class Body, class Watch>
 void Associator::for_each_candidate(const typename S::Columns& landmarks, const Pose& pose,
-                                    const PreparedObservation& observed, const Body& body) const {
+                                    const PreparedObservation& observed, const Body& body,
+                                    const Watch& watch) const {
     constexpr std::size_t kChunk = 64;
     const EKF<S> ekf(observed.seen.measured.r);
     const bool by_likelihood = params_.method == AssociationMethod::maximum_likelihood;
@@ -167,15 +209,26 @@ void Associator::for_each_candidate(const typename S::Columns& landmarks, const 
         const std::size_t end = std::min(begin + kChunk, landmarks.size());
         landmarks.mark_near(begin, end, pose, observed, near.data());
         for (std::size_t i = begin; i < end; ++i) {
+            const auto compare = [&] {
+                return landmarks.innovation(i, observed.seen.measured.z, pose);
+            };
             if (near[i - begin] == 0 || !beside<S>(landmarks, i, pose, observed.seen.reach)) {
+                if constexpr (Watch::kWatches) {
+                    const Innovation apart = compare();
+                    watch.note(i, apart.nu, ekf.likelihood(apart, landmarks.covariance(i)),
+                               near[i - begin] == 0 ? Standing::far : Standing::elsewhere);
+                }
                 continue;
             }
-            const Likelihood close = ekf.likelihood(
-                landmarks.innovation(i, observed.seen.measured.z, pose), landmarks.covariance(i));
-            if (by_likelihood ? close.log_likelihood <= log_p0_
-                              : close.mahalanobis_squared > gate) {
-                continue;
+            const Innovation innovation = compare();
+            const Likelihood close = ekf.likelihood(innovation, landmarks.covariance(i));
+            const bool outside =
+                by_likelihood ? close.log_likelihood <= log_p0_ : close.mahalanobis_squared > gate;
+            if constexpr (Watch::kWatches) {
+                watch.note(i, innovation.nu, close,
+                           outside ? Standing::outside : Standing::candidate);
             }
+            if (outside) continue;
             body(static_cast<std::uint32_t>(i), close);
         }
     }
@@ -201,9 +254,11 @@ Decision Associator::draw(const typename S::Columns& landmarks, const Pose& pose
     const double log_sum = best_log + std::log(sum);
     for (const auto& [landmark, share] : plausible) {
         left -= share;
-        if (left < 0.0) return {Association::Outcome::matched, landmark, log_sum};
+        if (left < 0.0) {
+            return {Association::Outcome::matched, Association::Reason::drawn, landmark, log_sum};
+        }
     }
-    return {Association::Outcome::created, 0, log_sum};
+    return {Association::Outcome::created, Association::Reason::drawn, 0, log_sum};
 }
 
 template <Sensor S>
@@ -227,21 +282,25 @@ bool Associator::joins(const typename S::Columns& landmarks, const Pose& pose,
     return all;
 }
 
-template <Sensor S>
+template <Sensor S, class Watch>
 Decision Associator::decide(const typename S::Columns& landmarks, const Pose& pose,
-                            const PreparedObservation& observed, RandomStream* random) const {
+                            const PreparedObservation& observed, RandomStream* random,
+                            const Watch& watch) const {
     const bool by_likelihood = params_.method == AssociationMethod::maximum_likelihood;
     BestTwo candidates;
     for_each_candidate<S>(
-        landmarks, pose, observed, [&](std::uint32_t landmark, const Likelihood& close) {
+        landmarks, pose, observed,
+        [&](std::uint32_t landmark, const Likelihood& close) {
             candidates.offer(landmark,
                              by_likelihood ? close.log_likelihood : -close.mahalanobis_squared,
                              close.log_likelihood);
-        });
+        },
+        watch);
     if (candidates.none() || !rule_.ambiguous(candidates, log_p0_)) return resolve(candidates);
     if (params_.segments && S::kKind == FeatureKind::line &&
         joins<S>(landmarks, pose, observed, candidates)) {
-        return {Association::Outcome::matched, candidates.best(), candidates.best_log()};
+        return {Association::Outcome::matched, Association::Reason::stretches, candidates.best(),
+                candidates.best_log()};
     }
     if (random == nullptr) return resolve(candidates);
     return draw<S>(landmarks, pose, observed,

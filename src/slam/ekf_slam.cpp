@@ -37,10 +37,12 @@ void EkfSlam::step(const SlamInput& input) {
     if (registered_) note_reaches(input.observation, false, reaches_);
     associations_.clear();
     rows_.clear();
+    if (input.record != nullptr) begin_record(*input.record);
+    const Recorded recorded = input.record == nullptr ? nullptr : &input.record->hypotheses.front();
     if (params_.association.method == AssociationMethod::joint_compatibility) {
-        associate_together();
+        associate_together(recorded);
     } else {
-        for_each_kind([&]<class S>() { associate<S>(); });
+        for_each_kind([&]<class S>() { associate<S>(recorded); });
     }
     set_twins_aside();
     update();
@@ -49,6 +51,7 @@ void EkfSlam::step(const SlamInput& input) {
     normalize();
     note_all_seen();
     point_into_map();
+    if (input.record != nullptr) end_record(*input.record);
     history_.push_back(state_.pose());
 }
 
@@ -60,14 +63,24 @@ void EkfSlam::predict(const MotionIncrement& increment) {
     state_.move(robot_->mean(before, increment), robot_->jacobian(before, increment), noise);
 }
 
+void EkfSlam::begin_record(AssociationRecord& record) const {
+    record = {};
+    record.hypotheses.resize(1);
+    record.gate = rule_.gate();
+    record.new_gate = new_gate_;
+}
+
 template <Sensor S>
-void EkfSlam::associate() {
+void EkfSlam::associate(Recorded recorded) {
     std::uint32_t observed = 0;
-    for (const Measurement& measured : measurements_.of<S>()) associate<S>(measured, observed++);
+    for (const Measurement& measured : measurements_.of<S>()) {
+        associate<S>(measured, observed++, recorded);
+    }
 }
 
 template <Sensor S, class Body>
-void EkfSlam::compare(const Measurement& measured, const Body& body) const {
+void EkfSlam::compare(const Measurement& measured, Recorded recorded, const Body& body) const {
+    if (recorded != nullptr) recorded->emplace_back();
     const Pose pose = state_.pose();
     const Matrix3 pose_covariance = state_.pose_covariance();
     for (std::size_t i = 0; i < marks<S>().size(); ++i) {
@@ -81,19 +94,26 @@ void EkfSlam::compare(const Measurement& measured, const Body& body) const {
             (seen.by_pose * cross.transpose() + seen.by_landmark * state_.landmark_covariance(at)) *
                 seen.by_landmark.transpose() +
             measured.r;
+        const Likelihood close = compared(seen.nu, s);
+        if (recorded != nullptr) {
+            const bool inside = close.mahalanobis_squared <= rule_.gate();
+            recorded->back().compared.push_back({static_cast<std::int32_t>(i), seen.nu,
+                                                 close.mahalanobis_squared, close.log_likelihood,
+                                                 inside ? Standing::candidate : Standing::outside});
+        }
         body(static_cast<std::uint32_t>(i),
-             JointState::Row{at, seen.nu, seen.by_pose, seen.by_landmark, measured.r},
-             compared(seen.nu, s));
+             JointState::Row{at, seen.nu, seen.by_pose, seen.by_landmark, measured.r}, close);
     }
 }
 
 template <Sensor S>
-void EkfSlam::associate(const Measurement& measured, std::uint32_t observed) {
+void EkfSlam::associate(const Measurement& measured, std::uint32_t observed, Recorded recorded) {
     BestTwo inside;  // of the landmarks whose gate it lies in, by distance
     double nearest = kNever;
     JointState::Row row;
     compare<S>(
-        measured, [&](std::uint32_t i, const JointState::Row& compared, const Likelihood& close) {
+        measured, recorded,
+        [&](std::uint32_t i, const JointState::Row& compared, const Likelihood& close) {
             const double distance = close.mahalanobis_squared;
             nearest = std::min(nearest, distance);
             if (distance <= rule_.gate() && inside.offer(i, -distance, close.log_likelihood)) {
@@ -103,8 +123,11 @@ void EkfSlam::associate(const Measurement& measured, std::uint32_t observed) {
     Association association{S::kKind, observed};
     if (!inside.none() && !rule_.ambiguous(inside)) {
         match(association, inside.best(), row, inside.best_log());
+    } else if (!inside.none()) {
+        association.reason = Association::Reason::ambiguous;
     } else if (is_new<S>(nearest)) {
         association.outcome = Association::Outcome::created;
+        association.reason = Association::Reason::fits_none;
     }
     associations_.push_back(association);
 }
@@ -112,6 +135,7 @@ void EkfSlam::associate(const Measurement& measured, std::uint32_t observed) {
 void EkfSlam::match(Association& association, std::uint32_t landmark, const JointState::Row& row,
                     double log_likelihood) {
     association.outcome = Association::Outcome::matched;
+    association.reason = Association::Reason::fits;
     association.landmark = static_cast<std::int32_t>(landmark);
     rows_.push_back(row);
     statistics_.best_log_weight += log_likelihood;
@@ -124,7 +148,7 @@ bool EkfSlam::is_new(double nearest) const {
     return comparable && nearest > new_gate_;
 }
 
-void EkfSlam::associate_together() {
+void EkfSlam::associate_together(Recorded recorded) {
     search_.begin(params_.association.joint_probability);
     found_.clear();
     found_rows_.clear();
@@ -133,17 +157,21 @@ void EkfSlam::associate_together() {
         for (const Measurement& measured : measurements_.of<S>()) {
             double nearest = kNever;
             search_.add_observation();
-            compare<S>(measured, [&](std::uint32_t i, const JointState::Row& row,
-                                     const Likelihood& close) {
-                nearest = std::min(nearest, close.mahalanobis_squared);
-                if (close.mahalanobis_squared > rule_.gate()) return;
-                search_.add({static_cast<std::uint64_t>(row.at), close.mahalanobis_squared,
-                             static_cast<std::uint32_t>(found_.size())});
-                found_.push_back({i, close.log_likelihood});
-                found_rows_.push_back(row);
-            });
+            compare<S>(
+                measured, recorded,
+                [&](std::uint32_t i, const JointState::Row& row, const Likelihood& close) {
+                    nearest = std::min(nearest, close.mahalanobis_squared);
+                    if (close.mahalanobis_squared > rule_.gate()) return;
+                    search_.add({static_cast<std::uint64_t>(row.at), close.mahalanobis_squared,
+                                 static_cast<std::uint32_t>(found_.size())});
+                    found_.push_back({i, close.log_likelihood});
+                    found_rows_.push_back(row);
+                });
             Association association{S::kKind, observed++};
-            if (is_new<S>(nearest)) association.outcome = Association::Outcome::created;
+            if (is_new<S>(nearest)) {
+                association.outcome = Association::Outcome::created;
+                association.reason = Association::Reason::fits_none;
+            }
             associations_.push_back(association);
         }
     });
@@ -154,6 +182,9 @@ void EkfSlam::associate_together() {
             const Found& found = found_[pairing->place];
             match(associations_[i], found.landmark, found_rows_[pairing->place],
                   found.log_likelihood);
+            associations_[i].reason = Association::Reason::together;
+        } else if (!search_.candidates(i).empty()) {
+            associations_[i].reason = Association::Reason::left_over;
         }
     }
 }
@@ -201,6 +232,7 @@ void EkfSlam::update_new() {
         Association& association = associations_[second];
         if (association.kind != S::kKind) continue;
         association.outcome = Association::Outcome::matched;
+        association.reason = Association::Reason::twin;
         association.landmark = associations_[first].landmark;
         const Mark& mark = marks<S>()[static_cast<std::size_t>(association.landmark)];
         const Measurement& seen = measurements_.of<S>()[association.observed];
@@ -233,6 +265,22 @@ void EkfSlam::point_into_map() {
         }
         before += static_cast<std::int32_t>(marks<S>().size());
     });
+}
+
+void EkfSlam::end_record(AssociationRecord& record) const {
+    std::vector<RecordedFeature>& features = record.hypotheses.front();
+    for (std::size_t i = 0; i < associations_.size(); ++i) {
+        features[i].decision = associations_[i];
+        std::size_t before = 0;  // landmarks of the kinds before, which come first in the map
+        for_each_kind([&]<class S>() {
+            if (associations_[i].kind == S::kKind) {
+                for (ComparedLandmark& compared : features[i].compared) {
+                    compared.landmark += static_cast<std::int32_t>(before);
+                }
+            }
+            before += marks<S>().size();
+        });
+    }
 }
 
 int EkfSlam::best_count(FeatureKind kind) const {

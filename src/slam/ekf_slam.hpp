@@ -59,16 +59,22 @@ class EkfSlam final : public SlamFilter {
     using Marks = std::vector<Mark>;
 
     void predict(const MotionIncrement& increment);
+    /// Features of a scan that is recorded; null where none is.
+    using Recorded = std::vector<RecordedFeature>*;
+    void begin_record(AssociationRecord& record) const;
+    /// Adds the decisions; landmarks become places in the map.
+    void end_record(AssociationRecord& record) const;
     /// Appends to associations_ and, where matched, to rows_.
     template <Sensor S>
-    void associate();
+    void associate(Recorded recorded);
     template <Sensor S>
-    void associate(const Measurement& measured, std::uint32_t observed);
+    void associate(const Measurement& measured, std::uint32_t observed, Recorded recorded);
     /// The same for all observations of all kinds at once, by joint compatibility.
-    void associate_together();
-    /// Calls body(landmark of its kind, row, likelihood) for every landmark.
+    void associate_together(Recorded recorded);
+    /// Calls body(landmark of its kind, row, likelihood) for every landmark; what is recorded is of
+    /// the newest feature.
     template <Sensor S, class Body>
-    void compare(const Measurement& measured, const Body& body) const;
+    void compare(const Measurement& measured, Recorded recorded, const Body& body) const;
     /// Whether an observation is of no landmark; `nearest` is its least squared distance.
     template <Sensor S>
     bool is_new(double nearest) const;

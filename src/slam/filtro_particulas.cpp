@@ -93,21 +93,29 @@ void FiltroParticulas::step(const SlamInput& input) {
     propose(input);
     observe(input.observation);
     if (params_.landmarks.vanish) free_space_.set(input.scan);
+    if (input.record != nullptr) begin_record(*input.record);
     if (!seen_.empty() || reviews_) {
         detach_maps();
         for_each_(particles_.size(), seen_.size() * (maps_.size(particles_[best_].map) + 8),
                   [&](std::size_t i) {
                       const auto decisions =
                           std::span(decisions_).subspan(i * seen_.size(), seen_.size());
-                      associate(i, decisions);
+                      std::span<RecordedFeature> recorded;
+                      if (input.record == nullptr) {
+                          associate(i, decisions, Unwatched());
+                      } else {
+                          associate(i, decisions, Watched(input.record->hypotheses[i]));
+                          recorded = input.record->hypotheses[i];
+                      }
                       update(particles_[i], decisions);
                       weigh(particles_[i], decisions);
-                      if (reviews_) review(particles_[i], decisions);
+                      if (reviews_) review(particles_[i], decisions, recorded);
                   });
     }
     if (!seen_.empty()) choose_best();  // else nothing is weighed or resampled
     statistics_.searches_cut = searches_cut_;
     note_associations();
+    if (input.record != nullptr) end_record(*input.record);
     remember_poses();
     if (!seen_.empty()) resample();
     ++steps_;
@@ -154,10 +162,12 @@ void FiltroParticulas::detach_maps() {
               [&](std::size_t i) { maps_.copy(copies_[i].first, copies_[i].second); });
 }
 
-void FiltroParticulas::associate(std::size_t place, std::span<Decision> decisions) {
+template <class Watch>
+void FiltroParticulas::associate(std::size_t place, std::span<Decision> decisions,
+                                 const Watch& watch) {
     const Particula& particle = particles_[place];
     if (params_.association.method == AssociationMethod::joint_compatibility) {
-        associate_together(particle, decisions);
+        associate_together(particle, decisions, watch);
         return;
     }
     RandomStream random(seed_, RandomPurpose::association, steps_,
@@ -167,8 +177,9 @@ void FiltroParticulas::associate(std::size_t place, std::span<Decision> decision
         const auto landmarks = maps_.landmarks<S>(particle.map);
         std::size_t next = seen_.first<S>();
         for (const SeenFeature& seen : seen_.of<S>()) {
-            decisions[next++] = associator_.decide<S>(landmarks, particle.pose,
-                                                      prepare(seen, particle.pose), drawn);
+            decisions[next] = associator_.decide<S>(
+                landmarks, particle.pose, prepare(seen, particle.pose), drawn, watch.feature(next));
+            ++next;
         }
         if (params_.association.exclusive) exclude<S>(decisions);
     });
@@ -188,20 +199,23 @@ void FiltroParticulas::exclude(std::span<Decision> decisions) const {
             }
             if (params_.association.segments && parted<S>(seen[i], seen[j])) continue;
             Decision& loser = b.log_likelihood > a.log_likelihood ? a : b;
-            loser = associator_.kept_out(loser.log_likelihood);
+            loser = associator_.kept_out(loser.log_likelihood, Association::Reason::taken);
         }
     }
 }
 
-void FiltroParticulas::associate_together(const Particula& particle,
-                                          std::span<Decision> decisions) {
+template <class Watch>
+void FiltroParticulas::associate_together(const Particula& particle, std::span<Decision> decisions,
+                                          const Watch& watch) {
     // A search of each thread's own: what it keeps from call to call is memory, never a result.
     thread_local JointAssociation joint;
     joint.begin(params_.association.joint_probability);
     for_each_kind([&]<class S>() {
         const auto landmarks = maps_.landmarks<S>(particle.map);
+        std::size_t next = seen_.first<S>();
         for (const SeenFeature& seen : seen_.of<S>()) {
-            joint.add<S>(associator_, landmarks, particle.pose, prepare(seen, particle.pose));
+            joint.add<S>(associator_, landmarks, particle.pose, prepare(seen, particle.pose),
+                         watch.feature(next++));
         }
     });
     if (!joint.decide(associator_, decisions)) ++searches_cut_;
@@ -221,6 +235,7 @@ void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions
                     next, [&](std::size_t i) { return decisions[i].outcome == Outcome::created; });
                 if (twin) {
                     decision.outcome = Outcome::matched;
+                    decision.reason = Association::Reason::twin;
                     decision.landmark = decisions[*twin].landmark;
                 }
             }

@@ -65,16 +65,22 @@ class FiltroParticulas final : public SlamFilter {
     // A step, in the order of [T tables 3.2, 6.3].
     void propose(const SlamInput& input);
     void observe(const Observation& observation);
-    void associate(std::size_t place, std::span<Decision> decisions);
+    /// `watch` is Unwatched or Watched.
+    template <class Watch>
+    void associate(std::size_t place, std::span<Decision> decisions, const Watch& watch);
     /// The same for all observations at once.
-    void associate_together(const Particula& particle, std::span<Decision> decisions);
+    template <class Watch>
+    void associate_together(const Particula& particle, std::span<Decision> decisions,
+                            const Watch& watch);
     /// Of two observations that claim one landmark leaves the likelier one to it.
     template <Sensor S>
     void exclude(std::span<Decision> decisions) const;
     void update(Particula& particle, std::span<Decision> decisions);
     /// Makes one landmark of bounded lines that have grown to meet; takes those out of the map that
     /// should be there and are not, and those that were not confirmed in time.
-    void review(const Particula& particle, std::span<Decision> decisions);
+    /// What was `recorded` of the observations, if anything, follows.
+    void review(const Particula& particle, std::span<Decision> decisions,
+                std::span<RecordedFeature> recorded);
     static void weigh(Particula& particle, std::span<const Decision> decisions);
     void choose_best();
     void resample();
@@ -85,6 +91,13 @@ class FiltroParticulas final : public SlamFilter {
     void note_associations();
     /// Makes associations_ of what was noted: places in the map that is told.
     void publish_associations();
+    /// Of each landmark of a kind its place in the map that is told, from `next` on, which moves
+    /// on; -1 where it is not told.
+    template <Sensor S>
+    std::vector<std::int32_t> told(MapStore::Handle map, std::int32_t& next) const;
+    void begin_record(AssociationRecord& record) const;
+    /// Adds the decisions; landmarks become places in the map that is told.
+    void end_record(AssociationRecord& record) const;
     /// Whether a landmark is told of: not while it is on probation.
     bool confirmed(const LandmarkRecord& record) const {
         return record.observations >= params_.landmarks.probation;

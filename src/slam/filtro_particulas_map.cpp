@@ -17,13 +17,25 @@ void follow(std::span<Decision> decisions, const NewPlaces& places) {
         decision.landmark = places[decision.landmark];
         if (decision.landmark == LineColumns::kGone) {
             decision.outcome = Association::Outcome::ignored;
+            decision.reason = Association::Reason::gone;
+        }
+    }
+}
+
+void follow(std::span<RecordedFeature> recorded, const NewPlaces& places) {
+    for (RecordedFeature& feature : recorded) {
+        for (ComparedLandmark& compared : feature.compared) {
+            if (compared.landmark < 0) continue;
+            const std::uint32_t place = places[static_cast<std::size_t>(compared.landmark)];
+            compared.landmark = place == LineColumns::kGone ? -1 : static_cast<std::int32_t>(place);
         }
     }
 }
 
 }  // namespace
 
-void FiltroParticulas::review(const Particula& particle, std::span<Decision> decisions) {
+void FiltroParticulas::review(const Particula& particle, std::span<Decision> decisions,
+                              std::span<RecordedFeature> recorded) {
     const LandmarkParams& params = params_.landmarks;
     const auto now = static_cast<std::uint32_t>(steps_);
     const Pose laser = free_space_.laser(particle.pose);
@@ -44,6 +56,11 @@ void FiltroParticulas::review(const Particula& particle, std::span<Decision> dec
             return record.existence < 0.0F;
         };
         const std::span own = decisions.subspan(seen_.first<S>(), seen_.of<S>().size());
+        const auto all_follow = [&] {
+            follow(own, places);
+            if (recorded.empty()) return;
+            follow(recorded.subspan(seen_.first<S>(), seen_.of<S>().size()), places);
+        };
         if (S::kKind == FeatureKind::line && params_.association.segments) {
             std::vector<std::uint32_t> seen;
             for (const Decision& decision : own) {
@@ -52,9 +69,9 @@ void FiltroParticulas::review(const Particula& particle, std::span<Decision> dec
                 }
             }
             const double margin = params_.association.segment_margin_m;
-            if (grow_together<S>(landmarks, seen, margin, places)) follow(own, places);
+            if (grow_together<S>(landmarks, seen, margin, places)) all_follow();
         }
-        if (landmarks.take_out(goes, places)) follow(own, places);
+        if (landmarks.take_out(goes, places)) all_follow();
     });
 }
 
@@ -118,7 +135,8 @@ void FiltroParticulas::note_associations() {
     for_each_kind([&]<class S>() {
         for (std::size_t i = 0; i < seen_.of<S>().size(); ++i) {
             const Decision& decision = decisions_[best_ * seen_.size() + seen_.first<S>() + i];
-            Association association{S::kKind, static_cast<std::uint32_t>(i), decision.outcome};
+            Association association{S::kKind, static_cast<std::uint32_t>(i), decision.outcome,
+                                    decision.reason};
             if (decision.outcome != Association::Outcome::ignored) {
                 association.landmark = static_cast<std::int32_t>(decision.landmark);
             }
@@ -131,23 +149,58 @@ void FiltroParticulas::note_associations() {
     publish_associations();
 }
 
+template <Sensor S>
+std::vector<std::int32_t> FiltroParticulas::told(MapStore::Handle map, std::int32_t& next) const {
+    const auto landmarks = maps_.landmarks<S>(map);
+    std::vector<std::int32_t> places;
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        places.push_back(confirmed(landmarks.record(i)) ? next++ : -1);
+    }
+    return places;
+}
+
 void FiltroParticulas::publish_associations() {
     associations_ = noted_;
-    std::int32_t before = 0;  // landmarks of the kinds before, which come first in the map
+    std::int32_t next = 0;  // kinds come one after the other in the map
     for_each_kind([&]<class S>() {
-        const auto landmarks = maps_.landmarks<S>(particles_[best_].map);
-        std::vector<std::int32_t> told;
-        std::int32_t next = before;
-        for (std::size_t i = 0; i < landmarks.size(); ++i) {
-            told.push_back(confirmed(landmarks.record(i)) ? next++ : -1);
-        }
+        const std::vector<std::int32_t> places = told<S>(particles_[best_].map, next);
         for (Association& association : associations_) {
             if (association.kind != S::kKind || association.landmark < 0) continue;
             const auto landmark = static_cast<std::size_t>(association.landmark);
-            association.landmark = landmark < told.size() ? told[landmark] : -1;
+            association.landmark = landmark < places.size() ? places[landmark] : -1;
         }
-        before = next;
     });
+}
+
+void FiltroParticulas::begin_record(AssociationRecord& record) const {
+    record = {};
+    associator_.note_limits(record);
+    record.hypotheses.assign(particles_.size(), std::vector<RecordedFeature>(seen_.size()));
+}
+
+void FiltroParticulas::end_record(AssociationRecord& record) const {
+    record.best = best_;
+    for (std::size_t particle = 0; particle < particles_.size(); ++particle) {
+        std::int32_t next = 0;
+        for_each_kind([&]<class S>() {
+            const std::vector<std::int32_t> places = told<S>(particles_[particle].map, next);
+            const auto place_of = [&](std::int64_t landmark) {
+                return landmark < 0 ? -1 : places[static_cast<std::size_t>(landmark)];
+            };
+            for (std::size_t i = 0; i < seen_.of<S>().size(); ++i) {
+                const std::size_t row = seen_.first<S>() + i;
+                const Decision& decision = decisions_[particle * seen_.size() + row];
+                RecordedFeature& feature = record.hypotheses[particle][row];
+                const bool ignored = decision.outcome == Association::Outcome::ignored;
+                feature.decision = {S::kKind, static_cast<std::uint32_t>(i), decision.outcome,
+                                    decision.reason,
+                                    place_of(ignored ? -1 : std::int64_t{decision.landmark})};
+                for (ComparedLandmark& compared : feature.compared) {
+                    compared.landmark = place_of(compared.landmark);
+                }
+            }
+        });
+    }
 }
 
 LandmarkMap FiltroParticulas::map(std::size_t hypothesis) const {

@@ -11,7 +11,7 @@ bool JointAssociation::decide(const Associator& associator, std::span<Decision> 
     const bool whole = search_.run(distance_);
     for (std::size_t i = 0; i < search_.observations(); ++i) {
         if (const JointCandidate* pairing = search_.paired(i)) {
-            decisions[i] = {Association::Outcome::matched,
+            decisions[i] = {Association::Outcome::matched, Association::Reason::together,
                             static_cast<std::uint32_t>(pairing->landmark), logs_[pairing->place]};
             continue;
         }
@@ -19,8 +19,9 @@ bool JointAssociation::decide(const Associator& associator, std::span<Decision> 
         for (const JointCandidate& candidate : search_.candidates(i)) {
             best_log = std::max(best_log, logs_[candidate.place]);
         }
-        decisions[i] =
-            search_.candidates(i).empty() ? associator.fits_none() : associator.kept_out(best_log);
+        decisions[i] = search_.candidates(i).empty()
+                           ? associator.fits_none()
+                           : associator.kept_out(best_log, Association::Reason::left_over);
     }
     return whole;
 }

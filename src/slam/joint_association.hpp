@@ -18,19 +18,21 @@ class JointAssociation {
     /// Forgets all observations.
     void begin(double probability);
     /// The next observation: its candidates are the landmarks inside the gate.
-    template <Sensor S>
+    template <Sensor S, class Watch = Unwatched>
     void add(const Associator& associator, const typename S::Columns& landmarks, const Pose& pose,
-             const PreparedObservation& observed) {
+             const PreparedObservation& observed, const Watch& watch = {}) {
         // Kinds must not be confused: each has landmarks 0, 1, …
         constexpr std::uint64_t kKind = static_cast<std::uint64_t>(LandmarkKinds::place<S>())
                                         << 32U;
         search_.add_observation();
         associator.for_each_candidate<S>(
-            landmarks, pose, observed, [&](std::uint32_t landmark, const Likelihood& close) {
+            landmarks, pose, observed,
+            [&](std::uint32_t landmark, const Likelihood& close) {
                 search_.add({kKind | landmark, close.mahalanobis_squared,
                              static_cast<std::uint32_t>(logs_.size())});
                 logs_.push_back(close.log_likelihood);
-            });
+            },
+            watch);
     }
     /// One decision for each observation, in their order. False where the search was cut.
     bool decide(const Associator& associator, std::span<Decision> decisions);

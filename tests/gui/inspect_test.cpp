@@ -2,12 +2,16 @@
 
 #include <QDockWidget>
 #include <QImage>
+#include <QLabel>
 #include <QPushButton>
+#include <QSpinBox>
 #include <algorithm>
 
 #include "gui_fixture.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
+#include "inspect/association_inspector.hpp"
+#include "inspect/association_words.hpp"
 #include "inspect/landmark_table.hpp"
 #include "inspect/particle_table.hpp"
 #include "tests.hpp"
@@ -46,6 +50,15 @@ FiguresTable& table_of(const Fixture& f, const char* name) {
     auto* table = f.window->findChild<FiguresTable*>(name);
     if (table == nullptr) qFatal("no table %s", name);
     return *table;
+}
+
+/// The middle of a line that the scan shows, in the world.
+QPointF middle_of_line(const Snapshot& snapshot, std::size_t line) {
+    const DetectedLine& seen = snapshot.observation.lines[line];
+    const Point2 a = transform(snapshot.best_pose, snapshot.observation.support[seen.first]);
+    const Point2 b =
+        transform(snapshot.best_pose, snapshot.observation.support[seen.first + seen.count - 1]);
+    return {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
 }
 
 }  // namespace
@@ -201,6 +214,93 @@ void InspectTest::the_ancestry_of_the_particles_is_a_layer() {
     QCOMPARE(particles, 10U);
     f.trigger("layer_ancestry");
     QTRY_VERIFY(f.shows_everything() && f.session.snapshot()->ancestry.empty());
+}
+
+void InspectTest::a_clicked_feature_tells_why() {
+    Fixture f;
+    f.trigger("action_world_frame");
+    f.trigger("action_associations_dock");
+    f.run_steps(60);
+    auto* inspector = f.window->findChild<AssociationInspector*>();
+    QTRY_VERIFY(inspector->record() != nullptr);
+    const auto snapshot = f.session.snapshot();
+    const FiguresTable& features = inspector->features();
+    QCOMPARE(rows_of(features).rowCount(), static_cast<int>(snapshot->associations.size()));
+    ScanView& view = f.window->scan_view();
+    const QImage bare = picture_of(view);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, pixel_in(view, middle_of_line(*snapshot, 0)));
+    const int chosen = features.chosen();
+    QVERIFY(chosen >= 0);
+    QVERIFY(picture_of(view) != bare);
+    const Association& told = snapshot->associations[static_cast<std::size_t>(chosen)];
+    QCOMPARE(told.kind, FeatureKind::line);
+    const QString words = f.window->findChild<QLabel*>("association_words")->text();
+    QVERIFY2(words.startsWith(outcome_words(told)), qPrintable(words));
+    QVERIFY2(words.contains(reason_words(told.reason)), qPrintable(words));
+    QVERIFY2(words.contains("p0"), qPrintable(words));
+    // All lines of the map before the scan were compared, the nearest stands first.
+    const FiguresTable& candidates = inspector->candidates();
+    const RecordedFeature& recorded = inspector->record()->hypotheses.at(
+        inspector->record()->best)[static_cast<std::size_t>(chosen)];
+    QCOMPARE(rows_of(candidates).rowCount(), static_cast<int>(recorded.compared.size()));
+    QVERIFY(recorded.compared.size() > 1);
+    QCOMPARE(told.outcome, Association::Outcome::matched);
+    QCOMPARE(cell(candidates, 0, CandidateModel::landmark).toInt(), told.landmark + 1);
+    QCOMPARE(cell(candidates, 0, CandidateModel::standing), standing_words(Standing::candidate));
+    // A candidate is marked in the views.
+    const QImage grid = picture_of(f.window->grid_view());
+    click_row(candidates, 1);  // the first one was clicked with the feature
+    QVERIFY(picture_of(f.window->grid_view()) != grid);
+    // Hidden it does nothing.
+    f.trigger("action_associations_dock");
+    f.run_steps(1);
+    QVERIFY(inspector->record() != nullptr);
+    QCOMPARE(rows_of(features).rowCount(), static_cast<int>(snapshot->associations.size()));
+}
+
+void InspectTest::the_inspector_tells_of_every_algorithm_and_particle() {
+    Fixture f;
+    f.trigger("action_associations_dock");
+    auto* inspector = f.window->findChild<AssociationInspector*>();
+    auto* particle = f.window->findChild<QSpinBox*>("association_particle");
+    for (const char* algorithm : {"fastslam", "ekf-slam", "graph-slam"}) {
+        Configuracion configuration = Fixture::tour(10);
+        configuration.filter.algorithm = algorithm;
+        f.session.set_configuration(configuration);
+        QVERIFY(inspector->record() == nullptr);
+        f.run_steps(30);
+        QTRY_VERIFY2(inspector->record() != nullptr, algorithm);
+        const auto snapshot = f.session.snapshot();
+        const AssociationRecord& record = *inspector->record();
+        QCOMPARE(record.hypotheses.size(), snapshot->hypotheses.size());
+        QCOMPARE(record.hypotheses.at(record.best).size(), snapshot->associations.size());
+        QCOMPARE(particle->maximum(), static_cast<int>(snapshot->hypotheses.size()) - 1);
+        particle->setValue(particle->maximum());
+        inspector->choose(0);
+        const RecordedFeature& feature =
+            record.hypotheses.at(snapshot->hypotheses.back().from).front();
+        QCOMPARE(rows_of(inspector->candidates()).rowCount(),
+                 static_cast<int>(feature.compared.size()));
+        const QString words = f.window->findChild<QLabel*>("association_words")->text();
+        QVERIFY2(words.startsWith(outcome_words(feature.decision)), qPrintable(words));
+        particle->setValue(-1);
+    }
+}
+
+void InspectTest::weighing_again_leaves_the_run_as_it_was() {
+    Fixture f;
+    f.trigger("action_associations_dock");
+    auto* inspector = f.window->findChild<AssociationInspector*>();
+    f.run_steps(100000);  // to the end
+    QTRY_VERIFY(inspector->record() != nullptr);
+    QCOMPARE(f.state(), Progress::State::finished);
+    const Trajectory inspected =
+        ask<Trajectory>(f, [](const Algoritmo& run) { return run.best_trajectory(); });
+    f.trigger("action_associations_dock");
+    f.trigger("action_restart");
+    f.run_steps(100000);  // to the end
+    QVERIFY(inspected ==
+            ask<Trajectory>(f, [](const Algoritmo& run) { return run.best_trajectory(); }));
 }
 
 }  // namespace hitos::window

@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
-        "expected contact, fit, source, configuration, random, run, study, time, view, inspect or words");
+        "expected contact, fit, source, configuration, random, run, study, time, view, inspect or "
+        "words");
     return 2;
 }

@@ -154,6 +154,9 @@ class InspectTest : public QObject {
     void a_click_on_the_cloud_chooses_a_particle();
     void any_particles_map_path_and_grid_are_opened();
     void the_ancestry_of_the_particles_is_a_layer();
+    void a_clicked_feature_tells_why();
+    void the_inspector_tells_of_every_algorithm_and_particle();
+    void weighing_again_leaves_the_run_as_it_was();
 };
 
 class StudyTest : public QObject {

@@ -17,9 +17,25 @@ namespace hitos {
 /// What became of one observed feature in the best hypothesis.
 struct Association {
     enum class Outcome : std::uint8_t { matched, created, ignored };
+    /// Why.
+    enum class Reason : std::uint8_t {
+        fits,           ///< matched: one landmark fits, no other is plausible
+        stretches,      ///< matched: all that fit are stretches of one wall
+        together,       ///< matched: of the pairings that fit best together
+        twin,           ///< matched: with what an earlier feature of the scan made
+        drawn,          ///< matched or created: drawn from all that are plausible
+        fits_none,      ///< created: no landmark fits
+        ambiguous,      ///< ignored: several landmarks are plausible
+        taken,          ///< ignored: another feature fits its landmark better
+        left_over,      ///< ignored: others fit its landmarks better together
+        between_gates,  ///< ignored: fits no landmark, but is not far enough from all to be new
+        between_keys,   ///< ignored: fits no landmark, and only key scans make new ones
+        gone            ///< ignored: its landmark was taken out of the map
+    };
     FeatureKind kind = FeatureKind::line;
     std::uint32_t observed = 0;  ///< index in Observation::lines or ::corners
     Outcome outcome = Outcome::ignored;
+    Reason reason = Reason::between_gates;
     std::int32_t landmark = -1;  ///< index in best_map(); -1 where ignored
     /// Scans since the landmark was seen before; 0 where this scan made it, or nothing was matched.
     std::uint32_t unseen = 0;
@@ -48,6 +64,9 @@ struct FilterStatistics {
     bool best_changed = false;  ///< the best one is no continuation of the best one before
 };
 
+/// What a step weighed (hitos/slam/association_record.hpp).
+struct AssociationRecord;
+
 /// What a step takes: the scan, the controls from the scan before to this one, and what was found
 /// in the scan, in the robot frame.
 struct SlamInput {
@@ -56,6 +75,8 @@ struct SlamInput {
     const Observation& observation;
     /// Where registration places the scan; null where the run has none.
     const RegisteredStep* registered = nullptr;
+    /// Takes what the step weighs; null where nobody asks, and then it costs nothing.
+    AssociationRecord* record = nullptr;
 };
 
 /// One algorithm, fed step by step.

@@ -53,7 +53,7 @@ void Algoritmo::begin() {
     finished_ = false;
 }
 
-bool Algoritmo::step() {
+bool Algoritmo::step(AssociationRecord* record) {
     if (finished_) return false;
     auto scan = reader_->next_scan();
     if (!scan) {
@@ -79,7 +79,8 @@ bool Algoritmo::step() {
     extractor_->extract(scan_, observation_);
     std::optional<RegisteredStep> registered;
     if (registration_) registered = registration_->add(scan_, step_controls_);
-    filter_->step({scan_, step_controls_, observation_, registered ? &*registered : nullptr});
+    filter_->step(
+        {scan_, step_controls_, observation_, registered ? &*registered : nullptr, record});
     note_scan();
     if (options_.step_grid) draw_scan(registered && registered->key);
     if (registration_) take_correction();

@@ -3,6 +3,8 @@
 #include <iterator>
 #include <utility>
 
+#include "hitos/slam/association_record.hpp"
+
 namespace hitos {
 
 std::size_t RunCheckpoint::bytes() const {
@@ -20,13 +22,29 @@ Trajectory RunCheckpoint::best_trajectory() const {
 
 std::shared_ptr<const RunCheckpoint> Algoritmo::checkpoint() const {
     if (remembered_ == nullptr || !remembered_->whole() || finished_) return nullptr;
+    std::optional<RunCheckpoint> now = state();
+    return now ? std::make_shared<const RunCheckpoint>(*std::move(now)) : nullptr;
+}
+
+std::optional<RunCheckpoint> Algoritmo::state() const {
     std::unique_ptr<const SlamFilter> filter = filter_->clone();
-    if (!filter) return nullptr;
-    return std::make_shared<const RunCheckpoint>(RunCheckpoint{
-        remembered_->place(), *controls_,
+    if (!filter) return std::nullopt;
+    return RunCheckpoint{
+        remembered_->place(),
+        *controls_,
         registration_ ? std::make_unique<const Registration>(*registration_) : nullptr,
-        std::move(filter), step_grid_, step_grid_stale_, key_scans_, key_poses_, online_,
-        line_extents_, suitability_, uncertainty_, scan_, observation_, odometry_});
+        std::move(filter),
+        step_grid_,
+        step_grid_stale_,
+        key_scans_,
+        key_poses_,
+        online_,
+        line_extents_,
+        suitability_,
+        uncertainty_,
+        scan_,
+        observation_,
+        odometry_};
 }
 
 void Algoritmo::go_to(const RunCheckpoint& checkpoint) {
@@ -50,6 +68,27 @@ void Algoritmo::go_to(const RunCheckpoint& checkpoint) {
     observation_ = checkpoint.observation;
     odometry_ = checkpoint.odometry;
     finished_ = false;
+}
+
+std::unique_ptr<const AssociationRecord> Algoritmo::weighed(const RunCheckpoint* before) {
+    const std::uint64_t last = steps();
+    if (remembered_ == nullptr || !remembered_->whole() || last == 0) return nullptr;
+    const std::optional<RunCheckpoint> now = state();
+    if (!now) return nullptr;
+    const bool finished = finished_;
+    const bool drawn = std::exchange(options_.step_grid, false);
+    if (before != nullptr) {
+        go_to(*before);
+    } else {
+        rewind();
+    }
+    while (steps() + 1 < last) step();
+    auto record = std::make_unique<AssociationRecord>();
+    step(record.get());
+    options_.step_grid = drawn;
+    go_to(*now);
+    finished_ = finished;
+    return record;
 }
 
 bool Algoritmo::rewind() {

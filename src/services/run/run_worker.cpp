@@ -6,8 +6,10 @@
 
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/services/run/quality.hpp"
+#include "hitos/slam/association_record.hpp"
 
 namespace hitos {
+
 ParticleDetails details_of(const Algoritmo& run, std::size_t hypothesis) {
     ParticleDetails details{
         hypothesis, run.filter().map(hypothesis), {}, run.trajectory_of(hypothesis)};
@@ -155,6 +157,13 @@ std::vector<StepFigures> RunWorker::figures_since(std::uint64_t first) const {
     const std::scoped_lock lock(mutex_);
     if (first >= figures_.size()) return {};
     return {figures_.begin() + static_cast<std::ptrdiff_t>(first), figures_.end()};
+}
+
+std::future<std::shared_ptr<const AssociationRecord>> RunWorker::weighed() {
+    return with_run([this](const Algoritmo& run) -> std::shared_ptr<const AssociationRecord> {
+        if (run.steps() == 0) return nullptr;
+        return run_.weighed(checkpoints_.before(run.steps() - 1).get());
+    });
 }
 
 void RunWorker::post(std::function<void(const Algoritmo&)> task) {

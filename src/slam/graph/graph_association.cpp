@@ -43,7 +43,8 @@ GraphAssociation::GraphAssociation(const FilterParams& params)
       new_gate_(chi_square_gate(params.association.new_probability)) {}
 
 void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& window,
-                            const BelievedPose& believed, const Observation& observation) {
+                            const BelievedPose& believed, const Observation& observation,
+                            std::vector<RecordedFeature>* recorded) {
     measure(observation, observation_, measurements_);
     found_.clear();
     bridged_.clear();
@@ -59,7 +60,8 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
                 std::tie(feature.low, feature.high) =
                     ends_of(observation, observation.lines[observed]);
             }
-            find<S>(graph, window, believed, feature);
+            if (recorded != nullptr) recorded->emplace_back();
+            find<S>(graph, window, believed, feature, recorded);
             found_.push_back(feature);
             ++observed;
         }
@@ -69,7 +71,8 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
 
 template <Sensor S>
 void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& window,
-                            const BelievedPose& believed, FoundFeature& feature) {
+                            const BelievedPose& believed, FoundFeature& feature,
+                            std::vector<RecordedFeature>* recorded) {
     BestTwo inside;  // of the landmarks whose gate it lies in, by distance
     inside_.clear();
     double nearest = std::numeric_limits<double>::infinity();
@@ -97,19 +100,30 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
         const Likelihood close = likelihood_of(error.value, s);
         // Rounding can cost S its positivity where variances are next to nothing.
         if (!(s.determinant() > 0.0) || !(close.mahalanobis_squared >= 0.0)) continue;
+        if (recorded != nullptr) {
+            const bool fits = close.mahalanobis_squared <= rule_.gate();
+            recorded->back().compared.push_back({static_cast<std::int32_t>(i), -error.value,
+                                                 close.mahalanobis_squared, close.log_likelihood,
+                                                 fits ? Standing::candidate : Standing::outside});
+        }
         nearest = std::min(nearest, close.mahalanobis_squared);
         if (close.mahalanobis_squared > rule_.gate()) continue;
         inside.offer(i, -close.mahalanobis_squared, close.log_likelihood);
         inside_.push_back({i, close.log_likelihood, shared_m});
     }
     if (inside.none()) {
-        if (nearest > new_gate_) feature.outcome = Association::Outcome::created;
+        if (nearest > new_gate_) {
+            feature.outcome = Association::Outcome::created;
+            feature.reason = Association::Reason::fits_none;
+        }
     } else if (!rule_.ambiguous(inside)) {
         feature.outcome = Association::Outcome::matched;
+        feature.reason = Association::Reason::fits;
         feature.landmark = inside.best();
         feature.log_likelihood = inside.best_log();
-    } else if (S::kKind == FeatureKind::line) {
-        note_bridges(graph, inside, seen_m);
+    } else {
+        feature.reason = Association::Reason::ambiguous;
+        if (S::kKind == FeatureKind::line) note_bridges(graph, inside, seen_m);
     }
 }
 

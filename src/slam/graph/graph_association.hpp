@@ -24,6 +24,7 @@ struct FoundFeature {
     Measurement measured;
     Point2 low, high;  ///< ends of what was seen of a line, in the robot's frame
     Association::Outcome outcome = Association::Outcome::ignored;
+    Association::Reason reason = Association::Reason::between_gates;
     std::uint32_t landmark = 0;   ///< of the graph, where matched
     double log_likelihood = 0.0;  ///< where matched
     /// Where created: the feature before whose landmark this one belongs to too; or its own place.
@@ -40,14 +41,17 @@ class GraphAssociation {
 
     explicit GraphAssociation(const FilterParams& params);
 
+    /// What it compares is added to `recorded`, where that is not null: landmarks of the graph.
     void find(const LandmarkGraph& graph, const GraphWindow& window, const BelievedPose& believed,
-              const Observation& observation);
+              const Observation& observation, std::vector<RecordedFeature>* recorded);
     const std::vector<FoundFeature>& found() const { return found_; }
     /// Pairs of lines that find() could not choose between, since what it saw covers a part of
     /// both.
     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& bridged() const { return bridged_; }
     /// Squared Mahalanobis distance of the gate.
     double gate() const { return rule_.gate(); }
+    /// And of that from which on a feature is new.
+    double new_gate() const { return new_gate_; }
 
   private:
     struct Candidate {
@@ -58,7 +62,7 @@ class GraphAssociation {
 
     template <Sensor S>
     void find(const LandmarkGraph& graph, const GraphWindow& window, const BelievedPose& believed,
-              FoundFeature& feature);
+              FoundFeature& feature, std::vector<RecordedFeature>* recorded);
     void note_bridges(const LandmarkGraph& graph, const BestTwo& inside, double seen_m);
     void find_twins();
 

@@ -6,6 +6,7 @@
 
 #include "graph_merging.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/slam/association_record.hpp"
 
 namespace hitos {
 namespace {
@@ -52,9 +53,12 @@ void GraphSlam::step(const SlamInput& input) {
     }
     const BelievedPose now = believed();
     pose_ = now.pose;
-    association_.find(graph_, window_, now, input.observation);
-    if (registered.key) add_key(registered);
+    if (input.record != nullptr) begin_record(*input.record);
+    association_.find(graph_, window_, now, input.observation,
+                      input.record == nullptr ? nullptr : &input.record->hypotheses.front());
+    if (registered.key) add_key(registered, input.record);
     note_associations(registered.key);
+    if (input.record != nullptr) end_record(*input.record);
     history_.push_back({graph_.keys().size(), since_key_.pose});
 }
 
@@ -66,7 +70,7 @@ BelievedPose GraphSlam::believed() const {
             by_first(key, since_key_.pose)};
 }
 
-void GraphSlam::add_key(const RegisteredStep& registered) {
+void GraphSlam::add_key(const RegisteredStep& registered, AssociationRecord* record) {
     if (registered.keys.size() != graph_.keys().size() + 1 ||
         registered.edges.size() < graph_.edges().size()) {
         throw std::logic_error("graph-slam missed keys of registration");
@@ -76,7 +80,7 @@ void GraphSlam::add_key(const RegisteredStep& registered) {
     since_key_ = {};
     add_sightings();
     window_.solve(graph_);
-    merge_bridged();
+    merge_bridged(record);
     pose_ = graph_.keys().back().pose;
     map_.reset();
 }
@@ -106,7 +110,7 @@ void GraphSlam::add_sightings() {
     }
 }
 
-void GraphSlam::merge_bridged() {
+void GraphSlam::merge_bridged(AssociationRecord* record) {
     std::vector<std::uint32_t> leader(graph_.landmarks().size());
     for (std::uint32_t i = 0; i < leader.size(); ++i) leader[i] = i;
     bool any = false;
@@ -121,12 +125,38 @@ void GraphSlam::merge_bridged() {
         any = true;
     }
     if (!any) return;
-    merge(leader);
+    merge(leader, record);
     window_.solve(graph_);
 }
 
-void GraphSlam::merge(std::span<const std::uint32_t> leader) {
+void GraphSlam::begin_record(AssociationRecord& record) const {
+    record = {};
+    record.hypotheses.resize(1);
+    record.gate = association_.gate();
+    record.new_gate = association_.new_gate();
+}
+
+void GraphSlam::end_record(AssociationRecord& record) const {
+    const std::vector<std::int32_t> places = places_in_map();
+    std::vector<RecordedFeature>& features = record.hypotheses.front();
+    for (std::size_t i = 0; i < associations_.size(); ++i) {
+        features[i].decision = associations_[i];
+        for (ComparedLandmark& compared : features[i].compared) {
+            compared.landmark = places[static_cast<std::size_t>(compared.landmark)];
+        }
+    }
+}
+
+void GraphSlam::merge(std::span<const std::uint32_t> leader, AssociationRecord* record) {
     const std::vector<std::uint32_t> now = graph_.merge(leader);
+    if (record != nullptr) {
+        for (RecordedFeature& feature : record->hypotheses.front()) {
+            for (ComparedLandmark& compared : feature.compared) {
+                compared.landmark =
+                    static_cast<std::int32_t>(now[static_cast<std::size_t>(compared.landmark)]);
+            }
+        }
+    }
     for (std::int32_t& landmark : landmarks_of_) {
         if (landmark >= 0) {
             landmark = static_cast<std::int32_t>(now[static_cast<std::size_t>(landmark)]);
@@ -152,15 +182,19 @@ void GraphSlam::note_associations(bool key) {
     if (!key) landmarks_of_.clear();
     std::size_t i = 0;
     for (const FoundFeature& feature : association_.found()) {
-        Association association{feature.kind, feature.observed, feature.outcome};
+        Association association{feature.kind, feature.observed, feature.outcome, feature.reason};
         if (feature.outcome == Outcome::matched) {
             statistics_.best_log_weight += feature.log_likelihood;
         } else if (feature.first != i && feature.outcome == Outcome::created) {
             association.outcome = Outcome::matched;
+            association.reason = Association::Reason::twin;
         }
         if (!key) {
             // Only keys make landmarks.
             const bool matched = feature.outcome == Outcome::matched;
+            if (feature.outcome == Outcome::created) {
+                association.reason = Association::Reason::between_keys;
+            }
             if (!matched) association.outcome = Outcome::ignored;
             landmarks_of_.push_back(matched ? static_cast<std::int32_t>(feature.landmark) : -1);
         }

@@ -54,12 +54,15 @@ class GraphSlam final : public SlamFilter {
 
     BelievedPose believed() const;
     /// Makes the scan the newest key, with what it saw.
-    void add_key(const RegisteredStep& registered);
+    void add_key(const RegisteredStep& registered, AssociationRecord* record);
     void add_sightings();
     /// Merges landmarks that the scan has shown to be one.
-    void merge_bridged();
-    void merge(std::span<const std::uint32_t> leader);
+    void merge_bridged(AssociationRecord* record);
+    void merge(std::span<const std::uint32_t> leader, AssociationRecord* record = nullptr);
     void note_associations(bool key);
+    void begin_record(AssociationRecord& record) const;
+    /// Adds the decisions; landmarks become places in the map.
+    void end_record(AssociationRecord& record) const;
     std::uint32_t unseen(std::size_t landmark, bool key) const;
     /// Places of landmarks in the map, which lists them kind by kind.
     std::vector<std::int32_t> places_in_map() const;

@@ -12,6 +12,7 @@ namespace hitos {
 namespace {
 
 using Outcome = Association::Outcome;
+using Reason = Association::Reason;
 
 /// [T table 5.1] and the rule of SPEC §5 for ambiguity, word by word over all landmarks: no
 /// rejection, plain likelihoods.
@@ -43,16 +44,16 @@ Decision slow_decision(const typename S::Columns& landmarks, const AssociationPa
             second = std::max(second, likelihood);
         }
     }
-    if (best_score < 0.0) return {Outcome::created, 0, std::log(params.p0)};
+    if (best_score < 0.0) return {Outcome::created, Reason::fits_none, 0, std::log(params.p0)};
     if (params.ambiguity == AmbiguityRule::off || second <= params.p0 ||
         second <= params.ambiguity_ratio * best) {
-        return {Outcome::matched, index, std::log(best)};
+        return {Outcome::matched, Reason::fits, index, std::log(best)};
     }
     const double factor = params.ambiguity == AmbiguityRule::neutral ? 1.0
                           : params.ambiguity == AmbiguityRule::new_landmark
                               ? params.p0
                               : std::max(best, second);
-    return {Outcome::ignored, 0, std::log(factor)};
+    return {Outcome::ignored, Reason::ambiguous, 0, std::log(factor)};
 }
 
 struct Draws {

@@ -6,6 +6,7 @@
 #include <QMenu>
 
 #include "actions/result_actions.hpp"
+#include "association_inspector.hpp"
 #include "landmark_table.hpp"
 #include "particle_table.hpp"
 #include "views/grid_view.hpp"
@@ -20,10 +21,14 @@ Inspection::Inspection(Session& session, QMainWindow* window, QMenu* menu, QActi
       menu_(menu),
       before_(before),
       landmarks_(new LandmarkTable(session, window)),
-      particles_(new ParticleTable(session, window)) {
+      particles_(new ParticleTable(session, window)),
+      associations_(new AssociationInspector(session, window)) {
     add_dock(landmarks_, tr("Landmarks"), "landmarks_dock", QKeySequence("Ctrl+Shift+L"));
     add_dock(particles_, tr("Particles"), "particles_dock", QKeySequence("Ctrl+Shift+P"));
+    add_dock(associations_, tr("Associations"), "associations_dock", QKeySequence("Ctrl+Shift+A"));
     connect(landmarks_, &LandmarkTable::landmark_chosen, this, &Inspection::landmark_chosen);
+    connect(associations_, &AssociationInspector::landmark_chosen, this,
+            &Inspection::landmark_chosen);
 }
 
 void Inspection::add_dock(QWidget* widget, const QString& title, const char* name,
@@ -53,6 +58,10 @@ void Inspection::connect_views(ScanView& scan, GridView& grid) {
     connect(&scan, &ScanView::particle_clicked, particles_, [this](int particle) {
         if (particles_->isVisible()) particles_->choose(static_cast<std::size_t>(particle));
     });
+    connect(&scan, &ScanView::feature_clicked, associations_, [this](int feature) {
+        if (associations_->isVisible()) associations_->choose(feature);
+    });
+    connect(associations_, &AssociationInspector::feature_chosen, &scan, &ScanView::set_feature);
 }
 
 void Inspection::connect_results(ResultActions& results) {

@@ -14,6 +14,7 @@ class QMenu;
 
 namespace hitos::window {
 
+class AssociationInspector;
 class GridView;
 class LandmarkTable;
 class ParticleTable;
@@ -47,6 +48,7 @@ class Inspection final : public QObject {
     QDockWidget* first_ = nullptr;
     LandmarkTable* landmarks_;
     ParticleTable* particles_;
+    AssociationInspector* associations_;
 };
 
 }  // namespace hitos::window

@@ -57,6 +57,93 @@
     </message>
 </context>
 <context>
+    <name>Associations</name>
+    <message>
+        <source>Matched with %1</source>
+        <translation>Emparejada con %1</translation>
+    </message>
+    <message>
+        <source>Matched, on probation</source>
+        <translation>Emparejada, a prueba</translation>
+    </message>
+    <message>
+        <source>New: %1</source>
+        <translation>Nuevo: %1</translation>
+    </message>
+    <message>
+        <source>New, on probation</source>
+        <translation>Nuevo, a prueba</translation>
+    </message>
+    <message>
+        <source>Ignored</source>
+        <translation>Ignorada</translation>
+    </message>
+    <message>
+        <source>This landmark fits, and no other one is nearly as plausible.</source>
+        <translation>Este hito encaja, y ningún otro es ni de lejos tan plausible.</translation>
+    </message>
+    <message>
+        <source>All landmarks that fit are stretches of one wall; the best one takes it.</source>
+        <translation>Todos los hitos que encajan son tramos de una misma pared; se la lleva el mejor.</translation>
+    </message>
+    <message>
+        <source>Of all pairings of this scan that go together, the best has this one.</source>
+        <translation>De todos los emparejamientos de este barrido compatibles entre sí, el mejor incluye este.</translation>
+    </message>
+    <message>
+        <source>It shows the landmark that an earlier feature of this scan has made.</source>
+        <translation>Muestra el hito que ha creado una característica anterior de este barrido.</translation>
+    </message>
+    <message>
+        <source>Several are plausible; one was drawn by their likelihoods.</source>
+        <translation>Varios son plausibles; se ha sorteado uno según sus verosimilitudes.</translation>
+    </message>
+    <message>
+        <source>No landmark fits.</source>
+        <translation>Ningún hito encaja.</translation>
+    </message>
+    <message>
+        <source>Several landmarks are plausible: it could be any of them.</source>
+        <translation>Varios hitos son plausibles: podría ser cualquiera de ellos.</translation>
+    </message>
+    <message>
+        <source>Another feature of the scan fits its landmark better.</source>
+        <translation>Otra característica del barrido encaja mejor con su hito.</translation>
+    </message>
+    <message>
+        <source>Landmarks fit it, but together the other features fit them better.</source>
+        <translation>Hay hitos que encajan, pero en conjunto las demás características encajan mejor con ellos.</translation>
+    </message>
+    <message>
+        <source>No landmark fits, but the nearest is not far enough for it to be a new one.</source>
+        <translation>Ningún hito encaja, pero el más cercano no está lo bastante lejos para que sea uno nuevo.</translation>
+    </message>
+    <message>
+        <source>No landmark fits, and only key scans make new ones.</source>
+        <translation>Ningún hito encaja, y solo los barridos clave crean nuevos.</translation>
+    </message>
+    <message>
+        <source>Its landmark was taken out of the map at this scan.</source>
+        <translation>Su hito se ha retirado del mapa en este barrido.</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>encaja</translation>
+    </message>
+    <message>
+        <source>does not fit</source>
+        <translation>no encaja</translation>
+    </message>
+    <message>
+        <source>was seen elsewhere</source>
+        <translation>se vio en otra parte</translation>
+    </message>
+    <message>
+        <source>too far, passed over</source>
+        <translation>demasiado lejos, descartado</translation>
+    </message>
+</context>
+<context>
     <name>Landmarks</name>
     <message>
         <source>Line %1</source>
@@ -139,6 +226,10 @@
     <message>
         <source>Landmark numbers</source>
         <translation>Números de los hitos</translation>
+    </message>
+    <message>
+        <source>Particles&apos; ancestry</source>
+        <translation>Ascendencia de las partículas</translation>
     </message>
 </context>
 <context>
@@ -1220,6 +1311,88 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::AssociationInspector</name>
+    <message>
+        <source>Line</source>
+        <translation>Recta</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Esquina</translation>
+    </message>
+    <message>
+        <source>Of particle</source>
+        <translation>De la partícula</translation>
+    </message>
+    <message>
+        <source>the best</source>
+        <translation>la mejor</translation>
+    </message>
+    <message>
+        <source>Features of the scan</source>
+        <translation>Características del barrido</translation>
+    </message>
+    <message>
+        <source>Landmarks it was compared with</source>
+        <translation>Hitos con los que se comparó</translation>
+    </message>
+    <message>
+        <source>Choose a feature here, or click one in the scan.</source>
+        <translation>Elija una característica aquí, o pulse una en el barrido.</translation>
+    </message>
+    <message>
+        <source>The numbers come when the run is stopped.</source>
+        <translation>Los números aparecen al detener la ejecución.</translation>
+    </message>
+    <message>
+        <source>Weighing the scan again…</source>
+        <translation>Evaluando de nuevo el barrido…</translation>
+    </message>
+    <message>
+        <source>This run cannot go back to weigh the scan again.</source>
+        <translation>Esta ejecución no puede retroceder para evaluar de nuevo el barrido.</translation>
+    </message>
+    <message>
+        <source>p0, of a new landmark: ln p0 = %1</source>
+        <translation>p0, de un hito nuevo: ln p0 = %1</translation>
+    </message>
+    <message>
+        <source>Gate: distance %1</source>
+        <translation>Puerta: distancia %1</translation>
+    </message>
+    <message>
+        <source>New from distance %1 on</source>
+        <translation>Nuevo a partir de la distancia %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::CandidateModel</name>
+    <message>
+        <source>Landmark</source>
+        <translation>Hito</translation>
+    </message>
+    <message>
+        <source>ν ρ / range</source>
+        <translation>ν ρ / distancia</translation>
+    </message>
+    <message>
+        <source>ν θ / bearing</source>
+        <translation>ν θ / rumbo</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>ln p</source>
+        <translation>ln p</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Situación</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::CanvasView</name>
     <message>
         <source>The picture would have %1 × %2 pixels and may have %3 a side; choose a smaller scale.</source>
@@ -1397,6 +1570,29 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::FeatureModel</name>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>ρ / range</source>
+        <translation>ρ / distancia</translation>
+    </message>
+    <message>
+        <source>θ / bearing</source>
+        <translation>θ / rumbo</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Resultado</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::GridView</name>
     <message>
         <source>The map grows here, step by step, from the best particle of each step.</source>
@@ -1412,6 +1608,67 @@
     <message>
         <source>Use “%1”</source>
         <translation>Usar «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::Inspection</name>
+    <message>
+        <source>Landmarks</source>
+        <translation>Hitos</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>Partículas</translation>
+    </message>
+    <message>
+        <source>Associations</source>
+        <translation>Asociaciones</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::LandmarkModel</name>
+    <message>
+        <source>%1 (%2 s)</source>
+        <translation>%1 (%2 s)</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Corr.</source>
+        <translation>Corr.</translation>
+    </message>
+    <message>
+        <source>Observed</source>
+        <translation>Observado</translation>
+    </message>
+    <message>
+        <source>First seen</source>
+        <translation>Visto primero</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Visto por última vez</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Recta</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Esquina</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::LandmarkTable</name>
+    <message>
+        <source>Landmarks</source>
+        <translation>Hitos</translation>
     </message>
 </context>
 <context>
@@ -1825,6 +2082,10 @@
         <translation>tan rápido como sea posible, o al ritmo elegido</translation>
     </message>
     <message>
+        <source>tables of landmarks and particles, why features were associated</source>
+        <translation>tablas de hitos y partículas, el porqué de las asociaciones</translation>
+    </message>
+    <message>
         <source>Copy picture</source>
         <translation>Copiar imagen</translation>
     </message>
@@ -1900,6 +2161,44 @@
     <message>
         <source>Whole numbers: %1</source>
         <translation>Números enteros: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ParticleModel</name>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Peso</translation>
+    </message>
+    <message>
+        <source>Weight now</source>
+        <translation>Peso ahora</translation>
+    </message>
+    <message>
+        <source>Drawn from</source>
+        <translation>Procede de</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ParticleTable</name>
+    <message>
+        <source>Particles</source>
+        <translation>Partículas</translation>
+    </message>
+    <message>
+        <source>Grid map</source>
+        <translation>Mapa de rejilla</translation>
+    </message>
+    <message>
+        <source>Save map…</source>
+        <translation>Guardar mapa…</translation>
+    </message>
+    <message>
+        <source>Save path…</source>
+        <translation>Guardar trayectoria…</translation>
     </message>
 </context>
 <context>
@@ -2041,6 +2340,22 @@
     <message>
         <source>Figures saved: %1</source>
         <translation>Cifras guardadas: %1</translation>
+    </message>
+    <message>
+        <source>Save the map of particle %1</source>
+        <translation>Guardar el mapa de la partícula %1</translation>
+    </message>
+    <message>
+        <source>Save the path of particle %1</source>
+        <translation>Guardar la trayectoria de la partícula %1</translation>
+    </message>
+    <message>
+        <source>Trajectories (*.tum);;All files (*)</source>
+        <translation>Trayectorias (*.tum);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Path saved: %1</source>
+        <translation>Trayectoria guardada: %1</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,18 @@ void unite(QRectF& box, const QPointF& point) {
     box.setBottom(std::max(box.bottom(), point.y()));
 }
 
+/// Of a segment from a point.
+double distance_to(const QLineF& segment, const QPointF& point) {
+    const QPointF along = segment.p2() - segment.p1();
+    const double length_squared = QPointF::dotProduct(along, along);
+    const double share =
+        length_squared > 0.0
+            ? std::clamp(QPointF::dotProduct(point - segment.p1(), along) / length_squared, 0.0,
+                         1.0)
+            : 0.0;
+    return QLineF(point, segment.p1() + share * along).length();
+}
+
 }  // namespace
 
 ScanView::ScanView(QWidget* parent) : CanvasView(parent), layers_(default_layers()) {
@@ -66,6 +78,11 @@ void ScanView::set_robot_frame(bool on) {
 
 void ScanView::set_highlight(const PickedLandmark& picked) {
     highlight_ = picked;
+    update();
+}
+
+void ScanView::set_feature(int feature) {
+    feature_ = feature;
     update();
 }
 
@@ -181,7 +198,7 @@ void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
     paint_particles(painter, scene);
     if (layers_.has(Layer::robot)) draw_robot(painter, scene, pose_view_robot());
     if (layers_.has(Layer::detected)) paint_detected(painter, scene);
-    if (layers_.has(Layer::associations)) paint_links(painter, scene);
+    paint_links(painter, scene);
     if (scene.chrome) draw_scale_bar(painter, scene);
     if (hovered_ >= 0 && static_cast<std::size_t>(hovered_) < landmarks_.map.size()) {
         draw_chip(painter, scene, scene.to_screen.map(hovered_at_m_) + QPointF(14.0, 14.0),
@@ -212,6 +229,23 @@ int ScanView::particle_at(const QPointF& point) const {
     return found;
 }
 
+int ScanView::feature_at(const QPointF& point) const {
+    if (!layers_.has(Layer::detected)) return -1;
+    int found = -1;
+    double nearest = tolerance_m();
+    for (std::size_t i = 0; i < snapshot_->associations.size(); ++i) {
+        const Association& association = snapshot_->associations[i];
+        const bool line = association.kind == FeatureKind::line;
+        const double away = line ? distance_to(segments_.at(association.observed), point)
+                                 : QLineF(corners_.at(association.observed), point).length();
+        // A corner lies on lines.
+        if (away > (line ? nearest : tolerance_m())) continue;
+        nearest = line ? away : 0.0;
+        found = static_cast<int>(i);
+    }
+    return found;
+}
+
 void ScanView::paint_detected(QPainter& painter, const Scene& scene) const {
     painter.setPen(thin_pen(scene.colours.observed, 2.6));
     for (const QLineF& segment : segments_) painter.drawLine(scene.to_screen.map(segment));
@@ -224,6 +258,13 @@ void ScanView::paint_detected(QPainter& painter, const Scene& scene) const {
 }
 
 void ScanView::paint_links(QPainter& painter, const Scene& scene) const {
+    if (feature_ >= 0 && static_cast<std::size_t>(feature_) < links_.size()) {
+        painter.setPen(thin_pen(scene.colours.highlight, 2.4));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(
+            scene.to_screen.map(links_[static_cast<std::size_t>(feature_)].observed), 11.0, 11.0);
+    }
+    if (!layers_.has(Layer::associations)) return;
     for (const Link& link : links_) {
         const QPointF from = scene.to_screen.map(link.observed);
         const QPointF to = scene.to_screen.map(link.landmark);
@@ -276,6 +317,8 @@ void ScanView::click(const QPointF& point) {
     emit landmark_clicked(picked);
     const int particle = particle_at(point);
     if (particle >= 0) emit particle_clicked(particle);
+    const int feature = feature_at(point);
+    if (feature >= 0) emit feature_clicked(feature);
 }
 
 QString ScanView::empty_text() const {

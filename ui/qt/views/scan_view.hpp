@@ -28,10 +28,14 @@ class ScanView final : public CanvasView {
     void set_robot_frame(bool on);
     /// Shows this landmark of the world strongly; nothing shows none.
     void set_highlight(const hitos::window::PickedLandmark& picked);
+    /// Marks a feature of the scan, a place in Snapshot::associations; -1 marks none.
+    void set_feature(int feature);
 
   signals:
     void landmark_clicked(hitos::window::PickedLandmark landmark);
     void particle_clicked(int particle);
+    /// A place in Snapshot::associations.
+    void feature_clicked(int feature);
 
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;
@@ -58,6 +62,8 @@ class ScanView final : public CanvasView {
     void paint_particles(QPainter& painter, const Scene& scene) const;
     /// Number of the particle at a point of the view's frame; -1 where there is none.
     int particle_at(const QPointF& point) const;
+    /// The same of the feature.
+    int feature_at(const QPointF& point) const;
     void paint_detected(QPainter& painter, const Scene& scene) const;
     void paint_links(QPainter& painter, const Scene& scene) const;
 
@@ -65,6 +71,7 @@ class ScanView final : public CanvasView {
     LayerSet layers_;
     bool robot_frame_ = true;
     PickedLandmark highlight_;
+    int feature_ = -1;
     int hovered_ = -1;
     QPointF hovered_at_m_;
 

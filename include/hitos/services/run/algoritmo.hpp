@@ -47,8 +47,9 @@ class Algoritmo {
     Algoritmo& operator=(Algoritmo&&) noexcept;
 
     /// Takes the next scan and everything the odometry says up to it. False at the end of the
-    /// log. Throws FormatError where the log ends without a single scan.
-    bool step();
+    /// log. Throws FormatError where the log ends without a single scan. `record`, where it is not
+    /// null, takes what the filter weighs.
+    bool step(AssociationRecord* record = nullptr);
     bool finished() const { return finished_; }
     /// From the beginning of the tour, as if nothing had been done.
     void restart();
@@ -58,6 +59,10 @@ class Algoritmo {
     /// Goes back to it, or ahead: what follows is the same as it was, to the last bit. It must be
     /// of this run, since its last restart().
     void go_to(const RunCheckpoint& checkpoint);
+    /// What the filter weighed at the last scan, in all its hypotheses: the tour is run again from
+    /// a checkpoint before that scan, from its beginning where that is null, and the run then is
+    /// what it was. Null where it cannot go back, or has not taken a scan.
+    std::unique_ptr<const AssociationRecord> weighed(const RunCheckpoint* before);
     /// To the beginning, reading what is remembered again; where nothing is it is a restart(), and
     /// false: what checkpoints there are belong to another reading.
     bool rewind();
@@ -106,6 +111,8 @@ class Algoritmo {
 
   private:
     void begin();
+    /// All that it is now; nothing where the algorithm cannot be copied.
+    std::optional<RunCheckpoint> state() const;
     /// Takes the scan into every part of the run that keeps something of it.
     void note_scan();
     void draw_scan(bool key);

@@ -129,6 +129,10 @@ class RunWorker {
     /// they begin anew; going back forgets none.
     std::vector<StepFigures> figures_since(std::uint64_t first) const;
 
+    /// As Algoritmo::weighed(), from the nearest checkpoint: while the run rests it takes no longer
+    /// than going back to a scan.
+    std::future<std::shared_ptr<const AssociationRecord>> weighed();
+
     /// Calls `task` with the run between two steps, on the worker.
     template <class Task>
     auto with_run(Task task) -> std::future<std::invoke_result_t<Task, const Algoritmo&>> {

@@ -1,0 +1,301 @@
+#include "association_inspector.hpp"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <chrono>
+#include <cmath>
+
+#include "association_words.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+constexpr int kPollMs = 15;
+
+QString metres(double value) {
+    return QString("%1 m").arg(value, 0, 'f', 3);
+}
+
+QString degrees(double value) {
+    return QString("%1°").arg(value * kDegrees, 0, 'f', 2);
+}
+
+QString kind_words(FeatureKind kind) {
+    return kind == FeatureKind::line ? AssociationInspector::tr("Line")
+                                     : AssociationInspector::tr("Corner");
+}
+
+}  // namespace
+
+FeatureModel::FeatureModel(QObject* parent)
+    : FiguresModel({tr("No."), tr("Kind"), tr("ρ / range"), tr("θ / bearing"), tr("Outcome")},
+                   parent) {}
+
+void FeatureModel::set_features(const std::shared_ptr<const Snapshot>& snapshot,
+                                std::vector<Association> associations) {
+    change(static_cast<int>(associations.size()), [&] {
+        snapshot_ = snapshot;
+        associations_ = std::move(associations);
+    });
+}
+
+std::pair<double, double> FeatureModel::values(int row) const {
+    const Association& association = associations_[static_cast<std::size_t>(row)];
+    const Observation& seen = snapshot_->observation;
+    if (association.kind == FeatureKind::line) {
+        const Recta& recta = seen.lines[association.observed].recta;
+        return {recta.rho, recta.theta};
+    }
+    const Esquina& corner = seen.corners[association.observed];
+    return {std::hypot(corner.x, corner.y), std::atan2(corner.y, corner.x)};
+}
+
+QVariant FeatureModel::key(int row, int column) const {
+    const Association& association = associations_[static_cast<std::size_t>(row)];
+    switch (column) {
+        case number:
+            return row;
+        case kind:
+            return static_cast<int>(association.kind);
+        case first:
+            return values(row).first;
+        case second:
+            return values(row).second;
+        default:
+            return outcome_words(association);
+    }
+}
+
+QString FeatureModel::text(int row, int column) const {
+    const Association& association = associations_[static_cast<std::size_t>(row)];
+    switch (column) {
+        case number:
+            return QString::number(row + 1);
+        case kind:
+            return kind_words(association.kind);
+        case first:
+            return metres(values(row).first);
+        case second:
+            return degrees(values(row).second);
+        default:
+            return outcome_words(association);
+    }
+}
+
+CandidateModel::CandidateModel(QObject* parent)
+    : FiguresModel({tr("Landmark"), tr("ν ρ / range"), tr("ν θ / bearing"), tr("Distance"),
+                    tr("ln p"), tr("Standing")},
+                   parent) {}
+
+void CandidateModel::set_feature(const RecordedFeature* feature) {
+    RecordedFeature next = feature == nullptr ? RecordedFeature() : *feature;
+    change(static_cast<int>(next.compared.size()), [&] { feature_ = std::move(next); });
+}
+
+QVariant CandidateModel::key(int row, int column) const {
+    const ComparedLandmark& compared = feature_.compared[static_cast<std::size_t>(row)];
+    switch (column) {
+        case landmark:
+            return compared.landmark;
+        case first:
+            return std::abs(compared.innovation(0));
+        case second:
+            return std::abs(compared.innovation(1));
+        case distance:
+            return compared.mahalanobis_squared;
+        case log_likelihood:
+            return compared.log_likelihood;
+        default:
+            return static_cast<int>(compared.standing);
+    }
+}
+
+QString CandidateModel::text(int row, int column) const {
+    const ComparedLandmark& compared = feature_.compared[static_cast<std::size_t>(row)];
+    switch (column) {
+        case landmark:
+            return compared.landmark < 0 ? "–" : QString::number(compared.landmark + 1);
+        case first:
+            return metres(compared.innovation(0));
+        case second:
+            return degrees(compared.innovation(1));
+        case distance:
+            return QString::number(std::sqrt(compared.mahalanobis_squared), 'f', 2);
+        case log_likelihood:
+            return QString::number(compared.log_likelihood, 'f', 2);
+        default:
+            return standing_words(compared.standing);
+    }
+}
+
+bool CandidateModel::strong(int row) const {
+    return feature_.decision.outcome == Association::Outcome::matched &&
+           feature_.decision.landmark >= 0 &&
+           feature_.compared[static_cast<std::size_t>(row)].landmark == feature_.decision.landmark;
+}
+
+AssociationInspector::AssociationInspector(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      feature_model_(new FeatureModel(this)),
+      candidate_model_(new CandidateModel(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
+    auto* row = new QHBoxLayout;
+    auto* label = new QLabel(tr("Of particle"), this);
+    particle_ = new QSpinBox(this);
+    particle_->setObjectName("association_particle");
+    particle_->setSpecialValueText(tr("the best"));
+    particle_->setRange(-1, -1);
+    label->setBuddy(particle_);
+    row->addWidget(label);
+    row->addWidget(particle_);
+    row->addStretch(1);
+    column->addLayout(row);
+    features_ = new FiguresTable(feature_model_, this);
+    features_->setObjectName("feature_table");
+    features_->setAccessibleName(tr("Features of the scan"));
+    column->addWidget(features_, 2);
+    words_ = new QLabel(this);
+    words_->setObjectName("association_words");
+    words_->setWordWrap(true);
+    words_->setTextFormat(Qt::PlainText);
+    column->addWidget(words_);
+    candidates_ = new FiguresTable(candidate_model_, this);
+    candidates_->setObjectName("candidate_table");
+    candidates_->setAccessibleName(tr("Landmarks it was compared with"));
+    candidates_->sortByColumn(CandidateModel::distance, Qt::AscendingOrder);
+    column->addWidget(candidates_, 3);
+    timer_.setInterval(kPollMs);
+    connect(&timer_, &QTimer::timeout, this, &AssociationInspector::poll);
+    connect(&session, &Session::restarted, this, [this] {
+        asked_ = {};
+        record_of_ = 0;
+    });
+    connect(&session, &Session::snapshot_changed, this, &AssociationInspector::refresh);
+    connect(&session, &Session::progress_changed, this, &AssociationInspector::ask);
+    connect(particle_, &QSpinBox::valueChanged, this, &AssociationInspector::show_record);
+    connect(features_, &FiguresTable::row_chosen, this, &AssociationInspector::choose);
+    connect(candidates_, &FiguresTable::row_chosen, this, [this](int candidate) {
+        const std::int32_t landmark =
+            candidate_model_->feature().compared[static_cast<std::size_t>(candidate)].landmark;
+        const auto snapshot = session_.snapshot();
+        // Another particle's landmarks have numbers of their own.
+        if (landmark < 0 || particle_->value() >= 0 || !snapshot) return;
+        const auto place = static_cast<std::size_t>(landmark);
+        if (place < snapshot->best_map.size()) emit landmark_chosen({snapshot->best_map[place]});
+    });
+}
+
+void AssociationInspector::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
+}
+
+void AssociationInspector::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    if (!isVisible()) emit feature_chosen(-1);
+}
+
+void AssociationInspector::refresh() {
+    if (!isVisible()) return;
+    const auto snapshot = session_.snapshot();
+    if (!snapshot || snapshot->steps != record_of_) {
+        record_ = nullptr;
+        record_of_ = 0;
+    }
+    particle_->setMaximum(snapshot ? static_cast<int>(snapshot->hypotheses.size()) - 1 : -1);
+    show_record();
+    ask();
+}
+
+/// While the run goes on there is no time to weigh a scan again.
+void AssociationInspector::ask() {
+    if (!isVisible() || asked_.valid() || !session_.up_to_date()) return;
+    const Progress progress = session_.progress();
+    if (progress.state == Progress::State::running || progress.steps == record_of_) return;
+    record_of_ = progress.steps;
+    asked_ = session_.worker()->weighed();
+    timer_.start();
+}
+
+void AssociationInspector::poll() {
+    if (!asked_.valid()) {
+        timer_.stop();
+        return;
+    }
+    if (asked_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    timer_.stop();
+    record_ = asked_.get();
+    const auto snapshot = session_.snapshot();
+    if (!snapshot || snapshot->steps != record_of_) record_ = nullptr;
+    show_record();
+    ask();
+}
+
+const std::vector<RecordedFeature>* AssociationInspector::recorded() const {
+    const auto snapshot = session_.snapshot();
+    if (!record_ || !snapshot) return nullptr;
+    const auto chosen = static_cast<std::size_t>(particle_->value());
+    const std::size_t number =
+        particle_->value() < 0 ? record_->best : snapshot->hypotheses.at(chosen).from;
+    return number < record_->hypotheses.size() ? &record_->hypotheses[number] : nullptr;
+}
+
+void AssociationInspector::show_record() {
+    const auto snapshot = session_.snapshot();
+    std::vector<Association> associations;
+    const std::vector<RecordedFeature>* features = recorded();
+    if (snapshot && particle_->value() < 0) {
+        associations = snapshot->associations;  // those of the best are always told
+    } else if (features != nullptr) {
+        for (const RecordedFeature& feature : *features) associations.push_back(feature.decision);
+    }
+    feature_model_->set_features(snapshot, std::move(associations));
+    if (chosen_ >= feature_model_->rowCount()) choose(-1);
+    features_->choose(chosen_);
+    show_feature();
+}
+
+void AssociationInspector::choose(int feature) {
+    chosen_ = feature < feature_model_->rowCount() ? feature : -1;
+    features_->choose(chosen_);
+    show_feature();
+    emit feature_chosen(chosen_);
+}
+
+void AssociationInspector::show_feature() {
+    if (chosen_ < 0) {
+        words_->setText(tr("Choose a feature here, or click one in the scan."));
+        candidate_model_->set_feature(nullptr);
+        return;
+    }
+    const auto row = static_cast<std::size_t>(chosen_);
+    const Association& association = feature_model_->associations()[row];
+    QStringList lines{outcome_words(association) + ". " + reason_words(association.reason)};
+    const std::vector<RecordedFeature>* features = recorded();
+    if (features == nullptr || row >= features->size()) {
+        candidate_model_->set_feature(nullptr);
+        lines << (session_.progress().state == Progress::State::running
+                      ? tr("The numbers come when the run is stopped.")
+                  : asked_.valid() ? tr("Weighing the scan again…")
+                                   : tr("This run cannot go back to weigh the scan again."));
+    } else {
+        candidate_model_->set_feature(&(*features)[row]);
+        if (record_->log_p0) {
+            lines << tr("p0, of a new landmark: ln p0 = %1").arg(*record_->log_p0, 0, 'f', 2);
+        }
+        if (record_->gate) {
+            lines << tr("Gate: distance %1").arg(std::sqrt(*record_->gate), 0, 'f', 2);
+        }
+        if (record_->new_gate) {
+            lines << tr("New from distance %1 on").arg(std::sqrt(*record_->new_gate), 0, 'f', 2);
+        }
+    }
+    words_->setText(lines.join('\n'));
+}
+
+}  // namespace hitos::window
