@@ -93,6 +93,19 @@ void FitTest::every_window_fits() {
         f.window->resize(1024, 700);
         QCoreApplication::processEvents();
         QCOMPARE(f.window->size(), QSize(1024, 700));
+        f.trigger("action_landmarks_dock");
+        f.trigger("action_particles_dock");
+        f.trigger("action_associations_dock");
+        for (auto* dock : f.window->findChildren<QDockWidget*>()) {
+            dock->raise();
+            f.window->resize(1024, 700);
+            QCoreApplication::processEvents();
+            QVERIFY2(f.window->size() == QSize(1024, 700),
+                     qPrintable(QString("with %1: %2 x %3")
+                                    .arg(dock->objectName())
+                                    .arg(f.window->width())
+                                    .arg(f.window->height())));
+        }
         ConfigurationDialog form(f.session.configuration(), f.prompts, f.window.get());
         check_dialog(form, {980, 790}, "form");
         SourceDialog source(f.session.configuration().source, f.prompts, {}, f.window.get());

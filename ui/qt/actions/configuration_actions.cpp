@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QTimer>
 #include <QWidget>
-#include <ranges>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -26,11 +26,11 @@ bool is_source(const std::string& named) {
 /// Why a file was refused, and how it begins, to see what it is instead.
 QString with_beginning(const QString& reason, const std::string& file) {
     constexpr std::size_t kMostLines = 5;
-    const std::vector<std::string> lines = beginning_of(file);
+    std::vector<std::string> lines = beginning_of(file);
+    lines.resize(std::min(lines.size(), kMostLines));
     if (lines.empty()) return reason;
     QString text = reason + "\n\n" + ConfigurationActions::tr("The file begins:");
-    for (const std::string& line : lines | std::views::take(kMostLines))
-        text += '\n' + QString::fromStdString(line);
+    for (const std::string& line : lines) text += '\n' + QString::fromStdString(line);
     return text;
 }
 

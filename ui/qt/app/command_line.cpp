@@ -65,11 +65,12 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.add_option("--scale", out.scale, "Pixels per point of the picture")
         ->check(CLI::Range(0.5, 4.0));
     program
-        .add_option("--show", out.show,
-                    "What the picture shows: main, world, plots, source, configuration, best-map, "
-                    "odometry, study")
-        ->check(CLI::IsMember({"main", "world", "plots", "source", "configuration", "best-map",
-                               "odometry", "study"}));
+        .add_option(
+            "--show", out.show,
+            "What the picture shows: main, world, plots, landmarks, particles, associations, "
+            "source, configuration, best-map, odometry, study")
+        ->check(CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
+                               "source", "configuration", "best-map", "odometry", "study"}));
     program.add_flag("--benchmark", out.benchmark,
                      "Run the log with and without the window; print speeds and response times");
     try {

@@ -92,7 +92,8 @@ void MainWindow::make_parts() {
     show_plots->setObjectName("action_plots");
     show_plots->setShortcut(QKeySequence("Ctrl+G"));
     ui_->menu_view->insertAction(ui_->menu_theme->menuAction(), show_plots);
-    inspection_ = new Inspection(session_, this, ui_->menu_view, ui_->menu_theme->menuAction());
+    inspection_ =
+        new Inspection(session_, this, dock_, ui_->menu_view, ui_->menu_theme->menuAction());
     ui_->menu_view->insertSeparator(ui_->menu_theme->menuAction());
     ui_->views->setSizes({500, 500});
     fit_to_screen(*this);

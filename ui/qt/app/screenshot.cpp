@@ -1,5 +1,6 @@
 #include "screenshot.hpp"
 
+#include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
@@ -85,6 +86,8 @@ void show_study(MainWindow& window, const CommandLine& line) {
 void take_screenshot(MainWindow& window, Session& session, const CommandLine& line) {
     window.plots_dock().setVisible(line.show == "plots");
     if (line.show == "world") window.scan_view().set_robot_frame(false);
+    const QString dock = QString::fromStdString("action_" + line.show + "_dock");
+    if (auto* inspect = window.findChild<QAction*>(dock)) inspect->trigger();
     window.show();
     settle(100);
     // The errors are measured beside the run: for their curves it must not be over at once.

@@ -142,8 +142,12 @@ AssociationInspector::AssociationInspector(Session& session, QWidget* parent)
       session_(session),
       feature_model_(new FeatureModel(this)),
       candidate_model_(new CandidateModel(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(4, 4, 4, 4);
+    auto* sides = new QHBoxLayout(this);
+    sides->setContentsMargins(4, 4, 4, 4);
+    auto* seen = new QVBoxLayout;
+    sides->addLayout(seen, 1);
+    auto* why = new QVBoxLayout;
+    sides->addLayout(why, 1);
     auto* row = new QHBoxLayout;
     auto* label = new QLabel(tr("Of particle"), this);
     particle_ = new QSpinBox(this);
@@ -154,21 +158,21 @@ AssociationInspector::AssociationInspector(Session& session, QWidget* parent)
     row->addWidget(label);
     row->addWidget(particle_);
     row->addStretch(1);
-    column->addLayout(row);
+    seen->addLayout(row);
     features_ = new FiguresTable(feature_model_, this);
     features_->setObjectName("feature_table");
     features_->setAccessibleName(tr("Features of the scan"));
-    column->addWidget(features_, 2);
+    seen->addWidget(features_, 1);
     words_ = new QLabel(this);
     words_->setObjectName("association_words");
     words_->setWordWrap(true);
     words_->setTextFormat(Qt::PlainText);
-    column->addWidget(words_);
+    why->addWidget(words_);
     candidates_ = new FiguresTable(candidate_model_, this);
     candidates_->setObjectName("candidate_table");
     candidates_->setAccessibleName(tr("Landmarks it was compared with"));
     candidates_->sortByColumn(CandidateModel::distance, Qt::AscendingOrder);
-    column->addWidget(candidates_, 3);
+    why->addWidget(candidates_, 1);
     timer_.setInterval(kPollMs);
     connect(&timer_, &QTimer::timeout, this, &AssociationInspector::poll);
     connect(&session, &Session::restarted, this, [this] {

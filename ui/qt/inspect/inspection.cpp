@@ -14,12 +14,14 @@
 
 namespace hitos::window {
 
-Inspection::Inspection(Session& session, QMainWindow* window, QMenu* menu, QAction* before)
+Inspection::Inspection(Session& session, QMainWindow* window, QDockWidget* first, QMenu* menu,
+                       QAction* before)
     : QObject(window),
       session_(session),
       window_(window),
       menu_(menu),
       before_(before),
+      first_(first),
       landmarks_(new LandmarkTable(session, window)),
       particles_(new ParticleTable(session, window)),
       associations_(new AssociationInspector(session, window)) {
@@ -36,12 +38,8 @@ void Inspection::add_dock(QWidget* widget, const QString& title, const char* nam
     auto* dock = new QDockWidget(title, window_);
     dock->setObjectName(name);
     dock->setWidget(widget);
-    window_->addDockWidget(Qt::RightDockWidgetArea, dock);
-    if (first_ == nullptr) {
-        first_ = dock;
-    } else {
-        window_->tabifyDockWidget(first_, dock);
-    }
+    window_->addDockWidget(Qt::BottomDockWidgetArea, dock);
+    window_->tabifyDockWidget(first_, dock);
     dock->hide();
     QAction* toggle = dock->toggleViewAction();
     toggle->setObjectName(QString("action_") + name);

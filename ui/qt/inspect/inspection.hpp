@@ -22,13 +22,15 @@ class ResultActions;
 class ScanView;
 class Session;
 
-/// Tabbed beside the views, hidden at first. What is hidden asks for nothing and costs nothing.
+/// Tabbed with the first dock, below the views, for tables are wide; hidden at first. What is
+/// hidden asks for nothing and costs nothing.
 class Inspection final : public QObject {
     Q_OBJECT
 
   public:
     /// The switches of the docks are put into the menu before `before`.
-    Inspection(Session& session, QMainWindow* window, QMenu* menu, QAction* before);
+    Inspection(Session& session, QMainWindow* window, QDockWidget* first, QMenu* menu,
+               QAction* before);
 
     void connect_views(ScanView& scan, GridView& grid);
     void connect_results(ResultActions& results);
@@ -45,7 +47,7 @@ class Inspection final : public QObject {
     QMainWindow* window_;
     QMenu* menu_;
     QAction* before_;
-    QDockWidget* first_ = nullptr;
+    QDockWidget* first_;
     LandmarkTable* landmarks_;
     ParticleTable* particles_;
     AssociationInspector* associations_;

@@ -66,20 +66,21 @@ bool ParticleModel::strong(int row) const {
 
 ParticleTable::ParticleTable(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new ParticleModel(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(4, 4, 4, 4);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(4, 4, 4, 4);
     table_ = new FiguresTable(model_, this);
     table_->setObjectName("particle_table");
     table_->setAccessibleName(tr("Particles"));
-    column->addWidget(table_);
+    row->addWidget(table_, 1);
     buttons_ = new QWidget(this);
-    auto* row = new QHBoxLayout(buttons_);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(add_button(tr("Grid map"), "particle_grid", &ParticleTable::grid_wanted));
-    row->addWidget(add_button(tr("Save map…"), "particle_map", &ParticleTable::map_wanted));
-    row->addWidget(add_button(tr("Save path…"), "particle_path", &ParticleTable::path_wanted));
+    auto* column = new QVBoxLayout(buttons_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(add_button(tr("Grid map"), "particle_grid", &ParticleTable::grid_wanted));
+    column->addWidget(add_button(tr("Save map…"), "particle_map", &ParticleTable::map_wanted));
+    column->addWidget(add_button(tr("Save path…"), "particle_path", &ParticleTable::path_wanted));
+    column->addStretch(1);
     buttons_->setEnabled(false);
-    column->addWidget(buttons_);
+    row->addWidget(buttons_);
     connect(&session, &Session::snapshot_changed, this, &ParticleTable::refresh);
     connect(table_, &FiguresTable::row_chosen, this,
             [this](int particle) { choose(static_cast<std::size_t>(particle)); });
