@@ -38,7 +38,8 @@ void EkfSlam::step(const SlamInput& input) {
     associations_.clear();
     rows_.clear();
     if (input.record != nullptr) begin_record(*input.record);
-    const Recorded recorded = input.record == nullptr ? nullptr : &input.record->hypotheses.front();
+    std::vector<RecordedFeature>* const recorded =
+        input.record == nullptr ? nullptr : &input.record->hypotheses.front();
     if (params_.association.method == AssociationMethod::joint_compatibility) {
         associate_together(recorded);
     } else {

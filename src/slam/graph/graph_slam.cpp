@@ -1,6 +1,7 @@
 #include "graph_slam.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -212,13 +213,12 @@ void GraphSlam::note_associations(bool key) {
 std::uint32_t GraphSlam::unseen(std::size_t landmark, bool key) const {
     const std::vector<std::uint32_t>& sightings = graph_.landmarks()[landmark].sightings;
     const std::size_t keys = graph_.keys().size() - (key ? 1 : 0);
-    for (auto at = sightings.rbegin(); at != sightings.rend(); ++at) {
-        const std::uint32_t seen_by = graph_.sightings()[*at].key;
-        if (seen_by < keys) {
-            return static_cast<std::uint32_t>(steps() - graph_.keys()[seen_by].scan);
-        }
-    }
-    return 0;
+    const auto seen = std::find_if(sightings.rbegin(), sightings.rend(), [&](std::uint32_t i) {
+        return graph_.sightings()[i].key < keys;
+    });
+    if (seen == sightings.rend()) return 0;
+    const KeyPose& seen_by = graph_.keys()[graph_.sightings()[*seen].key];
+    return static_cast<std::uint32_t>(steps() - seen_by.scan);
 }
 
 std::size_t GraphSlam::bytes() const {
