@@ -1,15 +1,24 @@
 #include "hitos/services/run/pace.hpp"
 
+#include <algorithm>
+
 namespace hitos {
 
 Pacer::Clock::time_point Pacer::next(std::uint64_t steps, double duration_s,
                                      Clock::time_point now) {
     if (pace_.kind == Pace::Kind::full) return now;
     const double at = pace_.kind == Pace::Kind::recorded ? duration_s : static_cast<double>(steps);
+    using Seconds = std::chrono::duration<double>;
     if (begun_) {
-        const auto due = since_ + std::chrono::duration_cast<Clock::duration>(
-                                      std::chrono::duration<double>((at - from_) / pace_.rate));
-        if (now <= due + kMostBehind) return due;
+        // No run takes that long, and no clock counts much further.
+        constexpr Seconds kForever{1e9};
+        const Seconds after = std::clamp(Seconds((at - from_) / pace_.rate), -kForever, kForever);
+        const auto due = since_ + std::chrono::duration_cast<Clock::duration>(after);
+        const bool gap = pace_.kind == Pace::Kind::recorded && due > now + kLongestGap;
+        if (!gap && now <= due + kMostBehind) return due;
+        since_ = gap ? now + kLongestGap : now;
+        from_ = at;
+        return since_;
     }
     begun_ = true;
     since_ = now;

@@ -77,17 +77,27 @@ std::unique_ptr<const AssociationRecord> Algoritmo::weighed(const RunCheckpoint*
     if (!now) return nullptr;
     const bool finished = finished_;
     const bool drawn = std::exchange(options_.step_grid, false);
-    if (before != nullptr) {
-        go_to(*before);
-    } else {
-        rewind();
-    }
-    while (steps() + 1 < last) step();
+    const std::uint64_t redrawn = step_grid_redrawn_;
+    const auto come_back = [&] {
+        options_.step_grid = drawn;
+        go_to(*now);
+        finished_ = finished;
+        step_grid_redrawn_ = redrawn;  // it is the grid that it was
+    };
     auto record = std::make_unique<AssociationRecord>();
-    step(record.get());
-    options_.step_grid = drawn;
-    go_to(*now);
-    finished_ = finished;
+    try {
+        if (before != nullptr) {
+            go_to(*before);
+        } else {
+            rewind();
+        }
+        while (steps() + 1 < last) step();
+        step(record.get());
+    } catch (...) {
+        come_back();
+        throw;
+    }
+    come_back();
     return record;
 }
 

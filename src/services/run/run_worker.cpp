@@ -180,7 +180,8 @@ void RunWorker::work(const std::stop_token& stop) {
                    snapshot_wanted_ || !tasks_.empty();
         };
         if (waits_for_pace()) {
-            wake_.wait_until(lock, stop, due_, wanted);
+            const auto due = due_;  // read while others may set it
+            wake_.wait_until(lock, stop, due, wanted);
         } else {
             wake_.wait(lock, stop, wanted);
         }
@@ -258,7 +259,11 @@ void RunWorker::do_seek(std::uint64_t steps, std::uint64_t orders) {
     const std::scoped_lock lock(mutex_);
     stepping_ = false;
     if (restart_wanted_) return;
+    rate_since_ = std::chrono::steady_clock::now();
+    rate_steps_ = run_.steps();
     note_progress();
+    pacer_.begin();
+    note_due();
     if (!error.empty()) {
         progress_.state = Progress::State::failed;
         progress_.error = error;
@@ -302,7 +307,8 @@ void RunWorker::do_step() {
             budget_ = 0;
             progress_.stopped_by = reason;
         }
-        if (budget_ == 0) progress_.state = Progress::State::paused;
+        if (rules_.scan && progress_.steps >= *rules_.scan) budget_ = 0;
+        if (budget_ == 0 && !seek_wanted_) progress_.state = Progress::State::paused;
         note_due();
         return;
     }

@@ -145,7 +145,7 @@ void ConfigurationActions::select_source(const QString& path) {
 }
 
 bool ConfigurationActions::use_log(const QString& path) {
-    if (!guard_.may_discard()) return true;  // the user's own wish
+    if (!guard_.may_discard()) return false;
     Configuracion next = session_.configuration();
     next.source.file = path.toStdString();
     next.source.format = kAutoFormat;
@@ -172,7 +172,9 @@ bool ConfigurationActions::open(const QString& path, bool confirmed) {
 void ConfigurationActions::open_all(QStringList paths) {
     const auto order = [](const QString& path) { return static_cast<int>(kind_of(path)); };
     std::ranges::stable_sort(paths, {}, order);  // a reference belongs to the log before it
-    for (const QString& path : paths) open(path);
+    for (const QString& path : paths) {
+        if (!open(path)) return;  // what follows is about it
+    }
 }
 
 bool ConfigurationActions::load_file(const QString& path, bool confirmed) {

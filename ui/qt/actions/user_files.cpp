@@ -88,7 +88,7 @@ void UserFiles::clear_recent() {
 }
 
 QString UserFiles::last_folder(const QString& kind) const {
-    const QString last = settings_.value("folders/" + kind).toString();
+    QString last = settings_.value("folders/" + kind).toString();
     if (QFileInfo(last).isDir()) return last;
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     return QFileInfo(documents).isDir() ? documents : QDir::homePath();

@@ -88,9 +88,15 @@ void Session::join_references() {
     emit references_changed();
 }
 
-void Session::run(const StopRules& rules, quint64 steps) {
+void Session::run(const StopRules& rules) {
     if (!worker_) return;
-    worker_->run(steps, rules);
+    worker_->run(RunWorker::kToTheEnd, rules);
+    wake();
+}
+
+void Session::run_steps(quint64 steps) {
+    if (!worker_) return;
+    worker_->run(steps);
     wake();
 }
 

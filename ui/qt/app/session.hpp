@@ -49,9 +49,9 @@ class Session final : public QObject {
     void set_references(const References& references, const QString& map_file = {});
     const QString& reference_map_file() const { return reference_map_file_; }
 
-    /// Until a rule is met, the end, or so many steps.
-    void run(const StopRules& rules = {}, quint64 steps = RunWorker::kToTheEnd);
-    void run_steps(quint64 steps) { run({}, steps); }
+    /// To the end, or until a rule is met.
+    void run(const StopRules& rules = {});
+    void run_steps(quint64 steps);
     /// Of this run and those to come.
     void set_pace(const Pace& pace);
     const Pace& pace() const { return pace_; }

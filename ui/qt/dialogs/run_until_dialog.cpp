@@ -128,8 +128,7 @@ StopRules RunUntilDialog::rules() const {
     return rules;
 }
 
-std::optional<quint64> RunUntilDialog::behind() const {
-    const quint64 now = session_.progress().steps;
+std::optional<quint64> RunUntilDialog::behind(quint64 now) const {
     std::optional<quint64> scan;
     if (to_scan_->isChecked()) scan = static_cast<quint64>(scan_->value());
     if (to_time_->isChecked()) {
@@ -146,16 +145,17 @@ std::optional<quint64> RunUntilDialog::behind() const {
 
 void RunUntilDialog::accept() {
     remember();
-    if (const auto scan = behind()) {
+    const quint64 now = session_.progress().steps;
+    if (const auto scan = behind(now)) {
         session_.seek(*scan);
     } else {
-        const quint64 now = session_.progress().steps;
-        quint64 steps = RunWorker::kToTheEnd;
-        if (more_->isChecked()) steps = static_cast<quint64>(more_scans_->value());
-        if (to_scan_->isChecked()) {
-            steps = std::min(steps, static_cast<quint64>(scan_->value()) - now);
-        }
-        session_.run(rules(), steps);
+        StopRules wanted = rules();
+        const auto end_at = [&wanted](quint64 last) {
+            wanted.scan = wanted.scan ? std::min<std::uint64_t>(*wanted.scan, last) : last;
+        };
+        if (more_->isChecked()) end_at(now + static_cast<quint64>(more_scans_->value()));
+        if (to_scan_->isChecked()) end_at(static_cast<quint64>(scan_->value()));
+        session_.run(wanted);
     }
     QDialog::accept();
 }

@@ -35,7 +35,7 @@ class RunUntilDialog final : public QDialog {
     QSpinBox* count_box(int most) const;
     QDoubleSpinBox* value_box(double most, double step, int decimals, const QString& unit) const;
     /// The scan that is to be gone back to; nothing where none is behind.
-    std::optional<quint64> behind() const;
+    std::optional<quint64> behind(quint64 now) const;
     StopRules rules() const;
     void remember() const;
     void recall();

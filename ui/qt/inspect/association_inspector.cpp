@@ -233,7 +233,11 @@ void AssociationInspector::poll() {
     }
     if (asked_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     timer_.stop();
-    record_ = asked_.get();
+    try {
+        record_ = asked_.get();
+    } catch (const std::exception&) {
+        record_ = nullptr;  // there is nothing to tell, most likely for want of memory
+    }
     const auto snapshot = session_.snapshot();
     if (!snapshot || snapshot->steps != record_of_) record_ = nullptr;
     show_record();

@@ -45,6 +45,7 @@ QVariant FiguresModel::data(const QModelIndex& index, int role) const {
 
 void FiguresModel::change(int rows, const std::function<void()>& take) {
     if (rows < rows_) {
+        emit shrinking(rows);
         beginRemoveRows({}, rows, rows_ - 1);
         rows_ = rows;
         endRemoveRows();
@@ -63,6 +64,7 @@ FiguresTable::FiguresTable(FiguresModel* model, QWidget* parent) : QTableView(pa
     proxy_.setSourceModel(model);
     proxy_.setSortRole(FiguresModel::kKeyRole);
     setModel(&proxy_);
+    connect(model, &FiguresModel::shrinking, this, &FiguresTable::leave_rows_from);
     setSortingEnabled(true);
     sortByColumn(0, Qt::AscendingOrder);
     setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -77,6 +79,14 @@ FiguresTable::FiguresTable(FiguresModel* model, QWidget* parent) : QTableView(pa
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setResizeContentsPrecision(20);  // rows; all of them would cost time
+}
+
+/// Else the view would choose another row in the place of one that goes.
+void FiguresTable::leave_rows_from(int first) {
+    if (proxy_.mapToSource(currentIndex()).row() < first && chosen() < first) return;
+    const QScopedValueRollback quiet(telling_, false);
+    clearSelection();
+    setCurrentIndex({});
 }
 
 int FiguresTable::chosen() const {

@@ -24,6 +24,10 @@ class FiguresModel : public QAbstractTableModel {
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     QVariant data(const QModelIndex& index, int role) const override;
 
+  signals:
+    /// The rows from this one on are about to go.
+    void shrinking(int rows);
+
   protected:
     /// `take` takes over the figures of that many rows.
     void change(int rows, const std::function<void()>& take);
@@ -59,6 +63,8 @@ class FiguresTable final : public QTableView {
                           const QItemSelection& deselected) override;
 
   private:
+    void leave_rows_from(int first);
+
     QSortFilterProxyModel proxy_;
     bool telling_ = true;
 };

@@ -90,8 +90,9 @@ QPushButton* ParticleTable::add_button(const QString& text, const char* name,
                                        void (ParticleTable::*wanted)(int)) {
     auto* button = new QPushButton(text, buttons_);
     button->setObjectName(name);
-    connect(button, &QPushButton::clicked, this,
-            [this, wanted] { emit(this->*wanted)(table_->chosen()); });
+    connect(button, &QPushButton::clicked, this, [this, wanted] {
+        if (chosen_) emit(this->*wanted)(static_cast<int>(*chosen_));
+    });
     return button;
 }
 

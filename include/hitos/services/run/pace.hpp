@@ -24,6 +24,7 @@ class Pacer {
   public:
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::milliseconds kMostBehind{250};
+    static constexpr std::chrono::seconds kLongestGap{5};
 
     const Pace& pace() const { return pace_; }
     void set(const Pace& pace) {
@@ -33,7 +34,8 @@ class Pacer {
     /// Counts from the next call of next() on.
     void begin() { begun_ = false; }
     /// When the scan after these `steps`, the last of which is `duration_s` after the first, may be
-    /// taken. With `recorded` it is as long after the one before as that was after its own.
+    /// taken. With `recorded` it is as long after the one before as that was after its own, but no
+    /// longer than kLongestGap: where a recording paused, nobody waits.
     Clock::time_point next(std::uint64_t steps, double duration_s, Clock::time_point now);
 
   private:

@@ -57,6 +57,7 @@ enum class StopReason : std::uint8_t {
 
 /// The conditions by which a run stops; those that are not set do not count.
 struct StopRules {
+    std::optional<std::uint64_t> scan = std::nullopt;  ///< after so many scans; that is no reason
     std::optional<double> time_s = std::nullopt;  ///< at the first scan so long after the first one
     std::optional<double> neff_below = std::nullopt;  ///< before resampling
     bool landmark_born = false;                       ///< in the best hypothesis

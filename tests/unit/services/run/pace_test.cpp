@@ -36,6 +36,18 @@ TEST(Pacer, FollowsTheStampsOfTheScans) {
     EXPECT_EQ(pacer.next(3, 24.0, kStart + milliseconds(200)), kStart + milliseconds(1000));
 }
 
+TEST(Pacer, DoesNotWaitWhereTheRecordingPaused) {
+    Pacer pacer;
+    pacer.set({Pace::Kind::recorded, 1.0});
+    EXPECT_EQ(pacer.next(1, 0.0, kStart), kStart);
+    const auto after = kStart + Pacer::kLongestGap;
+    EXPECT_EQ(pacer.next(2, 3600.0, kStart), after);
+    EXPECT_EQ(pacer.next(3, 3601.0, after), after + milliseconds(1000));
+    EXPECT_EQ(pacer.next(4, 1e18, after), after + Pacer::kLongestGap);
+    // A stamp that lies before: at once.
+    EXPECT_LE(pacer.next(5, -1e18, after), after + Pacer::kLongestGap);
+}
+
 TEST(Pacer, DoesNotMakeUpForWhatItFellBehind) {
     Pacer pacer;
     pacer.set({Pace::Kind::scans, 10.0});
