@@ -193,6 +193,39 @@ void InspectTest::any_particles_map_path_and_grid_are_opened() {
     QVERIFY(grid->builder().state().path == path);
 }
 
+void InspectTest::a_row_that_is_deselected_stays_the_particles() {
+    Fixture f;
+    f.trigger("action_particles_dock");
+    f.run_steps(20);
+    const FiguresTable& table = table_of(f, "particle_table");
+    click_row(table, 3);
+    const QRect row = table.visualRect(table.currentIndex());
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, Qt::ControlModifier, row.center());
+    QCOMPARE(table.chosen(), -1);
+    f.prompts.saves = {f.path("three.map")};
+    f.window->findChild<QPushButton*>("particle_map")->click();
+    const auto map = ask<LandmarkMap>(f, [](const Algoritmo& run) { return run.filter().map(3); });
+    QCOMPARE(Fixture::read(f.path("three.map")).toStdString(), map_to_text(map));
+}
+
+void InspectTest::a_table_that_shrinks_chooses_nothing_else() {
+    Fixture f;
+    f.trigger("action_landmarks_dock");
+    f.run_steps(900);
+    const FiguresTable& table = table_of(f, "landmark_table");
+    const int last = rows_of(table).rowCount() - 1;
+    click_row(table, last);
+    QCOMPARE(table.chosen(), last);
+    QStringList told;
+    QObject::connect(&table, &FiguresTable::row_chosen, &table,
+                     [&told](int row) { told << QString::number(row); });
+    f.session.seek(3);
+    QTRY_VERIFY(f.state() == Progress::State::paused && f.shows_everything());
+    QVERIFY(rows_of(table).rowCount() < last);
+    QVERIFY2(told.isEmpty(), qPrintable(told.join(' ')));
+    QCOMPARE(table.chosen(), -1);
+}
+
 void InspectTest::the_ancestry_of_the_particles_is_a_layer() {
     Fixture f;
     f.trigger("action_world_frame");

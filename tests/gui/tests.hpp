@@ -153,6 +153,8 @@ class InspectTest : public QObject {
     void a_chosen_particle_shows_what_it_believes();
     void a_click_on_the_cloud_chooses_a_particle();
     void any_particles_map_path_and_grid_are_opened();
+    void a_row_that_is_deselected_stays_the_particles();
+    void a_table_that_shrinks_chooses_nothing_else();
     void the_ancestry_of_the_particles_is_a_layer();
     void a_clicked_feature_tells_why();
     void the_inspector_tells_of_every_algorithm_and_particle();

@@ -281,6 +281,14 @@ TEST_F(BadInput, UnwritableOutput) {
                  {"x.log"});
 }
 
+TEST_F(BadInput, AFileOfFiguresThatCannotBeIsToldBeforeTheRun) {
+    const std::string run = "run " + kLog + quick() + "--out " + (folder_.path() / "out").string();
+    const std::string nowhere = (folder_.path() / "no" / "figures.csv").string();
+    expect_error(cli(run + " --figures " + nowhere), {nowhere, "there is no folder"});
+    expect_error(cli(run + " --figures " + folder_.path().string()), {"is a folder"});
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
+}
+
 TEST_F(BadInput, AFailedConversionLeavesTheTargetAsItWas) {
     const auto target = folder_.put("kept.log", "precious");
     folder_.put("odometry.log", "ODOM 0 0 0\nODOM 1 1 0\n");

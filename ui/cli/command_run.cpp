@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -99,6 +100,18 @@ void check_particle(const std::optional<std::size_t>& particle,
                                   configuration.filter.algorithm, count, count - 1));
 }
 
+/// A long run is not to end with what could be known before it.
+void check_figures_file(const std::filesystem::path& file) {
+    if (std::filesystem::is_directory(file)) {
+        throw FileError(file.string(), "is a folder; expected the name of a file");
+    }
+    const std::filesystem::path folder = file.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+        throw FileError(
+            file, "cannot be written: there is no folder " + folder.string() + "; create it first");
+    }
+}
+
 void run(const RunOptions& options) {
     const std::string source = source_named(options.log);
     Configuracion configuration = load(options.configuration, source);
@@ -107,6 +120,7 @@ void run(const RunOptions& options) {
         configuration.source.format = checked_log_format(options.format, "--format");
     }
     check_particle(options.grid_of, configuration);
+    check_figures_file(options.figures);
     References references;
     if (!options.reference.empty()) references.map = read_map(options.reference);
     if (!options.reference_trajectory.empty()) {
@@ -140,11 +154,11 @@ void run(const RunOptions& options) {
                 return write_results(finished, references, seconds, options.out);
             })
             .get();
+    print_summary(summary, options.out);
     if (!options.figures.empty()) {
         write_figures(worker.figures_since(0),
                       references.trajectory ? &*references.trajectory : nullptr, options.figures);
     }
-    print_summary(summary, options.out);
     if (options.strict && !summary.not_written.empty()) throw CLI::RuntimeError(kNotWhole);
 }
 
