@@ -50,7 +50,7 @@ class Drawing {
     std::unique_ptr<DL_WriterA> writer_;
 };
 
-using Walls = std::vector<std::vector<Point2>>;
+using WallPoints = std::vector<std::vector<Point2>>;
 
 TEST(DxfWalls, ReadsBackWhatWasDrawn) {
     const TempFolder folder;
@@ -61,9 +61,9 @@ TEST(DxfWalls, ReadsBackWhatWasDrawn) {
     drawing.polyline({{0, 0}, {4, 0.125}, {4, 3}}, false);
     drawing.polyline({{6, 1}, {8, 1}, {7, 2}}, true);
     drawing.end();
-    EXPECT_EQ(read_dxf_walls(folder / "room.dxf"), (Walls{{{-1, -1.25}, {19.5, -1.25}},
-                                                          {{0, 0}, {4, 0.125}, {4, 3}},
-                                                          {{6, 1}, {8, 1}, {7, 2}, {6, 1}}}));
+    EXPECT_EQ(read_dxf_walls(folder / "room.dxf"), (WallPoints{{{-1, -1.25}, {19.5, -1.25}},
+                                                               {{0, 0}, {4, 0.125}, {4, 3}},
+                                                               {{6, 1}, {8, 1}, {7, 2}, {6, 1}}}));
 }
 
 TEST(DxfWalls, ReadsTheOldPolylineWithItsVertices) {
@@ -75,7 +75,7 @@ TEST(DxfWalls, ReadsTheOldPolylineWithItsVertices) {
         "3\n20\n2\n0\nVERTEX\n8\n0\n10\n3\n20\n4\n0\nSEQEND\n8\n0\n"
         "0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n");
     EXPECT_EQ(read_dxf_walls(path),
-              (Walls{{{1.5, 2}, {3, 2}, {3, 4}, {1.5, 2}}, {{0, 0}, {1, 1}}}));
+              (WallPoints{{{1.5, 2}, {3, 2}, {3, 4}, {1.5, 2}}, {{0, 0}, {1, 1}}}));
 }
 
 TEST(DxfWalls, TakesTheUnitFromTheDrawingUnlessTold) {
@@ -85,8 +85,8 @@ TEST(DxfWalls, TakesTheUnitFromTheDrawingUnlessTold) {
     drawing.entities();
     drawing.line({0, 0}, {2500, 500});
     drawing.end();
-    EXPECT_EQ(read_dxf_walls(folder / "mm.dxf"), (Walls{{{0, 0}, {2.5, 0.5}}}));
-    EXPECT_EQ(read_dxf_walls(folder / "mm.dxf", {{}, 0.01}), (Walls{{{0, 0}, {25, 5}}}));
+    EXPECT_EQ(read_dxf_walls(folder / "mm.dxf"), (WallPoints{{{0, 0}, {2.5, 0.5}}}));
+    EXPECT_EQ(read_dxf_walls(folder / "mm.dxf", {{}, 0.01}), (WallPoints{{{0, 0}, {25, 5}}}));
 }
 
 TEST(DxfWalls, ReadsOneLayerAlone) {
@@ -97,7 +97,7 @@ TEST(DxfWalls, ReadsOneLayerAlone) {
     drawing.line({0, 2}, {1, 2}, "walls");
     drawing.circle();
     drawing.end();
-    EXPECT_EQ(read_dxf_walls(folder / "layers.dxf", {"walls", {}}), (Walls{{{0, 2}, {1, 2}}}));
+    EXPECT_EQ(read_dxf_walls(folder / "layers.dxf", {"walls", {}}), (WallPoints{{{0, 2}, {1, 2}}}));
     EXPECT_NE(message_of<FormatError>([&] {
                   read_dxf_walls(folder / "layers.dxf", {"roof", {}});
               }).find("layer \"roof\" holds no wall"),
@@ -112,8 +112,8 @@ TEST(DxfWalls, ReadsTheLinesOfADrawnMap) {
                                               {0, {-3.0, 2.0}, {-4.25, 2.0}, 10}};
     write_dxf(map, segments, {{0.0, {0.0, 0.0, 0.0}}, {1.0, {1.0, 0.5, 0.0}}}, folder / "map.dxf");
     EXPECT_EQ(read_dxf_walls(folder / "map.dxf", {"LINES", {}}),
-              (Walls{{{1.0, 2.0}, {-1.5, 2.0}}, {{-3.0, 2.0}, {-4.25, 2.0}}}));
-    EXPECT_EQ(read_dxf_walls(folder / "map.dxf", {"PATH", {}}), (Walls{{{0, 0}, {1, 0.5}}}));
+              (WallPoints{{{1.0, 2.0}, {-1.5, 2.0}}, {{-3.0, 2.0}, {-4.25, 2.0}}}));
+    EXPECT_EQ(read_dxf_walls(folder / "map.dxf", {"PATH", {}}), (WallPoints{{{0, 0}, {1, 0.5}}}));
     // Without a layer the ellipse of the corner stands in the way, and is named.
     EXPECT_NE(
         message_of<FormatError>([&] { read_dxf_walls(folder / "map.dxf"); }).find("an ELLIPSE"),

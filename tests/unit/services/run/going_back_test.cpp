@@ -11,9 +11,9 @@ namespace {
 
 using State = Progress::State;
 using test::expected_path;
-using test::kSource;
+using test::kRepository;
 using test::path_of;
-using test::ready_tour;
+using test::small_tour;
 
 /// Everything that can be seen of a run, to the last bit.
 void expect_same_state(RunWorker& worker, const Algoritmo& expected) {
@@ -56,11 +56,11 @@ void expect_same_state(RunWorker& worker, const Algoritmo& expected) {
 class GoingBack : public testing::TestWithParam<const char*> {};
 
 TEST_P(GoingBack, TheStateAtAScanIsTheOneOfARunForwards) {
-    Configuracion configuration = ready_tour();
+    Configuracion configuration = small_tour();
     const std::string algorithm = GetParam();
     if (algorithm == "registered") {
-        configuration = ArchivoConfiguracion::read(kSource / "config/recorded.cfg");
-        configuration.source.file = kSource / "data/bigloop.log.gz";
+        configuration = ArchivoConfiguracion::read(kRepository / "config/recorded.cfg");
+        configuration.source.file = kRepository / "data/bigloop.log.gz";
         configuration.filter.particles = 10;
     } else {
         configuration.filter.algorithm = algorithm;
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Algorithms, GoingBack,
                          });
 
 TEST(RunWorker, TheLastOrderCounts) {
-    const Configuracion configuration = ready_tour();
+    const Configuracion configuration = small_tour();
     RunWorker worker(configuration, open_source(configuration.source), {.go_back = true});
     worker.seek(200);
     worker.seek(30);
@@ -126,7 +126,7 @@ TEST(RunWorker, TheLastOrderCounts) {
 }
 
 TEST(RunWorker, GoesBackFromTheBeginningWhereNothingIsRemembered) {
-    const Configuracion configuration = ready_tour();
+    const Configuracion configuration = small_tour();
     RunWorker worker(configuration, open_source(configuration.source));
     worker.run(60);
     worker.wait();
@@ -137,7 +137,7 @@ TEST(RunWorker, GoesBackFromTheBeginningWhereNothingIsRemembered) {
 }
 
 TEST(RunCheckpoints, StayWithinTheirMemoryAndGrowApart) {
-    const Configuracion configuration = ready_tour();
+    const Configuracion configuration = small_tour();
     Algoritmo run(configuration, open_source(configuration.source), {.go_back = true});
     constexpr std::size_t kLittle = std::size_t{4} << 20;
     RunCheckpoints few(kLittle);

@@ -14,7 +14,7 @@ using std::chrono::milliseconds;
 using State = Progress::State;
 using test::expected_path;
 using test::path_of;
-using test::ready_tour;
+using test::small_tour;
 
 constexpr Pacer::Clock::time_point kStart{std::chrono::hours(1)};
 
@@ -77,7 +77,7 @@ class PacedRun : public testing::Test {
         while (worker_.progress().steps < steps) std::this_thread::yield();
     }
 
-    Configuracion configuration_ = ready_tour();
+    Configuracion configuration_ = small_tour();
     RunWorker worker_{configuration_, open_source(configuration_.source)};
 };
 

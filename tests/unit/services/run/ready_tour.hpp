@@ -9,18 +9,18 @@
 
 namespace hitos::test {
 
-inline const std::filesystem::path kSource = HITOS_SOURCE_DIR;
+inline const std::filesystem::path kRepository = HITOS_SOURCE_DIR;
 
-inline Configuracion ready_tour() {
-    Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/thesis.cfg");
-    configuration.source.file = kSource / "data/bigloop.log.gz";
+inline Configuracion small_tour() {
+    Configuracion configuration = ArchivoConfiguracion::read(kRepository / "config/thesis.cfg");
+    configuration.source.file = kRepository / "data/bigloop.log.gz";
     configuration.filter.particles = 20;
     return configuration;
 }
 
 /// The best path of the same configuration, run on this thread.
 inline Trajectory expected_path(int steps) {
-    const Configuracion configuration = ready_tour();
+    const Configuracion configuration = small_tour();
     Algoritmo run(configuration, open_source(configuration.source));
     for (int i = 0; i < steps && run.step(); ++i) {
     }

@@ -10,7 +10,7 @@ namespace {
 
 using test::expected_path;
 using test::path_of;
-using test::ready_tour;
+using test::small_tour;
 using State = Progress::State;
 
 /// Lets a tour's scans through one by one.
@@ -77,7 +77,7 @@ std::uint64_t steps_of(RunWorker& worker) {
 }
 
 TEST(RunWorker, RunsToTheEndAsTheLoopOnOneThread) {
-    const Configuracion configuration = ready_tour();
+    const Configuracion configuration = small_tour();
     RunWorker worker(configuration, open_source(configuration.source));
     EXPECT_EQ(worker.progress().state, State::ready);
     worker.run();
@@ -91,7 +91,7 @@ TEST(RunWorker, RunsToTheEndAsTheLoopOnOneThread) {
 }
 
 TEST(RunWorker, RunsInPartsAsInOneGo) {
-    const Configuracion configuration = ready_tour();
+    const Configuracion configuration = small_tour();
     RunWorker worker(configuration, open_source(configuration.source));
     worker.run(1);
     worker.wait();
@@ -152,7 +152,7 @@ TEST(RunWorker, ARestartForgetsTheStepUnderWay) {
 }
 
 TEST(RunWorker, RestartsFromTheMiddleAndFromTheEnd) {
-    const Configuracion configuration = ready_tour();
+    const Configuracion configuration = small_tour();
     RunWorker worker(configuration, open_source(configuration.source));
     worker.run(40);
     worker.wait();
@@ -190,7 +190,7 @@ TEST(RunWorker, ASnapshotAskedForDuringAStepIsOfItsEnd) {
 }
 
 TEST(RunWorker, SnapshotsAreOfOneStep) {
-    const Configuracion configuration = ready_tour();
+    const Configuracion configuration = small_tour();
     RunWorker worker(configuration, open_source(configuration.source));
     for (const std::uint64_t steps : {30U, 60U}) {
         worker.run(30);
@@ -233,7 +233,7 @@ TEST(RunWorker, AFailureIsToldAndEndsTheRun) {
 }
 
 TEST(RunWorker, ExceptionsOfTasksReachTheCaller) {
-    const Configuracion configuration = ready_tour();
+    const Configuracion configuration = small_tour();
     RunWorker worker(configuration, open_source(configuration.source));
     auto future = worker.with_run([](const Algoritmo& run) -> int {
         if (run.steps() == 0) throw std::runtime_error("nothing yet");

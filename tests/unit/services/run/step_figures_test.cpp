@@ -14,15 +14,15 @@ namespace hitos {
 namespace {
 
 using test::content;
-using test::kSource;
-using test::ready_tour;
+using test::kRepository;
+using test::small_tour;
 using test::TempFolder;
 using State = Progress::State;
 
 /// The ready tour that is noisy: particles differ and are resampled.
 Configuracion noisy_tour() {
-    Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/simulated.cfg");
-    configuration.source.file = kSource / "data/bigloop.log.gz";
+    Configuracion configuration = ArchivoConfiguracion::read(kRepository / "config/simulated.cfg");
+    configuration.source.file = kRepository / "data/bigloop.log.gz";
     configuration.filter.particles = 30;
     configuration.filter.resampling.rule = ResamplingRule::neff;
     configuration.filter.resampling.neff_threshold = 15.0;
@@ -54,7 +54,7 @@ TEST(StepFigures, CountWhatBecameOfEveryFeature) {
 class Unseen : public testing::TestWithParam<const char*> {};
 
 TEST_P(Unseen, IsHowLongALandmarkWasOutOfSight) {
-    Configuracion configuration = ready_tour();
+    Configuracion configuration = small_tour();
     configuration.filter.algorithm = GetParam();
     const bool graph = configuration.filter.algorithm == "graph-slam";
     if (graph) configuration.filter.motion.model = "registered";
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Algorithms, Unseen, testing::Values("fastslam", "ekf-sl
                          });
 
 TEST(StepFigures, TheTableHasALineForEveryScan) {
-    Configuracion configuration = ready_tour();
+    Configuracion configuration = small_tour();
     Algoritmo run(configuration, open_source(configuration.source));
     std::vector<StepFigures> figures;
     for (int i = 0; i < 3; ++i) {
@@ -172,7 +172,7 @@ TEST(StopRulesTest, TheRunStopsAtTheFirstScanThatMeetsOne) {
 }
 
 TEST(StopRulesTest, TheErrorIsAgainstTheReferenceGivenAtAnyTime) {
-    const Configuracion configuration = ready_tour();
+    const Configuracion configuration = small_tour();
     const auto figures = all_figures(configuration);
     Trajectory reference;
     for (const StepFigures& step : figures) reference.push_back(step.online);
