@@ -327,7 +327,7 @@ void InspectTest::weighing_again_leaves_the_run_as_it_was() {
     f.run_steps(100000);  // to the end
     QTRY_VERIFY(inspector->record() != nullptr);
     QCOMPARE(f.state(), Progress::State::finished);
-    const Trajectory inspected =
+    const auto inspected =
         ask<Trajectory>(f, [](const Algoritmo& run) { return run.best_trajectory(); });
     f.trigger("action_associations_dock");
     f.trigger("action_restart");

@@ -91,11 +91,11 @@ class RandomUser {
 
     /// Any of the menus' but those that end the program, leave it, or compute for long.
     void trigger_action() {
-        static const QStringList kNot{"action_exit", "action_guide", "action_study"};
+        static const QStringList left_out{"action_exit", "action_guide", "action_study"};
         QList<QAction*> actions;
         for (auto* action : f_.window->findChildren<QAction*>()) {
             const bool may = action->isEnabled() && action->isVisible() && !action->isSeparator() &&
-                             action->menu() == nullptr && !kNot.contains(action->objectName());
+                             action->menu() == nullptr && !left_out.contains(action->objectName());
             if (may) actions << action;
         }
         if (!actions.isEmpty()) actions[below(static_cast<int>(actions.size()))]->trigger();
@@ -143,14 +143,14 @@ class RandomUser {
     }
 
     void press_key() {
-        static const QList<Qt::Key> kKeys{
+        static const QList<Qt::Key> keys{
             Qt::Key_Space, Qt::Key_Right, Qt::Key_Left, Qt::Key_Home, Qt::Key_End, Qt::Key_Plus,
             Qt::Key_Minus, Qt::Key_F,     Qt::Key_W,    Qt::Key_A,    Qt::Key_S,   Qt::Key_D,
             Qt::Key_B,     Qt::Key_O,     Qt::Key_P,    Qt::Key_Tab,  Qt::Key_Down};
         QWidget* to = QApplication::focusWidget();
         if (to == nullptr) to = f_.window.get();
         const auto with = below(8) == 0 ? Qt::ShiftModifier : Qt::NoModifier;
-        QTest::keyClick(to, kKeys[below(static_cast<int>(kKeys.size()))], with);
+        QTest::keyClick(to, keys[below(static_cast<int>(keys.size()))], with);
     }
 
     /// Clicks about in what is open, and closes it sooner or later.

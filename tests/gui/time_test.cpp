@@ -161,11 +161,11 @@ void TimeTest::errors_against_another_reference_begin_anew() {
     references.map = read_map(Fixture::source_file("data/maps/bigloop.map").toStdString());
     f.session.set_references(references);
     f.run_steps(50);
-    constexpr int points = 7;  // at every eighth scan, and at the last
-    QTRY_COMPARE(f.window->plots().points(Plots::map_error), points);
+    constexpr int kPoints = 7;  // at every eighth scan, and at the last
+    QTRY_COMPARE(f.window->plots().points(Plots::map_error), kPoints);
     f.session.set_references(references);
     QCOMPARE(f.window->plots().points(Plots::map_error), 0);
-    QTRY_COMPARE(f.window->plots().points(Plots::map_error), points);  // measured again
+    QTRY_COMPARE(f.window->plots().points(Plots::map_error), kPoints);  // measured again
     f.session.set_references({});
     QCOMPARE(f.window->plots().points(Plots::map_error), 0);
 }
