@@ -27,7 +27,8 @@ class ConfigurationActions final : public QObject {
     /// The same for somebody who looks: what is not possible is left out, and told as soon as the
     /// window answers.
     void start_or_warn(const CommandLine& line);
-    /// Opens what the user named or dropped. False where that was not possible; the user was told.
+    /// Opens what the user named or dropped. False where that was not possible, which the user was
+    /// told, or where the user would not lose the run.
     /// An empty path is nothing to open.
     bool open(const QString& path, bool confirmed = false);
 
