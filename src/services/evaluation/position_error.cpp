@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace hitos {
@@ -14,7 +15,7 @@ std::optional<double> PositionError::at(const StampedPose& estimate) {
     const auto after =
         std::ranges::lower_bound(reference_, estimate.time_s, {}, &StampedPose::time_s);
     const StampedPose* nearest = nullptr;
-    double apart = kTolerance;
+    double apart = kSameStamp;
     const auto offer = [&](const StampedPose& pose) {
         const double away = std::abs(pose.time_s - estimate.time_s);
         if (away > apart) return;

@@ -9,6 +9,7 @@ Pacer::Clock::time_point Pacer::next(std::uint64_t steps, double duration_s,
     if (pace_.kind == Pace::Kind::full) return now;
     const double at = pace_.kind == Pace::Kind::recorded ? duration_s : static_cast<double>(steps);
     using Seconds = std::chrono::duration<double>;
+    Clock::time_point since = now;
     if (begun_) {
         // No run takes that long, and no clock counts much further.
         constexpr Seconds kForever{1e9};
@@ -16,14 +17,12 @@ Pacer::Clock::time_point Pacer::next(std::uint64_t steps, double duration_s,
         const auto due = since_ + std::chrono::duration_cast<Clock::duration>(after);
         const bool gap = pace_.kind == Pace::Kind::recorded && due > now + kLongestGap;
         if (!gap && now <= due + kMostBehind) return due;
-        since_ = gap ? now + kLongestGap : now;
-        from_ = at;
-        return since_;
+        if (gap) since += kLongestGap;
     }
     begun_ = true;
-    since_ = now;
+    since_ = since;
     from_ = at;
-    return now;
+    return since;
 }
 
 }  // namespace hitos

@@ -59,14 +59,9 @@ void RunWorker::set_pace(const Pace& pace) {
 
 void RunWorker::set_reference(std::optional<Trajectory> reference) {
     const std::scoped_lock lock(mutex_);
-    reference_ = std::move(reference);
-    begin_error();
-}
-
-void RunWorker::begin_error() {
     error_.reset();
-    if (!reference_) return;
-    error_.emplace(*reference_);
+    if (!reference) return;
+    error_.emplace(*std::move(reference));
     for (const StepFigures& step : figures_) {
         if (error_->at(step.online)) return;  // the first pair is all that it keeps
     }
@@ -104,7 +99,7 @@ void RunWorker::restart() {
     restart_wanted_ = true;
     progress_ = {};
     figures_.clear();
-    begin_error();
+    if (error_) error_->begin_anew();
     wake_.notify_one();
 }
 

@@ -3,50 +3,25 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <iterator>
 
 #include "hitos/base/atomic_file.hpp"
 
 namespace hitos {
 namespace {
 
-/// A column of the table: everything of StepFigures that is a figure.
-struct FigureColumn {
-    const char* name;
-    std::string (*text)(const StepFigures&);
-};
+constexpr const char* kHeading =
+    "scan,stamp_s,time_s,x_m,y_m,theta_rad,neff,best_log_weight,lines,corners,seen_lines,"
+    "seen_corners,matched,created,ignored,unseen_s,skipped,resampled,best_changed,loop_closed,"
+    "step_s";
 
-const std::array kColumns = {
-    FigureColumn{"stamp_s",
-                 [](const StepFigures& f) { return fmt::format("{}", f.online.time_s); }},
-    FigureColumn{"time_s", [](const StepFigures& f) { return fmt::format("{}", f.time_s); }},
-    FigureColumn{"x_m", [](const StepFigures& f) { return fmt::format("{}", f.online.pose.x); }},
-    FigureColumn{"y_m", [](const StepFigures& f) { return fmt::format("{}", f.online.pose.y); }},
-    FigureColumn{"theta_rad",
-                 [](const StepFigures& f) { return fmt::format("{}", f.online.pose.theta); }},
-    FigureColumn{"neff", [](const StepFigures& f) { return fmt::format("{}", f.neff); }},
-    FigureColumn{"best_log_weight",
-                 [](const StepFigures& f) { return fmt::format("{}", f.best_log_weight); }},
-    FigureColumn{"lines", [](const StepFigures& f) { return fmt::format("{}", f.lines); }},
-    FigureColumn{"corners", [](const StepFigures& f) { return fmt::format("{}", f.corners); }},
-    FigureColumn{"seen_lines",
-                 [](const StepFigures& f) { return fmt::format("{}", f.seen_lines); }},
-    FigureColumn{"seen_corners",
-                 [](const StepFigures& f) { return fmt::format("{}", f.seen_corners); }},
-    FigureColumn{"matched", [](const StepFigures& f) { return fmt::format("{}", f.matched); }},
-    FigureColumn{"created", [](const StepFigures& f) { return fmt::format("{}", f.created); }},
-    FigureColumn{"ignored", [](const StepFigures& f) { return fmt::format("{}", f.ignored); }},
-    FigureColumn{"unseen_s", [](const StepFigures& f) { return fmt::format("{}", f.unseen_s); }},
-    FigureColumn{"skipped", [](const StepFigures& f) { return fmt::format("{}", f.skipped); }},
-    FigureColumn{"resampled",
-                 [](const StepFigures& f) { return std::string(f.resampled ? "1" : "0"); }},
-    FigureColumn{"best_changed",
-                 [](const StepFigures& f) { return std::string(f.best_changed ? "1" : "0"); }},
-    FigureColumn{"loop_closed",
-                 [](const StepFigures& f) { return std::string(f.loop_closed ? "1" : "0"); }},
-    FigureColumn{"step_s", [](const StepFigures& f) { return fmt::format("{}", f.step_seconds); }},
-};
+std::string row(std::size_t scan, const StepFigures& f) {
+    const Pose& pose = f.online.pose;
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{:d},{:d},{}", scan,
+                       f.online.time_s, f.time_s, pose.x, pose.y, pose.theta, f.neff,
+                       f.best_log_weight, f.lines, f.corners, f.seen_lines, f.seen_corners,
+                       f.matched, f.created, f.ignored, f.unseen_s, f.skipped, f.resampled,
+                       f.best_changed, f.loop_closed, f.step_seconds);
+}
 
 }  // namespace
 
@@ -87,13 +62,11 @@ StepFigures figures_of(const Algoritmo& run, double step_seconds) {
 std::string figures_to_csv(std::span<const StepFigures> figures, const Trajectory* reference) {
     std::optional<PositionError> error;
     if (reference != nullptr) error.emplace(*reference);
-    std::string text = "scan";
-    for (const FigureColumn& column : kColumns) text += fmt::format(",{}", column.name);
+    std::string text = kHeading;
     text += error ? ",position_error_m\n" : "\n";
     std::size_t scan = 0;
     for (const StepFigures& step : figures) {
-        text += fmt::format("{}", ++scan);
-        for (const FigureColumn& column : kColumns) text += "," + column.text(step);
+        text += row(++scan, step);
         if (error) {
             const std::optional<double> away = error->at(step.online);
             text += away ? fmt::format(",{}", *away) : ",";

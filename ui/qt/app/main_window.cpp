@@ -204,10 +204,10 @@ void MainWindow::connect_run() {
     connect(ui_->action_save_figures, &QAction::triggered, results_, &ResultActions::save_figures);
     connect(plots_, &Plots::table_wanted, results_, &ResultActions::save_figures);
     connect(ui_->action_study, &QAction::triggered, this, [this] { open_study(); });
-    connect(ui_->action_save_picture, &QAction::triggered, this, &MainWindow::save_picture_in_use);
+    connect(ui_->action_save_picture, &QAction::triggered, this,
+            [this] { results_->save_picture(view_in_use()); });
     connect(ui_->action_copy_picture, &QAction::triggered, this, [this] {
-        const bool scan = ui_->scan_view->hasFocus();
-        (scan ? static_cast<const CanvasView&>(*ui_->scan_view) : *ui_->grid_view).copy_picture();
+        view_in_use().copy_picture();
         status_->notice(tr("The picture is in the clipboard."));
     });
     connect(ui_->action_exit, &QAction::triggered, this, &QWidget::close);
@@ -283,10 +283,9 @@ void MainWindow::set_highlight(const PickedLandmark& picked) {
     inspection_->set_highlight(picked);
 }
 
-void MainWindow::save_picture_in_use() {
-    const bool scan = ui_->scan_view->hasFocus();
-    results_->save_picture(scan ? static_cast<const CanvasView&>(*ui_->scan_view)
-                                : *ui_->grid_view);
+const CanvasView& MainWindow::view_in_use() const {
+    if (ui_->scan_view->hasFocus()) return *ui_->scan_view;
+    return *ui_->grid_view;
 }
 
 void MainWindow::save_plots_picture() {

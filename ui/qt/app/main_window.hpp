@@ -65,7 +65,8 @@ class MainWindow final : public QMainWindow {
     void refill_presets();
     void show_configuration();
     void set_highlight(const PickedLandmark& picked);
-    void save_picture_in_use();
+    /// The one with the keyboard, else the grid map.
+    const CanvasView& view_in_use() const;
     void save_plots_picture();
     void restyle();
     void save_state();

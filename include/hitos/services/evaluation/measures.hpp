@@ -8,6 +8,9 @@
 
 namespace hitos {
 
+/// Stamps of an estimate and of a reference that are no further apart [s] are of one moment.
+inline constexpr double kSameStamp = 0.02;
+
 /// Errors of a landmark map against a reference map.
 struct MapError {
     double mean_m = 0.0;  ///< [T 10.3]: mean over the landmarks of the distance to the nearest
@@ -50,6 +53,6 @@ struct TrajectoryError {
 };
 std::optional<TrajectoryError> trajectory_error(const Trajectory& estimate,
                                                 const Trajectory& reference,
-                                                double tolerance_s = 0.02);
+                                                double tolerance_s = kSameStamp);
 
 }  // namespace hitos

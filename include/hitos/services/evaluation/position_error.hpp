@@ -1,24 +1,24 @@
 // How far a robot is from where it believes to be, scan by scan.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 
 #include "hitos/base/geometry.hpp"
+#include "hitos/services/evaluation/measures.hpp"
 
 namespace hitos {
 
 /// The distance of poses, in the order of their stamps, to those of a reference with the same
-/// stamps, within 0.02 s. The first pair brings the reference into the run's frame; so the error
-/// needs nothing that lies ahead, unlike trajectory_error().
+/// stamps, within kSameStamp. The first pair brings the reference into the run's frame; so the
+/// error needs nothing that lies ahead, unlike trajectory_error().
 class PositionError {
   public:
-    static constexpr double kTolerance = 0.02;  // [s]
-
     explicit PositionError(Trajectory reference);
 
     /// In metres; nothing where the reference has no pose at this stamp.
     std::optional<double> at(const StampedPose& estimate);
+    /// Forgets the first pair.
+    void begin_anew() { pose_world_reference_.reset(); }
 
   private:
     Trajectory reference_;  // by stamps

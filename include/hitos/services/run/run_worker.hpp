@@ -155,9 +155,7 @@ class RunWorker {
     void do_seek(std::uint64_t steps, std::uint64_t orders);
     void publish_snapshot(const SnapshotParts& parts);
     void note_progress();
-    /// Counts the error from the first figures on. With the mutex held.
-    void begin_error();
-    bool waits_for_pace() const;  // likewise
+    bool waits_for_pace() const;  // with the mutex held
     void note_due();              // likewise
 
     Algoritmo run_;    // the worker's own, once it runs
@@ -171,9 +169,8 @@ class RunWorker {
     std::uint64_t budget_ = 0;  // steps still asked for
     StopRules rules_;
     Pacer pacer_;
-    bool paced_ = false;            // these steps are
-    Pacer::Clock::time_point due_;  // the next one, where they are
-    std::optional<Trajectory> reference_;
+    bool paced_ = false;                  // these steps are
+    Pacer::Clock::time_point due_;        // the next one, where they are
     std::optional<PositionError> error_;  // up to the last of figures_
     bool restart_wanted_ = false;
     std::optional<std::uint64_t> seek_wanted_;
