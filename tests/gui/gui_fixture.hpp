@@ -50,6 +50,7 @@ class ScriptedPrompts final : public Prompts {
     QStringList warning_titles;
     QStringList confirmed_texts;
     QStringList number_texts;
+    QStringList offered;
     int greatest_number = -1;
     int opens_asked = 0;
     int saves_asked = 0;
@@ -73,6 +74,11 @@ class ScriptedPrompts final : public Prompts {
                               int greatest) override {
         number_texts << text;
         greatest_number = greatest;
+        return numbers.isEmpty() ? std::nullopt : std::optional(numbers.takeFirst());
+    }
+    std::optional<int> choice(QWidget*, const QString&, const QString&,
+                              const QStringList& words) override {
+        offered = words;
         return numbers.isEmpty() ? std::nullopt : std::optional(numbers.takeFirst());
     }
     void warn(QWidget*, const QString& title, const QString& text) override {

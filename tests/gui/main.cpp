@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
     if (name == "source") return run<SourceTest>(arguments);
     if (name == "configuration") return run<ConfigurationTest>(arguments);
     if (name == "run") return run<RunTest>(arguments);
+    if (name == "runs") return run<RunsTest>(arguments);
     if (name == "inspect") return run<InspectTest>(arguments);
     if (name == "study") return run<StudyTest>(arguments);
     if (name == "time") return run<TimeTest>(arguments);
@@ -40,7 +41,8 @@ int main(int argc, char** argv) {
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
-        "expected contact, fit, source, configuration, random, run, study, time, view, inspect or "
+        "expected contact, fit, source, configuration, random, run, runs, study, time, view, "
+        "inspect or "
         "words");
     return 2;
 }

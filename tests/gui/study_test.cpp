@@ -355,4 +355,25 @@ void StudyTest::its_words_are_remembered() {
     QVERIFY(next.findChild<QComboBox*>("parameter")->currentText().startsWith("dmax "));
 }
 
+void StudyTest::a_run_of_it_is_opened() {
+    StudyFixture f;
+    QVERIFY(!f.enabled("open_run"));
+    f.run_study();
+    f.prompts.numbers = {3};  // of two values with two seeds
+    f.press("open_run");
+    QCOMPARE(f.prompts.offered.size(), 4);
+    QVERIFY2(f.prompts.offered[3].startsWith("dmax=0.05 seed 2: "),
+             qPrintable(f.prompts.offered[3]));
+    QCOMPARE(f.session.configuration().run.seed, 2U);
+    QCOMPARE(find_parameter("split_merge.dmax").text(f.session.configuration()), "0.05");
+    QTRY_VERIFY(f.state() == Progress::State::finished && f.shows_everything());
+    // It is that run, to the last bit.
+    f.prompts.saves = {f.path("again.txt")};
+    f.trigger("action_save_map");
+    QCOMPARE(Fixture::read(f.path("again.txt")),
+             Fixture::read(f.path("study/maps/dmax-0.05-s2.map")));
+    f.press("open_run");  // given up
+    QCOMPARE(f.session.configuration().run.seed, 2U);
+}
+
 }  // namespace hitos::window

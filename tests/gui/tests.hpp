@@ -56,6 +56,23 @@ class ConfigurationTest : public QObject {
     void a_bad_file_of_the_command_line_is_told_in_the_window();
 };
 
+class RunsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void runs_that_are_left_stay_in_the_list();
+    void what_is_kept_is_the_run_to_the_last_bit();
+    void errors_are_measured_by_the_references();
+    void paths_of_chosen_runs_are_in_the_grid_map();
+    void a_run_can_be_removed_and_its_configuration_used();
+    void two_runs_are_side_by_side_under_one_camera();
+    void two_runs_lie_over_each_other_or_blink();
+    void a_run_is_compared_with_its_odometry();
+    void a_folder_of_results_is_opened();
+    void a_folder_without_results_is_told();
+    void results_without_their_log_are_shown_without_grid();
+};
+
 class RunTest : public QObject {
     Q_OBJECT
 
@@ -183,6 +200,7 @@ class StudyTest : public QObject {
     void the_main_window_ends_a_running_study();
     void the_configuration_may_change_meanwhile();
     void its_plot_is_saved();
+    void a_run_of_it_is_opened();
     void its_words_are_remembered();
 };
 

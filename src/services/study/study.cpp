@@ -36,18 +36,6 @@ std::unique_ptr<TourReader> open(const Study& study, const StudyJob& job) {
     return study.source ? study.source(job) : open_source(job.configuration.source);
 }
 
-StudyJob make_job(const Study& study, const StudyPlan& plan, std::size_t run) {
-    StudyJob job{run, plan.seed_of(run), study.configuration};
-    const std::vector<std::string> keys = plan.keys();
-    const std::vector<std::string> texts = plan.texts(plan.cell_of(run));
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        find_parameter(keys[i]).set(job.configuration, texts[i]);
-    job.configuration.run.seed = job.seed;
-    job.configuration.run.threads = 1;  // the runs themselves are spread over the threads
-    check(job.configuration);
-    return job;
-}
-
 /// A log that cannot be opened ends the study at its start, not run by run; where the log is what
 /// varies, each run finds out for itself.
 void try_source(const Study& study, const StudyPlan& plan) {
@@ -138,7 +126,7 @@ class Crew {
         const auto [s, number] = tasks_[place];
         const Study& study = studies_[s];
         const StudyPlan& plan = outcomes_[s].plan;
-        const StudyJob job = make_job(study, plan, number);
+        const StudyJob job = job_of(study, plan, number);
         Algoritmo run(job.configuration, open(study, job), {.step_grid = false});
         constexpr std::uint64_t kTellEvery = 64;
         while (run.step()) {
@@ -226,6 +214,18 @@ void gather(const StudyLayout& layout, const StudyLayout& shard, const StudyPlan
 }
 
 }  // namespace
+
+StudyJob job_of(const Study& study, const StudyPlan& plan, std::size_t run) {
+    StudyJob job{run, plan.seed_of(run), study.configuration};
+    const std::vector<std::string> keys = plan.keys();
+    const std::vector<std::string> texts = plan.texts(plan.cell_of(run));
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        find_parameter(keys[i]).set(job.configuration, texts[i]);
+    job.configuration.run.seed = job.seed;
+    job.configuration.run.threads = 1;  // the runs themselves are spread over the threads
+    check(job.configuration);
+    return job;
+}
 
 std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const StudyOptions& options) {
     std::vector<StudyOutcome> outcomes;

@@ -106,13 +106,24 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
 void ConfigurationActions::note_named(const CommandLine& line) {
     const std::string& log = session_.configuration().source.file;
     if (!line.config.empty()) files_.note_recent(QString::fromStdString(line.config));
-    if (line.open.empty()) return;
+    if (line.open.empty() || kind_of(QString::fromStdString(line.open)) == FileKind::results) {
+        return;
+    }
     const QString named = QString::fromStdString(line.open);
     if (kind_of(named) == FileKind::configuration) {
         files_.note_recent(named);
     } else if (!log.empty()) {
         files_.note_recent(QString::fromStdString(log));
     }
+}
+
+void ConfigurationActions::use_again(const Configuracion& configuration) {
+    if (guard_.may_discard()) use(configuration);
+}
+
+void ConfigurationActions::look_at_run(Configuracion configuration) {
+    configuration.run.threads = session_.configuration().run.threads;
+    if (guard_.may_discard() && use(configuration)) session_.seek(RunWorker::kToTheEnd);
 }
 
 bool ConfigurationActions::use(const Configuracion& configuration) {
@@ -166,6 +177,10 @@ bool ConfigurationActions::open(const QString& path, bool confirmed) {
     const FileKind kind = kind_of(path);
     if (kind == FileKind::configuration) return load_file(path, confirmed);
     if (kind == FileKind::source) return use_log(path);
+    if (kind == FileKind::results) {
+        emit results_named(path);
+        return true;
+    }
     return use_reference(path, kind);
 }
 

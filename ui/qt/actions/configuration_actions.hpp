@@ -41,6 +41,10 @@ class ConfigurationActions final : public QObject {
     void load();
     /// The configuration that comes with Hitos under that word; the source stays.
     void use_preset(std::string_view word, bool confirmed = false);
+    /// That of another run.
+    void use_again(const Configuracion& configuration);
+    /// The same, and runs to the end at once; threads as the user has them.
+    void look_at_run(Configuracion configuration);
     void save();
     /// A configuration of the user's own, among the presets from then on.
     void save_preset();
@@ -56,6 +60,8 @@ class ConfigurationActions final : public QObject {
 
   signals:
     void notice(QString text);
+    /// A folder of results is among what was opened.
+    void results_named(QString folder);
     /// What can be undone or redone is another.
     void history_changed();
 

@@ -86,6 +86,13 @@ std::optional<int> QtPrompts::number(QWidget* parent, const QString& title, cons
     return accepted ? std::optional(value) : std::nullopt;
 }
 
+std::optional<int> QtPrompts::choice(QWidget* parent, const QString& title, const QString& text,
+                                     const QStringList& words) {
+    bool accepted = false;
+    const QString word = QInputDialog::getItem(parent, title, text, words, 0, false, &accepted);
+    return accepted ? std::optional(static_cast<int>(words.indexOf(word))) : std::nullopt;
+}
+
 void QtPrompts::warn(QWidget* parent, const QString& title, const QString& text) {
     QMessageBox::warning(parent, title, text);
 }

@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 #include <QString>
+#include <QStringList>
 #include <exception>
 #include <optional>
 
@@ -37,6 +38,9 @@ class Prompts {
     /// A whole number from `least` to `greatest`; nothing where the user cancelled.
     virtual std::optional<int> number(QWidget* parent, const QString& title, const QString& text,
                                       int least, int greatest) = 0;
+    /// Which of the words, by its place; nothing where the user cancelled.
+    virtual std::optional<int> choice(QWidget* parent, const QString& title, const QString& text,
+                                      const QStringList& words) = 0;
     virtual void warn(QWidget* parent, const QString& title, const QString& text) = 0;
 };
 
@@ -49,6 +53,8 @@ class QtPrompts final : public Prompts {
     bool confirm(QWidget* parent, const Question& question) override;
     std::optional<int> number(QWidget* parent, const QString& title, const QString& text, int least,
                               int greatest) override;
+    std::optional<int> choice(QWidget* parent, const QString& title, const QString& text,
+                              const QStringList& words) override;
     void warn(QWidget* parent, const QString& title, const QString& text) override;
 };
 

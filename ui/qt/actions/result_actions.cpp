@@ -203,10 +203,7 @@ void ResultActions::save_results() {
 /// told when it is done.
 void ResultActions::write_results_to(const QString& folder) {
     RunWorker& worker = *session_.worker();
-    double seconds = 0.0;
-    std::vector<StepFigures> figures = worker.figures_since(0);
-    figures.resize(std::min<std::size_t>(figures.size(), session_.progress().steps));
-    for (const StepFigures& step : figures) seconds += step.step_seconds;
+    const double seconds = session_.computed_seconds(session_.progress().steps);
     writing_ = worker.with_run([this, number = ++writings_, folder, seconds,
                                 references = session_.references()](const Algoritmo& run) {
         QString problem;

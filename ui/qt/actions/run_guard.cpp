@@ -10,17 +10,10 @@ QString guard_words(const char* text) {
     return QCoreApplication::translate("RunGuard", text);
 }
 
-double computed_seconds(const Session& session) {
-    if (!session.has_source()) return 0.0;
-    double seconds = 0.0;
-    for (const StepFigures& step : session.worker()->figures_since(0)) seconds += step.step_seconds;
-    return seconds;
-}
-
 }  // namespace
 
 bool RunGuard::may_discard() const {
-    const double seconds = computed_seconds(session_);
+    const double seconds = session_.computed_seconds();
     if (seconds <= long_run_s_) return true;
     return prompts_.confirm(
         window_,

@@ -105,6 +105,7 @@ void UserFiles::note_folder(const QString& kind, const QString& path) {
 }
 
 FileKind kind_of(const QString& path) {
+    if (QFileInfo(path).isDir()) return FileKind::results;
     QString name = QFileInfo(path).fileName().toLower();
     if (name.endsWith(".gz")) name.chop(3);
     if (name.endsWith(".cfg")) return FileKind::configuration;

@@ -48,6 +48,7 @@ class UserFiles final : public QObject {
 
 /// What the user may name on the command line or drop on the window.
 enum class FileKind {
+    results,        ///< a folder: what a run has left
     configuration,  ///< .cfg
     source,         ///< a log, or a world (.toml)
     map,            ///< .map: a reference

@@ -24,8 +24,8 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.footer("Without arguments it opens your init.cfg, or a ready tour. docs/user-guide.md");
     program.add_option(
         "file", out.open,
-        "Log (plain or .gz), configuration (.cfg), or world (.toml, or the name of one "
-        "that comes with Hitos)");
+        "Log (plain or .gz), configuration (.cfg), world (.toml, or the name of one that comes "
+        "with Hitos), or a folder of results");
     CLI::Option* config = program.add_option("--config", out.config, "Configuration file");
     program
         .add_option("--preset", out.preset,
@@ -68,9 +68,10 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         .add_option(
             "--show", out.show,
             "What the picture shows: main, world, plots, landmarks, particles, associations, "
-            "source, configuration, best-map, odometry, study")
+            "runs, compare, source, configuration, best-map, odometry, study")
         ->check(CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
-                               "source", "configuration", "best-map", "odometry", "study"}));
+                               "runs", "compare", "source", "configuration", "best-map", "odometry",
+                               "study"}));
     program.add_flag("--benchmark", out.benchmark,
                      "Run the log with and without the window; print speeds and response times");
     try {
@@ -85,12 +86,16 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     Configuracion configuration;
     const QString named = QString::fromStdString(line.open);
     const bool named_configuration = !named.isEmpty() && kind_of(named) == FileKind::configuration;
+    const bool named_results = !named.isEmpty() && kind_of(named) == FileKind::results;
     if (!line.config.empty()) {
         configuration = ArchivoConfiguracion::read(line.config);
     } else if (!line.preset.empty()) {
         configuration = preset_configuration(line.preset);
     } else if (named_configuration) {
         configuration = ArchivoConfiguracion::read(line.open);
+    } else if (named_results) {
+        const std::filesystem::path folder = line.open;
+        configuration = ArchivoConfiguracion::read(folder / "config.cfg");
     } else if (init == Init::read && files.has_init()) {
         configuration = ArchivoConfiguracion::read(files.init_path().toStdString());
     } else if (!named.isEmpty() && is_world_file(source_named(line.open))) {
@@ -98,7 +103,7 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     } else if (named.isEmpty() && !shipped_file(kReadyTour).empty()) {
         configuration = preset_configuration(kReadyPreset);
     }
-    if (!named.isEmpty() && !named_configuration) {
+    if (!named.isEmpty() && !named_configuration && !named_results) {
         configuration.source.file = source_named(line.open);
         configuration.source.format = kAutoFormat;
     }

@@ -15,6 +15,7 @@
 #include "dialogs/study_dialog.hpp"
 #include "language.hpp"
 #include "main_window.hpp"
+#include "runs/runs.hpp"
 #include "screen_fit.hpp"
 #include "screenshot.hpp"
 #include "views/view_settings.hpp"
@@ -62,6 +63,8 @@ int run(int argc, char** argv, const CommandLine& line) {
 
     ConfigurationActions& actions = window.configuration_actions();
     without_display(line) ? actions.start(line) : actions.start_or_warn(line);
+    const QString named = QString::fromStdString(line.open);
+    if (!named.isEmpty() && kind_of(named) == FileKind::results) window.runs().open(named);
     int code = 0;
     if (!line.screenshot.empty()) {
         take_screenshot(window, session, line);

@@ -3,7 +3,6 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -12,14 +11,15 @@
 #include <QTimer>
 
 #include "actions/configuration_actions.hpp"
+#include "actions/file_menus.hpp"
 #include "actions/result_actions.hpp"
-#include "dialogs/parameter_text.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
-#include "hitos/workbench/presets.hpp"
 #include "icons.hpp"
 #include "inspect/inspection.hpp"
 #include "language.hpp"
+#include "runs/runs.hpp"
+#include "runs/runs_panel.hpp"
 #include "screen_fit.hpp"
 #include "status_line.hpp"
 #include "ui_main_window.h"
@@ -55,8 +55,8 @@ MainWindow::MainWindow(Session& session, UserFiles& files, Prompts& prompts)
     connect_configuration();
     connect_run();
     connect_views();
+    connect_runs();
     connect_help();
-    refill_recent();
     show_configuration();
     restore_state();
     ui_->scan_view->setFocus();
@@ -92,8 +92,9 @@ void MainWindow::make_parts() {
     show_plots->setObjectName("action_plots");
     show_plots->setShortcut(QKeySequence("Ctrl+G"));
     ui_->menu_view->insertAction(ui_->menu_theme->menuAction(), show_plots);
-    inspection_ =
-        new Inspection(session_, this, dock_, ui_->menu_view, ui_->menu_theme->menuAction());
+    const DockPlace place{this, dock_, ui_->menu_view, ui_->menu_theme->menuAction()};
+    inspection_ = new Inspection(session_, place);
+    runs_ = new Runs(session_, files_, prompts_, *view_settings_, place);
     ui_->menu_view->insertSeparator(ui_->menu_theme->menuAction());
     ui_->views->setSizes({500, 500});
     fit_to_screen(*this);
@@ -133,8 +134,8 @@ void MainWindow::connect_configuration() {
             [this] { configuration_->select_source(); });
     connect(ui_->action_manual, &QAction::triggered, configuration_,
             &ConfigurationActions::configure);
-    connect(ui_->menu_presets, &QMenu::aboutToShow, this, &MainWindow::refill_presets);
-    refill_presets();
+    new FileMenus(files_, *configuration_, *ui_->menu_recent, *ui_->menu_presets,
+                  *ui_->action_save_preset, this);
     connect(ui_->action_save_preset, &QAction::triggered, configuration_,
             &ConfigurationActions::save_preset);
     connect(ui_->action_undo, &QAction::triggered, configuration_, &ConfigurationActions::undo);
@@ -169,7 +170,6 @@ void MainWindow::connect_configuration() {
         if (guard_.may_discard()) configuration_->use_preset(preset, true);
     });
     connect(&session_, &Session::configuration_changed, this, &MainWindow::show_configuration);
-    connect(&files_, &UserFiles::recent_changed, this, &MainWindow::refill_recent);
 }
 
 void MainWindow::connect_run() {
@@ -277,6 +277,20 @@ void MainWindow::connect_views() {
     show_snapshot();
 }
 
+void MainWindow::connect_runs() {
+    connect(configuration_, &ConfigurationActions::results_named, runs_, &Runs::open);
+    connect(&runs_->panel(), &RunsPanel::configuration_wanted, configuration_,
+            &ConfigurationActions::use_again);
+    connect(&runs_->panel(), &RunsPanel::traces_changed, ui_->grid_view, &GridView::set_traces);
+    connect(ui_->action_open_results, &QAction::triggered, runs_, &Runs::ask);
+    connect(ui_->action_compare, &QAction::triggered, runs_,
+            [this] { runs_->compare(runs_->panel().chosen()); });
+    connect(runs_, &Runs::picture_wanted, results_,
+            [this](const GridView* view) { results_->save_picture(*view); });
+    connect(runs_, &Runs::opened, this,
+            [this](QWidget* window) { window->addActions(ui_->menu_run->actions()); });
+}
+
 void MainWindow::set_highlight(const PickedLandmark& picked) {
     ui_->scan_view->set_highlight(picked);
     ui_->grid_view->set_highlight(picked);
@@ -298,7 +312,11 @@ void MainWindow::save_plots_picture() {
 }
 
 StudyDialog& MainWindow::open_study() {
-    if (study_ == nullptr) study_ = new StudyDialog(session_, files_, prompts_, this);
+    if (study_ == nullptr) {
+        study_ = new StudyDialog(session_, files_, prompts_, this);
+        connect(study_, &StudyDialog::run_wanted, configuration_,
+                &ConfigurationActions::look_at_run);
+    }
     if (study_->isVisible()) study_->raise();
     study_->show();
     study_->activateWindow();
@@ -310,42 +328,6 @@ void MainWindow::restyle() {
     plots_->restyle();
     if (study_ != nullptr) study_->restyle();
     update();
-}
-
-void MainWindow::refill_recent() {
-    ui_->menu_recent->clear();
-    for (const QString& path : files_.recent()) {
-        QAction* action = ui_->menu_recent->addAction(QFileInfo(path).fileName());
-        action->setToolTip(path);
-        action->setStatusTip(path);
-        connect(action, &QAction::triggered, configuration_,
-                [this, path] { configuration_->open(path); });
-    }
-    ui_->menu_recent->setEnabled(!ui_->menu_recent->isEmpty());
-    if (ui_->menu_recent->isEmpty()) return;
-    ui_->menu_recent->addSeparator();
-    connect(ui_->menu_recent->addAction(tr("Clear the list")), &QAction::triggered, &files_,
-            &UserFiles::clear_recent);
-}
-
-/// Those that come with Hitos, then the user's own.
-void MainWindow::refill_presets() {
-    ui_->menu_presets->clear();
-    for (const Preset& preset : presets()) {
-        QAction* action = ui_->menu_presets->addAction(translated("Preset", preset.label));
-        action->setObjectName("action_preset_" + to_qt(preset.word));
-        action->setToolTip(translated("Preset", preset.purpose));
-        connect(action, &QAction::triggered, configuration_,
-                [this, word = preset.word] { configuration_->use_preset(word); });
-    }
-    ui_->menu_presets->addSeparator();
-    for (const QString& path : files_.presets()) {
-        QAction* action = ui_->menu_presets->addAction(QFileInfo(path).completeBaseName());
-        action->setToolTip(QDir::toNativeSeparators(path));
-        connect(action, &QAction::triggered, configuration_,
-                [this, path] { configuration_->open(path); });
-    }
-    ui_->menu_presets->addAction(ui_->action_save_preset);
 }
 
 void MainWindow::show_configuration() {

@@ -22,6 +22,7 @@ struct PickedLandmark;
 class Plots;
 class ReferenceMeter;
 class ResultActions;
+class Runs;
 class ScanView;
 class StatusLine;
 class StudyDialog;
@@ -42,6 +43,7 @@ class MainWindow final : public QMainWindow {
     RunGuard& run_guard() { return guard_; }
     ScanView& scan_view() const;
     GridView& grid_view() const;
+    Runs& runs() const { return *runs_; }
     Plots& plots() const { return *plots_; }
     QDockWidget& plots_dock() const { return *dock_; }
     /// Shows the study of one parameter.
@@ -61,8 +63,7 @@ class MainWindow final : public QMainWindow {
     void connect_views();
     void connect_help();
     void set_up_view_buttons();
-    void refill_recent();
-    void refill_presets();
+    void connect_runs();
     void show_configuration();
     void set_highlight(const PickedLandmark& picked);
     /// The one with the keyboard, else the grid map.
@@ -89,6 +90,7 @@ class MainWindow final : public QMainWindow {
     Plots* plots_ = nullptr;
     QDockWidget* dock_ = nullptr;
     Inspection* inspection_ = nullptr;
+    Runs* runs_ = nullptr;
     StudyDialog* study_ = nullptr;
 };
 

@@ -18,6 +18,7 @@
 #include "dialogs/study_dialog.hpp"
 #include "hitos/base/error.hpp"
 #include "main_window.hpp"
+#include "runs/runs.hpp"
 #include "screen_fit.hpp"
 #include "views/map_window.hpp"
 #include "views/picture.hpp"
@@ -114,6 +115,12 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
     } else if (line.show == "odometry") {
         window.result_actions().view_odometry();
         show_map(window.result_actions().odometry_window(), line);
+    } else if (line.show == "compare") {
+        if (window.runs().comparison() == nullptr) window.runs().compare({});
+        CompareWindow& comparison = *window.runs().comparison();
+        process_until([&comparison] { return !comparison.building(); });
+        settle(100);
+        write_picture_of(comparison, line);
     } else if (line.show == "study") {
         show_study(window, line);
     } else {

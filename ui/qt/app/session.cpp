@@ -2,6 +2,7 @@
 
 #include <QThreadPool>
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "hitos/base/thread_clock.hpp"
@@ -30,6 +31,15 @@ Progress Session::progress() const {
     return worker_ ? worker_->progress() : Progress{};
 }
 
+double Session::computed_seconds(std::uint64_t steps) const {
+    if (!worker_) return 0.0;
+    std::vector<StepFigures> figures = worker_->figures_since(0);
+    if (figures.size() > steps) figures.resize(steps);
+    return std::accumulate(
+        figures.begin(), figures.end(), 0.0,
+        [](double sum, const StepFigures& step) { return sum + step.step_seconds; });
+}
+
 /// The old run ends after the step under way; nobody waits for it here.
 void Session::retire() {
     if (!worker_) return;
@@ -50,6 +60,7 @@ void Session::set_configuration(const Configuracion& configuration) {
             return std::make_unique<RunWorker>(configuration, std::move(reader), options);
         });
     }
+    if (worker_) emit leaving();
     retire();
     const bool another_log = configuration.source.file != configuration_.source.file;
     configuration_ = configuration;
@@ -119,6 +130,7 @@ void Session::seek(quint64 steps) {
 
 void Session::restart() {
     if (!worker_) return;
+    emit leaving();
     worker_->restart();
     begin_anew();
 }

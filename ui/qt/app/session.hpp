@@ -36,6 +36,8 @@ class Session final : public QObject {
     /// The newest one; null before the first.
     std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
     Progress progress() const;
+    /// Wall time [s] that the first `steps` steps took, each the last time that it was done.
+    double computed_seconds(std::uint64_t steps = RunWorker::kToTheEnd) const;
     /// Whether the snapshot is of the run as it is now, with all that is wanted.
     bool up_to_date() const { return shows(progress()); }
     /// Parts that somebody looks at; a view changes those of its own.
@@ -63,6 +65,8 @@ class Session final : public QObject {
     void note_cost(double seconds) { paint_seconds_ += seconds; }
 
   signals:
+    /// The run is about to be given up, for another one or to begin anew; it is still there.
+    void leaving();
     void configuration_changed();
     /// The run is at its beginning: earlier pictures mean nothing.
     void restarted();

@@ -53,6 +53,7 @@ StudyDialog::StudyDialog(Session& session, UserFiles& files, Prompts& prompts, Q
     connect(ui_->close, &QPushButton::clicked, this, &QDialog::close);
     connect(ui_->save, &QPushButton::clicked, this, &StudyDialog::save_plot);
     connect(ui_->plots, &StudyPlots::picture_wanted, this, &StudyDialog::save_plot);
+    connect(ui_->open_run, &QPushButton::clicked, this, &StudyDialog::open_run);
     connect(ui_->open_folder, &QPushButton::clicked, this, [this] {
         QDesktopServices::openUrl(
             QUrl::fromLocalFile(QString::fromStdString(layout_.folder.string())));
@@ -84,6 +85,7 @@ void StudyDialog::show_state() {
     ui_->progress->setVisible(running);
     ui_->save->setEnabled(!ui_->plots->empty());
     ui_->open_folder->setEnabled(!layout_.folder.empty());
+    ui_->open_run->setEnabled(!ui_->plots->empty());
 }
 
 void StudyDialog::show_verdict(const QString& words, const char* role) {
@@ -123,6 +125,7 @@ void StudyDialog::start() {
     }
     form_.remember();
     layout_ = request->study.layout;
+    study_ = request->study;
     ui_->plots->clear();
     ui_->progress->setValue(0);
     clock_.start();
@@ -205,6 +208,24 @@ void StudyDialog::closeEvent(QCloseEvent* event) {
 
 void StudyDialog::reject() {
     close();
+}
+
+void StudyDialog::open_run() {
+    const StudyPlan& plan = *runner_.plan();
+    QStringList words;
+    std::vector<std::size_t> runs;
+    for (std::size_t run = 0; run < runner_.records().size(); ++run) {
+        const StudyRecord& record = runner_.records()[run];
+        if (!record.ok) continue;
+        QString label = QString::fromStdString(plan.label(run));
+        if (record.error_m) label += tr(": map error %1 m").arg(*record.error_m, 0, 'f', 4);
+        words << label;
+        runs.push_back(run);
+    }
+    const std::optional<int> chosen =
+        prompts_.choice(this, tr("Open a run of the study"), tr("Run to look at:"), words);
+    if (!chosen) return;
+    emit run_wanted(job_of(study_, plan, runs[static_cast<std::size_t>(*chosen)]).configuration);
 }
 
 void StudyDialog::save_plot() {

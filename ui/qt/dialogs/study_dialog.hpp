@@ -38,6 +38,8 @@ class StudyDialog final : public QDialog {
   signals:
     /// The study has ended in whatever way, or could not begin.
     void ended();
+    /// The user wants to look at this run.
+    void run_wanted(const hitos::Configuracion& configuration);
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -51,12 +53,14 @@ class StudyDialog final : public QDialog {
     void show_state();
     void show_verdict(const QString& words, const char* role);
     void save_plot();
+    void open_run();
 
     std::unique_ptr<Ui::StudyDialog> ui_;
     UserFiles& files_;
     Prompts& prompts_;
     StudyForm form_;
     StudyLayout layout_;  ///< of the study under way or done
+    Study study_;         ///< likewise
     QElapsedTimer clock_;
     StudyRunner runner_;
 };

@@ -3,6 +3,7 @@
 #include <QFont>
 #include <QHeaderView>
 #include <QScopedValueRollback>
+#include <algorithm>
 #include <utility>
 
 namespace hitos::window {
@@ -30,8 +31,13 @@ QVariant FiguresModel::data(const QModelIndex& index, int role) const {
             return text(row, index.column());
         case kKeyRole:
             return key(row, index.column());
-        case Qt::TextAlignmentRole:
-            return static_cast<int>(Qt::AlignVCenter | Qt::AlignRight);
+        case Qt::TextAlignmentRole: {
+            const bool words = key(row, index.column()).typeId() == QMetaType::QString;
+            return static_cast<int>(Qt::AlignVCenter | (words ? Qt::AlignLeft : Qt::AlignRight));
+        }
+        case Qt::DecorationRole:
+            return index.column() == 0 && colour(row).isValid() ? QVariant(colour(row))
+                                                                : QVariant();
         case Qt::FontRole: {
             if (!strong(row)) return {};
             QFont font;
@@ -94,6 +100,14 @@ int FiguresTable::chosen() const {
     return rows.isEmpty() ? -1 : proxy_.mapToSource(rows.front()).row();
 }
 
+std::vector<int> FiguresTable::chosen_rows() const {
+    std::vector<int> rows;
+    for (const QModelIndex& index : selectionModel()->selectedRows())
+        rows.push_back(proxy_.mapToSource(index).row());
+    std::ranges::sort(rows);
+    return rows;
+}
+
 void FiguresTable::choose(int row) {
     if (row == chosen()) return;
     const QScopedValueRollback quiet(telling_, false);
@@ -104,6 +118,18 @@ void FiguresTable::choose(int row) {
     const QModelIndex index = proxy_.mapFromSource(proxy_.sourceModel()->index(row, 0));
     selectRow(index.row());
     scrollTo(index);
+}
+
+void FiguresTable::choose_rows(const std::vector<int>& rows) {
+    if (rows == chosen_rows()) return;
+    const QScopedValueRollback quiet(telling_, false);
+    QItemSelection selection;
+    for (const int row : rows) {
+        const QModelIndex index = proxy_.mapFromSource(proxy_.sourceModel()->index(row, 0));
+        selection.select(index, index);
+    }
+    selectionModel()->select(selection,
+                             QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 
 void FiguresTable::selectionChanged(const QItemSelection& selected,

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QColor>
 #include <QSortFilterProxyModel>
 #include <QStringList>
 #include <QTableView>
 #include <functional>
+#include <vector>
 
 namespace hitos::window {
 
@@ -37,6 +39,8 @@ class FiguresModel : public QAbstractTableModel {
     virtual QString text(int row, int column) const = 0;
     /// Whether the row stands out.
     virtual bool strong(int /*row*/) const { return false; }
+    /// The row's own, shown as a patch; none by default.
+    virtual QColor colour(int /*row*/) const { return {}; }
 
   private:
     QStringList titles_;
@@ -51,8 +55,12 @@ class FiguresTable final : public QTableView {
 
     /// The chosen row of the model; -1 where there is none.
     int chosen() const;
+    /// All of them, ascending, where the table lets several be chosen.
+    std::vector<int> chosen_rows() const;
     /// Chooses a row and brings it in sight; -1 chooses none. Nobody is told.
     void choose(int row);
+    /// The same for several.
+    void choose_rows(const std::vector<int>& rows);
 
   signals:
     /// The user has chosen a row of the model.

@@ -1,10 +1,5 @@
 #include "inspection.hpp"
 
-#include <QAction>
-#include <QDockWidget>
-#include <QMainWindow>
-#include <QMenu>
-
 #include "actions/result_actions.hpp"
 #include "association_inspector.hpp"
 #include "landmark_table.hpp"
@@ -14,40 +9,19 @@
 
 namespace hitos::window {
 
-Inspection::Inspection(Session& session, QMainWindow* window, QDockWidget* first, QMenu* menu,
-                       QAction* before)
-    : QObject(window),
+Inspection::Inspection(Session& session, const DockPlace& place)
+    : QObject(place.window),
       session_(session),
-      window_(window),
-      menu_(menu),
-      before_(before),
-      first_(first),
-      landmarks_(new LandmarkTable(session, window)),
-      particles_(new ParticleTable(session, window)),
-      associations_(new AssociationInspector(session, window)) {
-    add_dock(landmarks_, tr("Landmarks"), "landmarks_dock", QKeySequence("Ctrl+Shift+L"));
-    add_dock(particles_, tr("Particles"), "particles_dock", QKeySequence("Ctrl+Shift+P"));
-    add_dock(associations_, tr("Associations"), "associations_dock", QKeySequence("Ctrl+Shift+A"));
+      landmarks_(new LandmarkTable(session, place.window)),
+      particles_(new ParticleTable(session, place.window)),
+      associations_(new AssociationInspector(session, place.window)) {
+    add_dock(place, landmarks_, tr("Landmarks"), "landmarks_dock", QKeySequence("Ctrl+Shift+L"));
+    add_dock(place, particles_, tr("Particles"), "particles_dock", QKeySequence("Ctrl+Shift+P"));
+    add_dock(place, associations_, tr("Associations"), "associations_dock",
+             QKeySequence("Ctrl+Shift+A"));
     connect(landmarks_, &LandmarkTable::landmark_chosen, this, &Inspection::landmark_chosen);
     connect(associations_, &AssociationInspector::landmark_chosen, this,
             &Inspection::landmark_chosen);
-}
-
-void Inspection::add_dock(QWidget* widget, const QString& title, const char* name,
-                          const QKeySequence& key) {
-    auto* dock = new QDockWidget(title, window_);
-    dock->setObjectName(name);
-    dock->setWidget(widget);
-    window_->addDockWidget(Qt::BottomDockWidgetArea, dock);
-    window_->tabifyDockWidget(first_, dock);
-    dock->hide();
-    QAction* toggle = dock->toggleViewAction();
-    toggle->setObjectName(QString("action_") + name);
-    toggle->setShortcut(key);
-    connect(toggle, &QAction::triggered, dock, [dock](bool on) {
-        if (on) dock->raise();
-    });
-    menu_->insertAction(before_, toggle);
 }
 
 void Inspection::connect_views(ScanView& scan, GridView& grid) {

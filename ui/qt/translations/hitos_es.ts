@@ -1296,6 +1296,17 @@
     </message>
 </context>
 <context>
+    <name>RunList</name>
+    <message>
+        <source>this run</source>
+        <translation>esta ejecución</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>ejecución %1</translation>
+    </message>
+</context>
+<context>
     <name>SkippedLines</name>
     <message>
         <source>Line %1: %2</source>
@@ -1417,6 +1428,45 @@
     <message>
         <source>Copy picture</source>
         <translation>Copiar imagen</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::CompareWindow</name>
+    <message>
+        <source>Compare runs</source>
+        <translation>Comparar ejecuciones</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Lado a lado</translation>
+    </message>
+    <message>
+        <source>Overlaid</source>
+        <translation>Superpuestas</translation>
+    </message>
+    <message>
+        <source>Blinking</source>
+        <translation>Alternadas</translation>
+    </message>
+    <message>
+        <source>Save image…</source>
+        <translation>Guardar imagen…</translation>
+    </message>
+    <message>
+        <source>%1, odometry</source>
+        <translation>%1, odometría</translation>
+    </message>
+    <message>
+        <source>Left and right have the same configuration.</source>
+        <translation>La izquierda y la derecha tienen la misma configuración.</translation>
+    </message>
+    <message>
+        <source>The right one differs in: %1</source>
+        <translation>La derecha se distingue en: %1</translation>
+    </message>
+    <message>
+        <source>No grid map of %1: %2</source>
+        <translation>Sin mapa de rejilla de la %1: %2</translation>
     </message>
 </context>
 <context>
@@ -1590,6 +1640,13 @@
     <message>
         <source>Outcome</source>
         <translation>Resultado</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::FileMenus</name>
+    <message>
+        <source>Clear the list</source>
+        <translation>Vaciar la lista</translation>
     </message>
 </context>
 <context>
@@ -1910,10 +1967,6 @@
         <translation>Guardar como imagen</translation>
     </message>
     <message>
-        <source>Clear the list</source>
-        <translation>Vaciar la lista</translation>
-    </message>
-    <message>
         <source>A workbench for landmark SLAM on recorded laser tours: FastSLAM step by step, with every parameter at hand.</source>
         <translation>Banco de trabajo de SLAM con hitos sobre recorridos láser grabados: FastSLAM paso a paso, con todos los parámetros a mano.</translation>
     </message>
@@ -2096,6 +2149,22 @@
     <message>
         <source>The picture is in the clipboard.</source>
         <translation>La imagen está en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>Compare runs</source>
+        <translation>Comparar ejecuciones</translation>
+    </message>
+    <message>
+        <source>Two runs, or a run and its odometry, side by side, overlaid or blinking</source>
+        <translation>Dos ejecuciones, o una y su odometría, lado a lado, superpuestas o alternadas</translation>
+    </message>
+    <message>
+        <source>Open results…</source>
+        <translation>Abrir resultados…</translation>
+    </message>
+    <message>
+        <source>A run from a folder that “Save all results” or hitos-cli run has written</source>
+        <translation>Una ejecución de una carpeta escrita por «Guardar todos los resultados» o por hitos-cli run</translation>
     </message>
 </context>
 <context>
@@ -2450,6 +2519,87 @@
     <message>
         <source>There is no reference trajectory to measure against.</source>
         <translation>No hay trayectoria de referencia con la que medir.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::Runs</name>
+    <message>
+        <source>Runs</source>
+        <translation>Ejecuciones</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::RunsModel</name>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Different from this run</source>
+        <translation>Diferencias con esta ejecución</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>Barridos</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Hitos</translation>
+    </message>
+    <message>
+        <source>Path error</source>
+        <translation>Error del camino</translation>
+    </message>
+    <message>
+        <source>Map error</source>
+        <translation>Error del mapa</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::RunsPanel</name>
+    <message>
+        <source>Runs</source>
+        <translation>Ejecuciones</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Side by side, one over the other, or blinking</source>
+        <translation>Lado a lado, superpuestas o alternadas</translation>
+    </message>
+    <message>
+        <source>Use configuration</source>
+        <translation>Usar configuración</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Open results…</source>
+        <translation>Abrir resultados…</translation>
+    </message>
+    <message>
+        <source>A folder that “Save all results” or hitos-cli run has written</source>
+        <translation>Una carpeta escrita por «Guardar todos los resultados» o por hitos-cli run</translation>
+    </message>
+    <message>
+        <source>Open a folder of results</source>
+        <translation>Abrir una carpeta de resultados</translation>
+    </message>
+    <message>
+        <source>The results were not opened</source>
+        <translation>No se han abierto los resultados</translation>
     </message>
 </context>
 <context>
@@ -2818,6 +2968,26 @@
     <message>
         <source>No contact sheet: %1</source>
         <translation>Sin hoja de contactos: %1</translation>
+    </message>
+    <message>
+        <source>Open run…</source>
+        <translation>Abrir ejecución…</translation>
+    </message>
+    <message>
+        <source>Do one of the runs in the main window, to look at it</source>
+        <translation>Hacer una de las ejecuciones en la ventana principal, para mirarla</translation>
+    </message>
+    <message>
+        <source>: map error %1 m</source>
+        <translation>: error del mapa %1 m</translation>
+    </message>
+    <message>
+        <source>Open a run of the study</source>
+        <translation>Abrir una ejecución del estudio</translation>
+    </message>
+    <message>
+        <source>Run to look at:</source>
+        <translation>Ejecución que se quiere mirar:</translation>
     </message>
 </context>
 <context>

@@ -54,6 +54,13 @@ void CanvasView::fit() {
     fit_ = true;
     apply_fit();
     update();
+    emit camera_moved();
+}
+
+void CanvasView::look_as(const CanvasView& other) {
+    camera_ = other.camera_;
+    fit_ = other.fit_;
+    update();
 }
 
 void CanvasView::zoom(double factor) {
@@ -192,6 +199,7 @@ void CanvasView::moved_by_user() {
     fit_ = false;
     hover_again();
     update();
+    emit camera_moved();
 }
 
 void CanvasView::zoom_at(const QPointF& pixel, double factor) {

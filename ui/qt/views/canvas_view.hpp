@@ -59,8 +59,12 @@ class CanvasView : public QWidget {
     void fit();
     void zoom(double factor);
     void set_follow(bool on);
+    /// Looks where another one looks.
+    void look_as(const CanvasView& other);
 
   signals:
+    /// By the user.
+    void camera_moved();
     void picture_wanted();
     void hovered_at(QPointF world_m);
     void left();
@@ -82,6 +86,8 @@ class CanvasView : public QWidget {
 
     /// Content changed: fits, or follows `robot`, and asks for a new picture.
     void content_changed(std::optional<QPointF> robot);
+    /// The same with the robot where it was.
+    void content_changed() { content_changed(robot_); }
     /// What is drawn has moved or changed below a cursor that rests.
     void hover_again();
     void set_turn(double turn_rad);

@@ -71,13 +71,17 @@ void GridLayer::copy_tile(std::size_t place, const GridTile* tile) {
     }
 }
 
+QRectF bounds_of(const GridTiles& tiles) {
+    if (tiles.empty()) return {};
+    const double r = tiles.resolution_m;
+    return {QPointF(static_cast<double>(tiles.area.first_column) * r,
+                    static_cast<double>(tiles.area.first_row) * r),
+            QPointF(static_cast<double>(tiles.area.end_column) * r,
+                    static_cast<double>(tiles.area.end_row) * r)};
+}
+
 QRectF GridLayer::bounds() const {
-    if (shown_.empty()) return {};
-    const double r = shown_.resolution_m;
-    return {QPointF(static_cast<double>(shown_.area.first_column) * r,
-                    static_cast<double>(shown_.area.first_row) * r),
-            QPointF(static_cast<double>(shown_.area.end_column) * r,
-                    static_cast<double>(shown_.area.end_row) * r)};
+    return bounds_of(shown_);
 }
 
 void GridLayer::paint(QPainter& painter, const Scene& scene) const {

@@ -11,6 +11,9 @@
 
 namespace hitos::window {
 
+/// What a grid covers [m]; null where it is empty.
+QRectF bounds_of(const GridTiles& tiles);
+
 /// Keeps the image at several resolutions, so that a picture far smaller than the grid is neither
 /// slow nor without its walls.
 class GridLayer {
@@ -18,7 +21,6 @@ class GridLayer {
     void set_tiles(const GridTiles& tiles);
     void clear();
     bool empty() const { return shown_.empty(); }
-    /// What the grid covers [m].
     QRectF bounds() const;
     void paint(QPainter& painter, const Scene& scene) const;
 

@@ -1,10 +1,42 @@
 #include "grid_view.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "particle_painter.hpp"
 
 namespace hitos::window {
+namespace {
+
+/// In the upper left corner: what each colour stands for.
+void draw_legend(QPainter& painter, const std::vector<RunTrace>& traces) {
+    if (traces.empty()) return;
+    constexpr double kMargin = 8.0;
+    constexpr double kStroke = 22.0;
+    const QFontMetricsF metrics(painter.font());
+    double width = 0.0;
+    for (const RunTrace& trace : traces)
+        width = std::max(width, metrics.horizontalAdvance(trace.name));
+    const double height = metrics.height() * static_cast<double>(traces.size());
+    const Colours& paper = light_colours();
+    painter.setPen(thin_pen(paper.border));
+    painter.setBrush(faded(paper.card, 225));
+    painter.drawRoundedRect(
+        QRectF(kMargin, kMargin, width + kStroke + 3.0 * kMargin, height + kMargin), 5.0, 5.0);
+    double y = 1.5 * kMargin + metrics.height() / 2.0;
+    for (const RunTrace& trace : traces) {
+        painter.setPen(thin_pen(trace.colour, 2.4));
+        painter.drawLine(QLineF(2.0 * kMargin, y, 2.0 * kMargin + kStroke, y));
+        painter.setPen(paper.text);
+        painter.drawText(
+            QPointF(3.0 * kMargin + kStroke, y + metrics.ascent() - metrics.height() / 2.0),
+            trace.name);
+        y += metrics.height();
+    }
+}
+
+}  // namespace
 
 GridView::GridView(QWidget* parent) : CanvasView(parent), layers_(default_layers()) {}
 
@@ -62,8 +94,24 @@ void GridView::set_reference_path(const Trajectory& path_world) {
     update();
 }
 
+void GridView::set_traces(std::vector<RunTrace> traces) {
+    traces_ = std::move(traces);
+    content_changed();
+}
+
+void GridView::set_other_content(const QRectF& box) {
+    if (box == other_content_) return;
+    other_content_ = box;
+    content_changed();
+}
+
 QRectF GridView::content() const {
-    return layer_.bounds();
+    QRectF box = layer_.bounds().united(other_content_);
+    for (const RunTrace& trace : traces_) {
+        const QList<QPointF> path(trace.path.begin(), trace.path.end());
+        box = box.united(QPolygonF(path).boundingRect());
+    }
+    return box;
 }
 
 double GridView::whole_pixels_per_m() const {
@@ -95,6 +143,7 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
     }
     if (layers_.has(Layer::graph)) paint_graph(painter, scene);
     if (!snapshot_ && layers_.has(Layer::landmarks)) paint_landmarks(painter, scene);
+    paint_traces(painter, scene);
     paint_marks(painter, scene);
     if (scene.chrome) draw_scale_bar(painter, scene);
     if (hovered_ >= 0) {
@@ -118,6 +167,18 @@ void GridView::paint_reference(QPainter& painter, const Scene& scene) const {
         }
     }
     draw_path(painter, scene, reference_path_, thin_pen(colour, 1.6, Qt::DashLine));
+}
+
+void GridView::paint_traces(QPainter& painter, const Scene& scene) const {
+    const Scene paper{scene.to_screen, scene.size, scene.pixels_per_m, light_colours(), false};
+    LandmarkStyle style;
+    style.uncertainty = false;
+    for (const RunTrace& trace : traces_) {
+        style.colour = trace.colour;
+        if (layers_.has(Layer::landmarks)) draw_landmarks(painter, paper, trace.landmarks, style);
+        draw_path(painter, scene, trace.path, thin_pen(trace.colour, 1.8));
+    }
+    if (scene.chrome) draw_legend(painter, traces_);
 }
 
 /// The keys of registration's graph, and each closed loop as an edge between its two passages.

@@ -13,6 +13,14 @@
 
 namespace hitos::window {
 
+/// What of another run is drawn over a grid, all in the world's frame.
+struct RunTrace {
+    QString name;
+    QColor colour;
+    std::vector<QPointF> path;
+    MarkedMap landmarks;  ///< may have none
+};
+
 /// A grid map in the world's frame: that of a snapshot, or one that a builder makes.
 class GridView final : public CanvasView {
     Q_OBJECT
@@ -31,6 +39,10 @@ class GridView final : public CanvasView {
     void set_highlight(const hitos::window::PickedLandmark& picked);
     void set_reference_map(const std::optional<LandmarkMap>& map);
     void set_reference_path(const Trajectory& path_world);
+    /// Drawn over everything else, with a legend.
+    void set_traces(std::vector<hitos::window::RunTrace> traces);
+    /// Counts as content too [m], so that views of two runs fit alike.
+    void set_other_content(const QRectF& box);
 
   signals:
     void landmark_clicked(hitos::window::PickedLandmark landmark);
@@ -44,6 +56,7 @@ class GridView final : public CanvasView {
     QString empty_text() const override;
 
   private:
+    void paint_traces(QPainter& painter, const Scene& scene) const;
     void paint_reference(QPainter& painter, const Scene& scene) const;
     void paint_graph(QPainter& painter, const Scene& scene) const;
     void paint_landmarks(QPainter& painter, const Scene& scene) const;
@@ -58,6 +71,8 @@ class GridView final : public CanvasView {
     std::vector<QPointF> online_;
     std::vector<QPointF> reference_path_;
     std::optional<LandmarkMap> reference_map_;
+    std::vector<RunTrace> traces_;
+    QRectF other_content_;
     MarkedMap landmarks_;
     PickedLandmark highlight_;
     int hovered_ = -1;

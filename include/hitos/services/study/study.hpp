@@ -58,6 +58,9 @@ inline bool can_be_varied(const ConfigParameter& parameter) {
 /// keys without effect.
 StudyPlan plan_study(const Study& study);
 
+/// What the plan's run is. Throws ConfigError where a value is not possible.
+StudyJob job_of(const Study& study, const StudyPlan& plan, std::size_t run);
+
 /// How far run_studies has come.
 struct StudyProgress {
     std::size_t runs = 0;      ///< to do, of all studies; those found done are not among them

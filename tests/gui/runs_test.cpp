@@ -1,0 +1,265 @@
+// Runs stay, and two of them can be compared.
+
+#include "runs/runs.hpp"
+
+#include <QComboBox>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+#include "app/command_line.hpp"
+#include "gui_fixture.hpp"
+#include "runs/compare_window.hpp"
+#include "runs/runs_panel.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+struct RunsFixture : Fixture {
+    using Fixture::Fixture;
+
+    RunList& list() const { return window->runs().list(); }
+    RunsPanel& panel() const { return window->runs().panel(); }
+    QString cell(int row, int column) const {
+        return panel().table().model()->index(row, column).data().toString();
+    }
+    int rows() const { return panel().table().model()->rowCount(); }
+    void press(const char* button) const { panel().findChild<QPushButton*>(button)->click(); }
+    bool enabled(const char* button) const {
+        return panel().findChild<QPushButton*>(button)->isEnabled();
+    }
+    void change(int particles) {
+        Configuracion next = session.configuration();
+        next.filter.particles = particles;
+        session.set_configuration(next);
+    }
+    CompareWindow& comparison() const {
+        if (window->runs().comparison() == nullptr) qFatal("no comparison");
+        return *window->runs().comparison();
+    }
+    /// All results of the run, in a folder of that name.
+    void save_results(const QString& name) {
+        prompts.saves = {path(name)};
+        trigger("action_save_results");
+        QTRY_VERIFY(!window->result_actions().writing());
+    }
+};
+
+/// Two runs of 80 scans, 10 and 20 particles, and a third one under way.
+void run_thrice(RunsFixture& f) {
+    f.trigger("action_runs_dock");
+    f.run_steps(80);
+    f.change(20);
+    f.run_steps(80);
+    f.change(30);
+    f.run_steps(40);
+}
+
+QImage seen(QWidget& widget) {
+    return widget.grab().toImage();
+}
+
+}  // namespace
+
+void RunsTest::runs_that_are_left_stay_in_the_list() {
+    RunsFixture f;
+    run_thrice(f);
+    QCOMPARE(f.rows(), 3);
+    QCOMPARE(f.cell(0, RunsModel::scans), "40");
+    QCOMPARE(f.cell(1, RunsModel::scans), "80");
+    QCOMPARE(f.cell(0, RunsModel::different), "");
+    QVERIFY2(f.cell(1, RunsModel::different).endsWith(" 10"), qPrintable(f.cell(1, 2)));
+    QVERIFY2(f.cell(2, RunsModel::different).endsWith(" 20"), qPrintable(f.cell(2, 2)));
+    const KeptRun& first = *f.list().runs()[1].run;
+    QCOMPARE(first.path.size(), std::size_t{80});
+    QCOMPARE(f.cell(1, RunsModel::landmarks), QString::number(first.map.size()));
+    QVERIFY(first.seconds > 0.0);
+    // A new start is another run; the same one again is not.
+    f.trigger("action_restart");
+    QCOMPARE(f.rows(), 4);
+    f.run_steps(40);
+    f.trigger("action_restart");
+    QCOMPARE(f.rows(), 4);
+    f.run_steps(1);
+    f.trigger("action_restart");
+    QCOMPARE(f.rows(), 4);  // of one scan there is nothing to see
+}
+
+void RunsTest::what_is_kept_is_the_run_to_the_last_bit() {
+    RunsFixture f;
+    f.run_steps(90);
+    const auto snapshot = f.session.snapshot();
+    f.change(11);
+    const KeptRun& kept = *f.list().runs().back().run;
+    QCOMPARE(kept.configuration.filter.particles, 10);
+    QVERIFY(kept.path == snapshot->best_trajectory);
+    QVERIFY(kept.odometry == snapshot->odometry_trajectory);
+    QCOMPARE(kept.map.size(), snapshot->best_map.size());
+    QVERIFY(kept.grid.tiles == snapshot->step_grid.tiles);
+}
+
+void RunsTest::errors_are_measured_by_the_references() {
+    RunsFixture f;
+    run_thrice(f);
+    QCOMPARE(f.cell(1, RunsModel::path_error), "–");
+    References references;
+    references.trajectory = f.list().runs()[1].run->path;
+    references.map = f.list().runs()[1].run->map;
+    f.session.set_references(references);
+    QCOMPARE(f.cell(1, RunsModel::path_error), "0.000 m");
+    QCOMPARE(f.cell(1, RunsModel::map_error), "0.000 m");
+    QVERIFY(f.cell(2, RunsModel::path_error) != "–");
+    QVERIFY(f.cell(2, RunsModel::path_error) != "0.000 m");
+}
+
+void RunsTest::paths_of_chosen_runs_are_in_the_grid_map() {
+    RunsFixture f;
+    run_thrice(f);
+    const QImage before = seen(f.window->grid_view());
+    f.panel().table().choose_rows({1, 2});
+    QCOMPARE(f.panel().chosen().size(), std::size_t{2});
+    const QImage with_both = seen(f.window->grid_view());
+    QVERIFY(with_both != before);
+    f.panel().table().choose_rows({1});
+    QVERIFY(seen(f.window->grid_view()) != with_both);
+    f.trigger("action_runs_dock");  // hidden, it draws nothing
+    QCOMPARE(seen(f.window->grid_view()).size(), f.window->grid_view().size());
+    f.panel().table().choose_rows({});
+}
+
+void RunsTest::a_run_can_be_removed_and_its_configuration_used() {
+    RunsFixture f;
+    run_thrice(f);
+    QVERIFY(!f.enabled("runs_remove"));
+    QVERIFY(!f.enabled("runs_use"));
+    f.panel().table().choose_rows({2});
+    QVERIFY(f.enabled("runs_use"));
+    f.press("runs_use");
+    QCOMPARE(f.session.configuration().filter.particles, 20);
+    QCOMPARE(f.rows(), 4);  // the one that was left is kept too
+    f.panel().table().choose_rows({1, 3});
+    f.press("runs_remove");
+    QCOMPARE(f.rows(), 2);
+    QCOMPARE(f.list().runs().back().run->configuration.filter.particles, 20);
+    f.panel().table().choose_rows({0});
+    QVERIFY(!f.enabled("runs_remove"));  // that of the window stays
+}
+
+void RunsTest::two_runs_are_side_by_side_under_one_camera() {
+    RunsFixture f;
+    run_thrice(f);
+    f.panel().table().choose_rows({1, 2});
+    f.press("runs_compare");
+    CompareWindow& comparison = f.comparison();
+    GridView& left = comparison.view(0);
+    GridView& right = comparison.view(1);
+    QVERIFY(left.isVisible() && right.isVisible());
+    QTRY_COMPARE(left.camera().centre, right.camera().centre);
+    const double before = right.camera().pixels_per_m;
+    left.zoom(2.0);
+    QCOMPARE(left.camera().pixels_per_m, 2.0 * before);
+    QCOMPARE(right.camera().pixels_per_m, 2.0 * before);
+    QTest::keyClick(&right, Qt::Key_A);
+    QCOMPARE(left.camera().centre, right.camera().centre);
+    right.fit();
+    QCOMPARE(left.camera().pixels_per_m, before);
+    QVERIFY2(comparison.findChild<QLabel*>("compare_verdict")->text().contains("20"),
+             qPrintable(comparison.findChild<QLabel*>("compare_verdict")->text()));
+    QVERIFY(seen(left) != seen(right));
+}
+
+void RunsTest::two_runs_lie_over_each_other_or_blink() {
+    RunsFixture f;
+    run_thrice(f);
+    f.panel().table().choose_rows({1, 2});
+    f.press("runs_compare");
+    CompareWindow& comparison = f.comparison();
+    comparison.set_mode(CompareWindow::Mode::overlaid);
+    QVERIFY(!comparison.view(1).isVisible());
+    const QImage overlaid = seen(comparison.view(0));
+    comparison.set_mode(CompareWindow::Mode::blinking);
+    const QImage first = seen(comparison.view(0));
+    QVERIFY(first != overlaid);
+    QTRY_VERIFY(seen(comparison.view(0)) != first);
+    QTRY_VERIFY(seen(comparison.view(0)) == first);
+    comparison.set_mode(CompareWindow::Mode::side_by_side);
+    QVERIFY(comparison.view(1).isVisible());
+}
+
+void RunsTest::a_run_is_compared_with_its_odometry() {
+    RunsFixture f;
+    f.run_steps(150);
+    f.trigger("action_compare");
+    CompareWindow& comparison = f.comparison();
+    QTRY_VERIFY(!comparison.building());
+    QTRY_VERIFY(!comparison.view(1).tiles().empty());
+    QVERIFY(comparison.view(0).tiles().tiles != comparison.view(1).tiles().tiles);
+    // The picture of this run follows it.
+    const QImage before = seen(comparison.view(0));
+    f.run_steps(150);
+    QVERIFY(seen(comparison.view(0)) != before);
+}
+
+void RunsTest::a_folder_of_results_is_opened() {
+    RunsFixture f;
+    f.run_steps(120);
+    const LandmarkMap map = f.session.snapshot()->best_map;
+    f.save_results("results");
+    const QString folder = f.path("results");
+    f.change(25);
+    f.run_steps(20);
+    for (const ListedRun& listed : f.list().runs()) f.list().remove(listed.number);
+    f.prompts.folders = {folder};
+    f.trigger("action_open_results");
+    QCOMPARE(f.prompts.warnings, QStringList());
+    QVERIFY(f.panel().isVisible());
+    QCOMPARE(f.rows(), 2);
+    QCOMPARE(f.cell(1, RunsModel::scans), "120");
+    QCOMPARE(f.cell(1, RunsModel::landmarks), QString::number(map.size()));
+    QVERIFY(f.cell(1, RunsModel::different).endsWith(" 10"));
+    // Its grid is made from the log.
+    CompareWindow& comparison = f.comparison();
+    QTRY_VERIFY(!comparison.building() && !comparison.view(0).tiles().empty());
+    // Dropped, or named on the command line, it is opened too.
+    f.window->configuration_actions().open(folder);
+    QCOMPARE(f.rows(), 2);
+    CommandLine line;
+    line.open = folder.toStdString();
+    QCOMPARE(starting_configuration(line, f.files).filter.particles, 10);
+}
+
+void RunsTest::a_folder_without_results_is_told() {
+    RunsFixture f;
+    f.prompts.folders = {f.path("user")};
+    f.trigger("action_open_results");
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY2(f.prompts.warnings[0].contains("summary.json"), qPrintable(f.prompts.warnings[0]));
+    QCOMPARE(f.rows(), 1);
+    QVERIFY(f.window->runs().comparison() == nullptr);
+}
+
+void RunsTest::results_without_their_log_are_shown_without_grid() {
+    RunsFixture f;
+    f.run_steps(60);
+    f.save_results("results");
+    const QString folder = f.path("results");
+    QByteArray text = Fixture::read(folder + "/config.cfg");
+    text.replace("bigloop.log.gz", "lost.log.gz");
+    f.write("results/config.cfg", text);
+    f.change(25);
+    f.prompts.folders = {folder};
+    f.trigger("action_open_results");
+    QCOMPARE(f.prompts.warnings, QStringList());
+    CompareWindow& comparison = f.comparison();
+    QTRY_VERIFY(!comparison.building());
+    QVERIFY(comparison.view(0).tiles().empty());
+    const QString said = comparison.findChild<QLabel*>("compare_verdict")->text();
+    QVERIFY2(said.contains("lost.log.gz"), qPrintable(said));
+    const QImage picture = seen(comparison.view(0));
+    comparison.choose(0, {0, false});
+    QVERIFY(seen(comparison.view(0)) != picture);
+}
+
+}  // namespace hitos::window

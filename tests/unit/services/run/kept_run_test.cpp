@@ -1,0 +1,143 @@
+#include "hitos/services/run/kept_run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/services/run/results.hpp"
+#include "ready_tour.hpp"
+#include "support.hpp"
+
+namespace hitos {
+namespace {
+
+using test::small_tour;
+using test::TempFolder;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class KeptRunTest : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        Configuracion configuration = small_tour();
+        run_ = std::make_unique<Algoritmo>(configuration, open_source(configuration.source));
+        while (run_->steps() < 60 && run_->step()) {
+        }
+    }
+    static void TearDownTestSuite() { run_.reset(); }
+
+    void SetUp() override {
+        References references;
+        references.map = run_->filter().best_map();
+        references.trajectory = run_->odometry_trajectory();
+        summary_ = write_results(*run_, references, 2.5, out_.path());
+    }
+    /// What read_results() says of the folder.
+    std::string refusal_of_folder() const {
+        try {
+            read_results(out_.path());
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    static inline std::unique_ptr<Algoritmo> run_;
+    RunSummary summary_;
+    TempFolder out_;
+};
+
+TEST_F(KeptRunTest, AFolderOfResultsIsTheRunThatWroteIt) {
+    const KeptRun kept = read_results(out_.path());
+    EXPECT_EQ(kept.scans, 60U);
+    EXPECT_EQ(kept.seconds, 2.5);
+    EXPECT_THAT(differences(kept.configuration, run_->configuration()), IsEmpty());
+    EXPECT_EQ(kept.configuration.source.file, run_->configuration().source.file);
+    ASSERT_EQ(kept.path.size(), 60U);
+    EXPECT_NEAR(kept.path.back().pose.x, run_->best_trajectory().back().pose.x, 1e-8);
+    EXPECT_NEAR(kept.odometry.back().pose.y, run_->odometry_trajectory().back().pose.y, 1e-8);
+    EXPECT_EQ(kept.trajectory_error_m, summary_.trajectory_error->rmse_m);
+    EXPECT_EQ(kept.map_error_m, 0.0);
+    const LandmarkMap map = run_->filter().best_map();
+    ASSERT_EQ(kept.map.size(), map.size());
+    ASSERT_FALSE(kept.line_extents.empty());
+    for (const LineExtent& extent : kept.line_extents) {
+        const auto& line =
+            std::get<Recta>(kept.map[static_cast<std::size_t>(extent.landmark)].value);
+        EXPECT_NEAR(signed_distance(line, extent.a), 0.0, 1e-9);
+        EXPECT_NEAR(signed_distance(line, extent.b), 0.0, 1e-9);
+    }
+}
+
+TEST_F(KeptRunTest, ARunWithoutLandmarksIsReadToo) {
+    Configuracion configuration = run_->configuration();
+    set_parameter(configuration, "split_merge.min_length=20");  // longer than any wall in sight
+    Algoritmo blind(configuration, open_source(configuration.source));
+    for (int i = 0; i < 5; ++i) ASSERT_TRUE(blind.step());
+    ASSERT_TRUE(blind.filter().best_map().empty());
+    write_results(blind, {}, 0.1, out_.path());
+    const KeptRun kept = read_results(out_.path());
+    EXPECT_EQ(kept.scans, 5U);
+    EXPECT_TRUE(kept.map.empty());
+    EXPECT_EQ(kept.trajectory_error_m, std::nullopt);
+    EXPECT_EQ(kept.map_error_m, std::nullopt);
+}
+
+TEST_F(KeptRunTest, AFolderOfSomethingElseIsRefused) {
+    const TempFolder other;
+    EXPECT_THROW(read_results(other.path()), FileError);
+    EXPECT_THROW(read_results(other.path() / "absent"), FileError);
+    for (const char* text : {"", "{", "[]", "{}", R"({"scans": "many"})", R"({"scans": 1})"}) {
+        write_file(out_.path() / "summary.json", text);
+        EXPECT_THAT(refusal_of_folder(), HasSubstr("is no summary of a run")) << text;
+    }
+}
+
+TEST_F(KeptRunTest, AMissingFileIsNamed) {
+    for (const char* file :
+         {"trajectory.tum", "odometry.tum", "segments.txt", "map.txt", "config.cfg"}) {
+        write_results(*run_, {}, 2.5, out_.path());
+        std::filesystem::remove(out_.path() / file);
+        EXPECT_THAT(refusal_of_folder(), HasSubstr(file));
+    }
+}
+
+TEST_F(KeptRunTest, SegmentsOfAnotherMapAreRefused) {
+    write_file(out_.path() / "segments.txt", "0 0 1 0 4000\n");
+    EXPECT_THAT(refusal_of_folder(), HasSubstr("mixes the files of several runs"));
+}
+
+std::vector<std::string> different_keys(const Configuracion& a, const Configuracion& b) {
+    std::vector<std::string> keys;
+    for (const ConfigParameter* parameter : differences(a, b)) keys.emplace_back(parameter->key);
+    return keys;
+}
+
+TEST(ConfigurationDifferences, AreThoseThatCanChangeAResult) {
+    const Configuracion a = small_tour();
+    Configuracion b = a;
+    EXPECT_THAT(different_keys(a, b), IsEmpty());
+    b.run.threads = 7;
+    b.source.file = "other.log";
+    EXPECT_THAT(different_keys(a, b), IsEmpty());
+    b.run.seed = 99;
+    b.filter.particles = 21;
+    EXPECT_THAT(different_keys(a, b), ElementsAre("filter.particles", "run.seed"));
+}
+
+TEST(ConfigurationDifferences, WhatHasNoEffectInBothIsNone) {
+    Configuracion a = small_tour();
+    set_parameter(a, "filter.algorithm=ekf-slam");
+    Configuracion b = a;
+    b.filter.particles = 21;
+    EXPECT_THAT(different_keys(a, b), IsEmpty());
+    set_parameter(b, "filter.algorithm=fastslam");
+    const std::vector<std::string> keys = different_keys(a, b);
+    EXPECT_THAT(keys, ::testing::Contains("filter.algorithm"));
+    EXPECT_THAT(keys, ::testing::Contains("filter.particles"));
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,262 @@
+#include "compare_window.hpp"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/screen_fit.hpp"
+#include "app/theme.hpp"
+#include "views/canvas_paint.hpp"
+#include "views/grid_view.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr int kBlinkMs = 700;
+constexpr QSize kWished(1100, 680);
+
+}  // namespace
+
+QRectF CompareWindow::Side::content() const {
+    if (!run) return {};
+    const std::vector<QPointF> points = points_of(path());
+    return bounds_of(grid).united(
+        QPolygonF(QList<QPointF>(points.begin(), points.end())).boundingRect());
+}
+
+CompareWindow::CompareWindow(RunList& list, const ViewSettings& settings, QWidget* parent)
+    : QDialog(parent, Qt::Window), list_(list) {
+    setObjectName("compare_window");
+    setWindowTitle(tr("Compare runs"));
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(make_tools());
+    auto* views = new QHBoxLayout;
+    for (std::size_t side = 0; side < sides_.size(); ++side) {
+        make_side(side, settings);
+        auto* half = new QVBoxLayout;
+        half->addWidget(sides_[side].box);
+        half->addWidget(sides_[side].view, 1);
+        views->addLayout(half, 1);
+    }
+    column->addLayout(views, 1);
+    verdict_ = new QLabel(this);
+    verdict_->setObjectName("compare_verdict");
+    verdict_->setWordWrap(true);
+    column->addWidget(verdict_);
+    blink_.setInterval(kBlinkMs);
+    connect(&blink_, &QTimer::timeout, this, [this] {
+        blinked_ = !blinked_;
+        paint_sides();
+    });
+    connect(&list, &RunList::changed, this, &CompareWindow::fill_boxes);
+    connect(&list, &RunList::present_changed, this, [this] {
+        if (!isVisible()) return;
+        for (Side& side : sides_) {
+            const bool now = !side.choice.odometry || list_.present_rests();
+            if (side.choice.number == 0 && now) take(side);
+        }
+        paint_sides();
+    });
+    resize(kWished);
+    fit_to_screen(*this);
+    fill_boxes();
+}
+
+QWidget* CompareWindow::make_tools() {
+    auto* tools = new QWidget(this);
+    auto* row = new QHBoxLayout(tools);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* group = new QButtonGroup(this);
+    const std::array words{tr("Side by side"), tr("Overlaid"), tr("Blinking")};
+    for (std::size_t i = 0; i < modes_.size(); ++i) {
+        modes_[i] = new QToolButton(tools);
+        modes_[i]->setText(words[i]);
+        modes_[i]->setCheckable(true);
+        group->addButton(modes_[i], static_cast<int>(i));
+        row->addWidget(modes_[i]);
+    }
+    modes_.front()->setChecked(true);
+    connect(group, &QButtonGroup::idClicked, this, [this](int id) { set_mode(Mode(id)); });
+    row->addStretch(1);
+    auto* picture = new QPushButton(tr("Save image…"), tools);
+    connect(picture, &QPushButton::clicked, this,
+            [this] { emit picture_wanted(sides_.front().view); });
+    row->addWidget(picture);
+    return tools;
+}
+
+void CompareWindow::make_side(std::size_t side, const ViewSettings& settings) {
+    Side& made = sides_[side];
+    made.box = new QComboBox(this);
+    made.box->setObjectName(side == 0 ? "compare_left" : "compare_right");
+    made.box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    made.view = new GridView(this);
+    made.view->set_layers(settings.layers());
+    connect(&settings, &ViewSettings::layers_changed, made.view, &GridView::set_layers);
+    made.builder = std::make_unique<MapBuilder>();
+    connect(made.builder.get(), &MapBuilder::changed, this, [this, &made] {
+        if (!made.made) return;  // of what was chosen before
+        made.grid = made.builder->state().tiles;
+        paint_sides();
+    });
+    connect(made.box, &QComboBox::currentIndexChanged, this, [this, side] {
+        if (filling_) return;
+        choose(static_cast<int>(side), {sides_[side].box->currentData().toPoint().x(),
+                                        sides_[side].box->currentData().toPoint().y() != 0});
+    });
+    connect(made.view, &CanvasView::camera_moved, this,
+            [this, side] { sides_[1 - side].view->look_as(*sides_[side].view); });
+    connect(made.view, &CanvasView::picture_wanted, this,
+            [this, view = made.view] { emit picture_wanted(view); });
+}
+
+QString CompareWindow::title_of(const Choice& choice) const {
+    const QString name = name_of({choice.number, nullptr});
+    return choice.odometry ? tr("%1, odometry").arg(name) : name;
+}
+
+/// The list may have changed: what was chosen stays, and what is gone gives way to this run.
+void CompareWindow::fill_boxes() {
+    const QScopedValueRollback filling(filling_, true);
+    const std::vector<ListedRun> runs = list_.runs();
+    const Configuracion base = runs.empty() ? Configuracion{} : runs.front().run->configuration;
+    for (Side& side : sides_) {
+        side.box->clear();
+        for (const ListedRun& listed : runs) {
+            QString words = title_of({listed.number, false});
+            const QString different = difference_words(listed.run->configuration, base);
+            if (!different.isEmpty()) words += ": " + different;
+            side.box->addItem(words, QPoint(listed.number, 0));
+            side.box->addItem(title_of({listed.number, true}), QPoint(listed.number, 1));
+        }
+        const QPoint chosen(side.choice.number, side.choice.odometry ? 1 : 0);
+        const int place = side.box->findData(chosen);
+        side.box->setCurrentIndex(std::max(place, 0));
+        if (place < 0) {
+            side.choice = {};
+            side.run = nullptr;
+        }
+        take(side);
+    }
+    paint_sides();
+}
+
+void CompareWindow::compare(const std::vector<ListedRun>& runs) {
+    Choice left;
+    Choice right{0, true};
+    if (!runs.empty()) left = {runs.front().number, false};
+    if (runs.size() == 2) {
+        right = {runs.back().number, false};
+    } else if (left.number != 0) {
+        right = {};
+    }
+    choose(0, left);
+    choose(1, right);
+    sides_.front().view->fit();
+}
+
+void CompareWindow::choose(int side, const Choice& choice) {
+    Side& changed = sides_[static_cast<std::size_t>(side)];
+    if (changed.choice != choice) changed.run = nullptr;
+    changed.choice = choice;
+    const QScopedValueRollback filling(filling_, true);
+    changed.box->setCurrentIndex(
+        changed.box->findData(QPoint(choice.number, choice.odometry ? 1 : 0)));
+    take(changed);
+    paint_sides();
+}
+
+/// What is chosen becomes what is shown.
+void CompareWindow::take(Side& side) {
+    std::shared_ptr<const KeptRun> run;
+    for (const ListedRun& listed : list_.runs()) {
+        if (listed.number == side.choice.number) run = listed.run;
+    }
+    const bool grid_stays = run && run == side.run;
+    side.run = std::move(run);
+    if (!grid_stays) refresh_grid(side);
+}
+
+void CompareWindow::refresh_grid(Side& side) {
+    side.builder->stop();
+    side.grid = {};
+    side.made = false;
+    if (!side.run) return;
+    if (!side.choice.odometry) side.grid = side.run->grid;
+    if (!side.grid.empty() || side.path().empty()) return;
+    side.made = true;
+    side.builder->build(side.run->configuration, side.path());
+}
+
+bool CompareWindow::building() const {
+    return std::ranges::any_of(sides_,
+                               [](const Side& side) { return side.builder->state().running; });
+}
+
+void CompareWindow::set_mode(Mode mode) {
+    mode_ = mode;
+    modes_[static_cast<std::size_t>(mode)]->setChecked(true);
+    blinked_ = false;
+    sides_.back().view->setVisible(mode == Mode::side_by_side);
+    mode == Mode::blinking ? blink_.start() : blink_.stop();
+    paint_sides();
+}
+
+void CompareWindow::show_in(GridView& view, const Side& side) const {
+    if (!side.run) return;
+    view.set_grid(side.grid, side.path());
+    view.set_landmarks(side.choice.odometry ? MarkedMap{}
+                                            : MarkedMap{side.run->map, side.run->line_extents});
+}
+
+/// In what they differ, and why a grid is missing.
+QString CompareWindow::verdict() const {
+    const auto& [left, right] = sides_;
+    const QString different = difference_words(right.run->configuration, left.run->configuration);
+    QStringList words{different.isEmpty() ? tr("Left and right have the same configuration.")
+                                          : tr("The right one differs in: %1").arg(different)};
+    for (const Side& side : sides_) {
+        const QString& problem = side.builder->state().error;
+        if (!side.made || problem.isEmpty()) continue;
+        words << tr("No grid map of %1: %2").arg(title_of(side.choice), problem);
+    }
+    return words.join('\n');
+}
+
+void CompareWindow::paint_sides() {
+    auto& [left, right] = sides_;
+    const bool one_view = mode_ != Mode::side_by_side;
+    show_in(*left.view, one_view && blinked_ ? right : left);
+    std::vector<RunTrace> traces;
+    if (mode_ == Mode::overlaid) {
+        for (const Side* side : {&left, &right}) {
+            if (!side->run) continue;
+            // The left one's own marks are those of the grid.
+            const bool marks = side == &right && !side->choice.odometry;
+            const QColor colour = side == &left ? light_colours().path : colour_of({1, nullptr});
+            traces.push_back(
+                {title_of(side->choice), colour, points_of(side->path()),
+                 marks ? MarkedMap{side->run->map, side->run->line_extents} : MarkedMap{}});
+        }
+    } else if (mode_ == Mode::blinking) {
+        traces.push_back(
+            {title_of((blinked_ ? right : left).choice), light_colours().path, {}, {}});
+    }
+    left.view->set_traces(std::move(traces));
+    show_in(*right.view, right);
+    if (left.run && right.run) {
+        const QRectF both = left.content().united(right.content());
+        left.view->set_other_content(both);
+        right.view->set_other_content(both);
+        verdict_->setText(verdict());
+    }
+}
+
+}  // namespace hitos::window

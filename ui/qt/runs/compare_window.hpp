@@ -1,0 +1,87 @@
+// Two runs beside each other, one over the other, or in turn.
+#pragma once
+
+#include <QDialog>
+#include <QTimer>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "run_list.hpp"
+#include "views/view_settings.hpp"
+#include "workers/map_builder.hpp"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace hitos::window {
+
+class GridView;
+
+/// The grid maps, landmarks and paths of two runs of a list, or of a run and its odometry, under
+/// one camera. A grid that was not kept is made from the log.
+class CompareWindow final : public QDialog {
+    Q_OBJECT
+
+  public:
+    enum class Mode { side_by_side, overlaid, blinking };
+
+    CompareWindow(RunList& list, const ViewSettings& settings, QWidget* parent);
+
+    /// A run or its odometry.
+    struct Choice {
+        int number = 0;  ///< of the list
+        bool odometry = false;
+        friend bool operator==(const Choice&, const Choice&) = default;
+    };
+    /// Those of the two sides; a run alone is compared with that of the window, and that one with
+    /// its odometry.
+    void compare(const std::vector<ListedRun>& runs);
+    void choose(int side, const Choice& choice);
+    void set_mode(Mode mode);
+    Mode mode() const { return mode_; }
+    /// Left and right; the left one is the only one in sight but in side_by_side.
+    GridView& view(int side) const { return *sides_[static_cast<std::size_t>(side)].view; }
+    /// Whether a grid is still being made.
+    bool building() const;
+
+  signals:
+    void picture_wanted(hitos::window::GridView* view);
+
+  private:
+    struct Side {
+        QComboBox* box = nullptr;
+        GridView* view = nullptr;
+        std::unique_ptr<MapBuilder> builder;
+        std::shared_ptr<const KeptRun> run;  ///< shown; null before the first
+        Choice choice;
+        GridTiles grid;
+        bool made = false;  ///< by the builder
+
+        const Trajectory& path() const { return choice.odometry ? run->odometry : run->path; }
+        /// All that there is to see [m].
+        QRectF content() const;
+    };
+
+    void make_side(std::size_t side, const ViewSettings& settings);
+    QWidget* make_tools();
+    void fill_boxes();
+    void take(Side& side);
+    void refresh_grid(Side& side);
+    void paint_sides();
+    QString verdict() const;
+    void show_in(GridView& view, const Side& side) const;
+    QString title_of(const Choice& choice) const;
+
+    RunList& list_;
+    std::array<Side, 2> sides_;
+    std::array<QToolButton*, 3> modes_{};
+    QLabel* verdict_ = nullptr;
+    Mode mode_ = Mode::side_by_side;
+    QTimer blink_;
+    bool blinked_ = false;  ///< the second one is in sight
+    bool filling_ = false;
+};
+
+}  // namespace hitos::window

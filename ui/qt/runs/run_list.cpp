@@ -1,0 +1,142 @@
+#include "run_list.hpp"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "dialogs/parameter_text.hpp"
+#include "hitos/services/evaluation/measures.hpp"
+#include "workers/background.hpp"
+
+namespace hitos::window {
+namespace {
+
+QString run_words(const char* text) {
+    return QCoreApplication::translate("RunList", text);
+}
+
+/// The same scans under the same parameters: the results are equal to the last bit.
+bool same(const KeptRun& a, const KeptRun& b) {
+    return a.scans == b.scans && a.configuration.source.file == b.configuration.source.file &&
+           differences(a.configuration, b.configuration).empty();
+}
+
+}  // namespace
+
+QString name_of(const ListedRun& listed) {
+    return listed.number == 0
+               ? run_words(QT_TRANSLATE_NOOP("RunList", "this run"))
+               : run_words(QT_TRANSLATE_NOOP("RunList", "run %1")).arg(listed.number);
+}
+
+QColor colour_of(const ListedRun& listed) {
+    // Okabe and Ito's colours (2008), which all eyes tell apart; the grid is grey.
+    static const std::array<QColor, 7> colours{
+        QColor(0, 114, 178), QColor(213, 94, 0),   QColor(0, 158, 115),  QColor(204, 121, 167),
+        QColor(230, 159, 0), QColor(86, 180, 233), QColor(148, 103, 189)};
+    return colours[static_cast<std::size_t>(listed.number) % colours.size()];
+}
+
+QString difference_words(const Configuracion& configuration, const Configuracion& base) {
+    QStringList words;
+    for (const ConfigParameter* parameter : differences(configuration, base)) {
+        words << label_of(*parameter) + ' ' + value_with_unit(*parameter, configuration);
+    }
+    return words.join(", ");
+}
+
+RunList::RunList(Session& session, QObject* parent) : QObject(parent), session_(session) {
+    connect(&session, &Session::leaving, this, &RunList::keep_present);
+    connect(&session, &Session::references_changed, this, &RunList::measure_anew);
+    connect(&session, &Session::configuration_changed, this, &RunList::changed);
+    connect(&session, &Session::snapshot_changed, this, &RunList::present_changed);
+}
+
+std::shared_ptr<const KeptRun> RunList::present() const {
+    const std::shared_ptr<const Snapshot> now = session_.snapshot();
+    if (present_ && now == of_) return present_;
+    of_ = now;
+    KeptRun run;
+    run.configuration = session_.configuration();
+    if (now && now->steps > 0) {
+        run.scans = now->steps;
+        run.seconds = session_.computed_seconds(now->steps);
+        run.map = now->best_map;
+        run.line_extents = now->line_extents;
+        run.path = now->best_trajectory;
+        run.odometry = now->odometry_trajectory;
+        run.grid = now->step_grid;
+        measure(run);
+    }
+    present_ = std::make_shared<const KeptRun>(std::move(run));
+    return present_;
+}
+
+void RunList::measure(KeptRun& run) const {
+    const References& references = session_.references();
+    if (references.trajectory) {
+        const auto error = trajectory_error(run.path, *references.trajectory);
+        run.trajectory_error_m = error ? std::optional(error->rmse_m) : std::nullopt;
+    }
+    if (references.map) {
+        const auto error = map_error(run.map, *references.map);
+        run.map_error_m = error ? std::optional(error->mean_m) : std::nullopt;
+    }
+}
+
+std::vector<ListedRun> RunList::runs() const {
+    std::vector<ListedRun> all;
+    if (session_.has_source()) all.push_back({0, present()});
+    all.insert(all.end(), kept_.begin(), kept_.end());
+    return all;
+}
+
+bool RunList::present_rests() const {
+    return session_.progress().state != Progress::State::running;
+}
+
+ListedRun RunList::open(const QString& folder) {
+    return add(in_background(
+        [&] { return std::make_shared<const KeptRun>(read_results(folder.toStdString())); }));
+}
+
+ListedRun RunList::add(std::shared_ptr<const KeptRun> run) {
+    const auto again =
+        std::ranges::find_if(kept_, [&](const ListedRun& one) { return same(*one.run, *run); });
+    if (again != kept_.end()) {
+        again->run = std::move(run);
+        emit changed();
+        return *again;
+    }
+    if (kept_.size() >= kMost) kept_.erase(kept_.begin());
+    kept_.push_back({++last_number_, std::move(run)});
+    emit changed();
+    return kept_.back();
+}
+
+void RunList::keep_present() {
+    // One scan shows nothing that could be compared.
+    if (const auto run = present(); run->scans > 1) add(run);
+}
+
+void RunList::remove(int number) {
+    if (std::erase_if(kept_, [&](const ListedRun& one) { return one.number == number; }) > 0) {
+        emit changed();
+    }
+}
+
+/// References belong to a log: the runs on it are measured by them.
+void RunList::measure_anew() {
+    present_ = nullptr;
+    for (ListedRun& listed : kept_) {
+        if (listed.run->configuration.source.file != session_.configuration().source.file) continue;
+        auto run = std::make_shared<KeptRun>(*listed.run);
+        measure(*run);
+        listed.run = std::move(run);
+    }
+    emit changed();
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,68 @@
+// The runs that the window remembers, and the one under way.
+#pragma once
+
+#include <QColor>
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <vector>
+
+#include "app/session.hpp"
+#include "hitos/services/run/kept_run.hpp"
+
+namespace hitos::window {
+
+/// A run of the list.
+struct ListedRun {
+    int number = 0;  ///< for people; 0 is the run of the window
+    std::shared_ptr<const KeptRun> run;
+};
+
+/// What people call it: "run 3", "this run".
+QString name_of(const ListedRun& listed);
+/// That of its path in pictures.
+QColor colour_of(const ListedRun& listed);
+/// What the configuration has otherwise than `base`: "Particles 200, Seed 3"; empty where nothing.
+QString difference_words(const Configuracion& configuration, const Configuracion& base);
+
+/// Keeps every run that is left with more than one scan: by another configuration, another log or
+/// a new start. Of runs that are the same scan for scan one stays, and of more than kMost runs the
+/// newest.
+class RunList final : public QObject {
+    Q_OBJECT
+
+  public:
+    static constexpr std::size_t kMost = 40;
+
+    RunList(Session& session, QObject* parent);
+
+    /// The run of the window where there is a source, without scans before it has begun; then those
+    /// kept, oldest first.
+    std::vector<ListedRun> runs() const;
+    /// Whether the run of the window does not go on at the moment.
+    bool present_rests() const;
+    /// Reads a folder of results. Throws hitos::Error.
+    ListedRun open(const QString& folder);
+    void remove(int number);
+
+  signals:
+    /// Other runs, or other figures of them.
+    void changed();
+    /// There is another picture of the run of the window.
+    void present_changed();
+
+  private:
+    std::shared_ptr<const KeptRun> present() const;
+    void keep_present();
+    ListedRun add(std::shared_ptr<const KeptRun> run);
+    void measure(KeptRun& run) const;
+    void measure_anew();
+
+    Session& session_;
+    std::vector<ListedRun> kept_;
+    int last_number_ = 0;
+    mutable std::shared_ptr<const KeptRun> present_;  ///< of the snapshot below; null: unknown
+    mutable std::shared_ptr<const Snapshot> of_;
+};
+
+}  // namespace hitos::window
