@@ -305,6 +305,14 @@ LandmarkMap EkfSlam::best_map() const {
     return map;
 }
 
+Eigen::MatrixXd EkfSlam::joint_covariance() const {
+    std::vector<Eigen::Index> order{0, 1, 2};
+    for_each_kind([&]<class S>() {
+        for (const Mark& mark : marks<S>()) order.insert(order.end(), {mark.at, mark.at + 1});
+    });
+    return state_.covariance()(order, order);
+}
+
 SlamAlgorithmEntry ekf_slam_algorithm() {
     SlamAlgorithmEntry entry;
     entry.word = "ekf-slam";

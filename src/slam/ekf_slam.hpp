@@ -38,6 +38,8 @@ class EkfSlam final : public SlamFilter {
     FilterStatistics statistics() const override { return statistics_; }
     Matrix3 pose_covariance() const override { return state_.pose_covariance(); }
 
+    Eigen::MatrixXd joint_covariance() const override;
+
     /// The joint covariance of pose and landmarks in the order of their creation; for tests.
     Eigen::MatrixXd covariance() const { return state_.covariance(); }
 

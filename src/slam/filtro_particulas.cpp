@@ -25,6 +25,11 @@ bool parted(const SeenFeature& a, const SeenFeature& b) {
     return S::placed(a.reach, {}, line).gap(S::placed(b.reach, {}, line)) > 0.0;
 }
 
+/// Of a pose from another, the short way round.
+Eigen::Vector3d away_from(const Pose& origin, const Pose& pose) {
+    return {pose.x - origin.x, pose.y - origin.y, wrap_angle(pose.theta - origin.theta)};
+}
+
 template <Sensor S>
 void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
            const SeenFeature& seen, const UpdateContext& context) {
@@ -321,17 +326,23 @@ std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
     return poses;
 }
 
-Matrix3 FiltroParticulas::pose_covariance() const {
+Pose FiltroParticulas::mean_pose() const {
     const Pose best = best_pose();
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    Matrix3 second = Matrix3::Zero();
     for (const WeightedPose& hypothesis : hypotheses()) {
-        const Eigen::Vector3d away(hypothesis.pose.x - best.x, hypothesis.pose.y - best.y,
-                                   wrap_angle(hypothesis.pose.theta - best.theta));
-        mean += hypothesis.weight * away;
-        second += hypothesis.weight * (away * away.transpose());
+        mean += hypothesis.weight * away_from(best, hypothesis.pose);
     }
-    return second - mean * mean.transpose();
+    return {best.x + mean(0), best.y + mean(1), wrap_angle(best.theta + mean(2))};
+}
+
+Matrix3 FiltroParticulas::pose_covariance() const {
+    const Pose mean = mean_pose();
+    Matrix3 covariance = Matrix3::Zero();
+    for (const WeightedPose& hypothesis : hypotheses()) {
+        const Eigen::Vector3d away = away_from(mean, hypothesis.pose);
+        covariance += hypothesis.weight * (away * away.transpose());
+    }
+    return covariance;
 }
 
 SlamAlgorithmEntry fastslam_algorithm() {

@@ -56,6 +56,7 @@ class FiltroParticulas final : public SlamFilter {
     std::vector<HistoryBranch> ancestry() const override;
     FilterStatistics statistics() const override { return statistics_; }
     Matrix3 pose_covariance() const override;
+    Pose mean_pose() const override;
 
     /// For tests and benchmarks: blocks of memory held by maps and nodes held by histories.
     std::size_t map_blocks() const { return maps_.blocks(); }

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "hitos/features/extractor.hpp"
+#include "hitos/services/evaluation/nees.hpp"
 #include "hitos/simulation/simulated_tour.hpp"
 #include "hitos/slam/filters.hpp"
 #include "hitos/slam/robot.hpp"
@@ -96,12 +97,9 @@ Run run_once(const Scenario& scenario, const SimulatedTour& tour, std::uint64_t 
 
         const Pose truth = tour.true_pose(k);
         const Pose estimate = filter->best_pose();
-        const Eigen::Vector3d error(estimate.x - truth.x, estimate.y - truth.y,
-                                    wrap_angle(estimate.theta - truth.theta));
-        const Eigen::Matrix3d covariance = filter->pose_covariance();
-        const bool moved = covariance(2, 2) > 0.0 && covariance.determinant() > 0.0;
-        run.nees.push_back(moved ? error.dot(covariance.ldlt().solve(error)) : std::nan(""));
-        run.last_error_m = std::hypot(error(0), error(1));
+        run.nees.push_back(
+            pose_nees(estimate, filter->pose_covariance(), truth).value_or(std::nan("")));
+        run.last_error_m = std::hypot(estimate.x - truth.x, estimate.y - truth.y);
     }
     run.landmarks = filter->best_count(FeatureKind::line) + filter->best_count(FeatureKind::corner);
     return run;

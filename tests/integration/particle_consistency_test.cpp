@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "hitos/services/evaluation/nees.hpp"
 #include "hitos/slam/filters.hpp"
 #include "hitos/slam/robot.hpp"
 
@@ -65,12 +66,7 @@ double mean_nees(const FilterParams& params) {
             const Observation seen = look(truth, params.observation, engine);
             filter->step({scan, std::span(&control, 1), seen});
             if (k < kSteps / 2) continue;
-            Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-            for (const WeightedPose& h : filter->hypotheses()) {
-                mean += h.weight * Eigen::Vector3d(h.pose.x - truth.x, h.pose.y - truth.y,
-                                                   wrap_angle(h.pose.theta - truth.theta));
-            }
-            sum += mean.dot(filter->pose_covariance().inverse() * mean);
+            sum += pose_nees(filter->mean_pose(), filter->pose_covariance(), truth).value();
         }
         EXPECT_EQ(filter->best_count(FeatureKind::line), 4) << run;
     }

@@ -121,6 +121,11 @@ class SlamFilter {
     virtual FilterStatistics statistics() const = 0;
     /// Covariance of (x, y, theta) [m, m, rad]: the filter's own, or that of its hypotheses.
     virtual Eigen::Matrix3d pose_covariance() const = 0;
+    /// What it is about: the mean of all hypotheses.
+    virtual Pose mean_pose() const { return best_pose(); }
+    /// Covariance of pose and landmarks together: of (x, y, theta), then of the two values of every
+    /// landmark of best_map(), in its order. 0 x 0 where the algorithm keeps none.
+    virtual Eigen::MatrixXd joint_covariance() const { return {}; }
 };
 
 }  // namespace hitos

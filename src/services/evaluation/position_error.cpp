@@ -11,7 +11,7 @@ PositionError::PositionError(Trajectory reference) : reference_(std::move(refere
     std::ranges::stable_sort(reference_, {}, &StampedPose::time_s);
 }
 
-std::optional<double> PositionError::at(const StampedPose& estimate) {
+std::optional<Pose> PositionError::reference_at(const StampedPose& estimate) {
     const auto after =
         std::ranges::lower_bound(reference_, estimate.time_s, {}, &StampedPose::time_s);
     const StampedPose* nearest = nullptr;
@@ -28,8 +28,13 @@ std::optional<double> PositionError::at(const StampedPose& estimate) {
     if (!pose_world_reference_) {
         pose_world_reference_ = compose(estimate.pose, inverse(nearest->pose));
     }
-    const Pose there = compose(*pose_world_reference_, nearest->pose);
-    return std::hypot(estimate.pose.x - there.x, estimate.pose.y - there.y);
+    return compose(*pose_world_reference_, nearest->pose);
+}
+
+std::optional<double> PositionError::at(const StampedPose& estimate) {
+    const std::optional<Pose> there = reference_at(estimate);
+    if (!there) return std::nullopt;
+    return std::hypot(estimate.pose.x - there->x, estimate.pose.y - there->y);
 }
 
 }  // namespace hitos

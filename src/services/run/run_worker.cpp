@@ -346,6 +346,9 @@ void RunWorker::publish_snapshot(const SnapshotParts& parts) {
     snapshot->best_map = run_.filter().best_map();
     snapshot->hypotheses = run_.filter().hypotheses();
     snapshot->best_hypothesis = run_.filter().best_hypothesis();
+    snapshot->mean_pose = run_.filter().mean_pose();
+    snapshot->pose_covariance = run_.filter().pose_covariance();
+    if (parts.joint_covariance) snapshot->joint_covariance = run_.filter().joint_covariance();
     if (parts.particle && *parts.particle < snapshot->hypotheses.size()) {
         snapshot->particle = details_of(run_, *parts.particle);
     }

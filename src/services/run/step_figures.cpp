@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hitos/base/atomic_file.hpp"
+#include "hitos/services/evaluation/nees.hpp"
 
 namespace hitos {
 namespace {
@@ -13,6 +14,11 @@ constexpr const char* kHeading =
     "scan,stamp_s,time_s,x_m,y_m,theta_rad,neff,best_log_weight,lines,corners,seen_lines,"
     "seen_corners,matched,created,ignored,unseen_s,skipped,resampled,best_changed,loop_closed,"
     "step_s";
+
+/// Empty where there is nothing.
+std::string cell(const std::optional<double>& value) {
+    return value ? fmt::format(",{}", *value) : ",";
+}
 
 std::string row(std::size_t scan, const StepFigures& f) {
     const Pose& pose = f.online.pose;
@@ -31,6 +37,8 @@ StepFigures figures_of(const Algoritmo& run, double step_seconds) {
     StepFigures figures;
     figures.time_s = run.duration_s();
     figures.online = run.online_trajectory().back();
+    figures.mean = filter.mean_pose();
+    figures.covariance = filter.pose_covariance();
     figures.neff = statistics.neff;
     figures.best_log_weight = statistics.best_log_weight;
     figures.step_seconds = step_seconds;
@@ -59,17 +67,21 @@ StepFigures figures_of(const Algoritmo& run, double step_seconds) {
     return figures;
 }
 
+std::optional<double> nees_of(const StepFigures& figures, PositionError& reference) {
+    const std::optional<Pose> there = reference.reference_at(figures.online);
+    return there ? pose_nees(figures.mean, figures.covariance, *there) : std::nullopt;
+}
+
 std::string figures_to_csv(std::span<const StepFigures> figures, const Trajectory* reference) {
     std::optional<PositionError> error;
     if (reference != nullptr) error.emplace(*reference);
     std::string text = kHeading;
-    text += error ? ",position_error_m\n" : "\n";
+    text += error ? ",position_error_m,pose_nees\n" : "\n";
     std::size_t scan = 0;
     for (const StepFigures& step : figures) {
         text += row(++scan, step);
         if (error) {
-            const std::optional<double> away = error->at(step.online);
-            text += away ? fmt::format(",{}", *away) : ",";
+            text += cell(error->at(step.online)) + cell(nees_of(step, *error));
         }
         text += '\n';
     }

@@ -275,6 +275,28 @@ TEST(EkfSlam, AssociationsPointIntoTheMap) {
     EXPECT_EQ(map[1].observations, 2);
 }
 
+TEST(EkfSlam, TheJointCovarianceIsInTheOrderOfTheMap) {
+    EkfSlam filter(ekf_params());
+    Observation seen;
+    seen.corners.push_back({2.0, 2.0});
+    feed(filter, {}, seen);
+    seen.lines.push_back({{4.0, 1.0}, 0, 0});  // made later, but lines come first in the map
+    const Control control{{0.1, 0.0, 0.05}, 1.0};
+    feed(filter, std::span(&control, 1), seen);
+    const LandmarkMap map = filter.best_map();
+    ASSERT_EQ(map.size(), 2U);
+    const MatrixXd joint = filter.joint_covariance();
+    const MatrixXd as_made = filter.covariance();
+    ASSERT_EQ(joint.rows(), 7);
+    EXPECT_EQ(joint, joint.transpose());
+    EXPECT_EQ((joint.block<3, 3>(0, 0)), filter.pose_covariance());
+    EXPECT_EQ((joint.block<2, 2>(3, 3)), map[0].covariance);
+    EXPECT_EQ((joint.block<2, 2>(5, 5)), map[1].covariance);
+    EXPECT_EQ((joint.block<2, 3>(3, 0)), (as_made.block<2, 3>(5, 0)));
+    EXPECT_EQ((joint.block<2, 2>(3, 5)), (as_made.block<2, 2>(5, 3)));
+    EXPECT_GT((joint.block<2, 3>(3, 0).norm()), 0.0);
+}
+
 TEST(EkfSlam, TheWeightIsTheProductOfTheLikelihoods) {
     FilterParams params = ekf_params();
     params.observation = {0.01, 0.01};

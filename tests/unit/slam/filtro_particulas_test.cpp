@@ -229,6 +229,9 @@ TEST(FiltroParticulas, PoseCovarianceIsThatOfTheHypotheses) {
     }
     ASSERT_GT(expected(0, 0), 0.0);
     EXPECT_LT((filter.pose_covariance() - expected).norm(), 1e-9);
+    const Pose told = filter.mean_pose();
+    EXPECT_LT((Eigen::Vector3d(told.x, told.y, told.theta) - mean).norm(), 1e-9);
+    EXPECT_EQ(filter.joint_covariance().size(), 0);
 }
 
 TEST(FiltroParticulas, MapsTheRoom) {

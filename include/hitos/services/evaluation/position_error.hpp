@@ -17,6 +17,8 @@ class PositionError {
 
     /// In metres; nothing where the reference has no pose at this stamp.
     std::optional<double> at(const StampedPose& estimate);
+    /// The reference's pose at this stamp in the run's frame, likewise.
+    std::optional<Pose> reference_at(const StampedPose& estimate);
     /// Forgets the first pair.
     void begin_anew() { pose_world_reference_.reset(); }
 

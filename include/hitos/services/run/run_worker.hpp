@@ -26,6 +26,7 @@ namespace hitos {
 struct SnapshotParts {
     std::optional<std::size_t> particle;  ///< map and path of one of the hypotheses
     bool ancestry = false;
+    bool joint_covariance = false;
     friend bool operator==(const SnapshotParts&, const SnapshotParts&) = default;
 };
 
@@ -52,6 +53,9 @@ struct Snapshot {
     std::vector<LineExtent> line_extents;  ///< segments of the lines of best_map
     std::vector<WeightedPose> hypotheses;
     std::size_t best_hypothesis = 0;
+    Pose mean_pose;  ///< of all hypotheses
+    Eigen::Matrix3d pose_covariance = Eigen::Matrix3d::Zero();
+    Eigen::MatrixXd joint_covariance;  ///< where asked for; as SlamFilter::joint_covariance()
     std::optional<ParticleDetails> particle;  ///< where asked for and there
     std::vector<HistoryBranch> ancestry;      ///< where asked for
     Trajectory best_trajectory;

@@ -16,6 +16,8 @@ namespace hitos {
 struct StepFigures {
     double time_s = 0.0;  ///< stamp of the scan, since that of the first one
     StampedPose online;   ///< as Algoritmo::online_trajectory()
+    Pose mean;            ///< as SlamFilter::mean_pose(), and its covariance
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     double neff = 0.0;
     double best_log_weight = 0.0;
     double step_seconds = 0.0;  ///< of wall time, for the whole step
@@ -36,8 +38,12 @@ struct StepFigures {
 /// Of the last step.
 StepFigures figures_of(const Algoritmo& run, double step_seconds);
 
+/// Against the reference: the NEES of a scan's pose (pose_nees()); nothing where it says nothing.
+std::optional<double> nees_of(const StepFigures& figures, PositionError& reference);
+
 /// A table with one line a scan and a heading, comma separated, RFC 4180: the members of
-/// StepFigures, and the position error [m] where there is a reference (PositionError).
+/// StepFigures but mean and covariance, and where there is a reference the position error [m]
+/// (PositionError) and the NEES of the pose.
 std::string figures_to_csv(std::span<const StepFigures> figures, const Trajectory* reference);
 /// Writes it atomically. Throws FileError.
 void write_figures(std::span<const StepFigures> figures, const Trajectory* reference,

@@ -215,6 +215,32 @@ TEST(RunWorker, SnapshotsAreOfOneStep) {
     EXPECT_EQ(worker.latest_snapshot(), nullptr);
 }
 
+TEST(RunWorker, TheJointCovarianceIsMadeWhereItIsAskedFor) {
+    for (const char* algorithm : {"ekf-slam", "fastslam"}) {
+        Configuracion configuration = small_tour();
+        configuration.filter.algorithm = algorithm;
+        RunWorker worker(configuration, open_source(configuration.source));
+        worker.run(200);
+        worker.wait();
+        const auto ask = [&](const SnapshotParts& parts) {
+            worker.request_snapshot(parts);
+            worker.wait();
+            return worker.latest_snapshot();
+        };
+        EXPECT_EQ(ask({})->joint_covariance.size(), 0);
+        const auto snapshot = ask({.particle = {}, .ancestry = false, .joint_covariance = true});
+        EXPECT_GT(snapshot->pose_covariance.trace(), 0.0);
+        if (algorithm == std::string("ekf-slam")) {
+            ASSERT_EQ(snapshot->joint_covariance.rows(),
+                      3 + 2 * static_cast<Eigen::Index>(snapshot->best_map.size()));
+            const Eigen::Matrix3d pose = snapshot->joint_covariance.topLeftCorner<3, 3>();
+            EXPECT_EQ(pose, snapshot->pose_covariance);
+        } else {
+            EXPECT_EQ(snapshot->joint_covariance.size(), 0);
+        }
+    }
+}
+
 TEST(RunWorker, AFailureIsToldAndEndsTheRun) {
     const test::TempFolder folder;
     Configuracion configuration;

@@ -1,8 +1,10 @@
 #include "hitos/services/run/step_figures.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "hitos/services/configuration/archivo_configuracion.hpp"
@@ -95,9 +97,35 @@ TEST(StepFigures, TheTableHasALineForEveryScan) {
     const TempFolder folder;
     write_figures(figures, &reference, folder.path() / "figures.csv");
     const std::string with = content(folder.path() / "figures.csv");
-    EXPECT_THAT(with, testing::HasSubstr(",step_s,position_error_m\n"));
-    EXPECT_THAT(with, testing::HasSubstr(",0.5,0\n2,"));  // the first is where both meet
-    EXPECT_THAT(with, testing::HasSubstr(",0.5,\n3,"));   // the second has no partner
+    EXPECT_THAT(with, testing::HasSubstr(",step_s,position_error_m,pose_nees\n"));
+    EXPECT_THAT(with, testing::HasSubstr(",0.5,0,\n2,"));  // the first is where both meet
+    EXPECT_THAT(with, testing::HasSubstr(",0.5,,\n3,"));   // the second has no partner
+}
+
+TEST(StepFigures, TheNeesIsOfTheErrorAgainstTheReference) {
+    Configuracion configuration = small_tour();
+    configuration.filter.algorithm = "ekf-slam";
+    Algoritmo run(configuration, open_source(configuration.source));
+    std::vector<StepFigures> figures;
+    for (int i = 0; i < 200; ++i) {
+        ASSERT_TRUE(run.step());
+        figures.push_back(figures_of(run, 0.0));
+    }
+    const StepFigures& last = figures.back();
+    EXPECT_EQ(last.mean, run.filter().best_pose());
+    EXPECT_EQ(last.covariance, run.filter().pose_covariance());
+    // Where it believes to be, but for the last scan.
+    Trajectory path;
+    for (const StepFigures& step : figures) path.push_back(step.online);
+    const double x = path.back().pose.x += 0.01;
+    PositionError reference(path);
+    EXPECT_EQ(nees_of(figures.front(), reference), std::nullopt);  // certain, by definition
+    EXPECT_NEAR(nees_of(figures[150], reference).value(), 0.0, 1e-12);
+    const double away = last.mean.x - x;
+    const double expected = away * away * last.covariance.inverse()(0, 0);
+    EXPECT_NEAR(nees_of(last, reference).value(), expected, 1e-6 * expected);
+    EXPECT_THAT(figures_to_csv(figures, &path),
+                testing::EndsWith(fmt::format(",{}\n", *nees_of(last, reference))));
 }
 
 TEST(PositionErrorTest, IsMeasuredFromTheFirstCommonPose) {
