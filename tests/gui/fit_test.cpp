@@ -96,6 +96,7 @@ void FitTest::every_window_fits() {
         f.trigger("action_landmarks_dock");
         f.trigger("action_particles_dock");
         f.trigger("action_associations_dock");
+        f.trigger("action_joint_dock");
         for (auto* dock : f.window->findChildren<QDockWidget*>()) {
             dock->raise();
             f.window->resize(1024, 700);

@@ -176,6 +176,9 @@ class InspectTest : public QObject {
     void a_clicked_feature_tells_why();
     void the_inspector_tells_of_every_algorithm_and_particle();
     void weighing_again_leaves_the_run_as_it_was();
+    void the_joint_covariance_is_a_picture();
+    void the_poses_uncertainty_is_drawn();
+    void the_nees_is_a_plot_where_the_truth_is_known();
 };
 
 class StudyTest : public QObject {
@@ -247,6 +250,8 @@ class WordsTest : public QObject {
     void nothing_is_left_untranslated();
     void every_parameter_has_spanish_words();
     void the_window_speaks_spanish();
+    void headings_name_what_runs();
+    void nothing_speaks_of_particles_that_are_not_there();
     void the_program_makes_pictures_without_a_display();
     void the_program_tells_what_is_wrong();
 };

@@ -1,5 +1,9 @@
 // The translation, and the program from outside.
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFrame>
 #include <QLabel>
 #include <QProcess>
 #include <QToolButton>
@@ -7,9 +11,12 @@
 #include <QXmlStreamReader>
 
 #include "app/application.hpp"
+#include "dialogs/configuration_dialog.hpp"
 #include "dialogs/parameter_text.hpp"
+#include "dialogs/run_until_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "tests.hpp"
+#include "views/plots.hpp"
 
 namespace hitos::window {
 namespace {
@@ -69,9 +76,9 @@ void WordsTest::every_parameter_has_spanish_words() {
                 to_qt(parameter.description));
     }
     for (const ParameterGroupFacts& group : parameter_groups())
-        known("ParameterGroup", group.title);
+        if (group.title_key.empty()) known("ParameterGroup", group.title);
     QApplication::installTranslator(&spanish);
-    QCOMPARE(title_of(ParameterGroup::motion), QString("Modelo de movimiento"));
+    QCOMPARE(title_of(ParameterGroup::motion, {}), QString("Modelo de movimiento"));
     QCOMPARE(label_of(find_parameter("filter.particles")), QString("Partículas"));
     QApplication::removeTranslator(&spanish);
 }
@@ -97,6 +104,94 @@ void WordsTest::the_window_speaks_spanish() {
                  QString("Diferencial con odometría"));
     }
     QApplication::removeTranslator(&spanish);
+}
+
+void WordsTest::headings_name_what_runs() {
+    Fixture f;
+    const auto title = [&](ParameterGroup group) -> QString {
+        for (auto* card : f.window->findChildren<QFrame*>()) {
+            if (card->property("group") == QVariant(static_cast<int>(group))) {
+                return card->accessibleName();
+            }
+        }
+        return {};
+    };
+    QCOMPARE(title(ParameterGroup::particle_filter), QString("FastSLAM 1.0"));
+    QCOMPARE(title(ParameterGroup::split_merge), QString("Split and Merge"));
+    QCOMPARE(f.action("action_best_map")->text(), QString("View best particle"));
+    Configuracion configuration = Fixture::tour(10);
+    configuration.filter.algorithm = "ekf-slam";
+    configuration.extraction.method = "ransac";
+    f.session.set_configuration(configuration);
+    QCOMPARE(title(ParameterGroup::particle_filter), QString("EKF-SLAM"));
+    QCOMPARE(title(ParameterGroup::split_merge), QString("RANSAC"));
+    QCOMPARE(f.window->findChild<QToolButton*>("button_best_map")->text(), QString("View map"));
+    QCOMPARE(f.window->findChild<QToolButton*>("button_save_map")->text(), QString("Save map"));
+    f.run_steps(20);
+    f.trigger("action_best_map");
+    const QString map = f.window->result_actions().best_window()->windowTitle();
+    QVERIFY2(map.startsWith("Grid map by EKF-SLAM"), qPrintable(map));
+    // In the form at once, with what is chosen there.
+    ConfigurationDialog dialog(configuration, f.prompts, f.window.get());
+    const auto box = [&](ParameterGroup group) {
+        auto* frame = dialog.findChild<QWidget*>(QString("group_%1").arg(static_cast<int>(group)));
+        return frame->findChild<QLabel*>()->text();
+    };
+    QCOMPARE(box(ParameterGroup::particle_filter), QString("EKF-SLAM"));
+    dialog.findChild<QComboBox*>("field_filter.algorithm")->setCurrentIndex(0);
+    QCOMPARE(box(ParameterGroup::particle_filter), QString("FastSLAM 1.0"));
+    QCOMPARE(box(ParameterGroup::split_merge), QString("RANSAC"));
+}
+
+/// No text of the window that can be seen.
+void WordsTest::nothing_speaks_of_particles_that_are_not_there() {
+    Fixture f;
+    for (const char* dock : {"plots", "landmarks_dock", "associations_dock"})
+        f.trigger((std::string("action_") + dock).c_str());
+    Configuracion configuration = Fixture::tour(10);
+    for (const char* algorithm : {"ekf-slam", "graph-slam"}) {
+        configuration.filter.algorithm = algorithm;
+        f.session.set_configuration(configuration);
+        f.run_steps(30);
+        QStringList said;
+        for (auto* action : f.window->findChildren<QAction*>()) {
+            // The name of the tool, and the presets of other algorithms, stay.
+            const QString name = action->objectName();
+            if (!action->isVisible() || name == "action_particles_dock") continue;
+            if (name.startsWith("action_preset_") || name == "action_save_figures") continue;
+            said << action->text() << action->toolTip();
+        }
+        for (auto* dock : f.window->findChildren<QDockWidget*>()) {
+            dock->raise();
+            for (auto* label : dock->findChildren<QLabel*>())
+                if (label->isVisible()) said << label->text();
+        }
+        for (auto* label : f.window->statusBar()->findChildren<QLabel*>())
+            if (label->isVisible()) said << label->text();
+        QVERIFY(said.size() > 50);
+        for (const QString& text : said) {
+            for (const char* word : {"article", "Neff", "Split"})
+                QVERIFY2(!text.contains(word), qPrintable(text));
+        }
+        QVERIFY(!f.window->plots().shows(Plots::neff));
+        QVERIFY(!f.window->plots().shows(Plots::best_weight));
+        in_dialog<RunUntilDialog>([](RunUntilDialog& dialog) {
+            QVERIFY(!dialog.findChild<QCheckBox*>("until_neff")->isEnabled());
+            QVERIFY(!dialog.findChild<QCheckBox*>("until_best")->isEnabled());
+            dialog.reject();
+        });
+        f.trigger("action_run_until");
+    }
+    // The table of particles says so itself.
+    f.trigger("action_particles_dock");
+    QCOMPARE(f.window->findChild<QLabel*>("no_particles")->text(),
+             QString("Graph-SLAM has no particles."));
+    QVERIFY(!f.window->findChild<QWidget*>("particle_table")->isVisible());
+    // With particles all is there again.
+    f.session.set_configuration(Fixture::tour(10));
+    QVERIFY(f.action("action_particle_map")->isVisible());
+    QVERIFY(f.action("layer_particles")->isVisible() && f.action("layer_ancestry")->isVisible());
+    QVERIFY(f.window->findChild<QWidget*>("particle_table")->isVisible());
 }
 
 void WordsTest::the_program_makes_pictures_without_a_display() {

@@ -14,19 +14,18 @@ namespace hitos {
 std::span<const ParameterGroupFacts> parameter_groups() {
     using Group = ParameterGroup;
     static const std::vector<ParameterGroupFacts> groups{
-        {Group::source, HITOS_TEXT("ParameterGroup", "Data source"), {"source"}},
-        {Group::particle_filter,
-         HITOS_TEXT("ParameterGroup", "Particle filter"),
-         {"filter", "association", "landmarks"}},
-        {Group::motion, HITOS_TEXT("ParameterGroup", "Motion model"), {"motion"}},
-        {Group::observation, HITOS_TEXT("ParameterGroup", "Observation model"), {"observation"}},
-        {Group::split_merge,
-         HITOS_TEXT("ParameterGroup", "Split and Merge algorithm"),
-         {"features", "split_merge", "ransac"}},
-        {Group::resampling, HITOS_TEXT("ParameterGroup", "Resampling"), {"resampling"}},
-        {Group::registration, HITOS_TEXT("ParameterGroup", "Registration"), {"registration"}},
-        {Group::grid, HITOS_TEXT("ParameterGroup", "Grid map"), {"grid"}},
-        {Group::run, HITOS_TEXT("ParameterGroup", "Run"), {"run"}},
+        {Group::source, HITOS_TEXT("ParameterGroup", "Data source"), {}, {"source"}},
+        {Group::particle_filter, {}, "filter.algorithm", {"filter", "association", "landmarks"}},
+        {Group::motion, HITOS_TEXT("ParameterGroup", "Motion model"), {}, {"motion"}},
+        {Group::observation,
+         HITOS_TEXT("ParameterGroup", "Observation model"),
+         {},
+         {"observation"}},
+        {Group::split_merge, {}, "features.method", {"features", "split_merge", "ransac"}},
+        {Group::resampling, HITOS_TEXT("ParameterGroup", "Resampling"), {}, {"resampling"}},
+        {Group::registration, HITOS_TEXT("ParameterGroup", "Registration"), {}, {"registration"}},
+        {Group::grid, HITOS_TEXT("ParameterGroup", "Grid map"), {}, {"grid"}},
+        {Group::run, HITOS_TEXT("ParameterGroup", "Run"), {}, {"run"}},
     };
     return groups;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/screen_fit.hpp"
+#include "dialogs/parameter_text.hpp"
 #include "dialogs/picture_dialog.hpp"
 #include "dialogs/skipped_lines.hpp"
 #include "hitos/base/error.hpp"
@@ -66,8 +67,11 @@ void ResultActions::view_best() {
     const auto snapshot = session_.snapshot();
     // The newest state, which while the run goes on is a few steps after the one in the views.
     auto moment = session_.worker()->with_run([](const Algoritmo& run) { return best_of(run); });
-    MapWindow* map =
-        open_window(best_, tr("Grid map of the best particle"), MapWindow::Show::result);
+    const Configuracion& configuration = session_.configuration();
+    const QString title = has_particles(configuration)
+                              ? tr("Grid map of the best particle")
+                              : tr("Grid map by %1").arg(algorithm_of(configuration));
+    MapWindow* map = open_window(best_, title, MapWindow::Show::result);
     const bool shown = snapshot && snapshot->steps > 0;
     // Where a slow step is under way, what is in the views will do.
     const ParticleDetails best =
@@ -76,7 +80,7 @@ void ResultActions::view_best() {
             : ParticleDetails{snapshot->best_hypothesis, snapshot->best_map, snapshot->line_extents,
                               snapshot->best_trajectory};
     map->view().set_landmarks({best.map, best.line_extents});
-    map->builder().build(session_.configuration(), best.path);
+    map->builder().build(configuration, best.path);
 }
 
 void ResultActions::view_particle() {
@@ -126,7 +130,9 @@ void ResultActions::list_skipped() {
 
 void ResultActions::save_map() {
     if (session_.progress().steps == 0) return;
-    save_moment(moment_of(std::nullopt), tr("Save best particle's map"));
+    save_moment(moment_of(std::nullopt), has_particles(session_.configuration())
+                                             ? tr("Save best particle's map")
+                                             : tr("Save map"));
 }
 
 void ResultActions::save_map_of(int particle) {
@@ -259,16 +265,25 @@ void ResultActions::save_figures() {
     emit notice(tr("Figures saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
+void ResultActions::save_picture(const Picture& picture, const QString& name) {
+    save_picture_as(name, [&](const QString& target) { write_picture(picture, target); });
+}
+
 void ResultActions::save_picture(const CanvasView& view) {
     PictureDialog dialog(view, window_);
     if (dialog.exec() != QDialog::Accepted) return;
+    save_picture_as("hitos.jpg", [&](const QString& target) {
+        write_picture(view.picture(dialog.whole(), dialog.scale()), target);
+    });
+}
+
+void ResultActions::save_picture_as(const QString& name,
+                                    const std::function<void(const QString&)>& write) {
     const QString path =
         save_until_done(prompts_, window_,
-                        {tr("Save as image"), files_.last_folder("picture") + "/hitos.jpg",
-                         picture_filter(), "jpg"},
-                        [&](const QString& target) {
-                            write_picture(view.picture(dialog.whole(), dialog.scale()), target);
-                        });
+                        {tr("Save as image"), files_.last_folder("picture") + '/' + name,
+                         picture_filter(), QFileInfo(name).suffix()},
+                        write);
     if (path.isEmpty()) return;
     files_.note_folder("picture", path);
     emit notice(tr("Image saved: %1").arg(QDir::toNativeSeparators(path)));

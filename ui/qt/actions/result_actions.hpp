@@ -3,12 +3,14 @@
 
 #include <QObject>
 #include <QPointer>
+#include <functional>
 #include <future>
 
 #include "app/session.hpp"
 #include "prompts.hpp"
 #include "user_files.hpp"
 #include "views/map_window.hpp"
+#include "views/picture.hpp"
 
 namespace hitos::window {
 
@@ -45,6 +47,8 @@ class ResultActions final : public QObject {
     /// All results are being written; until the end no others can be.
     bool writing() const;
     void save_picture(const hitos::window::CanvasView& view);
+    /// Of something else, under this name unless the user gives another.
+    void save_picture(const Picture& picture, const QString& name);
 
   signals:
     void notice(QString text);
@@ -58,6 +62,7 @@ class ResultActions final : public QObject {
     /// What one hypothesis believes at this moment, however long the user thinks about a name.
     std::shared_future<ParticleDetails> moment_of(std::optional<std::size_t> particle) const;
     void save_moment(const std::shared_future<ParticleDetails>& moment, const QString& title);
+    void save_picture_as(const QString& name, const std::function<void(const QString&)>& write);
     void write_results_to(const QString& folder);
     void end_writing(int number, const QString& folder, const QString& problem,
                      const QStringList& missing);

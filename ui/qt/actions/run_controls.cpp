@@ -69,9 +69,8 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
     add_button(actions.restart, "button_restart");
     auto* top = qobject_cast<QHBoxLayout*>(layout()->itemAt(0)->layout());
     top->addWidget(new PaceControl(session, settings, actions.full_speed, this));
-    least_width_ = row_width(Qt::ToolButtonIconOnly);
-    full_width_ = row_width(Qt::ToolButtonTextBesideIcon);
-
+    measure();
+    connect(&session, &Session::configuration_changed, this, &RunControls::measure);
     connect(actions.run, &QAction::triggered, &session, [&session] { session.run(); });
     connect(actions.stop, &QAction::triggered, &session, &Session::pause);
     connect(actions.step, &QAction::triggered, &session, [&session] { session.run_steps(1); });
@@ -99,15 +98,26 @@ int RunControls::row_width(Qt::ToolButtonStyle pictured) {
     return width;
 }
 
+/// The buttons' words are those of what runs.
+void RunControls::measure() {
+    least_width_ = row_width(Qt::ToolButtonIconOnly);
+    full_width_ = row_width(Qt::ToolButtonTextBesideIcon);
+    fit_buttons();
+}
+
+void RunControls::fit_buttons() {
+    const auto style =
+        width() < full_width_ ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
+    for (QToolButton* button : pictured_) button->setToolButtonStyle(style);
+}
+
 QSize RunControls::minimumSizeHint() const {
     const QSize top = layout()->itemAt(0)->minimumSize();
     return {std::max(least_width_, top.width()), QWidget::minimumSizeHint().height()};
 }
 
 void RunControls::resizeEvent(QResizeEvent* event) {
-    const auto style =
-        width() < full_width_ ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
-    for (QToolButton* button : pictured_) button->setToolButtonStyle(style);
+    fit_buttons();
     QWidget::resizeEvent(event);
 }
 

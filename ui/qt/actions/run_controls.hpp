@@ -47,6 +47,8 @@ class RunControls final : public QWidget {
 
   private:
     int row_width(Qt::ToolButtonStyle pictured);
+    void measure();
+    void fit_buttons();
     void note_marks(const Session& session);
     void forget_marks();
     QToolButton* add_button(QAction* action, const char* name, bool primary = false);

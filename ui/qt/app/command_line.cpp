@@ -68,10 +68,10 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         .add_option(
             "--show", out.show,
             "What the picture shows: main, world, plots, landmarks, particles, associations, "
-            "runs, compare, source, configuration, best-map, odometry, study")
+            "joint, runs, compare, source, configuration, best-map, odometry, study")
         ->check(CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
-                               "runs", "compare", "source", "configuration", "best-map", "odometry",
-                               "study"}));
+                               "joint", "runs", "compare", "source", "configuration", "best-map",
+                               "odometry", "study"}));
     program.add_flag("--benchmark", out.benchmark,
                      "Run the log with and without the window; print speeds and response times");
     try {

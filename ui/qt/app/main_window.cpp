@@ -98,6 +98,7 @@ void MainWindow::make_parts() {
     ui_->menu_view->insertSeparator(ui_->menu_theme->menuAction());
     ui_->views->setSizes({500, 500});
     fit_to_screen(*this);
+    name_what_runs();
 }
 
 void MainWindow::set_up_view_buttons() {
@@ -265,7 +266,8 @@ void MainWindow::connect_views() {
     connect(ui_->action_summary, &QAction::toggled, ui_->summary, &QWidget::setVisible);
     connect(ui_->action_follow, &QAction::toggled, ui_->grid_view, &CanvasView::set_follow);
     connect(ui_->grid_view, &CanvasView::follow_changed, ui_->action_follow, &QAction::setChecked);
-    connect(plots_, &Plots::picture_wanted, this, &MainWindow::save_plots_picture);
+    connect(plots_, &Plots::picture_wanted, results_,
+            [this] { results_->save_picture(plots_->picture(2.0), "plots.png"); });
     connect(&session_, &Session::references_changed, ui_->grid_view, [this] {
         ui_->grid_view->set_reference_map(session_.references().map);
         ui_->grid_view->set_reference_path({});
@@ -302,15 +304,6 @@ const CanvasView& MainWindow::view_in_use() const {
     return *ui_->grid_view;
 }
 
-void MainWindow::save_plots_picture() {
-    const QString path = save_until_done(
-        prompts_, this,
-        {tr("Save as image"), files_.last_folder("picture") + "/plots.png", picture_filter(),
-         "png"},
-        [this](const QString& target) { write_picture(plots_->picture(2.0), target); });
-    if (!path.isEmpty()) files_.note_folder("picture", path);
-}
-
 StudyDialog& MainWindow::open_study() {
     if (study_ == nullptr) {
         study_ = new StudyDialog(session_, files_, prompts_, this);
@@ -335,6 +328,19 @@ void MainWindow::show_configuration() {
     ui_->summary->set_configuration(configuration);
     const QString file = QFileInfo(QString::fromStdString(configuration.source.file)).fileName();
     setWindowTitle(file.isEmpty() ? QStringLiteral("Hitos") : file + " – Hitos");
+    name_what_runs();
+}
+
+/// Only where there are particles one of them is the best.
+void MainWindow::name_what_runs() {
+    const bool particles = has_particles(session_.configuration());
+    const QString algorithm = algorithm_of(session_.configuration());
+    ui_->action_best_map->setText(particles ? tr("View best particle") : tr("View map"));
+    ui_->action_best_map->setToolTip(particles ? tr("Grid map of the best particle (B)")
+                                               : tr("Grid map by %1 (B)").arg(algorithm));
+    ui_->action_save_map->setText(particles ? tr("Save best particle's map") : tr("Save map"));
+    ui_->action_particle_map->setVisible(particles);
+    view_settings_->set_particles(particles);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -65,10 +65,10 @@ class MainWindow final : public QMainWindow {
     void set_up_view_buttons();
     void connect_runs();
     void show_configuration();
+    void name_what_runs();
     void set_highlight(const PickedLandmark& picked);
     /// The one with the keyboard, else the grid map.
     const CanvasView& view_in_use() const;
-    void save_plots_picture();
     void restyle();
     void save_state();
     void restore_state();

@@ -61,7 +61,8 @@ void MainWindow::show_about() {
     show_text(
         this, "about", tr("About Hitos"),
         "<h3>Hitos " + QString::fromStdString(version()) + "</h3><p>" +
-            tr("A workbench for landmark SLAM on recorded laser tours: FastSLAM step by step, "
+            tr("A workbench for landmark SLAM on recorded laser tours: FastSLAM, EKF-SLAM and "
+               "graph-SLAM step by step, "
                "with every parameter at hand.") +
             "</p><p>" + tr("Free software under the GNU GPL, version 3 or later.") + "</p>");
 }
@@ -73,16 +74,16 @@ void MainWindow::show_keys() {
         {"Ctrl+U", tr("run until something happens")},
         {tr("Ctrl+Space"), tr("as fast as possible, or at the pace chosen")},
         {"Ctrl+R", tr("restart")},
-        {"B, O", tr("map of the best particle, of the odometry")},
-        {"Ctrl+Shift+S", tr("save the best particle's map")},
+        {"B, O", tr("map as estimated, as by the odometry")},
+        {"Ctrl+Shift+S", tr("save the map")},
         {"Ctrl+P", tr("save the view in use as an image")},
         {"Ctrl+O, Ctrl+M", tr("data source, parameters")},
         {"Ctrl+L, Ctrl+S", tr("load, save the configuration")},
         {"Ctrl+Z, Ctrl+Shift+Z", tr("undo, redo a change of the configuration")},
         {"Ctrl+H", tr("configuration at a glance")},
         {"Ctrl+G", tr("plots")},
-        {"Ctrl+Shift+L, P, A",
-         tr("tables of landmarks and particles, why features were associated")},
+        {"Ctrl+Shift+L, P, A, J",
+         tr("tables of landmarks and particles, why features were associated, joint covariance")},
         {"Ctrl+E", tr("study of one parameter")},
         {"Ctrl+T, Ctrl+F", tr("world frame, follow the robot")},
         {"Alt+1 … Alt+9", tr("layers")},

@@ -150,6 +150,7 @@ void StatusLine::refresh() {
     speed_->setText(p.steps_per_second <= 0.0
                         ? QString()
                         : tr("%1 steps/s").arg(p.steps_per_second, 0, 'f', 0));
+    neff_->setVisible(has_particles(session_.configuration()));
     neff_->setText(tr("Neff %1").arg(p.statistics.neff, 0, 'f', 1));
     landmarks_->setText(tr("Landmarks %1").arg(p.lines + p.corners));
     landmarks_->setToolTip(tr("Lines %1, corners %2").arg(p.lines).arg(p.corners));

@@ -118,14 +118,14 @@ void SummaryBar::set_configuration(const Configuracion& configuration) {
         frame->setCursor(Qt::PointingHandCursor);
         frame->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
         frame->setFocusPolicy(Qt::TabFocus);  // after a click the space bar runs and stops
-        frame->setAccessibleName(title_of(card));
+        frame->setAccessibleName(title_of(card, configuration));
         frame->installEventFilter(this);
         auto* rows = new QGridLayout(frame);
         rows->setContentsMargins(12, 8, 12, 8);
         rows->setHorizontalSpacing(10);
         rows->setVerticalSpacing(1);
         rows->setColumnStretch(1, 1);
-        auto* title = new ElidedLabel(title_of(card));
+        auto* title = new ElidedLabel(title_of(card, configuration));
         title->setMinimumWidth(20);
         set_role(title, "title");
         rows->addWidget(title, 0, 0, 1, 2);

@@ -85,7 +85,8 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, Pro
 ConfigurationDialog::~ConfigurationDialog() = default;
 
 void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box) {
-    auto* title = new QLabel(title_of(group), box);
+    auto* title = new QLabel(title_of(group, original_), box);
+    titles_.emplace_back(group, title);
     title->setProperty("role", "title");
     rows->addWidget(title, 0, 0, 1, 3);
     for (const ConfigParameter& parameter : parameters()) {
@@ -114,11 +115,13 @@ ParameterField* ConfigurationDialog::field(std::string_view key) const {
     return found == fields_.end() ? nullptr : *found;
 }
 
-/// Greys out what has no effect beside the other values; the values stay.
+/// Greys out what has no effect beside the other values; the values stay. The titles name what is
+/// chosen.
 void ConfigurationDialog::mark_unused() {
     Configuracion edited = original_;
     for (const ParameterField* field : fields_) field->give(edited);
     for (ParameterField* field : fields_) field->set_used(field->parameter().used_by(edited));
+    for (const auto& [group, title] : titles_) title->setText(title_of(group, edited));
 }
 
 void ConfigurationDialog::show_verdict() {

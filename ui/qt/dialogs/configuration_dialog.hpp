@@ -3,12 +3,14 @@
 
 #include <QDialog>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "actions/prompts.hpp"
 #include "parameter_field.hpp"
 
 class QGridLayout;
+class QLabel;
 
 namespace hitos::window {
 
@@ -47,6 +49,7 @@ class ConfigurationDialog final : public QDialog {
     const Configuracion original_;
     Configuracion result_;
     std::vector<ParameterField*> fields_;
+    std::vector<std::pair<ParameterGroup, QLabel*>> titles_;
 };
 
 }  // namespace hitos::window

@@ -44,11 +44,6 @@ QString choice_of(const ConfigParameter& parameter, std::size_t place) {
     return translated("ParameterChoice", parameter.choices.at(place).label);
 }
 
-QString title_of(ParameterGroup group) {
-    const auto facts = std::ranges::find(parameter_groups(), group, &ParameterGroupFacts::group);
-    return translated("ParameterGroup", facts->title);
-}
-
 QString value_of(const ConfigParameter& parameter, const Configuracion& configuration) {
     const std::string text = parameter.text(configuration);
     if (parameter.type == ConfigParameter::Type::text) {
@@ -56,6 +51,20 @@ QString value_of(const ConfigParameter& parameter, const Configuracion& configur
     }
     const std::optional<std::size_t> place = parameter.place_of(text);
     return place ? choice_of(parameter, *place) : QString::fromStdString(text);
+}
+
+QString title_of(ParameterGroup group, const Configuracion& configuration) {
+    const auto facts = std::ranges::find(parameter_groups(), group, &ParameterGroupFacts::group);
+    return facts->title_key.empty() ? translated("ParameterGroup", facts->title)
+                                    : value_of(find_parameter(facts->title_key), configuration);
+}
+
+QString algorithm_of(const Configuracion& configuration) {
+    return value_of(find_parameter("filter.algorithm"), configuration);
+}
+
+bool has_particles(const Configuracion& configuration) {
+    return find_parameter("filter.particles").used_by(configuration);
 }
 
 QString value_with_unit(const ConfigParameter& parameter, const Configuracion& configuration) {

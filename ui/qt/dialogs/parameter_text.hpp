@@ -19,7 +19,12 @@ QString description_of(const ConfigParameter& parameter);
 QString unit_of(const ConfigParameter& parameter);
 /// A word of a choice as the user reads it: "Differential with odometry".
 QString choice_of(const ConfigParameter& parameter, std::size_t place);
-QString title_of(ParameterGroup group);
+/// The group's title; that of the algorithm and of the line method is what is chosen.
+QString title_of(ParameterGroup group, const Configuracion& configuration);
+/// "EKF-SLAM"
+QString algorithm_of(const Configuracion& configuration);
+/// Whether the algorithm has particles to speak of.
+bool has_particles(const Configuracion& configuration);
 /// The value as the user reads it, without unit; file names without their folder.
 QString value_of(const ConfigParameter& parameter, const Configuracion& configuration);
 /// "0.02 m"

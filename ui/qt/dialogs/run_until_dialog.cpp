@@ -11,6 +11,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "parameter_text.hpp"
+
 namespace hitos::window {
 namespace {
 
@@ -57,10 +59,19 @@ RunUntilDialog::RunUntilDialog(Session& session, QSettings& settings, QWidget* p
     connect(buttons, &QDialogButtonBox::accepted, this, &RunUntilDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     recall();
+    const auto withhold = [](QCheckBox* rule, const QString& reason) {
+        rule->setChecked(false);
+        rule->setEnabled(false);
+        rule->setToolTip(reason);
+    };
     if (!session_.references().trajectory) {
-        error_->setChecked(false);
-        error_->setEnabled(false);
-        error_->setToolTip(tr("There is no reference trajectory to measure against."));
+        withhold(error_, tr("There is no reference trajectory to measure against."));
+    }
+    if (!has_particles(session_.configuration())) {
+        const QString reason =
+            tr("%1 has no particles.").arg(algorithm_of(session_.configuration()));
+        withhold(neff_, reason);
+        withhold(best_, reason);
     }
 }
 

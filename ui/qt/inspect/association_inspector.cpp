@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "association_words.hpp"
+#include "dialogs/parameter_text.hpp"
 
 namespace hitos::window {
 namespace {
@@ -148,9 +149,11 @@ AssociationInspector::AssociationInspector(Session& session, QWidget* parent)
     sides->addLayout(seen, 1);
     auto* why = new QVBoxLayout;
     sides->addLayout(why, 1);
-    auto* row = new QHBoxLayout;
-    auto* label = new QLabel(tr("Of particle"), this);
-    particle_ = new QSpinBox(this);
+    of_particle_ = new QWidget(this);
+    auto* row = new QHBoxLayout(of_particle_);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* label = new QLabel(tr("Of particle"), of_particle_);
+    particle_ = new QSpinBox(of_particle_);
     particle_->setObjectName("association_particle");
     particle_->setSpecialValueText(tr("the best"));
     particle_->setRange(-1, -1);
@@ -158,7 +161,7 @@ AssociationInspector::AssociationInspector(Session& session, QWidget* parent)
     row->addWidget(label);
     row->addWidget(particle_);
     row->addStretch(1);
-    seen->addLayout(row);
+    seen->addWidget(of_particle_);
     features_ = new FiguresTable(feature_model_, this);
     features_->setObjectName("feature_table");
     features_->setAccessibleName(tr("Features of the scan"));
@@ -211,6 +214,7 @@ void AssociationInspector::refresh() {
         record_ = nullptr;
         record_of_ = 0;
     }
+    of_particle_->setVisible(has_particles(session_.configuration()));
     particle_->setMaximum(snapshot ? static_cast<int>(snapshot->hypotheses.size()) - 1 : -1);
     show_record();
     ask();

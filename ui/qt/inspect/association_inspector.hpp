@@ -98,6 +98,7 @@ class AssociationInspector final : public QWidget {
     Session& session_;
     FeatureModel* feature_model_;
     CandidateModel* candidate_model_;
+    QWidget* of_particle_;
     QSpinBox* particle_;
     FiguresTable* features_;
     FiguresTable* candidates_;

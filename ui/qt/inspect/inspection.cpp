@@ -2,6 +2,7 @@
 
 #include "actions/result_actions.hpp"
 #include "association_inspector.hpp"
+#include "joint_covariance.hpp"
 #include "landmark_table.hpp"
 #include "particle_table.hpp"
 #include "views/grid_view.hpp"
@@ -14,11 +15,13 @@ Inspection::Inspection(Session& session, const DockPlace& place)
       session_(session),
       landmarks_(new LandmarkTable(session, place.window)),
       particles_(new ParticleTable(session, place.window)),
-      associations_(new AssociationInspector(session, place.window)) {
+      associations_(new AssociationInspector(session, place.window)),
+      joint_(new JointCovariance(session, place.window)) {
     add_dock(place, landmarks_, tr("Landmarks"), "landmarks_dock", QKeySequence("Ctrl+Shift+L"));
     add_dock(place, particles_, tr("Particles"), "particles_dock", QKeySequence("Ctrl+Shift+P"));
     add_dock(place, associations_, tr("Associations"), "associations_dock",
              QKeySequence("Ctrl+Shift+A"));
+    add_dock(place, joint_, tr("Joint covariance"), "joint_dock", QKeySequence("Ctrl+Shift+J"));
     connect(landmarks_, &LandmarkTable::landmark_chosen, this, &Inspection::landmark_chosen);
     connect(associations_, &AssociationInspector::landmark_chosen, this,
             &Inspection::landmark_chosen);
@@ -40,6 +43,9 @@ void Inspection::connect_results(ResultActions& results) {
     connect(particles_, &ParticleTable::grid_wanted, &results, &ResultActions::view_grid_of);
     connect(particles_, &ParticleTable::map_wanted, &results, &ResultActions::save_map_of);
     connect(particles_, &ParticleTable::path_wanted, &results, &ResultActions::save_path_of);
+    connect(joint_, &JointCovariance::picture_wanted, &results, [this, &results] {
+        results.save_picture(joint_->picture(2.0), "joint-covariance.png");
+    });
 }
 
 void Inspection::set_highlight(const PickedLandmark& picked) {

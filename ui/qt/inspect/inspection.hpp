@@ -11,6 +11,7 @@ namespace hitos::window {
 
 class AssociationInspector;
 class GridView;
+class JointCovariance;
 class LandmarkTable;
 class ParticleTable;
 class ResultActions;
@@ -37,6 +38,7 @@ class Inspection final : public QObject {
     LandmarkTable* landmarks_;
     ParticleTable* particles_;
     AssociationInspector* associations_;
+    JointCovariance* joint_;
 };
 
 }  // namespace hitos::window

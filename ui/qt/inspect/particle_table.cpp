@@ -1,8 +1,11 @@
 #include "particle_table.hpp"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include "dialogs/parameter_text.hpp"
 
 namespace hitos::window {
 namespace {
@@ -72,6 +75,10 @@ ParticleTable::ParticleTable(Session& session, QWidget* parent)
     table_->setObjectName("particle_table");
     table_->setAccessibleName(tr("Particles"));
     row->addWidget(table_, 1);
+    none_ = new QLabel(this);
+    none_->setObjectName("no_particles");
+    none_->setAlignment(Qt::AlignCenter);
+    row->addWidget(none_, 1);
     buttons_ = new QWidget(this);
     auto* column = new QVBoxLayout(buttons_);
     column->setContentsMargins(0, 0, 0, 0);
@@ -121,6 +128,11 @@ void ParticleTable::want() {
 
 void ParticleTable::refresh() {
     if (!isVisible()) return;
+    const bool particles = has_particles(session_.configuration());
+    none_->setText(tr("%1 has no particles.").arg(algorithm_of(session_.configuration())));
+    none_->setVisible(!particles);
+    table_->setVisible(particles);
+    buttons_->setVisible(particles);
     model_->set_snapshot(session_.snapshot());
     const bool there = chosen_ && static_cast<int>(*chosen_) < model_->rowCount();
     table_->choose(there ? static_cast<int>(*chosen_) : -1);

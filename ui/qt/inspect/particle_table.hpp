@@ -8,6 +8,7 @@
 #include "app/session.hpp"
 #include "figures_table.hpp"
 
+class QLabel;
 class QPushButton;
 
 namespace hitos::window {
@@ -62,6 +63,7 @@ class ParticleTable final : public QWidget {
     Session& session_;
     ParticleModel* model_;
     FiguresTable* table_;
+    QLabel* none_;  // instead of the table, where there are none
     QWidget* buttons_;
     std::optional<std::size_t> chosen_;
 };

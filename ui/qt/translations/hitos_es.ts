@@ -231,6 +231,10 @@
         <source>Particles&apos; ancestry</source>
         <translation>Ascendencia de las partículas</translation>
     </message>
+    <message>
+        <source>Path</source>
+        <translation>Camino</translation>
+    </message>
 </context>
 <context>
     <name>OdometryNoise</name>
@@ -800,20 +804,12 @@
         <translation>Origen de los datos</translation>
     </message>
     <message>
-        <source>Particle filter</source>
-        <translation>Filtro de partículas</translation>
-    </message>
-    <message>
         <source>Motion model</source>
         <translation>Modelo de movimiento</translation>
     </message>
     <message>
         <source>Observation model</source>
         <translation>Modelo de observación</translation>
-    </message>
-    <message>
-        <source>Split and Merge algorithm</source>
-        <translation>Algoritmo Split and Merge</translation>
     </message>
     <message>
         <source>Resampling</source>
@@ -1620,6 +1616,29 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::CorrelationView</name>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Rectas</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Esquinas</translation>
+    </message>
+    <message>
+        <source>Correlation %1</source>
+        <translation>Correlación %1</translation>
+    </message>
+    <message>
+        <source>Covariance %1</source>
+        <translation>Covarianza %1</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::FeatureModel</name>
     <message>
         <source>No.</source>
@@ -1652,8 +1671,8 @@
 <context>
     <name>hitos::window::GridView</name>
     <message>
-        <source>The map grows here, step by step, from the best particle of each step.</source>
-        <translation>Aquí crece el mapa, paso a paso, con la mejor partícula de cada paso.</translation>
+        <source>The map grows here, step by step, from where the robot is believed to be.</source>
+        <translation>Aquí crece el mapa, paso a paso, desde donde se cree que está el robot.</translation>
     </message>
 </context>
 <context>
@@ -1680,6 +1699,33 @@
     <message>
         <source>Associations</source>
         <translation>Asociaciones</translation>
+    </message>
+    <message>
+        <source>Joint covariance</source>
+        <translation>Covarianza conjunta</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::JointCovariance</name>
+    <message>
+        <source>Joint covariance</source>
+        <translation>Covarianza conjunta</translation>
+    </message>
+    <message>
+        <source>Save as image…</source>
+        <translation>Guardar como imagen…</translation>
+    </message>
+    <message>
+        <source>Point at an entry to read it.</source>
+        <translation>Señale una casilla para leerla.</translation>
+    </message>
+    <message>
+        <source>%1 keeps no joint covariance of pose and landmarks.</source>
+        <translation>%1 no lleva covarianza conjunta de la pose y los hitos.</translation>
+    </message>
+    <message>
+        <source>It appears here once the algorithm runs.</source>
+        <translation>Aparece aquí cuando se ejecuta el algoritmo.</translation>
     </message>
 </context>
 <context>
@@ -1963,14 +2009,6 @@
         <translation>La ejecución ha fallado</translation>
     </message>
     <message>
-        <source>Save as image</source>
-        <translation>Guardar como imagen</translation>
-    </message>
-    <message>
-        <source>A workbench for landmark SLAM on recorded laser tours: FastSLAM step by step, with every parameter at hand.</source>
-        <translation>Banco de trabajo de SLAM con hitos sobre recorridos láser grabados: FastSLAM paso a paso, con todos los parámetros a mano.</translation>
-    </message>
-    <message>
         <source>Free software under the GNU GPL, version 3 or later.</source>
         <translation>Software libre bajo la GNU GPL, versión 3 o posterior.</translation>
     </message>
@@ -1993,14 +2031,6 @@
     <message>
         <source>restart</source>
         <translation>reiniciar</translation>
-    </message>
-    <message>
-        <source>map of the best particle, of the odometry</source>
-        <translation>mapa de la mejor partícula, de la odometría</translation>
-    </message>
-    <message>
-        <source>save the best particle&apos;s map</source>
-        <translation>guardar el mapa de la mejor partícula</translation>
     </message>
     <message>
         <source>save the view in use as an image</source>
@@ -2135,10 +2165,6 @@
         <translation>tan rápido como sea posible, o al ritmo elegido</translation>
     </message>
     <message>
-        <source>tables of landmarks and particles, why features were associated</source>
-        <translation>tablas de hitos y partículas, el porqué de las asociaciones</translation>
-    </message>
-    <message>
         <source>Copy picture</source>
         <translation>Copiar imagen</translation>
     </message>
@@ -2165,6 +2191,34 @@
     <message>
         <source>A run from a folder that “Save all results” or hitos-cli run has written</source>
         <translation>Una ejecución de una carpeta escrita por «Guardar todos los resultados» o por hitos-cli run</translation>
+    </message>
+    <message>
+        <source>View map</source>
+        <translation>Ver mapa</translation>
+    </message>
+    <message>
+        <source>Grid map by %1 (B)</source>
+        <translation>Mapa de rejilla de %1 (B)</translation>
+    </message>
+    <message>
+        <source>Save map</source>
+        <translation>Guardar mapa</translation>
+    </message>
+    <message>
+        <source>A workbench for landmark SLAM on recorded laser tours: FastSLAM, EKF-SLAM and graph-SLAM step by step, with every parameter at hand.</source>
+        <translation>Un banco de trabajo para SLAM con hitos sobre recorridos láser grabados: FastSLAM, EKF-SLAM y Graph-SLAM paso a paso, con todos los parámetros a mano.</translation>
+    </message>
+    <message>
+        <source>map as estimated, as by the odometry</source>
+        <translation>mapa según la estimación, según la odometría</translation>
+    </message>
+    <message>
+        <source>save the map</source>
+        <translation>guardar el mapa</translation>
+    </message>
+    <message>
+        <source>tables of landmarks and particles, why features were associated, joint covariance</source>
+        <translation>tablas de hitos y de partículas, por qué se asociaron las características, covarianza conjunta</translation>
     </message>
 </context>
 <context>
@@ -2269,6 +2323,10 @@
         <source>Save path…</source>
         <translation>Guardar trayectoria…</translation>
     </message>
+    <message>
+        <source>%1 has no particles.</source>
+        <translation>%1 no tiene partículas.</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::PictureDialog</name>
@@ -2338,6 +2396,10 @@
     <message>
         <source>Save the figures as CSV…</source>
         <translation>Guardar las cifras como CSV…</translation>
+    </message>
+    <message>
+        <source>NEES of the pose (95 %: 0.2 … 9.3)</source>
+        <translation>NEES de la pose (95 %: 0,2 … 9,3)</translation>
     </message>
 </context>
 <context>
@@ -2425,6 +2487,14 @@
     <message>
         <source>Path saved: %1</source>
         <translation>Trayectoria guardada: %1</translation>
+    </message>
+    <message>
+        <source>Grid map by %1</source>
+        <translation>Mapa de rejilla de %1</translation>
+    </message>
+    <message>
+        <source>Save map</source>
+        <translation>Guardar mapa</translation>
     </message>
 </context>
 <context>
@@ -2520,6 +2590,10 @@
         <source>There is no reference trajectory to measure against.</source>
         <translation>No hay trayectoria de referencia con la que medir.</translation>
     </message>
+    <message>
+        <source>%1 has no particles.</source>
+        <translation>%1 no tiene partículas.</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::Runs</name>
@@ -2605,8 +2679,8 @@
 <context>
     <name>hitos::window::ScanView</name>
     <message>
-        <source>The scan, the particles and the landmarks appear here once the algorithm runs.</source>
-        <translation>El barrido, las partículas y los hitos aparecen aquí cuando el algoritmo se ejecuta.</translation>
+        <source>The scan and what the algorithm makes of it appear here once it runs.</source>
+        <translation>Aquí aparecen el barrido y lo que el algoritmo hace de él cuando se ejecuta.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "canvas_paint.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <QFontMetricsF>
 #include <algorithm>
 #include <cmath>
@@ -106,6 +107,35 @@ void draw_robot(QPainter& painter, const Scene& scene, const Pose& pose_view_rob
     painter.setBrush(faded(scene.colours.robot, 40));
     painter.drawPolygon(body);
     painter.drawLine(at(0.0, 0.0), at(0.26, 0.0));
+}
+
+void draw_pose_uncertainty(QPainter& painter, const Scene& scene, const Pose& mean,
+                           const Eigen::Matrix3d& covariance, const Pose& pose_view_world) {
+    constexpr int kPieces = 12;
+    constexpr double kReachPixels = 46.0;  // of the wedges, beyond the robot's outline
+    const double reach_m = kReachPixels / scene.pixels_per_m;
+    const Pose at = compose(pose_view_world, mean);
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(pose_view_world.theta).toRotationMatrix();
+    const Eigen::Matrix2d place = turn * covariance.topLeftCorner<2, 2>() * turn.transpose();
+    const double sigma_rad = std::sqrt(std::max(covariance(2, 2), 0.0));
+    const QPointF centre(at.x, at.y);
+    painter.setBrush(faded(scene.colours.robot, 22));
+    for (const double sigmas : {3.0, 2.0, 1.0}) {
+        painter.setPen(thin_pen(faded(scene.colours.robot, sigmas > 2.5 ? 120 : 190)));
+        // What is smaller than its outline would be a blot.
+        if (sigmas * sigmas * place.trace() * scene.pixels_per_m * scene.pixels_per_m > 4.0) {
+            painter.drawPolygon(scene.to_screen.map(ellipse(centre, place, sigmas)));
+        }
+        const double half = std::min(sigmas * sigma_rad, kPi);
+        if (half * kReachPixels < 1.0) continue;
+        QPolygonF wedge{centre};
+        for (int i = -kPieces; i <= kPieces; ++i) {
+            const double angle = at.theta + half * i / kPieces;
+            wedge << centre + reach_m * QPointF(std::cos(angle), std::sin(angle));
+        }
+        painter.setPen(Qt::NoPen);
+        painter.drawPolygon(scene.to_screen.map(wedge));
+    }
 }
 
 void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>& path_m,

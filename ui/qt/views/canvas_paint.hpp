@@ -22,6 +22,10 @@ void draw_metre_grid(QPainter& painter, const Scene& scene);
 void draw_chip(QPainter& painter, const Scene& scene, const QPointF& at, const QStringList& lines);
 /// The robot's outline with its heading.
 void draw_robot(QPainter& painter, const Scene& scene, const Pose& pose_view_robot);
+/// How unsure a pose is, at 1, 2 and 3 standard deviations: ellipses of the place, and wedges of
+/// the heading. `mean` and the covariance of (x, y, theta) about it are in the world's frame.
+void draw_pose_uncertainty(QPainter& painter, const Scene& scene, const Pose& mean,
+                           const Eigen::Matrix3d& covariance, const Pose& pose_view_world = {});
 /// A path; points nearer than three pixels to the one before are left out.
 void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>& path_m,
                const QPen& pen);

@@ -220,6 +220,9 @@ void GridView::paint_marks(QPainter& painter, const Scene& scene) const {
     }
     if (layers_.has(Layer::robot) && snapshot_) {
         Scene paper{scene.to_screen, scene.size, scene.pixels_per_m, light_colours(), false};
+        if (layers_.has(Layer::uncertainty)) {
+            draw_pose_uncertainty(painter, paper, snapshot_->mean_pose, snapshot_->pose_covariance);
+        }
         draw_robot(painter, paper, snapshot_->best_pose);
     }
 }
@@ -243,7 +246,7 @@ void GridView::click(const QPointF& point) {
 }
 
 QString GridView::empty_text() const {
-    return tr("The map grows here, step by step, from the best particle of each step.");
+    return tr("The map grows here, step by step, from where the robot is believed to be.");
 }
 
 }  // namespace hitos::window

@@ -4,8 +4,9 @@
 
 namespace hitos::window {
 
-QString layer_name(const LayerInfo& info) {
-    return QCoreApplication::translate("Layers", info.name);
+QString layer_name(const LayerInfo& info, bool particles) {
+    const char* name = particles || info.alone == nullptr ? info.name : info.alone;
+    return *name == '\0' ? QString() : QCoreApplication::translate("Layers", name);
 }
 
 LayerSet default_layers() {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hitos/services/evaluation/nees.hpp"
 #include "hitos/slam/filters.hpp"
 #include "plot_style.hpp"
 
@@ -30,6 +31,9 @@ struct PlotInfo {
     std::optional<double> (*measured)(const ErrorPoint&) = nullptr;
     bool from_zero = true;
     bool of_hypotheses = false;  ///< says nothing where there is only one
+    /// A figure of every step against the reference; not a number where there is none.
+    double Plots::Against::*against = nullptr;
+    bool bounds = false;  ///< by powers of ten, with the interval where the NEES should lie
 };
 
 /// By Plots::Figure.
@@ -45,7 +49,10 @@ const std::array kPlots = {
              [](const StepFigures& step) { return step.best_log_weight; }, nullptr, false, true},
     PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Time per step [ms]"), &Colours::muted,
              [](const StepFigures& step) { return step.step_seconds * 1e3; }},
-    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Position error [m]"), &Colours::path},
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Position error [m]"), &Colours::path,
+             nullptr, nullptr, true, false, &Plots::Against::position_error_m},
+    PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "NEES of the pose (95 %: 0.2 … 9.3)"),
+             &Colours::robot, nullptr, nullptr, false, false, &Plots::Against::nees, true},
     PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Trajectory error [m]"), &Colours::path,
              nullptr, [](const ErrorPoint& error) { return error.trajectory_m; }},
     PlotInfo{QT_TRANSLATE_NOOP("hitos::window::Plots", "Landmark error [m]"), &Colours::reference,
@@ -101,9 +108,9 @@ std::vector<Plots::Figure> Plots::wanted() const {
         const auto figure = static_cast<Figure>(i);
         const PlotInfo& plot = kPlots[i];
         bool any = plot.step != nullptr && (several || !plot.of_hypotheses);
-        if (figure == position_error) {
-            any =
-                std::ranges::any_of(position_errors_m_, [](double e) { return std::isfinite(e); });
+        if (plot.against != nullptr) {
+            any = std::ranges::any_of(
+                against_, [](double value) { return std::isfinite(value); }, plot.against);
         } else if (plot.measured != nullptr) {
             any = std::ranges::any_of(course_, [&plot](const ErrorPoint& error) {
                 return plot.measured(error).has_value();
@@ -148,15 +155,39 @@ void Plots::add_plot(Figure figure, int place, int columns) {
                 set_times(range.lower, range.upper);
             });
     Shown shown{figure, rect, title_of(*plot_, row, column),
-                plot_->addGraph(time, rect->axis(QCPAxis::atLeft)), new QCPItemStraightLine(plot_)};
-    shown.now->setClipAxisRect(rect);
+                plot_->addGraph(time, rect->axis(QCPAxis::atLeft)), add_line(rect)};
     for (QCPItemPosition* end : shown.now->positions()) {
-        end->setAxes(time, rect->axis(QCPAxis::atLeft));
-        end->setAxisRect(rect);
         end->setTypeX(QCPItemPosition::ptPlotCoords);
         end->setTypeY(QCPItemPosition::ptAxisRectRatio);
     }
+    if (info(figure).bounds) {
+        QCPAxis* value = rect->axis(QCPAxis::atLeft);
+        value->setScaleType(QCPAxis::stLogarithmic);
+        value->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+        value->setNumberFormat("eb");
+        value->setNumberPrecision(0);
+        for (const double bound : {kNeesLow, kNeesHigh}) {
+            QCPItemStraightLine* line = add_line(rect);
+            for (QCPItemPosition* end : line->positions()) {
+                end->setTypeX(QCPItemPosition::ptAxisRectRatio);
+                end->setTypeY(QCPItemPosition::ptPlotCoords);
+            }
+            line->point1->setCoords(0.0, bound);
+            line->point2->setCoords(1.0, bound);
+            shown.bounds.push_back(line);
+        }
+    }
     shown_.push_back(shown);
+}
+
+QCPItemStraightLine* Plots::add_line(QCPAxisRect* rect) {
+    auto* line = new QCPItemStraightLine(plot_);
+    line->setClipAxisRect(rect);
+    for (QCPItemPosition* end : line->positions()) {
+        end->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+        end->setAxisRect(rect);
+    }
+    return line;
 }
 
 void Plots::restyle() {
@@ -167,6 +198,9 @@ void Plots::restyle() {
         const PlotInfo& plot = info(shown.figure);
         shown.graph->setPen(QPen(c.*plot.colour, 1.4));
         shown.now->setPen(QPen(c.accent, 1.0));
+        for (QCPItemStraightLine* bound : shown.bounds) {
+            bound->setPen(QPen(c.good, 1.0, Qt::DashLine));
+        }
         if (plot.measured != nullptr) {
             shown.graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 4.0));
         }
@@ -179,7 +213,7 @@ void Plots::restyle() {
 /// Nothing is known of the run, or of what it is measured against.
 void Plots::clear() {
     figures_.clear();
-    position_errors_m_.clear();
+    against_.clear();
     position_error_.reset();
     if (const auto& reference = session_.references().trajectory) {
         position_error_.emplace(*reference);
@@ -198,9 +232,10 @@ void Plots::refresh(bool at_once) {
     if (session_.has_source()) {
         for (const StepFigures& step : session_.worker()->figures_since(figures_.size())) {
             figures_.push_back(step);
-            const auto away =
-                position_error_ ? position_error_->at(step.online) : std::optional<double>();
-            position_errors_m_.push_back(away.value_or(kNothing));
+            Against& against = against_.emplace_back();
+            if (!position_error_) continue;
+            against = {position_error_->at(step.online).value_or(kNothing),
+                       nees_of(step, *position_error_).value_or(kNothing)};
         }
     }
     lay_out();
@@ -220,12 +255,18 @@ void Plots::fill() {
         } else {
             for (std::size_t i = filled_; i < figures_.size(); ++i) {
                 const double value =
-                    plot.step != nullptr ? plot.step(figures_[i]) : position_errors_m_[i];
-                if (std::isfinite(value)) shown.graph->addData(figures_[i].time_s, value);
+                    plot.step != nullptr ? plot.step(figures_[i]) : against_[i].*plot.against;
+                const bool drawn = std::isfinite(value) && (value > 0.0 || !plot.bounds);
+                if (drawn) shown.graph->addData(figures_[i].time_s, value);
             }
         }
         shown.graph->rescaleValueAxis();
-        if (plot.from_zero) shown.rect->axis(QCPAxis::atLeft)->setRangeLower(0.0);
+        QCPAxis* axis = shown.rect->axis(QCPAxis::atLeft);
+        if (plot.from_zero) axis->setRangeLower(0.0);
+        if (plot.bounds) {
+            axis->setRange(std::min(axis->range().lower, kNeesLow / 2.0),
+                           std::max(axis->range().upper, kNeesHigh * 2.0));
+        }
         const double now = session_.progress().duration_s;
         shown.now->point1->setCoords(now, 0.0);
         shown.now->point2->setCoords(now, 1.0);

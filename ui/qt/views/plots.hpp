@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QWidget>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -34,8 +35,15 @@ class Plots final : public QWidget {
         best_weight,
         step_time,
         position_error,
+        pose_nees,
         trajectory_error,
         map_error,
+    };
+
+    /// What a scan's pose is against the reference; not a number where there is none.
+    struct Against {
+        double position_error_m = std::numeric_limits<double>::quiet_NaN();
+        double nees = std::numeric_limits<double>::quiet_NaN();
     };
 
     Plots(Session& session, ReferenceMeter& meter, QWidget* parent = nullptr);
@@ -69,12 +77,14 @@ class Plots final : public QWidget {
         QCPTextElement* title;
         QCPGraph* graph;
         QCPItemStraightLine* now;
+        std::vector<QCPItemStraightLine*> bounds = {};
     };
 
     std::vector<Figure> wanted() const;
     /// Makes the plots anew where others are wanted.
     void lay_out();
     void add_plot(Figure figure, int place, int columns);
+    QCPItemStraightLine* add_line(QCPAxisRect* rect);
     void clear();
     void refresh(bool at_once);
     void fill();
@@ -90,7 +100,7 @@ class Plots final : public QWidget {
     QCustomPlot* plot_;
     std::vector<Shown> shown_;
     std::vector<StepFigures> figures_;
-    std::vector<double> position_errors_m_;  // by scan; not a number: none
+    std::vector<Against> against_;  // by scan
     std::optional<PositionError> position_error_;
     std::vector<ErrorPoint> course_;
     std::size_t filled_ = 0;  // scans in the graphs

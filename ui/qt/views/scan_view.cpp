@@ -196,7 +196,13 @@ void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
         painter.drawPoints(pixels);
     }
     paint_particles(painter, scene);
-    if (layers_.has(Layer::robot)) draw_robot(painter, scene, pose_view_robot());
+    if (layers_.has(Layer::robot)) {
+        if (layers_.has(Layer::uncertainty)) {
+            draw_pose_uncertainty(painter, scene, snapshot_->mean_pose, snapshot_->pose_covariance,
+                                  pose_view_world());
+        }
+        draw_robot(painter, scene, pose_view_robot());
+    }
     if (layers_.has(Layer::detected)) paint_detected(painter, scene);
     paint_links(painter, scene);
     if (scene.chrome) draw_scale_bar(painter, scene);
@@ -322,7 +328,7 @@ void ScanView::click(const QPointF& point) {
 }
 
 QString ScanView::empty_text() const {
-    return tr("The scan, the particles and the landmarks appear here once the algorithm runs.");
+    return tr("The scan and what the algorithm makes of it appear here once it runs.");
 }
 
 }  // namespace hitos::window

@@ -10,7 +10,7 @@
 namespace hitos::window {
 
 ViewSettings::ViewSettings(UserFiles& files, QMenu* layers_menu, QMenu* theme_menu, QObject* parent)
-    : QObject(parent), files_(files), layers_menu_(layers_menu), layers_(default_layers()) {
+    : QObject(parent), files_(files), layers_menu_(layers_menu) {
     fill_layers(layers_menu);
     fill_themes(theme_menu);
 }
@@ -24,19 +24,40 @@ void ViewSettings::fill_layers(QMenu* menu) {
     for (const LayerInfo& info : kLayerTable) {
         const QString key = QString("layers/") + info.key;
         const bool on = files_.settings().value(key, info.on).toBool();
-        layers_.set(info.layer, on);
-        QAction* action = menu->addAction(layer_name(info));
+        QAction* action = menu->addAction(layer_name(info, particles_));
+        switches_.at(static_cast<std::size_t>(number - 1)) = action;
         action->setObjectName(QString("layer_") + info.key);
         action->setCheckable(true);
         action->setChecked(on);
         if (number <= 9) action->setShortcut(QKeySequence(Qt::ALT | (Qt::Key_0 + number)));
         ++number;
-        connect(action, &QAction::toggled, this, [this, key, layer = info.layer](bool checked) {
-            layers_.set(layer, checked);
+        connect(action, &QAction::toggled, this, [this, key](bool checked) {
             files_.settings().setValue(key, checked);
-            emit layers_changed(layers_);
+            update_layers();
         });
     }
+    update_layers();
+}
+
+void ViewSettings::set_particles(bool particles) {
+    particles_ = particles;
+    for (std::size_t i = 0; i < kLayers; ++i) {
+        const QString name = layer_name(kLayerTable[i], particles);
+        switches_[i]->setVisible(!name.isEmpty());  // what is hidden has no key either
+        if (!name.isEmpty()) switches_[i]->setText(name);
+    }
+    update_layers();
+}
+
+void ViewSettings::update_layers() {
+    LayerSet layers;
+    for (std::size_t i = 0; i < kLayers; ++i) {
+        const bool there = !layer_name(kLayerTable[i], particles_).isEmpty();
+        layers.set(kLayerTable[i].layer, there && switches_[i]->isChecked());
+    }
+    if (layers == layers_) return;
+    layers_ = layers;
+    emit layers_changed(layers_);
 }
 
 void ViewSettings::fill_themes(QMenu* menu) {

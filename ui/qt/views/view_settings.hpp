@@ -2,11 +2,13 @@
 #pragma once
 
 #include <QObject>
+#include <array>
 
 #include "actions/user_files.hpp"
 #include "app/theme.hpp"
 #include "layers.hpp"
 
+class QAction;
 class QMenu;
 
 namespace hitos::window {
@@ -21,7 +23,10 @@ class ViewSettings final : public QObject {
     /// With the switch of every layer.
     QMenu* layers_menu() const { return layers_menu_; }
 
+    /// Those that are switched on and say something of what runs.
     const LayerSet& layers() const { return layers_; }
+    /// Whether the algorithm has particles: without, some layers have nothing to show.
+    void set_particles(bool particles);
     static Theme saved_theme(UserFiles& files);
 
   signals:
@@ -31,9 +36,12 @@ class ViewSettings final : public QObject {
   private:
     void fill_layers(QMenu* menu);
     void fill_themes(QMenu* menu);
+    void update_layers();
 
     UserFiles& files_;
     QMenu* layers_menu_;
+    std::array<QAction*, kLayers> switches_{};  // in the order of the table
+    bool particles_ = true;
     LayerSet layers_;
 };
 

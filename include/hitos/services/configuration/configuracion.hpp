@@ -60,7 +60,8 @@ enum class ParameterGroup {
 /// What a group is called, and the tables of a configuration file whose parameters it shows.
 struct ParameterGroupFacts {
     ParameterGroup group;
-    std::string_view title;  ///< translated in the context "ParameterGroup"
+    std::string_view title;           ///< translated in the context "ParameterGroup"; or empty, and
+    std::string_view title_key = {};  ///< the parameter whose choice is the title
     std::vector<std::string_view> tables;
 };
 
