@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
     if (name == "run") return run<RunTest>(arguments);
     if (name == "runs") return run<RunsTest>(arguments);
     if (name == "inspect") return run<InspectTest>(arguments);
+    if (name == "measure") return run<MeasureTest>(arguments);
     if (name == "study") return run<StudyTest>(arguments);
     if (name == "time") return run<TimeTest>(arguments);
     if (name == "random") return run<RandomUserTest>(arguments);
@@ -42,7 +43,6 @@ int main(int argc, char** argv) {
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
         "expected contact, fit, source, configuration, random, run, runs, study, time, view, "
-        "inspect or "
-        "words");
+        "inspect, measure or words");
     return 2;
 }

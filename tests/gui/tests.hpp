@@ -181,6 +181,19 @@ class InspectTest : public QObject {
     void the_nees_is_a_plot_where_the_truth_is_known();
 };
 
+class MeasureTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void two_walls_are_measured_as_the_command_line_does();
+    void truth_is_the_reference_maps_or_written();
+    void what_is_written_stays_while_the_run_goes_on();
+    void angles_and_places_are_measured_with_keys_too();
+    void distances_files_are_opened();
+    void measurements_go_with_their_log();
+    void maps_in_windows_of_their_own_are_measured();
+};
+
 class StudyTest : public QObject {
     Q_OBJECT
 

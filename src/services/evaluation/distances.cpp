@@ -12,11 +12,10 @@
 namespace hitos {
 namespace {
 
-constexpr double kLeastDistance = 1e-3;               // m
-constexpr double kGreatestAway = 0.5;                 // m, of a line from its point
-constexpr double kGreatestShare = 0.5;                // of the distance, likewise
-constexpr double kGreatestTurn = 15.0 * kPi / 180.0;  // rad
+constexpr double kGreatestAway = 0.5;   // m, of a line from its point
+constexpr double kGreatestShare = 0.5;  // of the distance, likewise
 constexpr std::string_view kExpected = "expected 5 fields, name x1 y1 x2 y2";
+constexpr std::string_view kName = "expected a word without commas and quotes";
 
 NamedDistance distance_from(std::string_view line, const std::string& file, std::uint64_t number) {
     const std::vector<std::string_view> words = input::fields(line);
@@ -24,10 +23,9 @@ NamedDistance distance_from(std::string_view line, const std::string& file, std:
         throw FormatError(file, number,
                           fmt::format("found {} fields; {}", words.size(), kExpected));
     }
-    if (words[0].find_first_of(",\"") != std::string_view::npos) {
+    if (!is_distance_name(words[0])) {
         throw FormatError(file, number,
-                          fmt::format("the name is {}; expected a word without commas and quotes",
-                                      input::in_quotes(words[0])));
+                          fmt::format("the name is {}; {}", input::in_quotes(words[0]), kName));
     }
     constexpr std::array<std::string_view, 4> kColumns = {"x1", "y1", "x2", "y2"};
     std::array<double, kColumns.size()> values{};
@@ -48,32 +46,9 @@ double away(const Recta& line, const Point2& point) {
     return std::abs(signed_distance(line, point));
 }
 
-/// The index of the line nearest to the point among those across the direction; -1: none.
-int nearest_line(const LandmarkMap& map, const Point2& point, const Recta& across,
-                 double greatest) {
-    int nearest = -1;
-    double least = greatest;
-    for (std::size_t i = 0; i < map.size(); ++i) {
-        const auto* line = std::get_if<Recta>(&map[i].value);
-        if (line == nullptr || !(difference(*line, across).theta <= kGreatestTurn)) continue;
-        const double distance = away(*line, point);
-        if (!(distance <= least)) continue;
-        least = distance;
-        nearest = static_cast<int>(i);
-    }
-    return nearest;
-}
-
-Point2 projected(const Recta& line, const Point2& point) {
-    const double d = signed_distance(line, point);
-    return {point.x - d * std::cos(line.theta), point.y - d * std::sin(line.theta)};
-}
-
 MeasuredDistance measure(const LandmarkMap& map, const NamedDistance& distance) {
     MeasuredDistance measured{distance, {}, -1, -1, {}};
-    // A wall through a across the way to b; only its direction counts.
-    const Recta across =
-        normalized({0.0, std::atan2(distance.b.y - distance.a.y, distance.b.x - distance.a.x)});
+    const double across = std::atan2(distance.b.y - distance.a.y, distance.b.x - distance.a.x);
     const double greatest = std::min(kGreatestAway, kGreatestShare * distance.true_m());
     measured.line_a = nearest_line(map, distance.a, across, greatest);
     measured.line_b = nearest_line(map, distance.b, across, greatest);
@@ -102,6 +77,32 @@ std::string place(int number) {
 }
 
 }  // namespace
+
+bool is_distance_name(std::string_view name) {
+    return !name.empty() && input::fields(name).size() == 1 && input::trimmed(name) == name &&
+           name.find_first_of(",\"#") == std::string_view::npos;
+}
+
+int nearest_line(const LandmarkMap& map, const Point2& point, double normal_rad,
+                 double greatest_m) {
+    const Recta across = normalized({0.0, normal_rad});  // only its direction counts
+    int nearest = -1;
+    double least = greatest_m;
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        const auto* line = std::get_if<Recta>(&map[i].value);
+        if (line == nullptr || !(difference(*line, across).theta <= kGreatestTurn)) continue;
+        const double distance = away(*line, point);
+        if (!(distance <= least)) continue;
+        least = distance;
+        nearest = static_cast<int>(i);
+    }
+    return nearest;
+}
+
+Point2 projected(const Recta& line, const Point2& point) {
+    const double d = signed_distance(line, point);
+    return {point.x - d * std::cos(line.theta), point.y - d * std::sin(line.theta)};
+}
 
 double NamedDistance::true_m() const {
     return std::hypot(b.x - a.x, b.y - a.y);
@@ -141,6 +142,28 @@ std::vector<NamedDistance> parse_distances(std::string_view text, const std::str
         throw FormatError(name, 0, fmt::format("no distance in the file; {}", kExpected));
     }
     return distances;
+}
+
+std::string distances_text(std::span<const NamedDistance> distances) {
+    if (distances.empty()) throw Error("there is no distance between two walls to write");
+    std::string text = "# name x1 y1 x2 y2: a point on each of two parallel walls [m]\n";
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const auto& [name, a, b] = distances[i];
+        if (!is_distance_name(name)) {
+            throw Error(fmt::format("a distance is named {}; {}", input::in_quotes(name), kName));
+        }
+        if (std::ranges::find(distances.first(i), name, &NamedDistance::name) !=
+            distances.begin() + static_cast<std::ptrdiff_t>(i)) {
+            throw Error(fmt::format("two distances are named {}; expected each name once",
+                                    input::in_quotes(name)));
+        }
+        if (!(distances[i].true_m() >= kLeastDistance)) {
+            throw Error(fmt::format("the two points of {} are {} m apart; expected at least {} m",
+                                    name, distances[i].true_m(), kLeastDistance));
+        }
+        text += fmt::format("{} {} {} {} {}\n", name, a.x, a.y, b.x, b.y);
+    }
+    return text;
 }
 
 std::vector<MeasuredDistance> measure_distances(const LandmarkMap& map,

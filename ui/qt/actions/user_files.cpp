@@ -36,7 +36,7 @@ bool reads(const QString& path, Read read) {
 
 QString shipped_folder(const QString& kind) {
     static const QMap<QString, const char*> folders{
-        {"config", "config"}, {"log", "data"}, {"map", "data/maps"}};
+        {"config", "config"}, {"log", "data"}, {"map", "data/maps"}, {"distances", "data/worlds"}};
     const char* folder = folders.value(kind, nullptr);
     return folder == nullptr ? QString() : QString::fromStdString(shipped_file(folder).string());
 }

@@ -101,6 +101,14 @@ void draw_glyph(QPainter& p, Glyph glyph, const QColor& colour) {
             p.drawPolyline(QPolygonF{{3, 17}, {9, 11}, {14, 16}, {17, 13}, {21, 17}});
             p.drawEllipse(QPointF(16, 8.5), 1.2, 1.2);
             break;
+        case Glyph::distance:
+            p.drawRoundedRect(QRectF(2, 8, 20, 8), 1.5, 1.5);
+            for (const double x : {7.0, 12.0, 17.0}) p.drawLine(QPointF(x, 8), QPointF(x, 12));
+            break;
+        case Glyph::angle:
+            p.drawPolyline(QPolygonF{{17, 4}, {4, 19}, {21, 19}});
+            p.drawArc(QRectF(-6, 9, 20, 20), 0, 49 * 16);
+            break;
         case Glyph::fit:
             p.drawPolyline(QPolygonF{{4, 9}, {4, 4}, {9, 4}});
             p.drawPolyline(QPolygonF{{15, 4}, {20, 4}, {20, 9}});

@@ -23,7 +23,9 @@ enum class Glyph {
     plots,
     zoom_in,
     zoom_out,
-    full_speed
+    full_speed,
+    distance,
+    angle
 };
 
 QIcon icon(Glyph glyph);

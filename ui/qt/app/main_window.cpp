@@ -13,6 +13,7 @@
 #include "actions/configuration_actions.hpp"
 #include "actions/file_menus.hpp"
 #include "actions/result_actions.hpp"
+#include "dialogs/parameter_text.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "icons.hpp"
@@ -95,6 +96,7 @@ void MainWindow::make_parts() {
     const DockPlace place{this, dock_, ui_->menu_view, ui_->menu_theme->menuAction()};
     inspection_ = new Inspection(session_, place);
     runs_ = new Runs(session_, files_, prompts_, *view_settings_, place);
+    set_up_measuring(place);
     ui_->menu_view->insertSeparator(ui_->menu_theme->menuAction());
     ui_->views->setSizes({500, 500});
     fit_to_screen(*this);

@@ -18,6 +18,8 @@ class ConfigurationActions;
 class GridView;
 class Inspection;
 class LogCounter;
+class MeasureTool;
+struct DockPlace;
 struct PickedLandmark;
 class Plots;
 class ReferenceMeter;
@@ -62,6 +64,7 @@ class MainWindow final : public QMainWindow {
     void connect_run();
     void connect_views();
     void connect_help();
+    void set_up_measuring(const DockPlace& place);
     void set_up_view_buttons();
     void connect_runs();
     void show_configuration();
@@ -91,6 +94,7 @@ class MainWindow final : public QMainWindow {
     QDockWidget* dock_ = nullptr;
     Inspection* inspection_ = nullptr;
     Runs* runs_ = nullptr;
+    MeasureTool* measure_ = nullptr;
     StudyDialog* study_ = nullptr;
 };
 

@@ -2220,6 +2220,46 @@
         <source>tables of landmarks and particles, why features were associated, joint covariance</source>
         <translation>tablas de hitos y de partículas, por qué se asociaron las características, covarianza conjunta</translation>
     </message>
+    <message>
+        <source>Measure a distance</source>
+        <translation>Medir una distancia</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Click two walls, corners or places in a view (M)</source>
+        <translation>Pulse dos paredes, esquinas o lugares en una vista (M)</translation>
+    </message>
+    <message>
+        <source>Measure an angle</source>
+        <translation>Medir un ángulo</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Click two walls, or three corners or places in a view (Shift+M)</source>
+        <translation>Pulse dos paredes, o tres esquinas o lugares en una vista (Mayús+M)</translation>
+    </message>
+    <message>
+        <source>measure a distance, an angle</source>
+        <translation>medir una distancia, un ángulo</translation>
+    </message>
+    <message>
+        <source>what was measured</source>
+        <translation>lo que se ha medido</translation>
+    </message>
+    <message>
+        <source>compare runs, the list of runs</source>
+        <translation>comparar ejecuciones, la lista de ellas</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Medidas</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::MapWindow</name>
@@ -2250,6 +2290,151 @@
     <message>
         <source>&amp;Layers</source>
         <translation>&amp;Capas</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::MeasureTool</name>
+    <message>
+        <source>Wall</source>
+        <translation>Pared</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Esquina</translation>
+    </message>
+    <message>
+        <source>Click two walls, corners or places (Shift: any place); Esc ends.</source>
+        <translation>Pulse dos paredes, esquinas o lugares (Mayús: cualquier lugar); Esc termina.</translation>
+    </message>
+    <message>
+        <source>Click two walls, or three corners or places with the vertex second (Shift: any place); Esc ends.</source>
+        <translation>Pulse dos paredes, o tres esquinas o lugares con el vértice en segundo lugar (Mayús: cualquier lugar); Esc termina.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::MeasurementModel</name>
+    <message>
+        <source>Angle of walls</source>
+        <translation>Ángulo de paredes</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Wall to wall</source>
+        <translation>De pared a pared</translation>
+    </message>
+    <message>
+        <source>Point to wall</source>
+        <translation>De punto a pared</translation>
+    </message>
+    <message>
+        <source>Point to point</source>
+        <translation>De punto a punto</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>True</source>
+        <translation>Verdadero</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>Error %</source>
+        <translation>Error %</translation>
+    </message>
+    <message>
+        <source>The map has no such walls or corners there.</source>
+        <translation>El mapa no tiene ahí tales paredes o esquinas.</translation>
+    </message>
+    <message>
+        <source>Double click to write the true value; empty: the reference map&apos;s</source>
+        <translation>Doble clic para escribir el valor verdadero; vacío: el del mapa de referencia</translation>
+    </message>
+    <message>
+        <source>“%1” is no name: a word without commas, quotes and #, that no other row has.</source>
+        <translation>«%1» no es un nombre: una palabra sin comas, comillas ni #, que no tenga ninguna otra fila.</translation>
+    </message>
+    <message>
+        <source>“%1” is no angle from 0 to 180 degrees.</source>
+        <translation>«%1» no es un ángulo de 0 a 180 grados.</translation>
+    </message>
+    <message>
+        <source>“%1” is no distance in metres, at least 0.001.</source>
+        <translation>«%1» no es una distancia en metros, de al menos 0,001.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::MeasurementTable</name>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Vaciar</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Write the distances between walls as a file for hitos-cli --distances</source>
+        <translation>Escribir las distancias entre paredes en un archivo para hitos-cli --distances</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Medidas</translation>
+    </message>
+    <message>
+        <source>Mean error of %1: %2 m, %3 %</source>
+        <translation>Error medio de %1: %2 m, %3 %</translation>
+    </message>
+    <message>
+        <source>Clear the measurements</source>
+        <translation>Vaciar las medidas</translation>
+    </message>
+    <message>
+        <source>Forget all %1 measurements?</source>
+        <translation>¿Olvidar las %1 medidas?</translation>
+    </message>
+    <message>
+        <source>Open distances file</source>
+        <translation>Abrir archivo de distancias</translation>
+    </message>
+    <message>
+        <source>Distances (*.distances *.txt);;All files (*)</source>
+        <translation>Distancias (*.distances *.txt);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>The file cannot be used</source>
+        <translation>El archivo no se puede usar</translation>
+    </message>
+    <message>
+        <source>Save as distances file</source>
+        <translation>Guardar como archivo de distancias</translation>
+    </message>
+    <message>
+        <source>Distances between walls saved: %1 (%2 of %3 measurements)</source>
+        <translation>Distancias entre paredes guardadas: %1 (%2 de %3 medidas)</translation>
+    </message>
+    <message>
+        <source>%1; %2 without a true value, with what is measured now</source>
+        <translation>%1; %2 sin valor verdadero, con lo que se mide ahora</translation>
     </message>
 </context>
 <context>

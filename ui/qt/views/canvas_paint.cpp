@@ -159,6 +159,15 @@ void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>
     painter.drawPolyline(pixels);
 }
 
+void draw_cross(QPainter& painter, const QPointF& pixel, const QColor& colour) {
+    constexpr double kArm = 9.0;
+    constexpr double kGap = 3.0;
+    painter.setPen(thin_pen(colour, 1.4));
+    for (const QPointF& way : {QPointF(1, 0), QPointF(0, 1), QPointF(-1, 0), QPointF(0, -1)}) {
+        painter.drawLine(pixel + kGap * way, pixel + kArm * way);
+    }
+}
+
 void draw_disc(QPainter& painter, const QPointF& pixel, double radius, const QColor& colour) {
     painter.setPen(thin_pen(Qt::white, 1.5));
     painter.setBrush(colour);

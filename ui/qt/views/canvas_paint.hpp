@@ -29,6 +29,8 @@ void draw_pose_uncertainty(QPainter& painter, const Scene& scene, const Pose& me
 /// A path; points nearer than three pixels to the one before are left out.
 void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>& path_m,
                const QPen& pen);
+/// A small cross, as gun sights have it.
+void draw_cross(QPainter& painter, const QPointF& pixel, const QColor& colour);
 void draw_disc(QPainter& painter, const QPointF& pixel, double radius, const QColor& colour);
 
 /// The part of an infinite line that lies in sight, as pixels; empty where none does.

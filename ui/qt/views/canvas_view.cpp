@@ -84,7 +84,34 @@ void CanvasView::set_turn(double turn_rad) {
 }
 
 QPointF CanvasView::world_at(const QPointF& pixel) const {
-    return to_world(camera_.to_screen(size()).inverted().map(pixel));
+    const QPointF point = camera_.to_screen(size()).inverted().map(pixel);
+    const Point2 world = transform(inverse(pose_view_world()), Point2{point.x(), point.y()});
+    return {world.x, world.y};
+}
+
+void CanvasView::set_tool(ViewTool& tool) {
+    tool_ = &tool;
+    connect(&tool, &ViewTool::changed, this, qOverload<>(&QWidget::update));
+    connect(&tool, &ViewTool::switched, this, [this] {
+        hover_again();
+        update();
+    });
+}
+
+/// With Shift a place is a place, whatever lies there.
+PointedAt CanvasView::pointed_at(const QPointF& pixel, Qt::KeyboardModifiers keys) const {
+    const QPointF world = world_at(pixel);
+    PointedAt pointed{{world.x(), world.y()}, {}};
+    if (!keys.testFlag(Qt::ShiftModifier)) {
+        pointed.landmark = landmark_below(camera_.to_screen(size()).inverted().map(pixel));
+    }
+    return pointed;
+}
+
+void CanvasView::point_at(const std::optional<QPointF>& pixel, Qt::KeyboardModifiers keys) {
+    const bool own = pixel && !measures();
+    hover(own ? std::optional(camera_.to_screen(size()).inverted().map(*pixel)) : std::nullopt);
+    if (measures()) tool_->hover(pixel ? std::optional(pointed_at(*pixel, keys)) : std::nullopt);
 }
 
 Camera CanvasView::fitted(const QSizeF& size) const {
@@ -126,9 +153,9 @@ void CanvasView::content_changed(std::optional<QPointF> robot) {
 }
 
 void CanvasView::hover_again() {
-    if (!cursor_ || dragged_) return;
-    hover(camera_.to_screen(size()).inverted().map(*cursor_));
-    emit hovered_at(world_at(*cursor_));
+    if (dragged_ || !(cursor_ || (measures() && hasFocus()))) return;
+    point_at(picking_place(), QApplication::keyboardModifiers());
+    if (cursor_) emit hovered_at(world_at(*cursor_));
 }
 
 QSize CanvasView::picture_size(bool whole, double scale) const {
@@ -165,9 +192,20 @@ Picture CanvasView::picture(bool whole, double scale) const {
                     camera.pixels_per_m = whole_pixels_per_m();
                     make_room_for_scale_bar(camera, logical);
                 }
-                paint_scene(painter,
-                            {camera.to_screen(logical), logical, camera.pixels_per_m, paper, true});
+                paint_all(painter,
+                          {camera.to_screen(logical), logical, camera.pixels_per_m, paper, true});
             }};
+}
+
+void CanvasView::paint_all(QPainter& painter, const Scene& scene) const {
+    paint_scene(painter, scene);
+    if (!tool_) return;
+    const Pose pose = pose_view_world();
+    QTransform view_world;
+    view_world.translate(pose.x, pose.y);
+    view_world.rotateRadians(pose.theta);
+    tool_->paint(painter, {view_world * scene.to_screen, scene.size, scene.pixels_per_m,
+                           scene.colours, scene.chrome});
 }
 
 void CanvasView::paintEvent(QPaintEvent* event) {
@@ -178,13 +216,14 @@ void CanvasView::paintEvent(QPaintEvent* event) {
     painter.fillRect(rect(), c.canvas);
     painter.setRenderHint(QPainter::Antialiasing);
     if (content().isValid()) {
-        paint_scene(painter,
-                    {camera_.to_screen(size()), QSizeF(size()), camera_.pixels_per_m, c, true});
+        paint_all(painter,
+                  {camera_.to_screen(size()), QSizeF(size()), camera_.pixels_per_m, c, true});
     } else {
         painter.setPen(c.muted);
         painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
                          empty_text());
     }
+    if (hasFocus() && measures() && !cursor_) draw_cross(painter, picking_place(), c.text);
     if (hasFocus()) {
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setPen(QPen(faded(c.accent, 120), 1));
@@ -242,7 +281,7 @@ void CanvasView::mouseMoveEvent(QMouseEvent* event) {
         if (dragged_) pan(pixel - last_);
         last_ = pixel;
     } else {
-        hover(camera_.to_screen(size()).inverted().map(pixel));
+        point_at(pixel, event->modifiers());
     }
     emit hovered_at(world_at(pixel));
 }
@@ -252,7 +291,11 @@ void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
     setCursor(Qt::CrossCursor);
     // The second release of a double click belongs to no press.
     if (std::exchange(pressed_, false) && !dragged_) {
-        click(camera_.to_screen(size()).inverted().map(event->position()));
+        if (measures()) {
+            tool_->click(pointed_at(event->position(), event->modifiers()));
+        } else {
+            click(camera_.to_screen(size()).inverted().map(event->position()));
+        }
     }
     dragged_ = false;
 }
@@ -265,13 +308,26 @@ void CanvasView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void CanvasView::leaveEvent(QEvent* event) {
     cursor_.reset();
-    hover(std::nullopt);
+    point_at(std::nullopt, {});
     emit left();
     QWidget::leaveEvent(event);
 }
 
+bool CanvasView::key_of_tool(int key, Qt::KeyboardModifiers keys) {
+    if (!measures()) return false;
+    if (key == Qt::Key_Escape) {
+        tool_->escape();
+    } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+        tool_->click(pointed_at(picking_place(), keys));
+    } else {
+        return false;
+    }
+    return true;
+}
+
 void CanvasView::keyPressEvent(QKeyEvent* event) {
     constexpr double kStep = 48.0;
+    if (key_of_tool(event->key(), event->modifiers())) return;
     switch (event->key()) {
         case Qt::Key_Plus:
         case Qt::Key_Equal:

@@ -2,15 +2,15 @@
 #pragma once
 
 #include <QPointF>
+#include <QPointer>
 #include <QRectF>
 #include <QSizeF>
 #include <QTransform>
 #include <QWidget>
 #include <optional>
 
-#include "app/theme.hpp"
-#include "hitos/base/geometry.hpp"
 #include "views/picture.hpp"
+#include "views/view_tool.hpp"
 
 class QContextMenuEvent;
 
@@ -26,15 +26,6 @@ struct Camera {
 
 /// "x 1.20  y -3.00 m", as coordinates are shown everywhere.
 QString place_words(QPointF world_m);
-
-/// What a picture is drawn with.
-struct Scene {
-    QTransform to_screen;  ///< from the view's frame [m] to pixels
-    QSizeF size;
-    double pixels_per_m = 1.0;
-    const Colours& colours;
-    bool chrome = true;  ///< with scale bar and legends
-};
 
 /// Base of the views. Wheel zooms at the cursor, dragging pans, double click and F fit; W, A, S and
 /// D pan, + and - zoom. Until the user moves the camera it keeps everything in sight.
@@ -55,6 +46,8 @@ class CanvasView : public QWidget {
     void copy_picture() const;
     /// World coordinates at a point of the widget.
     QPointF world_at(const QPointF& pixel) const;
+    /// Draws over the view, and has its clicks while it wants them.
+    void set_tool(hitos::window::ViewTool& tool);
 
     void fit();
     void zoom(double factor);
@@ -77,7 +70,9 @@ class CanvasView : public QWidget {
     virtual QRectF content() const = 0;
     /// Pixels per metre of a whole picture at scale 1.
     virtual double whole_pixels_per_m() const { return 20.0; }
-    virtual QPointF to_world(const QPointF& point) const { return point; }
+    virtual Pose pose_view_world() const { return {}; }
+    /// The landmark below a point of the view's frame, as it is in the world.
+    virtual std::optional<ICaracteristica> landmark_below(const QPointF& point) const = 0;
     /// The cursor is at `point` of the view's frame, nothing when it left.
     virtual void hover(std::optional<QPointF> point) { Q_UNUSED(point) }
     virtual void click(const QPointF& point) { Q_UNUSED(point) }
@@ -105,6 +100,13 @@ class CanvasView : public QWidget {
     void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
+    void paint_all(QPainter& painter, const Scene& scene) const;
+    bool measures() const { return tool_ && tool_->takes_clicks(); }
+    /// Where the keyboard picks: below the cursor, else in the middle.
+    QPointF picking_place() const { return cursor_.value_or(QRectF(rect()).center()); }
+    void point_at(const std::optional<QPointF>& pixel, Qt::KeyboardModifiers keys);
+    PointedAt pointed_at(const QPointF& pixel, Qt::KeyboardModifiers keys) const;
+    bool key_of_tool(int key, Qt::KeyboardModifiers keys);
     void zoom_at(const QPointF& pixel, double factor);
     void pan(const QPointF& pixels);
     void moved_by_user();
@@ -121,6 +123,7 @@ class CanvasView : public QWidget {
     std::optional<QPointF> cursor_;  ///< [pixels], nothing where it is elsewhere
     QPointF last_;
     std::optional<QPointF> robot_;
+    QPointer<ViewTool> tool_;
 };
 
 }  // namespace hitos::window

@@ -238,11 +238,14 @@ void GridView::hover(std::optional<QPointF> point) {
     update();
 }
 
-void GridView::click(const QPointF& point) {
+std::optional<ICaracteristica> GridView::landmark_below(const QPointF& point) const {
     const int found = landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m());
-    PickedLandmark picked;
-    if (found >= 0) picked.landmark = landmarks_.map[static_cast<std::size_t>(found)];
-    emit landmark_clicked(picked);
+    if (found < 0) return std::nullopt;
+    return landmarks_.map[static_cast<std::size_t>(found)];
+}
+
+void GridView::click(const QPointF& point) {
+    emit landmark_clicked({landmark_below(point)});
 }
 
 QString GridView::empty_text() const {

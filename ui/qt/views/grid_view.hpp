@@ -51,6 +51,7 @@ class GridView final : public CanvasView {
     void paint_scene(QPainter& painter, const Scene& scene) const override;
     QRectF content() const override;
     double whole_pixels_per_m() const override;
+    std::optional<ICaracteristica> landmark_below(const QPointF& point) const override;
     void hover(std::optional<QPointF> point) override;
     void click(const QPointF& point) override;
     QString empty_text() const override;

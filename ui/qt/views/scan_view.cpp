@@ -297,17 +297,20 @@ void ScanView::paint_links(QPainter& painter, const Scene& scene) const {
     }
 }
 
-QPointF ScanView::to_world(const QPointF& point) const {
-    if (!robot_frame_ || !snapshot_) return point;
-    return moved(snapshot_->best_pose, {point.x(), point.y()});
+int ScanView::landmark_shown_at(const QPointF& point) const {
+    if (!layers_.has(Layer::landmarks)) return -1;
+    return landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m());
+}
+
+std::optional<ICaracteristica> ScanView::landmark_below(const QPointF& point) const {
+    const int found = landmark_shown_at(point);
+    if (found < 0) return std::nullopt;
+    return snapshot_->best_map[static_cast<std::size_t>(found)];
 }
 
 void ScanView::hover(std::optional<QPointF> point) {
-    int found = -1;
-    if (point && layers_.has(Layer::landmarks)) {
-        found = landmark_at(landmarks_, {point->x(), point->y()}, tolerance_m());
-        hovered_at_m_ = *point;
-    }
+    const int found = point ? landmark_shown_at(*point) : -1;
+    if (point) hovered_at_m_ = *point;
     if (found < 0 && hovered_ < 0) return;
     hovered_ = found;
     update();
@@ -315,12 +318,7 @@ void ScanView::hover(std::optional<QPointF> point) {
 
 void ScanView::click(const QPointF& point) {
     if (!snapshot_) return;
-    const int found = layers_.has(Layer::landmarks)
-                          ? landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m())
-                          : -1;
-    PickedLandmark picked;
-    if (found >= 0) picked.landmark = snapshot_->best_map[static_cast<std::size_t>(found)];
-    emit landmark_clicked(picked);
+    emit landmark_clicked({landmark_below(point)});
     const int particle = particle_at(point);
     if (particle >= 0) emit particle_clicked(particle);
     const int feature = feature_at(point);

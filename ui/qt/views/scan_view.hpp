@@ -41,7 +41,8 @@ class ScanView final : public CanvasView {
     void paint_scene(QPainter& painter, const Scene& scene) const override;
     QRectF content() const override { return content_; }
     double whole_pixels_per_m() const override { return 60.0; }
-    QPointF to_world(const QPointF& point) const override;
+    Pose pose_view_world() const override;
+    std::optional<ICaracteristica> landmark_below(const QPointF& point) const override;
     void hover(std::optional<QPointF> point) override;
     void click(const QPointF& point) override;
     QString empty_text() const override;
@@ -57,8 +58,9 @@ class ScanView final : public CanvasView {
     void prepare_cloud();
     void prepare_links();
     void grow_content();
-    Pose pose_view_world() const;
     Pose pose_view_robot() const;
+    /// Number of the landmark at a point of the view's frame; -1 where none is shown.
+    int landmark_shown_at(const QPointF& point) const;
     void paint_particles(QPainter& painter, const Scene& scene) const;
     /// Number of the particle at a point of the view's frame; -1 where there is none.
     int particle_at(const QPointF& point) const;

@@ -1,0 +1,7 @@
+#include "view_tool.hpp"
+
+namespace hitos::window {
+
+ViewTool::~ViewTool() = default;
+
+}  // namespace hitos::window

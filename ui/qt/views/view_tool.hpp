@@ -1,0 +1,54 @@
+// What views lend their clicks to, and let draw over them.
+#pragma once
+
+#include <QObject>
+#include <QSizeF>
+#include <QTransform>
+#include <optional>
+
+#include "app/theme.hpp"
+#include "hitos/features/caracteristica.hpp"
+
+class QPainter;
+
+namespace hitos::window {
+
+/// What a picture is drawn with.
+struct Scene {
+    QTransform to_screen;  ///< from the view's frame [m] to pixels
+    QSizeF size;
+    double pixels_per_m = 1.0;
+    const Colours& colours;
+    bool chrome = true;  ///< with scale bar and legends
+};
+
+/// A place of the world that the user points at, and the landmark there if it counts.
+struct PointedAt {
+    Point2 place;
+    std::optional<ICaracteristica> landmark;
+};
+
+class ViewTool : public QObject {
+    Q_OBJECT
+
+  public:
+    using QObject::QObject;
+    ~ViewTool() override;
+
+    /// Whether clicks and cursor are its own.
+    virtual bool takes_clicks() const = 0;
+    virtual void hover(const std::optional<PointedAt>& pointed) = 0;
+    virtual void click(const PointedAt& pointed) = 0;
+    /// The user wants to leave off.
+    virtual void escape() = 0;
+    /// `scene` is of the world's frame.
+    virtual void paint(QPainter& painter, const Scene& scene) const = 0;
+
+  signals:
+    /// What it draws is another.
+    void changed();
+    /// It takes clicks, or does so no more.
+    void switched();
+};
+
+}  // namespace hitos::window
