@@ -44,6 +44,7 @@ std::array<QRgb, kShades> shades_of(const Colours& colours) {
 }
 
 std::size_t shade(double correlation) {
+    if (!std::isfinite(correlation)) return kShades / 2;  // of a filter that has lost itself
     const double share = (std::clamp(correlation, -1.0, 1.0) + 1.0) / 2.0;
     return static_cast<std::size_t>(std::lround(share * (kShades - 1)));
 }
@@ -274,7 +275,7 @@ JointCovariance::JointCovariance(Session& session, QWidget* parent)
     view_->setAccessibleName(tr("Joint covariance"));
     row->addWidget(view_, 1);
     auto* column = new QVBoxLayout;
-    row->addLayout(column);
+    row->addLayout(column, 1);  // beside the square, not at the far end
     words_ = new QLabel(this);
     words_->setObjectName("joint_words");
     words_->setTextFormat(Qt::PlainText);
@@ -295,7 +296,7 @@ JointCovariance::JointCovariance(Session& session, QWidget* parent)
 
 /// A square needs more height than a table.
 QSize JointCovariance::sizeHint() const {
-    return QWidget::sizeHint().expandedTo({560, 280});
+    return QWidget::sizeHint().expandedTo({560, 220});
 }
 
 void JointCovariance::showEvent(QShowEvent* event) {

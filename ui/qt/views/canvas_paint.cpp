@@ -119,8 +119,8 @@ void draw_pose_uncertainty(QPainter& painter, const Scene& scene, const Pose& me
     const Eigen::Matrix2d place = turn * covariance.topLeftCorner<2, 2>() * turn.transpose();
     const double sigma_rad = std::sqrt(std::max(covariance(2, 2), 0.0));
     const QPointF centre(at.x, at.y);
-    painter.setBrush(faded(scene.colours.robot, 22));
     for (const double sigmas : {3.0, 2.0, 1.0}) {
+        painter.setBrush(faded(scene.colours.robot, 22));
         painter.setPen(thin_pen(faded(scene.colours.robot, sigmas > 2.5 ? 120 : 190)));
         // What is smaller than its outline would be a blot.
         if (sigmas * sigmas * place.trace() * scene.pixels_per_m * scene.pixels_per_m > 4.0) {
@@ -134,6 +134,7 @@ void draw_pose_uncertainty(QPainter& painter, const Scene& scene, const Pose& me
             wedge << centre + reach_m * QPointF(std::cos(angle), std::sin(angle));
         }
         painter.setPen(Qt::NoPen);
+        painter.setBrush(faded(scene.colours.robot, 50));
         painter.drawPolygon(scene.to_screen.map(wedge));
     }
 }
