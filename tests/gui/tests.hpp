@@ -159,6 +159,9 @@ class ViewTest : public QObject {
     void a_double_click_clicks_once();
     void what_is_lost_is_not_replaced_by_return_alone();
     void the_grid_view_shows_the_grid_map();
+    void a_run_is_saved_as_frames_and_a_film();
+    void an_animation_needs_no_film_maker();
+    void a_cancelled_animation_leaves_nothing();
 };
 
 class InspectTest : public QObject {

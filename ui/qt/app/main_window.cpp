@@ -13,6 +13,7 @@
 #include "actions/configuration_actions.hpp"
 #include "actions/file_menus.hpp"
 #include "actions/result_actions.hpp"
+#include "animation/animation_dialog.hpp"
 #include "dialogs/parameter_text.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
@@ -213,6 +214,10 @@ void MainWindow::connect_run() {
         view_in_use().copy_picture();
         status_->notice(tr("The picture is in the clipboard."));
     });
+    connect(ui_->action_save_animation, &QAction::triggered, this, [this] {
+        save_animation(session_, files_, prompts_, *ui_->scan_view, *ui_->grid_view, this,
+                       [this](const QString& words) { status_->notice(words); });
+    });
     connect(ui_->action_exit, &QAction::triggered, this, &QWidget::close);
     connect(results_, &ResultActions::notice, status_, &StatusLine::notice);
     connect(status_, &StatusLine::skipped_wanted, results_, &ResultActions::list_skipped);
@@ -222,6 +227,7 @@ void MainWindow::connect_run() {
     const auto enable = [this] {
         ui_->action_save_results->setEnabled(session_.progress().steps > 0 && !results_->writing());
         ui_->action_save_figures->setEnabled(session_.progress().steps > 0);
+        ui_->action_save_animation->setEnabled(session_.progress().steps > 0);
         ui_->action_particle_map->setEnabled(session_.progress().steps > 0);
         ui_->action_study->setEnabled(session_.has_source());
         ui_->action_run_until->setEnabled(session_.has_source());

@@ -1318,6 +1318,108 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::Animation</name>
+    <message>
+        <source>%1 cannot be made: %2</source>
+        <translation>No se puede crear %1: %2</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Cancelado</translation>
+    </message>
+    <message>
+        <source>neither ffmpeg nor ImageMagick&apos;s convert is installed</source>
+        <translation>no está instalado ffmpeg ni convert de ImageMagick</translation>
+    </message>
+    <message>
+        <source>%1 has failed: %2</source>
+        <translation>%1 ha fallado: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made; is it there already?</source>
+        <translation>No se puede crear %1; ¿existe ya?</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::AnimationDialog</name>
+    <message>
+        <source>Save animation: name of a new folder</source>
+        <translation>Guardar animación: nombre de una carpeta nueva</translation>
+    </message>
+    <message>
+        <source>Folders (*)</source>
+        <translation>Carpetas (*)</translation>
+    </message>
+    <message>
+        <source>%1 is there already; name a new folder.</source>
+        <translation>%1 ya existe; dé el nombre de una carpeta nueva.</translation>
+    </message>
+    <message>
+        <source>%1 frames saved: %2</source>
+        <translation>%1 fotogramas guardados: %2</translation>
+    </message>
+    <message>
+        <source>%1; no film: %2</source>
+        <translation>%1; sin película: %2</translation>
+    </message>
+    <message>
+        <source>%1, with %2</source>
+        <translation>%1, con %2</translation>
+    </message>
+    <message>
+        <source>Save animation</source>
+        <translation>Guardar animación</translation>
+    </message>
+    <message>
+        <source>Grid map</source>
+        <translation>Mapa de rejilla</translation>
+    </message>
+    <message>
+        <source>Last scan</source>
+        <translation>Último barrido</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>From scan</source>
+        <translation>Desde el barrido</translation>
+    </message>
+    <message>
+        <source>To scan</source>
+        <translation>Hasta el barrido</translation>
+    </message>
+    <message>
+        <source>A frame every so many scans</source>
+        <translation>Un fotograma cada tantos barridos</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Fotogramas por segundo</translation>
+    </message>
+    <message>
+        <source>Pixels for each of the screen</source>
+        <translation>Píxeles por cada uno de la pantalla</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2 s</source>
+        <translation>%1 fotogramas, %2 s</translation>
+    </message>
+    <message>
+        <source>Writing the animation…</source>
+        <translation>Escribiendo la animación…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>No animation was written.</source>
+        <translation>No se ha escrito ninguna animación.</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::AssociationInspector</name>
     <message>
         <source>Line</source>
@@ -2259,6 +2361,14 @@
     <message>
         <source>Measurements</source>
         <translation>Medidas</translation>
+    </message>
+    <message>
+        <source>Save animation…</source>
+        <translation>Guardar animación…</translation>
+    </message>
+    <message>
+        <source>Write the run as pictures, one after the other, and as a film</source>
+        <translation>Escribir la ejecución como imágenes, una tras otra, y como película</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,161 @@
+#include "animation_dialog.hpp"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "views/grid_view.hpp"
+#include "views/scan_view.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr int kMostScans = 100'000'000;
+constexpr int kFramesAtFirst = 250;  // ten seconds
+
+/// The name of a folder that is not there yet; empty where the user gave up.
+QString ask_for_folder(UserFiles& files, Prompts& prompts, QWidget* window) {
+    QString start = files.last_folder("picture") + "/animation";
+    for (;;) {
+        QString folder =
+            prompts.save_file(window, {AnimationDialog::tr("Save animation: name of a new folder"),
+                                       start,
+                                       AnimationDialog::tr("Folders (*)"),
+                                       {}});
+        if (folder.isEmpty() || !QFileInfo::exists(folder)) return folder;
+        tell_not_written(prompts, window,
+                         AnimationDialog::tr("%1 is there already; name a new folder.")
+                             .arg(QDir::toNativeSeparators(folder)));
+        start = folder;
+    }
+}
+
+QString result_words(const Animation& animation, const QString& folder) {
+    const QString frames = AnimationDialog::tr("%1 frames saved: %2")
+                               .arg(animation.written())
+                               .arg(QDir::toNativeSeparators(folder));
+    return animation.film().isEmpty()
+               ? AnimationDialog::tr("%1; no film: %2").arg(frames, animation.complaint())
+               : AnimationDialog::tr("%1, with %2").arg(frames, animation.film());
+}
+
+}  // namespace
+
+AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent) : QDialog(parent) {
+    setWindowTitle(tr("Save animation"));
+    auto* column = new QVBoxLayout(this);
+    auto* form = new QFormLayout;
+    column->addLayout(form);
+    view_ = new QComboBox(this);
+    view_->setObjectName("animation_view");
+    view_->addItems({tr("Grid map"), tr("Last scan")});
+    form->addRow(tr("View"), view_);
+    const int last = static_cast<int>(std::clamp<quint64>(scans, 1, kMostScans));
+    const auto add = [this](const QString& label, const char* name, int most, int value) {
+        auto* box = new QSpinBox(this);
+        box->setObjectName(name);
+        box->setAccessibleName(label);
+        box->setRange(1, most);
+        box->setValue(value);
+        return box;
+    };
+    from_ = add(tr("From scan"), "animation_from", kMostScans, 1);
+    to_ = add(tr("To scan"), "animation_to", kMostScans, last);
+    every_ = add(tr("A frame every so many scans"), "animation_every", kMostScans,
+                 1 + (last - 1) / kFramesAtFirst);
+    rate_ = add(tr("Frames a second"), "animation_rate", 60, 25);
+    scale_ = add(tr("Pixels for each of the screen"), "animation_scale", 4, 1);
+    sum_ = new QLabel(this);
+    sum_->setObjectName("animation_sum");
+    column->addWidget(sum_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    for (QSpinBox* box : {from_, to_, every_, rate_, scale_}) {
+        form->addRow(box->accessibleName(), box);
+        connect(box, &QSpinBox::valueChanged, this, &AnimationDialog::refresh);
+    }
+    refresh();
+}
+
+void AnimationDialog::refresh() {
+    to_->setMinimum(from_->value());
+    const auto frames = static_cast<double>(plan().frames());
+    sum_->setText(
+        tr("%1 frames, %2 s").arg(frames, 0, 'f', 0).arg(frames / rate_->value(), 0, 'f', 1));
+}
+
+AnimationPlan AnimationDialog::plan() const {
+    AnimationPlan plan;
+    plan.from = static_cast<quint64>(from_->value());
+    plan.to = static_cast<quint64>(to_->value());
+    plan.every = static_cast<quint64>(every_->value());
+    plan.frames_per_second = rate_->value();
+    return plan;
+}
+
+bool AnimationDialog::of_scan_view() const {
+    return view_->currentIndex() == 1;
+}
+
+double AnimationDialog::scale() const {
+    return scale_->value();
+}
+
+void save_animation(Session& session, UserFiles& files, Prompts& prompts, ScanView& scan,
+                    GridView& grid, QWidget* window, const std::function<void(QString)>& notice) {
+    if (!session.has_source()) return;
+    AnimationDialog dialog(session.worker()->figures_since(0).size(), window);
+    if (dialog.exec() != QDialog::Accepted) return;
+    AnimationPlan plan = dialog.plan();
+    plan.folder = ask_for_folder(files, prompts, window);
+    if (plan.folder.isEmpty()) return;
+    QProgressDialog progress(window);
+    progress.setLabelText(AnimationDialog::tr("Writing the animation…"));
+    progress.setCancelButtonText(AnimationDialog::tr("Cancel"));
+    // Told by itself: the dialog's own way of being told handles events in the middle of a frame.
+    auto* bar = new QProgressBar(&progress);
+    bar->setRange(0, static_cast<int>(plan.frames()) + 1);  // the film is one more
+    progress.setBar(bar);
+    Animation animation(
+        session, plan,
+        [&, of_scan = dialog.of_scan_view(), scale = dialog.scale()] {
+            // What the views show may be a moment behind.
+            if (of_scan) {
+                scan.set_snapshot(session.snapshot());
+                return scan.picture(false, scale);
+            }
+            grid.set_snapshot(session.snapshot());
+            return grid.picture(false, scale);
+        },
+        nullptr);
+    QString trouble;
+    QObject::connect(&animation, &Animation::progressed, bar, &QProgressBar::setValue);
+    QObject::connect(&progress, &QProgressDialog::canceled, &animation, &Animation::cancel);
+    QObject::connect(&animation, &Animation::finished, &progress, [&](const QString& problem) {
+        trouble = problem;
+        progress.done(0);
+    });
+    QTimer::singleShot(0, &animation, &Animation::start);
+    progress.exec();
+    if (progress.wasCanceled()) {
+        notice(AnimationDialog::tr("No animation was written."));
+    } else if (!trouble.isEmpty()) {
+        tell_not_written(prompts, window, trouble);
+    } else {
+        files.note_folder("picture", plan.folder);
+        notice(result_words(animation, plan.folder));
+    }
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,49 @@
+// What an animation is to show.
+#pragma once
+
+#include <QDialog>
+#include <functional>
+
+#include "actions/prompts.hpp"
+#include "actions/user_files.hpp"
+#include "animation.hpp"
+
+class QComboBox;
+class QLabel;
+class QSpinBox;
+
+namespace hitos::window {
+
+class GridView;
+class ScanView;
+
+class AnimationDialog final : public QDialog {
+    Q_OBJECT
+
+  public:
+    /// `scans` of the log, as far as it is known.
+    AnimationDialog(quint64 scans, QWidget* parent);
+
+    AnimationPlan plan() const;
+    bool of_scan_view() const;
+    /// Pixels for each point of the screen.
+    double scale() const;
+
+  private:
+    void refresh();
+
+    QComboBox* view_;
+    QSpinBox* from_;
+    QSpinBox* to_;
+    QSpinBox* every_;
+    QSpinBox* rate_;
+    QSpinBox* scale_;
+    QLabel* sum_;
+};
+
+/// Asks, and writes the animation with a progress window that can cancel it. `notice` is told what
+/// came of it.
+void save_animation(Session& session, UserFiles& files, Prompts& prompts, ScanView& scan,
+                    GridView& grid, QWidget* window, const std::function<void(QString)>& notice);
+
+}  // namespace hitos::window
