@@ -1904,7 +1904,7 @@
     </message>
     <message>
         <source>Grid map, step by step</source>
-        <translation>Mapa de rejilla, paso a paso</translation>
+        <translation>Mapa de rejilla por pasos</translation>
     </message>
     <message>
         <source>Follow the robot (Ctrl+F)</source>
