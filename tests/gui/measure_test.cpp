@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "gui_fixture.hpp"
-#include "hitos/services/evaluation/measurement.hpp"
+#include "hitos/services/evaluation/hand_measurement.hpp"
 #include "inspect/figures_table.hpp"
 #include "measure/measurement_table.hpp"
 #include "tests.hpp"

@@ -140,7 +140,7 @@ void MeasureTool::paint(QPainter& painter, const Scene& scene) const {
 
 void MeasureTool::paint_row(QPainter& painter, const Scene& scene, const MeasuredRow& row,
                             bool strong) const {
-    const Measurement& measurement = row.measurement;
+    const HandMeasurement& measurement = row.measurement;
     draw_measured(painter, scene, row.slam,
                   {QString::fromStdString(measurement.name) + "  " +
                    value_words(measurement.quantity, row.slam.value)},

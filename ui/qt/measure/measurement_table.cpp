@@ -19,7 +19,7 @@ namespace {
 constexpr double kDegrees = 180.0 / kPi;
 constexpr double kGreatestTrue = 1e5;  // m
 
-QString kind_of_row(const Measurement& measurement) {
+QString kind_of_row(const HandMeasurement& measurement) {
     const bool wall = std::ranges::any_of(measurement.places, [](const PickedPlace& place) {
         return place.kind == PickedPlace::Kind::wall;
     });

@@ -49,7 +49,7 @@ void Measurements::change_log() {
     set(std::move(of_other_logs_[log_]));
 }
 
-MeasuredValue Measurements::value_of(const Measurement& measurement) const {
+MeasuredValue Measurements::value_of(const HandMeasurement& measurement) const {
     const auto snapshot = session_.snapshot();
     return measure(snapshot ? snapshot->best_map : LandmarkMap{}, measurement);
 }
@@ -79,7 +79,7 @@ bool Measurements::taken(const std::string& name) const {
         rows_, [&](const MeasuredRow& row) { return row.measurement.name == name; });
 }
 
-void Measurements::add(Measurement measurement) {
+void Measurements::add(HandMeasurement measurement) {
     const char* const letter = measurement.quantity == Quantity::distance ? "d" : "a";
     int number = 1;
     while (taken(letter + std::to_string(number))) ++number;

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "app/session.hpp"
-#include "hitos/services/evaluation/measurement.hpp"
+#include "hitos/services/evaluation/hand_measurement.hpp"
 
 namespace hitos::window {
 
 struct MeasuredRow {
-    Measurement measurement;
+    HandMeasurement measurement;
     MeasuredValue slam;
     std::optional<double> truth;  ///< [m] or [rad]: the user's, else the reference map's
 
@@ -37,10 +37,10 @@ class Measurements final : public QObject {
     int chosen() const { return chosen_; }
     void choose(int row);
     /// What the map as it is now makes of it.
-    MeasuredValue value_of(const Measurement& measurement) const;
+    MeasuredValue value_of(const HandMeasurement& measurement) const;
 
     /// Gives it a name.
-    void add(Measurement measurement);
+    void add(HandMeasurement measurement);
     void remove(int row);
     void clear();
     /// False where no distances file could hold the name, or another row has it.

@@ -1,4 +1,4 @@
-#include "hitos/services/evaluation/measurement.hpp"
+#include "hitos/services/evaluation/hand_measurement.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,15 +29,15 @@ PickedPlace at(double x, double y) {
     return {Kind::point, {x, y}};
 }
 
-std::optional<Measurement> picked(Quantity wanted, const std::vector<PickedPlace>& places) {
+std::optional<HandMeasurement> picked(Quantity wanted, const std::vector<PickedPlace>& places) {
     return measurement_of(wanted, places);
 }
 
-double value(const LandmarkMap& map, const std::optional<Measurement>& measurement) {
+double value(const LandmarkMap& map, const std::optional<HandMeasurement>& measurement) {
     return measure(map, measurement.value()).value.value();
 }
 
-TEST(Measurement, TakesEveryPairOfPlacesAsItsKindsAskFor) {
+TEST(HandMeasurement, TakesEveryPairOfPlacesAsItsKindsAskFor) {
     const PickedPlace corner = place_on(kCorner, {0.1, 0.1});
     EXPECT_EQ(corner, (PickedPlace{Kind::corner, {0.0, 0.0}}));
     const PickedPlace east = place_on(kEast, {4.2, 1.0});
@@ -53,7 +53,7 @@ TEST(Measurement, TakesEveryPairOfPlacesAsItsKindsAskFor) {
     EXPECT_NEAR(value(kRoom, picked(Quantity::distance, {east, below})), 0.75, 1e-12);
 }
 
-TEST(Measurement, WallToWallIsTheDistanceOfTheFile) {
+TEST(HandMeasurement, WallToWallIsTheDistanceOfTheFile) {
     const auto made =
         picked(Quantity::distance, {place_on(kWest, {0.2, 2.5}), place_on(kEast, {3.9, 0.5})});
     ASSERT_TRUE(made && made->between_walls());
@@ -70,7 +70,7 @@ TEST(Measurement, WallToWallIsTheDistanceOfTheFile) {
     EXPECT_TRUE(measure(later, *made).line.empty());
 }
 
-TEST(Measurement, AnglesAreOfTwoWallsOrThreePoints) {
+TEST(HandMeasurement, AnglesAreOfTwoWallsOrThreePoints) {
     const PickedPlace west = place_on(kWest, {0.0, 2.0});
     const PickedPlace south = place_on(kSouth, {3.0, 0.0});
     // Walls that are not parallel have no distance.
@@ -106,7 +106,7 @@ TEST(Measurement, AnglesAreOfTwoWallsOrThreePoints) {
             .value);
 }
 
-TEST(Measurement, FollowsWhatWasPickedHalfAMetreFar) {
+TEST(HandMeasurement, FollowsWhatWasPickedHalfAMetreFar) {
     const auto to_corner = picked(Quantity::distance, {place_on(kCorner, {}), at(3.0, 4.0)});
     LandmarkMap later = kRoom;
     later[4] = {Esquina{0.3, 0.0}};
@@ -120,7 +120,7 @@ TEST(Measurement, FollowsWhatWasPickedHalfAMetreFar) {
     EXPECT_FALSE(measure(later, *to_wall).value);
 }
 
-TEST(Measurement, TheTruthIsTheUsersElseTheReferenceMaps) {
+TEST(HandMeasurement, TheTruthIsTheUsersElseTheReferenceMaps) {
     auto made =
         picked(Quantity::distance, {place_on(kWest, {0.0, 1.0}), place_on(kEast, {4.0, 1.0})});
     LandmarkMap reference = kRoom;
@@ -133,7 +133,7 @@ TEST(Measurement, TheTruthIsTheUsersElseTheReferenceMaps) {
     EXPECT_FALSE(true_value(*picked(Quantity::distance, {at(0.0, 0.0), at(1.0, 0.0)}), &reference));
 }
 
-TEST(Measurement, ADistancesFileHoldsItToTheLastBit) {
+TEST(HandMeasurement, ADistancesFileHoldsItToTheLastBit) {
     auto made = picked(Quantity::distance,
                        {place_on(kWest, {0.0, 1.0 / 3.0}), place_on(kEast, {4.0, 1.0})});
     made->name = "hall";
@@ -144,13 +144,13 @@ TEST(Measurement, ADistancesFileHoldsItToTheLastBit) {
     const auto read = parse_distances(distances_text(written), "f");
     EXPECT_EQ(read, written);
     // And as it was read it is written again.
-    const Measurement again = measurement_of(read[0]);
+    const HandMeasurement again = measurement_of(read[0]);
     EXPECT_TRUE(again.between_walls());
     EXPECT_EQ(named_distance(again, again.true_value.value()), written[0]);
     EXPECT_NEAR(measure(kRoom, again).value.value(), 4.0, 1e-12);
 }
 
-TEST(Measurement, WhatNoFileCouldHoldIsRefused) {
+TEST(HandMeasurement, WhatNoFileCouldHoldIsRefused) {
     const auto message = [](const std::vector<NamedDistance>& distances) {
         return message_of<Error>([&] { static_cast<void>(distances_text(distances)); });
     };

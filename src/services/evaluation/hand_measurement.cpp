@@ -1,4 +1,4 @@
-#include "hitos/services/evaluation/measurement.hpp"
+#include "hitos/services/evaluation/hand_measurement.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,7 +69,7 @@ Point2 crossing(const Recta& a, const Recta& b) {
             (b.rho * std::cos(a.theta) - a.rho * std::cos(b.theta)) / turn};
 }
 
-MeasuredValue distance_of_walls(const LandmarkMap& map, const Measurement& measurement) {
+MeasuredValue distance_of_walls(const LandmarkMap& map, const HandMeasurement& measurement) {
     const std::array wanted{NamedDistance{{}, measurement.places[0].at, measurement.places[1].at}};
     const MeasuredDistance found = measure_distances(map, wanted).front();
     if (!found.slam_m) return {};
@@ -81,7 +81,7 @@ MeasuredValue distance_of_walls(const LandmarkMap& map, const Measurement& measu
         {projected(line(found.line_a), wanted[0].a), projected(line(found.line_b), wanted[0].b)}};
 }
 
-MeasuredValue distance_of(const LandmarkMap& map, const Measurement& measurement) {
+MeasuredValue distance_of(const LandmarkMap& map, const HandMeasurement& measurement) {
     if (measurement.between_walls()) return distance_of_walls(map, measurement);
     const PickedPlace& first = measurement.places[0];
     const PickedPlace& second = measurement.places[1];
@@ -98,7 +98,7 @@ MeasuredValue distance_of(const LandmarkMap& map, const Measurement& measurement
     return {std::abs(signed_distance(*wall, *a)), {*a, projected(*wall, *a)}};
 }
 
-MeasuredValue angle_of_walls(const LandmarkMap& map, const Measurement& measurement) {
+MeasuredValue angle_of_walls(const LandmarkMap& map, const HandMeasurement& measurement) {
     const std::optional<Recta> a = wall_in(map, measurement.places[0]);
     const std::optional<Recta> b = wall_in(map, measurement.places[1]);
     if (!a || !b) return {};
@@ -110,7 +110,7 @@ MeasuredValue angle_of_walls(const LandmarkMap& map, const Measurement& measurem
     return {angle_at(from, vertex, to).value_or(turn), {from, vertex, to}};
 }
 
-MeasuredValue angle_of(const LandmarkMap& map, const Measurement& measurement) {
+MeasuredValue angle_of(const LandmarkMap& map, const HandMeasurement& measurement) {
     if (measurement.places.size() == 2) return angle_of_walls(map, measurement);
     std::vector<Point2> points;
     for (const PickedPlace& place : measurement.places) {
@@ -121,8 +121,8 @@ MeasuredValue angle_of(const LandmarkMap& map, const Measurement& measurement) {
     return {angle_at(points[0], points[1], points[2]), points};
 }
 
-Measurement between(const PickedPlace& a, const PickedPlace& b) {
-    Measurement made{{}, Quantity::distance, {a, b}, {}};
+HandMeasurement between(const PickedPlace& a, const PickedPlace& b) {
+    HandMeasurement made{{}, Quantity::distance, {a, b}, {}};
     if (!made.between_walls()) return made;
     const std::array lines{line_of(a), line_of(b)};
     if (difference(lines[0], lines[1]).theta > kGreatestTurn) {
@@ -141,7 +141,7 @@ Measurement between(const PickedPlace& a, const PickedPlace& b) {
 
 }  // namespace
 
-bool Measurement::between_walls() const {
+bool HandMeasurement::between_walls() const {
     return quantity == Quantity::distance && std::ranges::all_of(places, is_wall);
 }
 
@@ -152,30 +152,31 @@ PickedPlace place_on(const ICaracteristica& landmark, const Point2& picked) {
     return {Kind::corner, landmark.point()};
 }
 
-std::optional<Measurement> measurement_of(Quantity wanted, std::span<const PickedPlace> picked) {
+std::optional<HandMeasurement> measurement_of(Quantity wanted,
+                                              std::span<const PickedPlace> picked) {
     if (picked.size() < 2) return std::nullopt;
     if (wanted == Quantity::distance) return between(picked[0], picked[1]);
     if (is_wall(picked[0]) && is_wall(picked[1])) {
-        return Measurement{{}, Quantity::angle, {picked[0], picked[1]}, {}};
+        return HandMeasurement{{}, Quantity::angle, {picked[0], picked[1]}, {}};
     }
     if (picked.size() < 3) return std::nullopt;
-    return Measurement{
+    return HandMeasurement{
         {}, Quantity::angle, {as_point(picked[0]), as_point(picked[1]), as_point(picked[2])}, {}};
 }
 
-MeasuredValue measure(const LandmarkMap& map, const Measurement& measurement) {
+MeasuredValue measure(const LandmarkMap& map, const HandMeasurement& measurement) {
     return measurement.quantity == Quantity::distance ? distance_of(map, measurement)
                                                       : angle_of(map, measurement);
 }
 
-std::optional<double> true_value(const Measurement& measurement, const LandmarkMap* reference) {
+std::optional<double> true_value(const HandMeasurement& measurement, const LandmarkMap* reference) {
     if (measurement.true_value || reference == nullptr) return measurement.true_value;
     const bool free = std::ranges::find(measurement.places, Kind::point, &PickedPlace::kind) !=
                       measurement.places.end();
     return free ? std::nullopt : measure(*reference, measurement).value;
 }
 
-NamedDistance named_distance(const Measurement& measurement, std::optional<double> true_m) {
+NamedDistance named_distance(const HandMeasurement& measurement, std::optional<double> true_m) {
     NamedDistance distance{measurement.name, measurement.places[0].at, measurement.places[1].at};
     const double now = distance.true_m();
     if (true_m.value_or(now) == now) return distance;  // to the last bit
@@ -187,7 +188,7 @@ NamedDistance named_distance(const Measurement& measurement, std::optional<doubl
     return distance;
 }
 
-Measurement measurement_of(const NamedDistance& distance) {
+HandMeasurement measurement_of(const NamedDistance& distance) {
     const double normal = std::atan2(distance.b.y - distance.a.y, distance.b.x - distance.a.x);
     return {distance.name,
             Quantity::distance,

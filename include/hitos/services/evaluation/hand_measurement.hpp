@@ -28,7 +28,7 @@ enum class Quantity { distance, angle };
 /// A distance [m] has two places: between points and corners, from one to a wall and square to it,
 /// or between two walls as measure_distances() takes it. An angle [rad] has two walls, or three
 /// points or corners with the vertex second.
-struct Measurement {
+struct HandMeasurement {
     std::string name;
     Quantity quantity = Quantity::distance;
     std::vector<PickedPlace> places;
@@ -42,7 +42,7 @@ struct Measurement {
 /// missing. Walls that are more than kGreatestTurn from parallel have an angle, not a distance; of
 /// parallel ones the places are put opposite each other. A wall picked twice is two points, and
 /// three places are points.
-std::optional<Measurement> measurement_of(Quantity wanted, std::span<const PickedPlace> picked);
+std::optional<HandMeasurement> measurement_of(Quantity wanted, std::span<const PickedPlace> picked);
 
 /// What a map makes of a measurement.
 struct MeasuredValue {
@@ -52,16 +52,16 @@ struct MeasuredValue {
 };
 
 /// Of two walls the angle at the point where they meet, towards the places that were picked.
-MeasuredValue measure(const LandmarkMap& map, const Measurement& measurement);
+MeasuredValue measure(const LandmarkMap& map, const HandMeasurement& measurement);
 
 /// The user's, else what the reference map says; nothing where neither knows, as of free points.
-std::optional<double> true_value(const Measurement& measurement, const LandmarkMap* reference);
+std::optional<double> true_value(const HandMeasurement& measurement, const LandmarkMap* reference);
 
 /// A measurement between two walls as a file holds it, at `true_m` where that is given and else at
 /// the places picked: its points are moved along their line until they are so far apart.
-NamedDistance named_distance(const Measurement& measurement, std::optional<double> true_m);
+NamedDistance named_distance(const HandMeasurement& measurement, std::optional<double> true_m);
 
 /// The other way round; the file's distance is the true one.
-Measurement measurement_of(const NamedDistance& distance);
+HandMeasurement measurement_of(const NamedDistance& distance);
 
 }  // namespace hitos
