@@ -130,16 +130,20 @@ QPushButton* RunsPanel::add_button(const QString& text, const char* name,
 }
 
 std::vector<ListedRun> RunsPanel::chosen() const {
+    const std::vector<int> rows = table_->chosen_rows();
     std::vector<ListedRun> runs;
-    for (const int row : table_->chosen_rows()) runs.push_back(model_->run(row));
+    runs.reserve(rows.size());
+    for (const int row : rows) runs.push_back(model_->run(row));
     return runs;
 }
 
 void RunsPanel::refresh() {
     if (!isVisible()) return;
     since_refresh_.start();
+    const std::vector<ListedRun> before = chosen();
     std::vector<int> numbers;
-    for (const ListedRun& listed : chosen()) numbers.push_back(listed.number);
+    numbers.reserve(before.size());
+    for (const ListedRun& listed : before) numbers.push_back(listed.number);
     model_->set_runs(list_.runs(), session_.configuration());
     std::vector<int> rows;  // of those runs, which may stand elsewhere now
     for (int row = 0; row < model_->rowCount(); ++row) {
@@ -157,6 +161,7 @@ void RunsPanel::show_choice() {
     use_->setEnabled(runs.size() == 1 && runs.front().number > 0);
     remove_->setEnabled(std::ranges::any_of(runs, [](const auto& one) { return one.number > 0; }));
     std::vector<RunTrace> traces;
+    traces.reserve(runs.size());
     for (const ListedRun& listed : runs)
         traces.push_back({name_of(listed), colour_of(listed), points_of(listed.run->path), {}});
     emit traces_changed(std::move(traces));

@@ -22,17 +22,17 @@ class KeptRunTest : public testing::Test {
   protected:
     static void SetUpTestSuite() {
         Configuracion configuration = small_tour();
-        run_ = std::make_unique<Algoritmo>(configuration, open_source(configuration.source));
-        while (run_->steps() < 60 && run_->step()) {
+        run = std::make_unique<Algoritmo>(configuration, open_source(configuration.source));
+        while (run->steps() < 60 && run->step()) {
         }
     }
-    static void TearDownTestSuite() { run_.reset(); }
+    static void TearDownTestSuite() { run.reset(); }
 
     void SetUp() override {
         References references;
-        references.map = run_->filter().best_map();
-        references.trajectory = run_->odometry_trajectory();
-        summary_ = write_results(*run_, references, 2.5, out_.path());
+        references.map = run->filter().best_map();
+        references.trajectory = run->odometry_trajectory();
+        summary_ = write_results(*run, references, 2.5, out_.path());
     }
     /// What read_results() says of the folder.
     std::string refusal_of_folder() const {
@@ -44,7 +44,7 @@ class KeptRunTest : public testing::Test {
         return "";
     }
 
-    static inline std::unique_ptr<Algoritmo> run_;
+    static inline std::unique_ptr<Algoritmo> run;
     RunSummary summary_;
     TempFolder out_;
 };
@@ -53,14 +53,14 @@ TEST_F(KeptRunTest, AFolderOfResultsIsTheRunThatWroteIt) {
     const KeptRun kept = read_results(out_.path());
     EXPECT_EQ(kept.scans, 60U);
     EXPECT_EQ(kept.seconds, 2.5);
-    EXPECT_THAT(differences(kept.configuration, run_->configuration()), IsEmpty());
-    EXPECT_EQ(kept.configuration.source.file, run_->configuration().source.file);
+    EXPECT_THAT(differences(kept.configuration, run->configuration()), IsEmpty());
+    EXPECT_EQ(kept.configuration.source.file, run->configuration().source.file);
     ASSERT_EQ(kept.path.size(), 60U);
-    EXPECT_NEAR(kept.path.back().pose.x, run_->best_trajectory().back().pose.x, 1e-8);
-    EXPECT_NEAR(kept.odometry.back().pose.y, run_->odometry_trajectory().back().pose.y, 1e-8);
+    EXPECT_NEAR(kept.path.back().pose.x, run->best_trajectory().back().pose.x, 1e-8);
+    EXPECT_NEAR(kept.odometry.back().pose.y, run->odometry_trajectory().back().pose.y, 1e-8);
     EXPECT_EQ(kept.trajectory_error_m, summary_.trajectory_error->rmse_m);
     EXPECT_EQ(kept.map_error_m, 0.0);
-    const LandmarkMap map = run_->filter().best_map();
+    const LandmarkMap map = run->filter().best_map();
     ASSERT_EQ(kept.map.size(), map.size());
     ASSERT_FALSE(kept.line_extents.empty());
     for (const LineExtent& extent : kept.line_extents) {
@@ -72,7 +72,7 @@ TEST_F(KeptRunTest, AFolderOfResultsIsTheRunThatWroteIt) {
 }
 
 TEST_F(KeptRunTest, ARunWithoutLandmarksIsReadToo) {
-    Configuracion configuration = run_->configuration();
+    Configuracion configuration = run->configuration();
     set_parameter(configuration, "split_merge.min_length=20");  // longer than any wall in sight
     Algoritmo blind(configuration, open_source(configuration.source));
     for (int i = 0; i < 5; ++i) ASSERT_TRUE(blind.step());
@@ -98,7 +98,7 @@ TEST_F(KeptRunTest, AFolderOfSomethingElseIsRefused) {
 TEST_F(KeptRunTest, AMissingFileIsNamed) {
     for (const char* file :
          {"trajectory.tum", "odometry.tum", "segments.txt", "map.txt", "config.cfg"}) {
-        write_results(*run_, {}, 2.5, out_.path());
+        write_results(*run, {}, 2.5, out_.path());
         std::filesystem::remove(out_.path() / file);
         EXPECT_THAT(refusal_of_folder(), HasSubstr(file));
     }
