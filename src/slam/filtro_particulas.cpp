@@ -30,6 +30,15 @@ Eigen::Vector3d away_from(const Pose& origin, const Pose& pose) {
     return {pose.x - origin.x, pose.y - origin.y, wrap_angle(pose.theta - origin.theta)};
 }
 
+/// Of the hypotheses, reckoned from one of them.
+Pose mean_of(const std::vector<WeightedPose>& hypotheses, const Pose& origin) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const WeightedPose& hypothesis : hypotheses) {
+        mean += hypothesis.weight * away_from(origin, hypothesis.pose);
+    }
+    return {origin.x + mean(0), origin.y + mean(1), wrap_angle(origin.theta + mean(2))};
+}
+
 template <Sensor S>
 void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
            const SeenFeature& seen, const UpdateContext& context) {
@@ -327,18 +336,14 @@ std::vector<WeightedPose> FiltroParticulas::hypotheses() const {
 }
 
 Pose FiltroParticulas::mean_pose() const {
-    const Pose best = best_pose();
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const WeightedPose& hypothesis : hypotheses()) {
-        mean += hypothesis.weight * away_from(best, hypothesis.pose);
-    }
-    return {best.x + mean(0), best.y + mean(1), wrap_angle(best.theta + mean(2))};
+    return mean_of(hypotheses(), best_pose());
 }
 
 Matrix3 FiltroParticulas::pose_covariance() const {
-    const Pose mean = mean_pose();
+    const std::vector<WeightedPose> all = hypotheses();
+    const Pose mean = mean_of(all, best_pose());
     Matrix3 covariance = Matrix3::Zero();
-    for (const WeightedPose& hypothesis : hypotheses()) {
+    for (const WeightedPose& hypothesis : all) {
         const Eigen::Vector3d away = away_from(mean, hypothesis.pose);
         covariance += hypothesis.weight * (away * away.transpose());
     }
