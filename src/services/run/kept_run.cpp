@@ -16,7 +16,14 @@ namespace {
 
 using nlohmann::json;
 
-json read_summary(const std::filesystem::path& folder) {
+/// An error that the summary may lack.
+std::optional<double> error_in(const json& summary, const char* table, const char* name) {
+    if (!summary.contains(table)) return std::nullopt;
+    return summary.at(table).at(name).get<double>();
+}
+
+/// What the summary tells of the run. Returns whether its map has landmarks.
+bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
     const std::filesystem::path file = folder / "summary.json";
     if (!std::filesystem::is_regular_file(file)) {
         throw FileError(folder.string(),
@@ -24,35 +31,23 @@ json read_summary(const std::filesystem::path& folder) {
                         "results or hitos-cli run --out has written");
     }
     try {
-        return json::parse(input::read_text(file));
+        const json summary = json::parse(input::read_text(file));
+        run.scans = summary.at("scans").get<std::uint64_t>();
+        run.seconds = summary.at("run_seconds").get<double>();
+        run.trajectory_error_m = error_in(summary, "trajectory_error", "ate_rmse_m");
+        run.map_error_m = error_in(summary, "map_error", "mean_m");
+        const json& counts = summary.at("landmarks");
+        return counts.at("lines").get<int>() + counts.at("corners").get<int>() > 0;
     } catch (const json::exception& error) {
         throw FormatError(file.string(), 0, std::string("is no summary of a run: ") + error.what());
     }
 }
 
-/// An error that the summary may lack.
-std::optional<double> error_in(const json& summary, const char* table, const char* name) {
-    if (!summary.contains(table)) return std::nullopt;
-    return summary.at(table).at(name).get<double>();
-}
-
 }  // namespace
 
 KeptRun read_results(const std::filesystem::path& folder) {
-    const json summary = read_summary(folder);
     KeptRun run;
-    bool landmarks = false;
-    try {
-        run.scans = summary.at("scans").get<std::uint64_t>();
-        run.seconds = summary.at("run_seconds").get<double>();
-        const json& counts = summary.at("landmarks");
-        landmarks = counts.at("lines").get<int>() + counts.at("corners").get<int>() > 0;
-        run.trajectory_error_m = error_in(summary, "trajectory_error", "ate_rmse_m");
-        run.map_error_m = error_in(summary, "map_error", "mean_m");
-    } catch (const json::exception& error) {
-        throw FormatError((folder / "summary.json").string(), 0,
-                          std::string("is no summary of a run: ") + error.what());
-    }
+    const bool landmarks = read_summary(folder, run);
     run.configuration = ArchivoConfiguracion::read(folder / "config.cfg");
     if (landmarks) run.map = read_map(folder / "map.txt");  // one without any is no map file
     const std::filesystem::path segments = folder / "segments.txt";

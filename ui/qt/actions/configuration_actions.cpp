@@ -106,24 +106,23 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
 void ConfigurationActions::note_named(const CommandLine& line) {
     const std::string& log = session_.configuration().source.file;
     if (!line.config.empty()) files_.note_recent(QString::fromStdString(line.config));
-    if (line.open.empty() || kind_of(QString::fromStdString(line.open)) == FileKind::results) {
-        return;
-    }
+    if (line.open.empty()) return;
     const QString named = QString::fromStdString(line.open);
-    if (kind_of(named) == FileKind::configuration) {
+    const FileKind kind = kind_of(named);
+    if (kind == FileKind::configuration) {
         files_.note_recent(named);
-    } else if (!log.empty()) {
+    } else if (kind != FileKind::results && !log.empty()) {
         files_.note_recent(QString::fromStdString(log));
     }
 }
 
-void ConfigurationActions::use_again(const Configuracion& configuration) {
-    if (guard_.may_discard()) use(configuration);
+bool ConfigurationActions::use_again(const Configuracion& configuration) {
+    return guard_.may_discard() && use(configuration);
 }
 
 void ConfigurationActions::look_at_run(Configuracion configuration) {
     configuration.run.threads = session_.configuration().run.threads;
-    if (guard_.may_discard() && use(configuration)) session_.seek(RunWorker::kToTheEnd);
+    if (use_again(configuration)) session_.seek(RunWorker::kToTheEnd);
 }
 
 bool ConfigurationActions::use(const Configuracion& configuration) {

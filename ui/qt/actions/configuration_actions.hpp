@@ -41,8 +41,8 @@ class ConfigurationActions final : public QObject {
     void load();
     /// The configuration that comes with Hitos under that word; the source stays.
     void use_preset(std::string_view word, bool confirmed = false);
-    /// That of another run.
-    void use_again(const Configuracion& configuration);
+    /// That of another run. False as open().
+    bool use_again(const Configuracion& configuration);
     /// The same, and runs to the end at once; threads as the user has them.
     void look_at_run(Configuracion configuration);
     void save();

@@ -85,8 +85,9 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
 Configuracion starting_configuration(const CommandLine& line, const UserFiles& files, Init init) {
     Configuracion configuration;
     const QString named = QString::fromStdString(line.open);
-    const bool named_configuration = !named.isEmpty() && kind_of(named) == FileKind::configuration;
-    const bool named_results = !named.isEmpty() && kind_of(named) == FileKind::results;
+    const auto kind = named.isEmpty() ? std::optional<FileKind>() : std::optional(kind_of(named));
+    const bool named_configuration = kind == FileKind::configuration;
+    const bool named_results = kind == FileKind::results;
     if (!line.config.empty()) {
         configuration = ArchivoConfiguracion::read(line.config);
     } else if (!line.preset.empty()) {
