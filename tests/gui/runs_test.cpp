@@ -57,6 +57,12 @@ void run_thrice(RunsFixture& f) {
     f.run_steps(40);
 }
 
+CompareWindow& compare_first_two(const RunsFixture& f) {
+    f.panel().table().choose_rows({1, 2});
+    f.press("runs_compare");
+    return f.comparison();
+}
+
 QImage seen(QWidget& widget) {
     return widget.grab().toImage();
 }
@@ -150,9 +156,7 @@ void RunsTest::a_run_can_be_removed_and_its_configuration_used() {
 void RunsTest::two_runs_are_side_by_side_under_one_camera() {
     RunsFixture f;
     run_thrice(f);
-    f.panel().table().choose_rows({1, 2});
-    f.press("runs_compare");
-    CompareWindow& comparison = f.comparison();
+    CompareWindow& comparison = compare_first_two(f);
     GridView& left = comparison.view(0);
     GridView& right = comparison.view(1);
     QVERIFY(left.isVisible() && right.isVisible());
@@ -173,9 +177,7 @@ void RunsTest::two_runs_are_side_by_side_under_one_camera() {
 void RunsTest::two_runs_lie_over_each_other_or_blink() {
     RunsFixture f;
     run_thrice(f);
-    f.panel().table().choose_rows({1, 2});
-    f.press("runs_compare");
-    CompareWindow& comparison = f.comparison();
+    CompareWindow& comparison = compare_first_two(f);
     comparison.set_mode(CompareWindow::Mode::overlaid);
     QVERIFY(!comparison.view(1).isVisible());
     const QImage overlaid = seen(comparison.view(0));

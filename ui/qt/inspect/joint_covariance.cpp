@@ -26,19 +26,12 @@ constexpr int kShades = 255;  // an odd number: 0 has a colour of its own
 
 /// From -1 over 0 to 1.
 std::array<QRgb, kShades> shades_of(const Colours& colours) {
-    const auto mixed = [](const QColor& from, const QColor& to, double share) {
-        const auto part = [share](int a, int b) {
-            return static_cast<int>(std::lround(a + (b - a) * share));
-        };
-        return qRgb(part(from.red(), to.red()), part(from.green(), to.green()),
-                    part(from.blue(), to.blue()));
-    };
     std::array<QRgb, kShades> shades{};
     constexpr int kMiddle = kShades / 2;
     for (int i = 0; i < kShades; ++i) {
         const QColor& end = i < kMiddle ? colours.landmark : colours.robot;
         shades.at(static_cast<std::size_t>(i)) =
-            mixed(colours.canvas, end, std::abs(i - kMiddle) / static_cast<double>(kMiddle));
+            mixed(colours.canvas, end, std::abs(i - kMiddle) / static_cast<double>(kMiddle)).rgb();
     }
     return shades;
 }

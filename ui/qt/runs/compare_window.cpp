@@ -26,9 +26,7 @@ constexpr QSize kWished(1100, 680);
 
 QRectF CompareWindow::Side::content() const {
     if (!run) return {};
-    const std::vector<QPointF> points = points_of(path());
-    return bounds_of(grid).united(
-        QPolygonF(QList<QPointF>(points.begin(), points.end())).boundingRect());
+    return bounds_of(grid).united(box_of(points_of(path())));
 }
 
 CompareWindow::CompareWindow(RunList& list, const ViewSettings& settings, QWidget* parent)
@@ -250,7 +248,7 @@ void CompareWindow::paint_sides() {
             {title_of((blinked_ ? right : left).choice), light_colours().path, {}, {}});
     }
     left.view->set_traces(std::move(traces));
-    show_in(*right.view, right);
+    if (!one_view) show_in(*right.view, right);
     if (left.run && right.run) {
         const QRectF both = left.content().united(right.content());
         left.view->set_other_content(both);

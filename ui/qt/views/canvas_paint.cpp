@@ -27,6 +27,18 @@ QColor faded(QColor colour, int alpha) {
     return colour;
 }
 
+QColor mixed(const QColor& from, const QColor& to, double share) {
+    const auto part = [share](int a, int b) {
+        return static_cast<int>(std::lround(a + (b - a) * share));
+    };
+    return {part(from.red(), to.red()), part(from.green(), to.green()),
+            part(from.blue(), to.blue()), part(from.alpha(), to.alpha())};
+}
+
+QRectF box_of(const std::vector<QPointF>& points) {
+    return QPolygonF(QList<QPointF>(points.begin(), points.end())).boundingRect();
+}
+
 void draw_scale_bar(QPainter& painter, const Scene& scene) {
     constexpr double kMargin = 14.0;
     const double length_m =

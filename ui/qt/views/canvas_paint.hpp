@@ -13,6 +13,8 @@ namespace hitos::window {
 
 QPen thin_pen(const QColor& colour, double width = 1.0, Qt::PenStyle style = Qt::SolidLine);
 QColor faded(QColor colour, int alpha);
+/// From one colour (share 0) to another (1).
+QColor mixed(const QColor& from, const QColor& to, double share);
 
 /// A bar of a round length in the lower left corner, with that length in words.
 void draw_scale_bar(QPainter& painter, const Scene& scene);
@@ -37,6 +39,9 @@ void draw_disc(QPainter& painter, const QPointF& pixel, double radius, const QCo
 QPolygonF visible_line(const Scene& scene, double rho_m, double theta_rad);
 /// The ellipse of `sigmas` standard deviations of a covariance, in the view's frame [m].
 QPolygonF ellipse(const QPointF& centre_m, const Eigen::Matrix2d& covariance, double sigmas);
+
+/// Around points; null where there are none.
+QRectF box_of(const std::vector<QPointF>& points);
 
 /// Points of a trajectory, moved by `pose_view_world`.
 std::vector<QPointF> points_of(const Trajectory& trajectory, const Pose& pose_view_world = {});

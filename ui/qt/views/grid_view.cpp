@@ -107,10 +107,7 @@ void GridView::set_other_content(const QRectF& box) {
 
 QRectF GridView::content() const {
     QRectF box = layer_.bounds().united(other_content_);
-    for (const RunTrace& trace : traces_) {
-        const QList<QPointF> path(trace.path.begin(), trace.path.end());
-        box = box.united(QPolygonF(path).boundingRect());
-    }
+    for (const RunTrace& trace : traces_) box = box.united(box_of(trace.path));
     return box;
 }
 

@@ -13,13 +13,7 @@ constexpr std::size_t kShades = 6;
 
 /// From next to nothing to the colour of the heaviest.
 QColor shade_of(const Scene& scene, double weight) {
-    const QColor& light = scene.colours.muted;
-    const QColor& heavy = scene.colours.particle;
-    const auto mixed = [weight](int from, int to) {
-        return static_cast<int>(std::lround(from + (to - from) * weight));
-    };
-    return {mixed(light.red(), heavy.red()), mixed(light.green(), heavy.green()),
-            mixed(light.blue(), heavy.blue()), mixed(90, 255)};
+    return mixed(faded(scene.colours.muted, 90), scene.colours.particle, weight);
 }
 
 }  // namespace
