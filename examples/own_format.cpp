@@ -24,12 +24,13 @@ class CentimetreConversor final : public hitos::Conversor {
         hitos::Scan scan;
         scan.line = line.number;
         scan.fan = {-hitos::kPi / 2, hitos::kPi / 2, 181, options_.max_range_m, {}};
-        if (!(in >> scan.time_s)) throw hitos::FormatError("", line.number, "found no time");
+        if (!(in >> scan.time_s))
+            throw hitos::FormatError("", line.number, hitos::verbatim("found no time"));
         bool run_open = false;
         for (std::uint32_t ray = 0; ray < scan.fan.count; ++ray) {
             double centimetres = 0.0;
             if (!(in >> centimetres)) {
-                throw hitos::FormatError("", line.number, "expected 181 ranges");
+                throw hitos::FormatError("", line.number, hitos::verbatim("expected 181 ranges"));
             }
             const double range = centimetres / 100.0;
             const bool hit =
@@ -53,7 +54,7 @@ class CentimetreConversor final : public hitos::Conversor {
         hitos::Pose pose;
         record.line = line.number;
         if (!(in >> record.time_s >> pose.x >> pose.y >> pose.theta)) {
-            throw hitos::FormatError("", line.number, "expected time x y theta");
+            throw hitos::FormatError("", line.number, hitos::verbatim("expected time x y theta"));
         }
         record.pose_odom_robot = pose;
         return record;

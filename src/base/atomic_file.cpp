@@ -19,28 +19,25 @@ namespace {
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 constexpr int kNamesTried = 1000;
 
-std::string reason(int error) {
-    return std::generic_category().message(error);
-}
-
 /// What a user can do about the error; empty where the reason says it all.
-std::string advice(int error, bool folder_exists) {
+Message advice(int error, bool folder_exists) {
     switch (error) {
         case EACCES:
         case EPERM:
         case EROFS:
-            return "; choose a folder that you may write to";
+            return message(HITOS_TEXT("Errors", "; choose a folder that you may write to"));
         case ENOENT:
-            return folder_exists ? "; choose another folder" : "; create the folder first";
+            return folder_exists ? message(HITOS_TEXT("Errors", "; choose another folder"))
+                                 : message(HITOS_TEXT("Errors", "; create the folder first"));
         case ENOTDIR:
-            return "; choose a path whose parent is a folder";
+            return message(HITOS_TEXT("Errors", "; choose a path whose parent is a folder"));
         case ENOSPC:
         case EDQUOT:
-            return "; free some space or choose another disk";
+            return message(HITOS_TEXT("Errors", "; free some space or choose another disk"));
         case ENAMETOOLONG:
-            return "; choose a shorter name";
+            return message(HITOS_TEXT("Errors", "; choose a shorter name"));
         default:
-            return "";
+            return {};
     }
 }
 
@@ -65,10 +62,13 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
     : target_(followed(std::move(target))) {
     std::error_code ignored;
     if (std::filesystem::is_directory(target_, ignored)) {
-        throw FileError(target_.string(), "cannot be written: it is a folder; choose a file name");
+        throw FileError(
+            target_.string(),
+            message(HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name")));
     }
     if (!target_.has_filename()) {
-        throw FileError(target_.string(), "cannot be written: it names no file");
+        throw FileError(target_.string(),
+                        message(HITOS_TEXT("Errors", "cannot be written: it names no file")));
     }
     const std::filesystem::path folder =
         target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
@@ -76,8 +76,10 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
     const bool replaces = ::stat(target_.c_str(), &old) == 0;
     if (replaces && !S_ISREG(old.st_mode)) {
         // A rename would put a file where the system keeps a device, or where someone reads a pipe.
-        throw FileError(target_.string(),
-                        "cannot be written: it is a device or a pipe; choose a file name");
+        throw FileError(
+            target_.string(),
+            message(HITOS_TEXT("Errors",
+                               "cannot be written: it is a device or a pipe; choose a file name")));
     }
     for (int i = 0; i < kNamesTried && descriptor_ < 0; ++i) {
         temporary_ =
@@ -87,7 +89,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
     }
     if (descriptor_ < 0) {
         temporary_.clear();
-        fail("cannot be written");
+        fail(message(HITOS_TEXT("Errors", "cannot be written")));
     }
     if (replaces) ::fchmod(descriptor_, old.st_mode & 07777U);
     if (compress_gz && target_.extension() == ".gz") {
@@ -98,7 +100,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
             if (copy >= 0) ::close(copy);
             discard();
             errno = error;
-            fail("cannot be compressed");
+            fail(message(HITOS_TEXT("Errors", "cannot be compressed")));
         }
     }
     buffer_.reserve(kBufferBytes);
@@ -132,7 +134,7 @@ void AtomicFile::flush() {
             done = ::write(descriptor_, rest.data(), rest.size());
             if (done < 0 && errno == EINTR) continue;
         }
-        if (done <= 0) fail("writing fails");
+        if (done <= 0) fail(message(HITOS_TEXT("Errors", "writing fails")));
         rest.remove_prefix(static_cast<std::size_t>(done));
     }
     buffer_.clear();
@@ -143,22 +145,27 @@ void AtomicFile::commit() {
     if (gzip_ != nullptr) {
         errno = 0;
         if (::gzclose(static_cast<gzFile>(std::exchange(gzip_, nullptr))) != Z_OK) {
-            fail("writing fails");
+            fail(message(HITOS_TEXT("Errors", "writing fails")));
         }
     }
-    if (::fsync(descriptor_) != 0) fail("writing fails");
-    if (::close(std::exchange(descriptor_, -1)) != 0) fail("writing fails");
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot be put in place");
+    if (::fsync(descriptor_) != 0) fail(message(HITOS_TEXT("Errors", "writing fails")));
+    if (::close(std::exchange(descriptor_, -1)) != 0) {
+        fail(message(HITOS_TEXT("Errors", "writing fails")));
+    }
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+        fail(message(HITOS_TEXT("Errors", "cannot be put in place")));
+    }
     temporary_.clear();
     sync_folder(target_.has_parent_path() ? target_.parent_path() : std::filesystem::path("."));
 }
 
-void AtomicFile::fail(const std::string& doing) const {
+void AtomicFile::fail(const Message& doing) const {
     const int error = errno;
     std::error_code ignored;
     const bool folder_exists = std::filesystem::exists(target_.parent_path(), ignored);
     throw FileError(target_.string(),
-                    doing + ": " + reason(error == 0 ? EIO : error) + advice(error, folder_exists));
+                    message("%1: %2%3", doing, system_message(error == 0 ? EIO : error),
+                            advice(error, folder_exists)));
 }
 
 void write_file(const std::filesystem::path& target, std::string_view content) {

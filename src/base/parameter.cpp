@@ -20,15 +20,26 @@ std::int64_t as_integer(double bound) {
                            : static_cast<std::int64_t>(bound);
 }
 
-[[noreturn]] void refuse(const ParameterFacts& parameter, std::string_view problem) {
-    throw ConfigError(std::string(parameter.key),
-                      fmt::format("{}; allowed: {}", problem, parameter.allowed()));
+[[noreturn]] void refuse(const ParameterFacts& parameter, const Message& problem) {
+    throw ConfigError(std::string(parameter.key), message(HITOS_TEXT("Errors", "%1; allowed: %2"),
+                                                          problem, parameter.allowed_message()));
+}
+
+Message out_of_range(std::string_view text) {
+    return message(HITOS_TEXT("Errors", "%1 is out of range"), text);
+}
+
+Message none_of_the_choices(std::string_view word) {
+    return message(HITOS_TEXT("Errors", "%1 is none of the choices"), input::in_quotes(word));
 }
 
 double real_from(const ParameterFacts& parameter, std::string_view text) {
     const std::optional<double> value = input::parse_number(text);
-    if (!value) refuse(parameter, input::in_quotes(text) + " is not a number");
-    if (!parameter.allows(*value)) refuse(parameter, fmt::format("{} is out of range", text));
+    if (!value) {
+        refuse(parameter,
+               message(HITOS_TEXT("Errors", "%1 is not a number"), input::in_quotes(text)));
+    }
+    if (!parameter.allows(*value)) refuse(parameter, out_of_range(text));
     return *value;
 }
 
@@ -39,10 +50,11 @@ std::int64_t integer_from(const ParameterFacts& parameter, std::string_view text
     const char* end = digits.data() + digits.size();
     const auto [stop, error] = std::from_chars(digits.data(), end, value);
     if (stop != end || error == std::errc::invalid_argument) {
-        refuse(parameter, input::in_quotes(text) + " is not an integer");
+        refuse(parameter,
+               message(HITOS_TEXT("Errors", "%1 is not an integer"), input::in_quotes(text)));
     }
     if (error == std::errc::result_out_of_range || !parameter.allows(value)) {
-        refuse(parameter, fmt::format("{} is out of range", text));
+        refuse(parameter, out_of_range(text));
     }
     return value;
 }
@@ -81,23 +93,28 @@ std::optional<std::size_t> ParameterFacts::place_of(std::string_view word) const
     return static_cast<std::size_t>(found - choices.begin());
 }
 
-std::string ParameterFacts::allowed() const {
-    const std::string_view space = unit.empty() ? "" : " ";
+Message ParameterFacts::allowed_message() const {
+    const std::string ending = unit.empty() ? "" : fmt::format(" {}", unit);
     switch (type) {
         case Type::real:
-            return fmt::format("{} to {}{}{}", minimum, maximum, space, unit);
+            return message(HITOS_TEXT("Errors", "%1 to %2%3"), minimum, maximum, ending);
         case Type::integer:
-            return fmt::format("integers from {} to {}{}{}", as_integer(minimum),
-                               as_integer(maximum), space, unit);
+            return message(HITOS_TEXT("Errors", "integers from %1 to %2%3"), as_integer(minimum),
+                           as_integer(maximum), ending);
         case Type::choice: {
             std::vector<std::string_view> words;
             for (const ParameterChoice& choice : choices) words.emplace_back(choice.word);
-            return "one of " + parameter_detail::joined(words, ", ");
+            return message(HITOS_TEXT("Errors", "one of %1"),
+                           parameter_detail::joined(words, ", "));
         }
         case Type::text:
             break;
     }
-    return "any text";
+    return message(HITOS_TEXT("Errors", "any text"));
+}
+
+std::string ParameterFacts::allowed() const {
+    return allowed_message().english();
 }
 
 bool ParameterFacts::allows(const Value& value) const {
@@ -130,7 +147,7 @@ ParameterFacts::Value ParameterFacts::value_from(std::string_view text) const {
         case Type::integer:
             return integer_from(*this, word);
         case Type::choice:
-            if (!place_of(word)) refuse(*this, input::in_quotes(word) + " is none of the choices");
+            if (!place_of(word)) refuse(*this, none_of_the_choices(word));
             return std::string(word);
         case Type::text:
             break;
@@ -141,9 +158,9 @@ ParameterFacts::Value ParameterFacts::value_from(std::string_view text) const {
 void ParameterFacts::check_value(const Value& value) const {
     if (allows(value)) return;
     if (type == Type::choice) {
-        refuse(*this, input::in_quotes(text_of(value)) + " is none of the choices");
+        refuse(*this, none_of_the_choices(text_of(value)));
     }
-    refuse(*this, text_of(value) + " is out of range");
+    refuse(*this, out_of_range(text_of(value)));
 }
 
 namespace parameter_detail {
@@ -183,15 +200,16 @@ std::vector<std::string_view> near_keys(std::string_view key,
 }
 
 void refuse_key(std::string_view key, std::span<const std::string_view> near,
-                std::string_view otherwise) {
-    std::string or_list;
+                const Message& otherwise) {
+    Message list;
     for (const std::string_view known : near) {
-        if (!or_list.empty()) or_list += " or ";
-        or_list += known;
+        list = list.empty() ? verbatim(std::string(known))
+                            : message(HITOS_TEXT("Errors", "%1 or %2"), list, known);
     }
-    throw ConfigError(std::string(key),
-                      near.empty() ? fmt::format("no such parameter; {}", otherwise)
-                                   : fmt::format("no such parameter; did you mean {}?", or_list));
+    throw ConfigError(
+        std::string(key),
+        near.empty() ? message(HITOS_TEXT("Errors", "no such parameter; %1"), otherwise)
+                     : message(HITOS_TEXT("Errors", "no such parameter; did you mean %1?"), list));
 }
 
 }  // namespace parameter_detail

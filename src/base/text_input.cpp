@@ -29,15 +29,17 @@ std::string read_text(const std::filesystem::path& path) {
     std::error_code problem;
     const auto status = std::filesystem::status(path, problem);
     if (status.type() == std::filesystem::file_type::not_found) {
-        throw FileError(path.string(), "no such file");
+        throw FileError(path.string(), message(HITOS_TEXT("Errors", "no such file")));
     }
     if (std::filesystem::is_directory(status)) {
-        throw FileError(path.string(), "is a directory; expected a file");
+        throw FileError(path.string(),
+                        message(HITOS_TEXT("Errors", "is a directory; expected a file")));
     }
     errno = 0;
     const std::unique_ptr<gzFile_s, GzipCloser> file(gzopen(path.c_str(), "rb"));
     if (!file) {
-        throw FileError(path.string(), "cannot open: " + std::generic_category().message(errno));
+        throw FileError(path.string(),
+                        message(HITOS_TEXT("Errors", "cannot open: %1"), system_message(errno)));
     }
     std::string text;
     for (;;) {
@@ -47,17 +49,19 @@ std::string read_text(const std::filesystem::path& path) {
         text.resize(used + static_cast<std::size_t>(got > 0 ? got : 0));
         if (got <= 0) break;
         if (text.size() > kLargestText) {
-            throw FileError(path.string(),
-                            fmt::format("is greater than {} MiB", kLargestText >> 20U));
+            throw FileError(path.string(), message(HITOS_TEXT("Errors", "is greater than %1 MiB"),
+                                                   kLargestText >> 20U));
         }
     }
     int code = Z_OK;
     const char* reason = gzerror(file.get(), &code);
     if (code == Z_ERRNO) {
-        throw FileError(path.string(), "cannot read: " + std::generic_category().message(errno));
+        throw FileError(path.string(),
+                        message(HITOS_TEXT("Errors", "cannot read: %1"), system_message(errno)));
     }
     if (code != Z_OK && code != Z_STREAM_END) {
-        throw FileError(path.string(), fmt::format("damaged gzip file: {}", reason));
+        throw FileError(path.string(),
+                        message(HITOS_TEXT("Errors", "damaged gzip file: %1"), reason));
     }
     return text;
 }
@@ -123,15 +127,16 @@ double finite_number(std::string_view word, std::string_view column, const Place
     const std::optional<double> value = parse_number(word);
     if (value && std::isfinite(*value)) return *value;
     throw FormatError(place.file, place.line,
-                      fmt::format("{} is {}; expected a finite number", column, in_quotes(word)));
+                      message(HITOS_TEXT("Errors", "%1 is %2; expected a finite number"), column,
+                              in_quotes(word)));
 }
 
 void require_columns(std::size_t found, std::span<const std::string_view> columns,
                      const Place& place) {
     if (found == columns.size()) return;
     throw FormatError(place.file, place.line,
-                      fmt::format("found {} fields; expected {} numbers, {}", found, columns.size(),
-                                  fmt::join(columns, " ")));
+                      message(HITOS_TEXT("Errors", "found %1 fields; expected %2 numbers, %3"),
+                              found, columns.size(), fmt::format("{}", fmt::join(columns, " "))));
 }
 
 }  // namespace hitos::input

@@ -45,7 +45,8 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
             return RawLine{line->text, line->number, kind == LineKind::both};
         }
         if (kind == LineKind::damaged && tells_damage) {
-            note_damage(line->number, "not a line of the format " + format_.word);
+            note_damage(line->number,
+                        message(HITOS_TEXT("Errors", "not a line of the format %1"), format_.word));
         }
     }
     return std::nullopt;
@@ -63,7 +64,7 @@ std::unique_ptr<Fuente> Archivo::reopen() const {
     return std::make_unique<Archivo>(path_, format_);
 }
 
-void Archivo::note_damage(std::uint64_t line, std::string reason) {
+void Archivo::note_damage(std::uint64_t line, Message reason) {
     if (damage_.size() < kDamageHeld) {
         damage_.emplace_back(line, std::move(reason));
     } else {
@@ -71,14 +72,14 @@ void Archivo::note_damage(std::uint64_t line, std::string reason) {
     }
 }
 
-std::optional<std::pair<std::uint64_t, std::string>> Archivo::take_damage() {
+std::optional<std::pair<std::uint64_t, Message>> Archivo::take_damage() {
     if (damage_.empty()) return std::nullopt;
     if (damage_.size() == 1 && damage_untold_ > 0) {
         // The last one held stands for those that were only counted.
         --damage_untold_;
         return damage_.front();
     }
-    std::pair<std::uint64_t, std::string> first = std::move(damage_.front());
+    std::pair<std::uint64_t, Message> first = std::move(damage_.front());
     damage_.pop_front();
     return first;
 }

@@ -18,10 +18,6 @@ namespace {
 
 constexpr std::size_t kInputBytes = std::size_t{1} << 16;
 
-std::string reason(int error) {
-    return std::generic_category().message(error);
-}
-
 bool is_gzip_magic(const char* bytes, std::size_t count) {
     return count >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
 }
@@ -46,17 +42,23 @@ ByteStream::ByteStream(const std::filesystem::path& path) : path_(path), input_(
     if (descriptor_ < 0) {
         const int error = errno;
         if (error == ENOENT || error == ENOTDIR) {
-            throw FileError(path.string(), "there is no such file; check the path");
+            throw FileError(path.string(),
+                            message(HITOS_TEXT("Errors", "there is no such file; check the path")));
         }
-        throw FileError(path.string(), "cannot be opened for reading: " + reason(error));
+        throw FileError(path.string(),
+                        message(HITOS_TEXT("Errors", "cannot be opened for reading: %1"),
+                                system_message(error)));
     }
     struct stat status {};
     const bool known = ::fstat(descriptor_, &status) == 0;
     if (!known || !S_ISREG(status.st_mode)) {
         const bool folder = known && S_ISDIR(status.st_mode);
         ::close(descriptor_);
-        throw FileError(path.string(), folder ? "is a folder; choose a log file inside it"
-                                              : "is no regular file; copy the log to one first");
+        throw FileError(
+            path.string(),
+            folder
+                ? message(HITOS_TEXT("Errors", "is a folder; choose a log file inside it"))
+                : message(HITOS_TEXT("Errors", "is no regular file; copy the log to one first")));
     }
     size_ = static_cast<std::uint64_t>(status.st_size);
     try {
@@ -81,7 +83,10 @@ bool ByteStream::refill() {
         const ssize_t got =
             ::read(descriptor_, input_.data() + input_end_, input_.size() - input_end_);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw FileError(path_.string(), "reading fails: " + reason(errno));
+        if (got < 0) {
+            throw FileError(path_.string(), message(HITOS_TEXT("Errors", "reading fails: %1"),
+                                                    system_message(errno)));
+        }
         input_end_ += static_cast<std::size_t>(got);
         taken_ += static_cast<std::uint64_t>(got);
         return got > 0;
@@ -117,7 +122,8 @@ bool ByteStream::next_member() {
         }
         while (input_begin_ < input_end_ && input_[input_begin_] == '\0') ++input_begin_;
         if (input_begin_ < input_end_) {
-            damage_ = "bytes that are not gzip follow the compressed data";
+            damage_ =
+                message(HITOS_TEXT("Errors", "bytes that are not gzip follow the compressed data"));
             return false;
         }
         if (!refill()) return false;
@@ -138,7 +144,7 @@ std::size_t ByteStream::read_inflated(std::span<char> out) {
             }
         }
         if (input_begin_ == input_end_ && !refill()) {
-            damage_ = "the compressed data end early";
+            damage_ = message(HITOS_TEXT("Errors", "the compressed data end early"));
             ended_ = true;
             break;
         }
@@ -149,7 +155,7 @@ std::size_t ByteStream::read_inflated(std::span<char> out) {
         if (result == Z_STREAM_END) {
             inflater_->between_members = true;
         } else if (result != Z_OK && result != Z_BUF_ERROR) {
-            damage_ = "the compressed data are damaged";
+            damage_ = message(HITOS_TEXT("Errors", "the compressed data are damaged"));
             ended_ = true;
         }
     }

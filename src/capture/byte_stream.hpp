@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/message.hpp"
+
 namespace hitos {
 
 /// Reads a regular file from its beginning. Gzip is known by its first two bytes, whatever the
@@ -26,7 +28,7 @@ class ByteStream {
     std::size_t read(std::span<char> out);
 
     /// Why the data ended before their time, once they have; empty for a sound file.
-    const std::string& damage() const { return damage_; }
+    const Message& damage() const { return damage_; }
     bool is_gzip() const { return inflater_ != nullptr; }
     /// How much of the file on disk has been taken in, 0 … 1.
     double progress() const;
@@ -46,7 +48,7 @@ class ByteStream {
     std::size_t input_end_ = 0;
     std::unique_ptr<Inflater> inflater_;
     bool ended_ = false;
-    std::string damage_;
+    Message damage_;
 };
 
 }  // namespace hitos

@@ -93,18 +93,21 @@ Fan fitted_fan(const std::vector<double>& bearings, double smallest) {
 
 }  // namespace
 
-void FanFitter::fail(const Scan& scan, const std::string& problem) const {
-    throw FormatError(
-        path_, 0,
-        "the scan of line " + std::to_string(scan.line) + " (time " + std::to_string(scan.time_s) +
-            ") cannot be written as ranges: " + problem + "; write it in the normalized format");
+void FanFitter::fail(const Scan& scan, const Message& problem) const {
+    throw FormatError(path_, 0,
+                      message(HITOS_TEXT("Errors",
+                                         "the scan of line %1 (time %2) cannot be written as "
+                                         "ranges: %3; write it in the normalized format"),
+                              scan.line, std::to_string(scan.time_s), problem));
 }
 
 void FanFitter::derive(const Scan& scan) {
     constexpr double kFinestStep = 1e-4;
     const std::vector<double> bearings = bearings_of(scan);
     const double smallest = smallest_step(bearings);
-    if (smallest < kFinestStep) fail(scan, "two of its points have one bearing");
+    if (smallest < kFinestStep) {
+        fail(scan, message(HITOS_TEXT("Errors", "two of its points have one bearing")));
+    }
     if (has_step(derived_, smallest) && fits(derived_, bearings)) return;
     for (const Fan& usual : usual_fans()) {
         if (has_step(usual, smallest) && fits(usual, bearings)) {
@@ -117,7 +120,9 @@ void FanFitter::derive(const Scan& scan) {
         return;
     }
     const Fan fan = fitted_fan(bearings, smallest);
-    if (!fits(fan, bearings)) fail(scan, "its points do not lie on regular rays");
+    if (!fits(fan, bearings)) {
+        fail(scan, message(HITOS_TEXT("Errors", "its points do not lie on regular rays")));
+    }
     derived_ = fan;
 }
 
@@ -136,12 +141,13 @@ Sweep FanFitter::sweep(const Scan& scan) {
         const std::ptrdiff_t ray = has_rays ? static_cast<std::ptrdiff_t>(scan.rays[i])
                                             : ray_of(result.fan, std::atan2(point.y, point.x));
         if (ray < 0 || ray >= static_cast<std::ptrdiff_t>(result.fan.count)) {
-            fail(scan, "a point belongs to ray " + std::to_string(ray) + " of " +
-                           std::to_string(result.fan.count));
+            fail(scan, message(HITOS_TEXT("Errors", "a point belongs to ray %1 of %2"), ray,
+                               result.fan.count));
         }
         if (!(range < result.fan.max_range_m)) {
-            fail(scan, "a point is " + std::to_string(range) + " m away, its greatest range is " +
-                           std::to_string(result.fan.max_range_m) + " m");
+            fail(scan,
+                 message(HITOS_TEXT("Errors", "a point is %1 m away, its greatest range is %2 m"),
+                         std::to_string(range), std::to_string(result.fan.max_range_m)));
         }
         result.ranges_m[static_cast<std::size_t>(ray)] = range;
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/capture/scan.hpp"
 
 namespace hitos {
@@ -29,7 +30,7 @@ class FanFitter {
 
   private:
     void derive(const Scan& scan);
-    [[noreturn]] void fail(const Scan& scan, const std::string& problem) const;
+    [[noreturn]] void fail(const Scan& scan, const Message& problem) const;
 
     std::string path_;
     Fan derived_;

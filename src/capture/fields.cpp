@@ -33,26 +33,31 @@ std::uint32_t Fields::count(const char* name, std::int64_t least) {
     const std::string_view field = word(name);
     const std::optional<std::int64_t> value = parse_integer(field);
     if (!value || *value < least || *value > std::numeric_limits<std::int32_t>::max()) {
-        fail(name, field, least > 0 ? "a whole number from 1" : "a whole number from 0");
+        fail(name, field,
+             least > 0 ? HITOS_TEXT("Errors", "a whole number from 1")
+                       : HITOS_TEXT("Errors", "a whole number from 0"));
     }
     return static_cast<std::uint32_t>(*value);
 }
 
 void Fields::expect_end(const char* after) const {
     if (rest_.empty()) return;
-    fail("found " + shown(peek()) + " after " + after + ", expected the end of the line");
+    fail(message(HITOS_TEXT("Errors", "found %1 after %2, expected the end of the line"),
+                 shown(peek()), marked(after)));
 }
 
 void Fields::fail(const char* name, std::string_view found, const char* expected) const {
-    fail(std::string(name) + ": found " + shown(found) + ", expected " + expected);
+    fail(message(HITOS_TEXT("Errors", "%1: found %2, expected %3"), marked(name), shown(found),
+                 marked(expected)));
 }
 
-void Fields::fail(const std::string& problem) const {
+void Fields::fail(const Message& problem) const {
     throw FormatError("", line_, problem);
 }
 
 void Fields::fail_missing(const char* name) const {
-    fail(std::string(name) + ": found the end of the line, expected a value");
+    fail(message(HITOS_TEXT("Errors", "%1: found the end of the line, expected a value"),
+                 marked(name)));
 }
 
 }  // namespace hitos

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "hitos/base/message.hpp"
 #include "hitos/capture/fuente.hpp"
 
 namespace hitos {
@@ -39,8 +40,9 @@ inline std::optional<std::int64_t> parse_integer(std::string_view field) {
     return value;
 }
 
-/// Walks over a line's fields. Each taker names the field; what is missing or wrong throws
-/// FormatError with that name, what was found and what was expected.
+/// Walks over a line's fields. Each taker names the field, and words among the
+/// names are marked by HITOS_TEXT; what is missing or wrong throws FormatError with that name, what
+/// was found and what was expected.
 class Fields {
   public:
     explicit Fields(std::string_view text, std::uint64_t line = 0) : rest_(text), line_(line) {
@@ -70,15 +72,17 @@ class Fields {
     double number(const char* name) {
         const std::string_view field = word(name);
         const std::optional<double> value = parse_double(field);
-        if (!value) fail(name, field, "a number");
-        if (!(std::abs(*value) <= kGreatestValue)) fail(name, field, "a finite number below 1e12");
+        if (!value) fail(name, field, HITOS_TEXT("Errors", "a number"));
+        if (!(std::abs(*value) <= kGreatestValue)) {
+            fail(name, field, HITOS_TEXT("Errors", "a finite number below 1e12"));
+        }
         return *value;
     }
     /// A number that may be anything, NaN and infinities included.
     double reading(const char* name) {
         const std::string_view field = word(name);
         const std::optional<double> value = parse_double(field);
-        if (!value) fail(name, field, "a number");
+        if (!value) fail(name, field, HITOS_TEXT("Errors", "a number"));
         // No sensor measures so far; what is not finite is no point.
         constexpr double kFar = std::numeric_limits<double>::infinity();
         return std::abs(*value) > kGreatestValue ? std::copysign(kFar, *value) : *value;
@@ -86,7 +90,7 @@ class Fields {
     std::int64_t integer(const char* name) {
         const std::string_view field = word(name);
         const std::optional<std::int64_t> value = parse_integer(field);
-        if (!value) fail(name, field, "a whole number");
+        if (!value) fail(name, field, HITOS_TEXT("Errors", "a whole number"));
         return *value;
     }
     /// How many readings follow: at least `least`.
@@ -94,7 +98,7 @@ class Fields {
     /// Throws where fields are left over.
     void expect_end(const char* after) const;
     [[noreturn]] void fail(const char* name, std::string_view found, const char* expected) const;
-    [[noreturn]] void fail(const std::string& problem) const;
+    [[noreturn]] void fail(const Message& problem) const;
 
   private:
     static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }

@@ -23,6 +23,10 @@ bool is_text(std::string_view line) {
     return bad == 0;
 }
 
+Message too_long() {
+    return message(HITOS_TEXT("Errors", "the line is longer than 1 MiB"));
+}
+
 }  // namespace
 
 bool LineReader::fill() {
@@ -40,7 +44,12 @@ bool LineReader::fill() {
 
 LineReader::Line LineReader::make_line(std::string_view raw) {
     ++number_;
-    if (!is_text(raw)) return {{}, number_, "the line is not text (it holds control characters)"};
+    if (!is_text(raw)) {
+        return {
+            {},
+            number_,
+            message(HITOS_TEXT("Errors", "the line is not text (it holds control characters)"))};
+    }
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (number_ == 1 && raw.starts_with(kByteOrderMark)) raw.remove_prefix(kByteOrderMark.size());
     return {input::trimmed(raw), number_, {}};
@@ -58,7 +67,7 @@ std::optional<LineReader::Line> LineReader::next() {
                 begin_ = at + 1;
                 scanned_ = begin_;
                 if (raw.size() > kLongestLine) {
-                    return Line{{}, ++number_, "the line is longer than 1 MiB"};
+                    return Line{{}, ++number_, too_long()};
                 }
                 return make_line(raw);
             }
@@ -83,11 +92,11 @@ std::optional<LineReader::Line> LineReader::skip_long_line() {
             found_end = true;
         }
     }
-    return Line{{}, number_, "the line is longer than 1 MiB"};
+    return Line{{}, number_, too_long()};
 }
 
 std::optional<LineReader::Line> LineReader::last_line() {
-    const std::string& damage = bytes_.damage();
+    const Message& damage = bytes_.damage();
     if (!damage.empty()) {
         if (told_damage_) return std::nullopt;
         // The unfinished line is part of the damage.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "byte_stream.hpp"
+#include "hitos/base/message.hpp"
 
 namespace hitos {
 
@@ -21,7 +22,7 @@ class LineReader {
     struct Line {
         std::string_view text;     ///< valid until the next call; empty where damaged
         std::uint64_t number = 0;  ///< 1-based
-        std::string damage;        ///< what is wrong with the line; empty: nothing
+        Message damage;            ///< what is wrong with the line; empty: nothing
     };
 
     explicit LineReader(const std::filesystem::path& path) : bytes_(path) {}

@@ -7,6 +7,13 @@
 #include "hitos/base/text_input.hpp"
 
 namespace hitos {
+namespace {
+
+bool writable(const LogFormat& format) {
+    return format.make_writer != nullptr;
+}
+
+}  // namespace
 
 Registry<LogFormat>& log_formats() {
     static Registry<LogFormat> table(
@@ -16,13 +23,13 @@ Registry<LogFormat>& log_formats() {
 }
 
 std::string log_format_choices() {
-    return std::string(kAutoFormat) + ", " + log_formats().words(" or ");
+    return std::string(kAutoFormat) + ", " + log_formats().either().english();
 }
 
 std::string checked_log_format(std::string_view word, const std::string& option) {
     if (word == kAutoFormat || log_formats().knows(word)) return std::string(word);
-    throw ConfigError(option,
-                      "found \"" + std::string(word) + "\", expected " + log_format_choices());
+    throw ConfigError(option, message(HITOS_TEXT("Errors", "found \"%1\", expected %2"), word,
+                                      message("%1, %2", kAutoFormat, log_formats().either())));
 }
 
 std::string log_endings() {
@@ -39,16 +46,15 @@ std::string log_endings() {
 }
 
 std::string writable_formats() {
-    return log_formats().words(
-        " or ", [](const LogFormat& format) { return format.make_writer != nullptr; });
+    return log_formats().either(writable).english();
 }
 
 std::string checked_target_format(std::string_view word, const std::string& option) {
     if (log_formats().knows(word) && log_formats().find(word).make_writer != nullptr) {
         return std::string(word);
     }
-    throw ConfigError(option,
-                      "found \"" + std::string(word) + "\", expected " + writable_formats());
+    throw ConfigError(option, message(HITOS_TEXT("Errors", "found \"%1\", expected %2"), word,
+                                      log_formats().either(writable)));
 }
 
 void write_tour(TourReader& reader, LogWriter& writer, const std::function<void()>& told) {

@@ -28,7 +28,7 @@ struct Probe {
     std::uint64_t bytes = 0;
     std::string first_line;     ///< cut, for messages
     std::string raw_beginning;  ///< the first bytes of the file on disk or of what it unpacks to
-    std::string damage;         ///< of the compressed data
+    Message damage;             ///< of the compressed data
     bool gzip = false;
 };
 
@@ -83,51 +83,58 @@ Probe probe(const std::filesystem::path& path) {
     return result;
 }
 
-/// Names a well-known kind of file from its first bytes.
-std::string known_kind(const std::string& beginning) {
+/// A well-known kind of file by its first bytes; empty where it is none.
+Message known_kind(const std::string& beginning) {
     struct Magic {
         const char* bytes;
         const char* kind;
     };
     constexpr std::array kMagics = {
-        Magic{"BZh", "bzip2 data; unpack them first"},
+        Magic{"BZh", HITOS_TEXT("Errors", "it is bzip2 data; unpack them first")},
         Magic{"\xfd"
               "7zXZ",
-              "xz data; unpack them first"},
-        Magic{"\x28\xb5\x2f\xfd", "zstd data; unpack them first"},
-        Magic{"PK\x03\x04", "a zip archive; unpack it first"},
-        Magic{"#ROSBAG", "a ROS bag; convert it first, for example to CARMEN"},
-        Magic{"\x89PNG", "a PNG picture"},
-        Magic{"\xff\xd8\xff", "a JPEG picture"},
-        Magic{"%PDF", "a PDF document"},
+              HITOS_TEXT("Errors", "it is xz data; unpack them first")},
+        Magic{"\x28\xb5\x2f\xfd", HITOS_TEXT("Errors", "it is zstd data; unpack them first")},
+        Magic{"PK\x03\x04", HITOS_TEXT("Errors", "it is a zip archive; unpack it first")},
+        Magic{"#ROSBAG",
+              HITOS_TEXT("Errors", "it is a ROS bag; convert it first, for example to CARMEN")},
+        Magic{"\x89PNG", HITOS_TEXT("Errors", "it is a PNG picture")},
+        Magic{"\xff\xd8\xff", HITOS_TEXT("Errors", "it is a JPEG picture")},
+        Magic{"%PDF", HITOS_TEXT("Errors", "it is a PDF document")},
         Magic{"\x7f"
               "ELF",
-              "a program"}};
+              HITOS_TEXT("Errors", "it is a program")}};
     for (const Magic& magic : kMagics) {
-        if (beginning.starts_with(magic.bytes)) return std::string("it is ") + magic.kind;
+        if (beginning.starts_with(magic.bytes)) return marked(magic.kind);
     }
-    return "it holds control characters";
+    return {};
+}
+
+Message problem_of(const Probe& found) {
+    if (found.bytes == 0 && found.damage.empty()) {
+        return found.gzip ? message(HITOS_TEXT("Errors", "is a gzip file that holds nothing"))
+                          : message(HITOS_TEXT("Errors", "is empty"));
+    }
+    if (found.text == 0 && !found.damage.empty()) {
+        return message(HITOS_TEXT("Errors", "is gzip, but %1 before any line"), found.damage);
+    }
+    const Message kind = known_kind(found.raw_beginning);
+    if (found.no_text > found.text || !kind.empty()) {
+        const Message what =
+            kind.empty() ? message(HITOS_TEXT("Errors", "it holds control characters")) : kind;
+        return found.gzip ? message(HITOS_TEXT("Errors", "is not text once unpacked: %1"), what)
+                          : message(HITOS_TEXT("Errors", "is not text: %1"), what);
+    }
+    if (found.text == 0) return message(HITOS_TEXT("Errors", "holds nothing but comments"));
+    return message(
+        HITOS_TEXT("Errors", "no line is one of a format that Hitos reads; the first is \"%1\""),
+        found.first_line);
 }
 
 [[noreturn]] void refuse(const std::string& path, const Probe& found) {
-    const std::string expected =
-        ", expected a text log (" + log_formats().words(" or ") + "), plain or gzip";
-    if (found.bytes == 0 && found.damage.empty()) {
-        throw FormatError(
-            path, 0, (found.gzip ? "is a gzip file that holds nothing" : "is empty") + expected);
-    }
-    if (found.text == 0 && !found.damage.empty()) {
-        throw FormatError(path, 0, "is gzip, but " + found.damage + " before any line" + expected);
-    }
-    if (found.no_text > found.text || !known_kind(found.raw_beginning).starts_with("it holds")) {
-        throw FormatError(path, 0,
-                          std::string("is not text") + (found.gzip ? " once unpacked" : "") + ": " +
-                              known_kind(found.raw_beginning) + expected);
-    }
-    if (found.text == 0) throw FormatError(path, 0, "holds nothing but comments" + expected);
     throw FormatError(path, 0,
-                      "no line is one of a format that Hitos reads; the first is \"" +
-                          found.first_line + "\"" + expected);
+                      message(HITOS_TEXT("Errors", "%1, expected a text log (%2), plain or gzip"),
+                              problem_of(found), log_formats().either()));
 }
 
 }  // namespace
@@ -142,9 +149,12 @@ std::unique_ptr<Archivo> open_log(const std::filesystem::path& path, std::string
     if (format == kAutoFormat) return std::make_unique<Archivo>(path, likely);
     const LogFormat& said = log_formats().find(format);
     if (found.votes[static_cast<std::size_t>(&said - formats.data())] == 0) {
-        throw FormatError(path.string(), 0,
-                          "is not in the format " + said.word + " but looks like " + likely.word +
-                              "; choose the format " + likely.word + " or auto");
+        throw FormatError(
+            path.string(), 0,
+            message(HITOS_TEXT(
+                        "Errors",
+                        "is not in the format %1 but looks like %2; choose the format %2 or auto"),
+                    said.word, likely.word));
     }
     return std::make_unique<Archivo>(path, said);
 }

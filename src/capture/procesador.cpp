@@ -49,7 +49,7 @@ std::string Procesador::format() const {
     return fuente_->format().word;
 }
 
-void Procesador::note_damage(std::uint64_t line, std::string reason) {
+void Procesador::note_damage(std::uint64_t line, Message reason) {
     ++report_.skipped;
     // Two cursors find damage in two orders; the report has it in the log's.
     std::vector<ReadReport::Skip>& examples = report_.examples;
@@ -62,7 +62,7 @@ void Procesador::note_damage(std::uint64_t line, std::string reason) {
 }
 
 void Procesador::collect_damage() {
-    while (std::optional<std::pair<std::uint64_t, std::string>> damage = fuente_->take_damage()) {
+    while (std::optional<std::pair<std::uint64_t, Message>> damage = fuente_->take_damage()) {
         note_damage(damage->first, std::move(damage->second));
     }
 }

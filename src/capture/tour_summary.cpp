@@ -30,25 +30,32 @@ class Stamps {
 
 [[noreturn]] void refuse(const TourReader& reader) {
     const ReadReport& report = reader.report();
-    const bool damaged = !report.examples.empty();
-    throw FormatError(reader.name(), damaged ? report.examples.front().line : 0,
-                      "nothing in it can be read as " + reader.format() +
-                          (damaged ? ": " + report.examples.front().reason
-                                   : "; it holds neither scans nor odometry"));
+    if (report.examples.empty()) {
+        throw FormatError(
+            reader.name(), 0,
+            message(
+                HITOS_TEXT("Errors",
+                           "nothing in it can be read as %1; it holds neither scans nor odometry"),
+                reader.format()));
+    }
+    const ReadReport::Skip& first = report.examples.front();
+    throw FormatError(reader.name(), first.line,
+                      message(HITOS_TEXT("Errors", "nothing in it can be read as %1: %2"),
+                              reader.format(), first.reason));
 }
 
 }  // namespace
 
-std::vector<std::string> first_lines_of(const std::filesystem::path& path) {
+std::vector<Message> first_lines_of(const std::filesystem::path& path) {
     constexpr std::size_t kLines = 30;
     constexpr std::size_t kShown = 200;
-    std::vector<std::string> lines;
+    std::vector<Message> lines;
     LineReader reader(path);
     while (lines.size() < kLines) {
         const std::optional<LineReader::Line> line = reader.next();
         if (!line) break;
-        lines.emplace_back(line->damage.empty() ? line->text.substr(0, kShown)
-                                                : std::string_view(line->damage));
+        lines.push_back(line->damage.empty() ? verbatim(std::string(line->text.substr(0, kShown)))
+                                             : line->damage);
     }
     return lines;
 }

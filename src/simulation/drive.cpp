@@ -64,21 +64,26 @@ class Driver {
     }
     const Point2& at(std::size_t goal) const { return way_point(goal).at; }
 
-    std::string name(std::size_t goal) const {
+    Message name(std::size_t goal) const {
         const std::size_t count = world_.tour.way_points.size();
-        const std::string lap =
-            world_.tour.laps > 1 ? fmt::format(" of lap {}", goal / count + 1) : "";
-        return fmt::format("way point {} at ({:g}, {:g}){}", goal % count + 1, at(goal).x,
-                           at(goal).y, lap);
+        const std::size_t number = goal % count + 1;
+        const std::string x = fmt::format("{:g}", at(goal).x);
+        const std::string y = fmt::format("{:g}", at(goal).y);
+        if (world_.tour.laps == 1) {
+            return message(HITOS_TEXT("Errors", "way point %1 at (%2, %3)"), number, x, y);
+        }
+        return message(HITOS_TEXT("Errors", "way point %1 at (%2, %3) of lap %4"), number, x, y,
+                       goal / count + 1);
     }
 
-    [[noreturn]] void fail(std::uint64_t line, const std::string& problem) const {
+    [[noreturn]] void fail(std::uint64_t line, const Message& problem) const {
         throw FormatError(world_.file, line, problem);
     }
 
-    static std::string wall_name(const WallSegment& wall) {
-        return fmt::format("wall {}, ({:g}, {:g}) to ({:g}, {:g})", wall.wall, wall.a.x, wall.a.y,
-                           wall.b.x, wall.b.y);
+    static Message wall_name(const WallSegment& wall) {
+        return message(HITOS_TEXT("Errors", "wall %1, (%2, %3) to (%4, %5)"), wall.wall,
+                       fmt::format("{:g}", wall.a.x), fmt::format("{:g}", wall.a.y),
+                       fmt::format("{:g}", wall.b.x), fmt::format("{:g}", wall.b.y));
     }
 
     void check_start() const {
@@ -87,9 +92,12 @@ class Driver {
             const double gap = distance(wall, start);
             if (gap < robot_.radius_m) {
                 fail(world_.tour.line,
-                     fmt::format("the start at ({:g}, {:g}) is {:.3f} m from {}; expected at least "
-                                 "the robot's radius of {:g} m",
-                                 start.x, start.y, gap, wall_name(wall), robot_.radius_m));
+                     message(HITOS_TEXT("Errors",
+                                        "the start at (%1, %2) is %3 m from %4; expected at least "
+                                        "the robot's radius of %5 m"),
+                             fmt::format("{:g}", start.x), fmt::format("{:g}", start.y),
+                             fmt::format("{:.3f}", gap), wall_name(wall),
+                             fmt::format("{:g}", robot_.radius_m)));
             }
         }
     }
@@ -102,10 +110,13 @@ class Driver {
             const double gap = std::hypot(at(goal).x - before.x, at(goal).y - before.y);
             if (gap <= 2.0 * robot_.tolerance_m) {
                 fail(way_point(goal).line,
-                     fmt::format("{} is {:.3f} m from {}; expected more than {:g} m, twice the "
-                                 "tolerance at which it is passed",
-                                 name(goal), gap, goal == 0 ? "the start" : "the one before",
-                                 2.0 * robot_.tolerance_m));
+                     message(HITOS_TEXT("Errors",
+                                        "%1 is %2 m from %3; expected more than %4 m, twice the "
+                                        "tolerance at which it is passed"),
+                             name(goal), fmt::format("{:.3f}", gap),
+                             goal == 0 ? message(HITOS_TEXT("Errors", "the start"))
+                                       : message(HITOS_TEXT("Errors", "the one before")),
+                             fmt::format("{:g}", 2.0 * robot_.tolerance_m)));
             }
             before = at(goal);
         }
@@ -137,9 +148,10 @@ class Driver {
             if (left <= robot_.tolerance_m) return;
             if (t > patience_s) {
                 fail(way_point(goal_).line,
-                     fmt::format("{} cannot be reached: the robot is still {:.2f} m away after "
-                                 "{:.0f} s; raise robot.tolerance or the accelerations",
-                                 name(goal_), left, t));
+                     message(HITOS_TEXT("Errors",
+                                        "%1 cannot be reached: the robot is still %2 m away after "
+                                        "%3 s; raise robot.tolerance or the accelerations"),
+                             name(goal_), fmt::format("{:.2f}", left), fmt::format("{:.0f}", t)));
             }
             const double error = heading_error(pose(), goal);
             // Where the goal is passed the robot has to be as slow as the next turn asks for.
@@ -166,9 +178,11 @@ class Driver {
         path_.append(twist_);
         check_clearance({before.x, before.y}, {pose().x, pose().y});
         if (path_.twists().size() > kMostSteps) {
-            throw ConfigError("tour", fmt::format("takes more than {} control steps; expected a "
-                                                  "shorter tour or a faster robot",
-                                                  kMostSteps));
+            throw ConfigError("tour",
+                              message(HITOS_TEXT("Errors",
+                                                 "takes more than %1 control steps; expected a "
+                                                 "shorter tour or a faster robot"),
+                                      kMostSteps));
         }
     }
 
@@ -178,11 +192,12 @@ class Driver {
         for (const WallSegment& wall : world_.walls) {
             const double gap = distance(wall, from, to) - bulge;
             if (gap < robot_.radius_m) {
-                fail(
-                    way_point(goal_).line,
-                    fmt::format("on the way to {} the robot comes within {:.3f} m of {}; expected "
-                                "at least its radius of {:g} m",
-                                name(goal_), std::max(0.0, gap), wall_name(wall), robot_.radius_m));
+                fail(way_point(goal_).line,
+                     message(HITOS_TEXT("Errors",
+                                        "on the way to %1 the robot comes within %2 m of %3; "
+                                        "expected at least its radius of %4 m"),
+                             name(goal_), fmt::format("{:.3f}", std::max(0.0, gap)),
+                             wall_name(wall), fmt::format("{:g}", robot_.radius_m)));
             }
         }
     }

@@ -43,7 +43,7 @@ class Collector final : public DL_CreationAdapter {
 
     std::vector<std::vector<Point2>> walls;
     std::optional<double> unit_m;
-    std::string refused;  ///< the first entity that cannot be a wall and must not be passed over
+    Message refused;  ///< the first entity that cannot be a wall and must not be passed over
 
     /// Closes the polyline under way; dxflib ends the two kinds of it in different ways.
     void finish() {
@@ -70,29 +70,39 @@ class Collector final : public DL_CreationAdapter {
     void addPolyline(const DL_PolylineData& data) override {
         finish();
         if (!wanted()) return;
-        if ((data.flags & kMesh) != 0) refuse("a mesh");
-        if ((data.flags & kCurveFitted) != 0) refuse("a polyline fitted to a curve");
+        if ((data.flags & kMesh) != 0) refuse(HITOS_TEXT("Errors", "a mesh"));
+        if ((data.flags & kCurveFitted) != 0) {
+            refuse(HITOS_TEXT("Errors", "a polyline fitted to a curve"));
+        }
         open_ = true;
         closed_ = (data.flags & kClosed) != 0;
     }
     void addVertex(const DL_VertexData& data) override {
         if (!open_) return;
-        if (data.bulge != 0.0) refuse("a polyline with arcs (bulges)");
+        if (data.bulge != 0.0) refuse(HITOS_TEXT("Errors", "a polyline with arcs (bulges)"));
         polyline_.push_back({data.x, data.y});
     }
-    void addArc(const DL_ArcData& /*data*/) override { refuse_if_wanted("an ARC"); }
-    void addCircle(const DL_CircleData& /*data*/) override { refuse_if_wanted("a CIRCLE"); }
-    void addEllipse(const DL_EllipseData& /*data*/) override { refuse_if_wanted("an ELLIPSE"); }
-    void addSpline(const DL_SplineData& /*data*/) override { refuse_if_wanted("a SPLINE"); }
+    void addArc(const DL_ArcData& /*data*/) override {
+        refuse_if_wanted(HITOS_TEXT("Errors", "an ARC"));
+    }
+    void addCircle(const DL_CircleData& /*data*/) override {
+        refuse_if_wanted(HITOS_TEXT("Errors", "a CIRCLE"));
+    }
+    void addEllipse(const DL_EllipseData& /*data*/) override {
+        refuse_if_wanted(HITOS_TEXT("Errors", "an ELLIPSE"));
+    }
+    void addSpline(const DL_SplineData& /*data*/) override {
+        refuse_if_wanted(HITOS_TEXT("Errors", "a SPLINE"));
+    }
     void addInsert(const DL_InsertData& /*data*/) override {
-        refuse_if_wanted("an inserted block (INSERT)");
+        refuse_if_wanted(HITOS_TEXT("Errors", "an inserted block (INSERT)"));
     }
 
   private:
     /// Entities inside a block's definition are drawn only where the block is inserted.
     bool wanted() { return !in_block_ && (layer_.empty() || attributes.getLayer() == layer_); }
     void refuse(const char* what) {
-        if (refused.empty()) refused = what;
+        if (refused.empty()) refused = marked(what);
     }
     void refuse_if_wanted(const char* what) {
         finish();
@@ -112,40 +122,51 @@ std::vector<std::vector<Point2>> read_dxf_walls(const std::filesystem::path& pat
                                                 const DxfOptions& options) {
     std::error_code problem;
     if (std::filesystem::is_directory(path, problem)) {
-        throw FileError(path.string(), "is a directory; expected a DXF drawing");
+        throw FileError(path.string(),
+                        message(HITOS_TEXT("Errors", "is a directory; expected a DXF drawing")));
     }
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError(path.string(), "cannot be read; expected a DXF drawing");
+    if (!file) {
+        throw FileError(path.string(),
+                        message(HITOS_TEXT("Errors", "cannot be read; expected a DXF drawing")));
+    }
     Collector collector(options.layer);
     DL_Dxf reader;
     reader.in(file, &collector);
     collector.finish();
-    const std::string place =
-        options.layer.empty() ? "the drawing" : fmt::format("layer \"{}\"", options.layer);
+    const Message place = options.layer.empty()
+                              ? message(HITOS_TEXT("Errors", "the drawing"))
+                              : message(HITOS_TEXT("Errors", "layer \"%1\""), options.layer);
     if (!collector.refused.empty()) {
-        throw FormatError(path.string(), 0,
-                          fmt::format("{} holds {}; walls are straight: expected LINE, LWPOLYLINE "
-                                      "and POLYLINE (explode blocks, draw arcs as polylines, or "
-                                      "name the walls' layer)",
-                                      place, collector.refused));
+        throw FormatError(
+            path.string(), 0,
+            message(HITOS_TEXT(
+                        "Errors",
+                        "%1 holds %2; walls are straight: expected LINE, LWPOLYLINE and POLYLINE "
+                        "(explode blocks, draw arcs as polylines, or name the walls' layer)"),
+                    place, collector.refused));
     }
     if (collector.walls.empty()) {
         throw FormatError(path.string(), 0,
-                          fmt::format("{} holds no wall; expected LINE, LWPOLYLINE or POLYLINE "
-                                      "entities of an ASCII DXF drawing",
-                                      place));
+                          message(HITOS_TEXT("Errors",
+                                             "%1 holds no wall; expected LINE, LWPOLYLINE or "
+                                             "POLYLINE entities of an ASCII DXF drawing"),
+                                  place));
     }
     const double unit_m = options.unit_m.value_or(collector.unit_m.value_or(1.0));
     for (std::vector<Point2>& wall : collector.walls) {
         if (wall.size() < 2) {
             throw FormatError(
                 path.string(), 0,
-                fmt::format("{} holds a polyline of one point; a wall needs two", place));
+                message(HITOS_TEXT("Errors", "%1 holds a polyline of one point; a wall needs two"),
+                        place));
         }
         for (Point2& point : wall) {
             point = {point.x * unit_m, point.y * unit_m};
             if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
-                throw FormatError(path.string(), 0, "holds a point that is not finite");
+                throw FormatError(
+                    path.string(), 0,
+                    message(HITOS_TEXT("Errors", "holds a point that is not finite")));
             }
         }
     }

@@ -185,18 +185,22 @@ void check_raster(const std::vector<WallSegment>& walls, const RasterParams& par
     if (columns * rows > kMostCells) {
         throw ConfigError(
             "raster.cell",
-            fmt::format(
-                "found {:g} m for walls over {:g} x {:g} m, which is {:.3g} cells; expected "
-                "at most {:.3g}, so take greater cells",
-                params.cell_m, box.most.x - box.least.x, box.most.y - box.least.y, columns * rows,
-                kMostCells));
+            message(HITOS_TEXT("Errors",
+                               "found %1 m for walls over %2 x %3 m, which is %4 cells; expected "
+                               "at most %5, so take greater cells"),
+                    fmt::format("{:g}", params.cell_m),
+                    fmt::format("{:g}", box.most.x - box.least.x),
+                    fmt::format("{:g}", box.most.y - box.least.y),
+                    fmt::format("{:.3g}", columns * rows), fmt::format("{:.3g}", kMostCells)));
     }
 }
 
 WallRaster::WallRaster(const std::vector<WallSegment>& walls, const RasterParams& params)
     : cell_m_(params.cell_m) {
     if (!(cell_m_ > 0.0)) {
-        throw ConfigError("raster.cell", fmt::format("found {:g}, expected more than 0", cell_m_));
+        throw ConfigError("raster.cell",
+                          message(HITOS_TEXT("Errors", "found %1, expected more than 0"),
+                                  fmt::format("{:g}", cell_m_)));
     }
     if (walls.empty()) return;
     check_raster(walls, params);

@@ -36,23 +36,29 @@ class Reading {
             const std::string_view name = key.str();
             if (name != "tour" && name != "robot" && name != "laser" && name != "raster" &&
                 name != "odometry") {
-                fail(key.source(), fmt::format("[{}]: no such group; expected [tour], [robot], "
-                                               "[laser], [raster] or [odometry]",
-                                               name));
+                fail(key.source(), message(HITOS_TEXT("Errors",
+                                                      "[%1]: no such group; expected [tour], "
+                                                      "[robot], [laser], [raster] or [odometry]"),
+                                           name));
             }
             for (const auto& [inner, value] : *group)
                 read_value(fmt::format("{}.{}", name, inner.str()), inner.source(), value);
         }
         if (!drawing_.empty()) add_drawing();
-        if (world_.walls.empty()) fail({}, "found no walls; expected the key walls or walls_dxf");
+        if (world_.walls.empty()) {
+            fail({}, message(HITOS_TEXT("Errors",
+                                        "found no walls; expected the key walls or walls_dxf")));
+        }
         if (world_.tour.way_points.empty()) {
-            fail({}, "found no way points; expected way_points = [[x, y], ...] in [tour]");
+            fail({}, message(HITOS_TEXT(
+                         "Errors",
+                         "found no way points; expected way_points = [[x, y], ...] in [tour]")));
         }
         return std::move(world_);
     }
 
   private:
-    [[noreturn]] void fail(const toml::source_region& where, const std::string& problem) const {
+    [[noreturn]] void fail(const toml::source_region& where, const Message& problem) const {
         throw FormatError(path_.string(), where.begin.line, problem);
     }
 
@@ -68,15 +74,19 @@ class Reading {
         } else if (name == "dxf_unit") {
             dxf_.unit_m = number(node);
             if (!dxf_.unit_m || !(*dxf_.unit_m > 0.0) || !std::isfinite(*dxf_.unit_m)) {
-                fail(key.source(), "dxf_unit: expected the metres per drawing unit, more than 0");
+                fail(key.source(),
+                     message(HITOS_TEXT(
+                         "Errors", "dxf_unit: expected the metres per drawing unit, more than 0")));
             }
         } else if (name == "seed") {
             read_value("seed", key.source(), node);
         } else {
             fail(key.source(),
-                 fmt::format("{}: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, "
-                             "seed, [tour], [robot], [laser], [raster] or [odometry]",
-                             name));
+                 message(
+                     HITOS_TEXT("Errors",
+                                "%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, "
+                                "seed, [tour], [robot], [laser], [raster] or [odometry]"),
+                     name));
         }
     }
 
@@ -99,30 +109,37 @@ class Reading {
             } else if (const auto value = number(node); value && !is_choice(known)) {
                 world_values::set_number(world_, known, *value);
             } else {
-                fail(where, fmt::format("{}: expected {}", key, world_values::allowed(known)));
+                fail(where, message(HITOS_TEXT("Errors", "%1: expected %2"), key,
+                                    world_values::allowed(known)));
             }
         } catch (const ConfigError& error) {
-            fail(where, error.what());
+            fail(where, error.message());
         }
     }
 
     void read_walls(const toml::key& key, const toml::node& node) {
         const toml::array* walls = node.as_array();
-        if (walls == nullptr) fail(key.source(), "walls: expected a list of polylines");
+        if (walls == nullptr) {
+            fail(key.source(),
+                 message(HITOS_TEXT("Errors", "walls: expected a list of polylines")));
+        }
         for (const toml::node& wall : *walls) {
             ++walls_;
             const toml::array* points = wall.as_array();
             if (points == nullptr || points->size() < 2) {
-                fail(wall.source(),
-                     fmt::format("wall {}: found {}, expected two points or more, [[x, y], [x, y]]",
-                                 walls_,
-                                 points == nullptr ? "no list of points"
-                                 : points->empty() ? "no point"
-                                                   : "one point"));
+                fail(
+                    wall.source(),
+                    message(HITOS_TEXT(
+                                "Errors",
+                                "wall %1: found %2, expected two points or more, [[x, y], [x, y]]"),
+                            walls_,
+                            points == nullptr ? message(HITOS_TEXT("Errors", "no list of points"))
+                            : points->empty() ? message(HITOS_TEXT("Errors", "no point"))
+                                              : message(HITOS_TEXT("Errors", "one point"))));
             }
             std::optional<Point2> before;
             for (const toml::node& entry : *points) {
-                const Point2 at = point(entry, fmt::format("wall {}", walls_));
+                const Point2 at = point(entry, message(HITOS_TEXT("Errors", "wall %1"), walls_));
                 if (before) add_segment(*before, at, entry.source().begin.line);
                 before = at;
             }
@@ -132,9 +149,10 @@ class Reading {
     void add_segment(const Point2& a, const Point2& b, std::uint64_t line) {
         if (a == b) {
             throw FormatError(path_.string(), line,
-                              fmt::format("wall {}: found the point ({:g}, {:g}) twice in a row, "
-                                          "expected two different ones",
-                                          walls_, a.x, a.y));
+                              message(HITOS_TEXT("Errors",
+                                                 "wall %1: found the point (%2, %3) twice in a "
+                                                 "row, expected two different ones"),
+                                      walls_, fmt::format("{:g}", a.x), fmt::format("{:g}", a.y)));
         }
         world_.walls.push_back({a, b, walls_, line});
     }
@@ -142,7 +160,8 @@ class Reading {
     void add_drawing() {
         const std::filesystem::path drawing = path_.parent_path() / drawing_;
         if (!std::filesystem::exists(drawing)) {
-            fail(drawing_at_, fmt::format("walls_dxf: {}: no such file", drawing.string()));
+            fail(drawing_at_,
+                 message(HITOS_TEXT("Errors", "walls_dxf: %1: no such file"), drawing.string()));
         }
         for (const std::vector<Point2>& wall : read_dxf_walls(drawing, dxf_)) {
             ++walls_;
@@ -160,7 +179,9 @@ class Reading {
         const auto y = three ? number(*values->get(1)) : std::nullopt;
         const auto heading = three ? number(*values->get(2)) : std::nullopt;
         if (!x || !y || !heading || !within(*x) || !within(*y) || !within(*heading)) {
-            fail(node.source(), "tour.start: expected [x, y, heading] in metres and degrees");
+            fail(node.source(),
+                 message(HITOS_TEXT("Errors",
+                                    "tour.start: expected [x, y, heading] in metres and degrees")));
         }
         world_.tour.start = {*x, *y, wrap_angle(*heading * kRadiansPerDegree)};
     }
@@ -168,24 +189,27 @@ class Reading {
     void read_way_points(const toml::source_region& where, const toml::node& node) {
         const toml::array* points = node.as_array();
         if (points == nullptr || points->empty()) {
-            fail(where, "tour.way_points: found none, expected [[x, y], ...]");
+            fail(where, message(HITOS_TEXT("Errors",
+                                           "tour.way_points: found none, expected [[x, y], ...]")));
         }
         world_.tour.line = where.begin.line;
         for (const toml::node& entry : *points) {
-            const std::string name = fmt::format("way point {}", world_.tour.way_points.size() + 1);
+            const Message name =
+                message(HITOS_TEXT("Errors", "way point %1"), world_.tour.way_points.size() + 1);
             world_.tour.way_points.push_back({point(entry, name), entry.source().begin.line});
         }
     }
 
-    Point2 point(const toml::node& node, const std::string& name) const {
+    Point2 point(const toml::node& node, const Message& name) const {
         const toml::array* pair = node.as_array();
         const bool two = pair != nullptr && pair->size() == 2;
         const auto x = two ? number(*pair->get(0)) : std::nullopt;
         const auto y = two ? number(*pair->get(1)) : std::nullopt;
         if (!x || !y || !within(*x) || !within(*y)) {
-            fail(node.source(), fmt::format("{}: expected a point [x, y] within {:g} m of the "
-                                            "origin",
-                                            name, kFarthest));
+            fail(node.source(),
+                 message(
+                     HITOS_TEXT("Errors", "%1: expected a point [x, y] within %2 m of the origin"),
+                     name, fmt::format("{:g}", kFarthest)));
         }
         return {*x, *y};
     }
@@ -199,7 +223,8 @@ class Reading {
     std::string words(const toml::key& key, const toml::node& node) const {
         const auto* value = node.as_string();
         if (value == nullptr) {
-            fail(key.source(), fmt::format("{}: expected a string in quotes", key.str()));
+            fail(key.source(),
+                 message(HITOS_TEXT("Errors", "%1: expected a string in quotes"), key.str()));
         }
         return value->get();
     }
@@ -219,19 +244,22 @@ World parse_world(std::string_view text, const std::filesystem::path& path) {
         return Reading(path).read(toml::parse(text));
     } catch (const toml::parse_error& error) {
         throw FormatError(path.string(), error.source().begin.line,
-                          std::string(error.description()));
+                          verbatim(std::string(error.description())));
     }
 }
 
 World read_world(const std::filesystem::path& path) {
     std::error_code problem;
-    if (!std::filesystem::exists(path, problem)) throw FileError(path.string(), "no such file");
+    if (!std::filesystem::exists(path, problem)) {
+        throw FileError(path.string(), message(HITOS_TEXT("Errors", "no such file")));
+    }
     if (std::filesystem::is_directory(path, problem)) {
-        throw FileError(path.string(), "is a directory; expected a world file");
+        throw FileError(path.string(),
+                        message(HITOS_TEXT("Errors", "is a directory; expected a world file")));
     }
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (!file) throw FileError(path.string(), "cannot be read");
+    if (!file) throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read")));
     return parse_world(text, path);
 }
 

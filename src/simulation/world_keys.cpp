@@ -101,8 +101,8 @@ std::vector<WorldKey> make_keys() {
 }
 
 [[noreturn]] void refuse(const WorldKey& key, std::string_view found) {
-    throw ConfigError(std::string(key.key),
-                      fmt::format("found {}, expected {}", found, world_values::allowed(key)));
+    throw ConfigError(std::string(key.key), message(HITOS_TEXT("Errors", "found %1, expected %2"),
+                                                    found, world_values::allowed(key)));
 }
 
 }  // namespace
@@ -114,9 +114,10 @@ std::span<const WorldKey> world_keys() {
 
 namespace world_values {
 
-std::string allowed(const WorldKey& key) {
-    if (key.type != Type::integer) return key.allowed();
-    return fmt::format("a whole number, {:g} to {:g}", key.minimum, key.maximum);
+Message allowed(const WorldKey& key) {
+    if (key.type != Type::integer) return key.allowed_message();
+    return message(HITOS_TEXT("Errors", "a whole number, %1 to %2"),
+                   fmt::format("{:g}", key.minimum), fmt::format("{:g}", key.maximum));
 }
 
 const WorldKey& find(std::string_view key) {
@@ -131,7 +132,8 @@ const WorldKey& find(std::string_view key) {
         for (const WorldKey& other : world_keys()) near.push_back(other.key);
     }
     throw ConfigError(std::string(key),
-                      fmt::format("no such key; expected one of {}", fmt::join(near, ", ")));
+                      message(HITOS_TEXT("Errors", "no such key; expected one of %1"),
+                              fmt::format("{}", fmt::join(near, ", "))));
 }
 
 void set_number(World& world, const WorldKey& key, double value) {
@@ -155,7 +157,8 @@ void set_word(World& world, const WorldKey& key, std::string_view word) {
 void set_world_value(World& world, std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos) {
-        throw ConfigError(std::string(assignment), "found no \"=\", expected KEY=VALUE");
+        throw ConfigError(std::string(assignment),
+                          message(HITOS_TEXT("Errors", "found no \"=\", expected KEY=VALUE")));
     }
     const WorldKey& key = world_values::find(assignment.substr(0, equals));
     const std::string_view text = assignment.substr(equals + 1);
@@ -176,9 +179,13 @@ void check(const World& world) {
     for (const WorldKey& key : world_keys()) {
         if (!key.allows(key.get(world))) refuse(key, key.text(world));
     }
-    if (world.walls.empty()) throw ConfigError("walls", "found none, expected one or more");
+    if (world.walls.empty()) {
+        throw ConfigError("walls",
+                          message(HITOS_TEXT("Errors", "found none, expected one or more")));
+    }
     if (world.tour.way_points.empty()) {
-        throw ConfigError("tour.way_points", "found none, expected one or more");
+        throw ConfigError("tour.way_points",
+                          message(HITOS_TEXT("Errors", "found none, expected one or more")));
     }
     if (world.raster.cell_m > 0.0) check_raster(world.walls, world.raster);
 }

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "hitos/base/message.hpp"
 #include "hitos/simulation/world.hpp"
 
 namespace hitos::world_values {
@@ -11,7 +12,7 @@ namespace hitos::world_values {
 const WorldKey& find(std::string_view key);
 
 /// What may stand there: "0 to 1 m", "a whole number, 1 to 1000".
-std::string allowed(const WorldKey& key);
+Message allowed(const WorldKey& key);
 
 /// Sets the value; throws ConfigError that says what is allowed.
 void set_number(World& world, const WorldKey& key, double value);

@@ -370,9 +370,12 @@ Table make_table() {
 void check_motion(const MotionParams& motion) {
     if (motion.model == "no-odometry" && motion.sigma_x_m == 0.0 && motion.sigma_y_m == 0.0 &&
         motion.sigma_theta_rad == 0.0) {
-        throw ConfigError("motion.model",
-                          "no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta "
-                          "all 0 can never move; give at least one of them a value above 0");
+        throw ConfigError(
+            "motion.model",
+            message(
+                HITOS_TEXT("Errors",
+                           "no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta "
+                           "all 0 can never move; give at least one of them a value above 0")));
     }
 }
 
@@ -390,9 +393,10 @@ void check(const FilterParams& params) {
     if (slam_algorithms().reads(params.algorithm, "association.new_probability") &&
         association.new_probability < association.gate_probability) {
         throw ConfigError("association.new_probability",
-                          fmt::format("{} is less than association.gate_probability {}; an "
-                                      "observation inside that gate cannot be new",
-                                      association.new_probability, association.gate_probability));
+                          message(HITOS_TEXT("Errors",
+                                             "%1 is less than association.gate_probability %2; an "
+                                             "observation inside that gate cannot be new"),
+                                  association.new_probability, association.gate_probability));
     }
 }
 

@@ -34,6 +34,7 @@ Eigen::Vector3d away_from(const Pose& origin, const Pose& pose) {
 Pose mean_of(const std::vector<WeightedPose>& hypotheses, const Pose& origin) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const WeightedPose& hypothesis : hypotheses) {
+        if (hypothesis.weight == 0.0) continue;  // its pose may be no number
         mean += hypothesis.weight * away_from(origin, hypothesis.pose);
     }
     return {origin.x + mean(0), origin.y + mean(1), wrap_angle(origin.theta + mean(2))};
@@ -344,6 +345,7 @@ Matrix3 FiltroParticulas::pose_covariance() const {
     const Pose mean = mean_of(all, best_pose());
     Matrix3 covariance = Matrix3::Zero();
     for (const WeightedPose& hypothesis : all) {
+        if (hypothesis.weight == 0.0) continue;
         const Eigen::Vector3d away = away_from(mean, hypothesis.pose);
         covariance += hypothesis.weight * (away * away.transpose());
     }

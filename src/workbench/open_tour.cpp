@@ -29,8 +29,11 @@ std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t 
     if (!is_world_file(source.file)) return open_source(source);
     // Older configurations name the format in which worlds used to be read.
     if (source.format != kAutoFormat && source.format != "normalized") {
-        throw ConfigError("source.format", "found \"" + source.format + "\" for the world " +
-                                               source.file + ", expected auto: it is no log");
+        throw ConfigError(
+            "source.format",
+            message(
+                HITOS_TEXT("Errors", "found \"%1\" for the world %2, expected auto: it is no log"),
+                source.format, source.file));
     }
     return std::make_unique<SimulatedTourReader>(
         std::make_shared<const SimulatedTour>(world_of(source, run_seed)), source.read);

@@ -60,16 +60,18 @@ std::string preset_words() {
 const Preset& find_preset(std::string_view word) {
     const auto found = std::ranges::find(presets(), word, &Preset::word);
     if (found != presets().end()) return *found;
-    throw ConfigError("--preset",
-                      fmt::format("found '{}', expected one of {}", word, preset_words()));
+    throw ConfigError("--preset", message(HITOS_TEXT("Errors", "found '%1', expected one of %2"),
+                                          word, preset_words()));
 }
 
 Configuracion preset_configuration(std::string_view word) {
     const std::string name = fmt::format("config/{}.cfg", find_preset(word).word);
     const std::filesystem::path file = shipped_file(name);
     if (file.empty()) {
-        throw FileError(name,
-                        "is not there; it comes with Hitos: start the program from its folder");
+        throw FileError(
+            name,
+            message(HITOS_TEXT(
+                "Errors", "is not there; it comes with Hitos: start the program from its folder")));
     }
     return ArchivoConfiguracion::read(file);
 }

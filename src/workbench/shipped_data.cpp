@@ -47,8 +47,10 @@ std::filesystem::path find_world(const std::string& name) {
     if (std::ranges::find(worlds, name) != worlds.end()) {
         return worlds_folder() / (name + ".toml");
     }
-    throw FileError(name, fmt::format("no such world file; the worlds that come with Hitos are {}",
-                                      fmt::join(worlds, ", ")));
+    throw FileError(
+        name,
+        message(HITOS_TEXT("Errors", "no such world file; the worlds that come with Hitos are %1"),
+                fmt::format("{}", fmt::join(worlds, ", "))));
 }
 
 std::string source_named(const std::string& name) {
@@ -58,16 +60,22 @@ std::string source_named(const std::string& name) {
     if (!bare) return name;
     const std::vector<std::string> worlds = shipped_worlds();
     if (std::ranges::find(worlds, name) != worlds.end()) return find_world(name).string();
-    throw FileError(name, fmt::format("no such log, nor a world of that name; the worlds that come "
-                                      "with Hitos are {}",
-                                      fmt::join(worlds, ", ")));
+    throw FileError(
+        name,
+        message(
+            HITOS_TEXT(
+                "Errors",
+                "no such log, nor a world of that name; the worlds that come with Hitos are %1"),
+            fmt::format("{}", fmt::join(worlds, ", "))));
 }
 
 std::filesystem::path find_thesis_results() {
     std::filesystem::path path = shipped_file("data/results.csv");
     if (path.empty()) {
-        throw FileError("data/results.csv",
-                        "is not there; it comes with Hitos: start the program from its folder");
+        throw FileError(
+            "data/results.csv",
+            message(HITOS_TEXT(
+                "Errors", "is not there; it comes with Hitos: start the program from its folder")));
     }
     return path;
 }

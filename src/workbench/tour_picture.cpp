@@ -165,13 +165,17 @@ void write_tour_picture(const SimulatedTour& tour, const std::filesystem::path& 
     std::ranges::transform(extension, extension.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
-        throw FileError(path.string(), fmt::format("found the extension \"{}\"; pictures are "
-                                                   "written as .png, .jpg or .jpeg",
-                                                   path.extension().string()));
+        throw FileError(
+            path.string(),
+            message(HITOS_TEXT(
+                        "Errors",
+                        "found the extension \"%1\"; pictures are written as .png, .jpg or .jpeg"),
+                    path.extension().string()));
     }
     std::vector<std::uint8_t> bytes;
     if (!cv::imencode(extension, drawn(tour), bytes)) {
-        throw FileError(path.string(), "the picture could not be encoded");
+        throw FileError(path.string(),
+                        message(HITOS_TEXT("Errors", "the picture could not be encoded")));
     }
     write_file(path, std::string(bytes.begin(), bytes.end()));
 }

@@ -188,7 +188,8 @@ TEST_P(Fuzz, LogsOfDamagedLinesAreReadToTheirEnd) {
             for (const Odometria& reading : log.odometry) useful.insert(reading.line);
             ASSERT_LE(useful.size() + log.report.skipped + log.report.duplicate_scans, lines);
             for (const ReadReport::Skip& skip : log.report.examples) {
-                ASSERT_FALSE(useful.contains(skip.line)) << skip.line << " " << skip.reason;
+                ASSERT_FALSE(useful.contains(skip.line))
+                    << skip.line << " " << skip.reason.english();
             }
         } catch (const FormatError&) {
             // No line of the format was left.

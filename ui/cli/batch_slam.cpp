@@ -42,8 +42,8 @@ int batch(const BatchOptions& options) {
     }
     study.configuration = ArchivoConfiguracion::read(options.config);
     if (study.configuration.source.file.empty()) {
-        throw ConfigError("source.file", "found no file name in " + options.config +
-                                             "; expected the path of the log to study");
+        throw ConfigError("source.file", verbatim("found no file name in " + options.config +
+                                                  "; expected the path of the log to study"));
     }
     if (options.referencia != kNoReference) study.reference = read_map(options.referencia);
     study.layout = study_beside(options.salida);

@@ -39,7 +39,7 @@ void convert(const ConvertOptions& options) {
     const ReadReport& report = reader->report();
     write_tour(*reader, *writer, [&] { line.show(report.scans, reader->progress()); });
     if (report.scans == 0) {
-        throw FormatError(options.log, 0, "found no readable scan; nothing was written");
+        throw FormatError(options.log, 0, verbatim("found no readable scan; nothing was written"));
     }
     writer->finish();
     line.finish(report.scans);

@@ -33,7 +33,8 @@ void evaluate_map(const EvaluateOptions& options) {
     const auto error = map_error(map, reference);
     const auto aligned = aligned_map_error(map, reference);
     if (!error || !aligned) {
-        throw FormatError(options.map, 0, "has no landmark of a kind that the reference holds");
+        throw FormatError(options.map, 0,
+                          verbatim("has no landmark of a kind that the reference holds"));
     }
     fmt::print("map_error_m {:.6f}\n", error->mean_m);
     fmt::print("map_error_aligned_m {:.6f}\n", aligned->error.mean_m);
@@ -59,10 +60,11 @@ void evaluate_trajectory(const EvaluateOptions& options) {
         trajectory_error(read_trajectory(options.trajectory),
                          read_trajectory(options.reference_trajectory), options.tolerance_s);
     if (!error) {
-        throw FormatError(options.trajectory, 0,
-                          fmt::format("has no pose within {} s of one of the reference; are the "
-                                      "clocks the same?",
-                                      options.tolerance_s));
+        throw FormatError(
+            options.trajectory, 0,
+            verbatim(fmt::format("has no pose within {} s of one of the reference; are the "
+                                 "clocks the same?",
+                                 options.tolerance_s)));
     }
     fmt::print("ate_rmse_m {:.6f}\nate_mean_m {:.6f}\nate_maximum_m {:.6f}\n", error->rmse_m,
                error->mean_m, error->maximum_m);
@@ -74,19 +76,20 @@ void evaluate(const EvaluateOptions& options) {
     const bool against_map = !options.reference.empty();
     const bool against_distances = !options.distances.empty();
     if (map != (against_map || against_distances)) {
-        throw ConfigError("evaluate", map ? "--map needs --reference or --distances"
-                                          : "--reference and --distances need --map");
+        throw ConfigError("evaluate", verbatim(map ? "--map needs --reference or --distances"
+                                                   : "--reference and --distances need --map"));
     }
     if (!options.out.empty() && !against_distances) {
-        throw ConfigError("evaluate", "--out takes distances.csv and needs --distances");
+        throw ConfigError("evaluate", verbatim("--out takes distances.csv and needs --distances"));
     }
     if (options.trajectory.empty() != options.reference_trajectory.empty()) {
-        throw ConfigError("evaluate", "--trajectory and --reference-trajectory go together");
+        throw ConfigError("evaluate",
+                          verbatim("--trajectory and --reference-trajectory go together"));
     }
     if (options.map.empty() && options.trajectory.empty()) {
         throw ConfigError("evaluate",
-                          "found nothing to measure; give --map and --reference or "
-                          "--distances, or --trajectory and --reference-trajectory");
+                          verbatim("found nothing to measure; give --map and --reference or "
+                                   "--distances, or --trajectory and --reference-trajectory"));
     }
     if (against_map) evaluate_map(options);
     if (against_distances) evaluate_distances(options);

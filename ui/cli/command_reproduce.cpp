@@ -93,7 +93,7 @@ int reproduce_tables(CommandOptions options) {
     }
     teller.finish();
     if (result.computed + result.reused == result.failures.size()) {
-        throw Error("every run failed; the first: " + result.failures.front());
+        throw Error(verbatim("every run failed; the first: " + result.failures.front()));
     }
     if (!options.report.empty()) {
         write_report(result, options.report, options.reproduction.out / "plots", tried);

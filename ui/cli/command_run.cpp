@@ -48,7 +48,8 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
     if (summary.report.skipped > 0) {
         fmt::print("{} damaged line{} skipped; line {}: {}\n", summary.report.skipped,
                    summary.report.skipped == 1 ? " was" : "s were",
-                   summary.report.examples.front().line, summary.report.examples.front().reason);
+                   summary.report.examples.front().line,
+                   summary.report.examples.front().reason.english());
     }
     if (summary.report.stamps_backwards > 0) {
         fmt::print("{} time stamps lie before the one before them; the log's order was kept\n",
@@ -86,7 +87,7 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
     }
     for (const Advice& advice : summary.advice) fmt::print("note: {}\n", advice.words());
     for (const NotWritten& missing : summary.not_written) {
-        fmt::print("warning: not written: {}: {}\n", missing.file, missing.reason);
+        fmt::print("warning: not written: {}: {}\n", missing.file, missing.reason.english());
     }
     fmt::print("results in {}\n", folder);
 }
@@ -95,20 +96,21 @@ void check_particle(const std::optional<std::size_t>& particle,
                     const Configuracion& configuration) {
     const std::size_t count = hypothesis_count(configuration.filter);
     if (!particle || *particle < count) return;
-    throw ConfigError("--grid-of",
-                      fmt::format("found particle {}; {} has {}, numbered from 0 to {}", *particle,
-                                  configuration.filter.algorithm, count, count - 1));
+    throw ConfigError(
+        "--grid-of",
+        verbatim(fmt::format("found particle {}; {} has {}, numbered from 0 to {}", *particle,
+                             configuration.filter.algorithm, count, count - 1)));
 }
 
 /// A long run is not to end with what could be known before it.
 void check_figures_file(const std::filesystem::path& file) {
     if (std::filesystem::is_directory(file)) {
-        throw FileError(file.string(), "is a folder; expected the name of a file");
+        throw FileError(file.string(), verbatim("is a folder; expected the name of a file"));
     }
     const std::filesystem::path folder = file.parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-        throw FileError(
-            file, "cannot be written: there is no folder " + folder.string() + "; create it first");
+        throw FileError(file, verbatim("cannot be written: there is no folder " + folder.string() +
+                                       "; create it first"));
     }
 }
 

@@ -56,8 +56,9 @@ void simulate(const SimulateOptions& options) {
     const std::string format = checked_target_format(options.format, "--format");
     if (options.out.empty() && options.truth.empty() && options.reference.empty() &&
         options.picture.empty()) {
-        throw ConfigError("simulate",
-                          "found nothing to write; give --out, --truth, --reference or --picture");
+        throw ConfigError(
+            "simulate",
+            verbatim("found nothing to write; give --out, --truth, --reference or --picture"));
     }
     const auto tour = std::make_shared<const SimulatedTour>(load_world(options));
     SimulatedTourReader reader(tour);

@@ -33,7 +33,9 @@ struct MergeOptions {
 };
 
 void require(const std::string& value, const char* name, const char* what) {
-    if (value.empty()) throw ConfigError("study", fmt::format("{} is missing: {}", name, what));
+    if (value.empty()) {
+        throw ConfigError("study", verbatim(fmt::format("{} is missing: {}", name, what)));
+    }
 }
 
 StudyShard shard_of(const CommandOptions& options) {

@@ -19,10 +19,11 @@ constexpr int kSomeFailed = 2;
 [[noreturn]] void all_failed(const StudyOutcome& outcome) {
     for (const StudyRecord& record : outcome.records) {
         if (!record.problem.empty()) {
-            throw Error(fmt::format("every run failed; the first: {}", record.problem));
+            throw Error(
+                verbatim(fmt::format("every run failed; the first: {}", record.problem.english())));
         }
     }
-    throw Error("no run succeeded");
+    throw Error(verbatim("no run succeeded"));
 }
 
 }  // namespace
@@ -93,11 +94,11 @@ int report(const StudyOutcome& outcome, const StudyLayout& layout, bool csv) {
                csv ? summary_csv(outcome.plan, cells) : summary_markdown(outcome.plan, cells));
     std::fflush(stdout);
     if (!outcome.plot_problem.empty()) {
-        fmt::print(stderr, "no plots: {}; their scripts are beside {}\n", outcome.plot_problem,
-                   layout.file("landmarks.gp").string());
+        fmt::print(stderr, "no plots: {}; their scripts are beside {}\n",
+                   outcome.plot_problem.english(), layout.file("landmarks.gp").string());
     }
     if (!outcome.picture_problem.empty()) {
-        fmt::print(stderr, "no contact sheet: {}\n", outcome.picture_problem);
+        fmt::print(stderr, "no contact sheet: {}\n", outcome.picture_problem.english());
     } else if (outcome.plan.pictures != StudyPictures::none) {
         fmt::print(stderr, "grid maps: {}\n", layout.file("contact-sheet.png").string());
     }

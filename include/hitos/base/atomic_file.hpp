@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "hitos/base/message.hpp"
+
 namespace hitos {
 
 /// Collects a file's content in a temporary sibling; commit() flushes it to disk and renames it
@@ -24,7 +26,7 @@ class AtomicFile {
   private:
     void flush();
     void discard();
-    [[noreturn]] void fail(const std::string& doing) const;
+    [[noreturn]] void fail(const Message& doing) const;
 
     std::filesystem::path target_;
     std::filesystem::path temporary_;

@@ -3,23 +3,33 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "hitos/base/message.hpp"
+
 namespace hitos {
 
-/// Base of every error that bad data, bad arguments or the file system can cause.
+/// Base of every error that bad data, bad arguments or the file system can cause. `what()` says it
+/// in English.
 class Error : public std::runtime_error {
   public:
-    using std::runtime_error::runtime_error;
+    explicit Error(Message message)
+        : std::runtime_error(message.english()), message_(std::move(message)) {}
+    /// All of it, the place too.
+    const Message& message() const { return message_; }
+
+  private:
+    Message message_;
 };
 
 /// A file that cannot be opened, read, written or renamed.
 class FileError : public Error {
   public:
-    FileError(std::string path, const std::string& problem)
-        : Error(path + ": " + problem), path_(std::move(path)) {}
+    FileError(std::string path, const Message& problem)
+        : Error(hitos::message("%1: %2", path, problem)), path_(std::move(path)) {}
     const std::string& path() const { return path_; }
 
   private:
@@ -30,36 +40,46 @@ class FileError : public Error {
 /// path is empty where the thrower does not know it.
 class FormatError : public Error {
   public:
-    FormatError(std::string path, std::uint64_t line, std::string problem)
-        : Error(place(path, line) + problem),
+    FormatError(std::string path, std::uint64_t line, Message problem)
+        : Error(placed(path, line, problem)),
           path_(std::move(path)),
           line_(line),
           problem_(std::move(problem)) {}
     const std::string& path() const { return path_; }
     std::uint64_t line() const { return line_; }
     /// The message without the place.
-    const std::string& problem() const { return problem_; }
+    const Message& problem() const { return problem_; }
 
   private:
-    static std::string place(const std::string& path, std::uint64_t line) {
-        if (path.empty()) return line == 0 ? "" : "line " + std::to_string(line) + ": ";
-        return line == 0 ? path + ": " : path + ":" + std::to_string(line) + ": ";
+    static Message placed(const std::string& path, std::uint64_t line, const Message& problem) {
+        if (path.empty() && line == 0) return problem;
+        if (path.empty()) {
+            return hitos::message(HITOS_TEXT("Errors", "line %1: %2"), line, problem);
+        }
+        if (line == 0) return hitos::message("%1: %2", path, problem);
+        return hitos::message("%1:%2: %3", path, line, problem);
     }
 
     std::string path_;
     std::uint64_t line_;
-    std::string problem_;
+    Message problem_;
 };
 
 /// A parameter that does not exist or a value that it cannot take.
 class ConfigError : public Error {
   public:
-    ConfigError(std::string key, const std::string& problem)
-        : Error(key + ": " + problem), key_(std::move(key)) {}
+    ConfigError(std::string key, const Message& problem)
+        : Error(hitos::message("%1: %2", key, problem)), key_(std::move(key)) {}
     const std::string& key() const { return key_; }
 
   private:
     std::string key_;
 };
+
+/// What an error says; what is none of Hitos' has only its own words.
+inline Message message_of(const std::exception& error) {
+    const auto* known = dynamic_cast<const Error*>(&error);
+    return known != nullptr ? known->message() : verbatim(error.what());
+}
 
 }  // namespace hitos

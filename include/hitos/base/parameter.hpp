@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/base/registry.hpp"
 
 namespace hitos {
@@ -45,6 +46,7 @@ struct ParameterFacts {
 
     /// What is allowed, in words: "0 to 10 m", "one of ml, gnn", "any text".
     std::string allowed() const;
+    Message allowed_message() const;
     bool allows(const Value& value) const;
     /// Exact: reading it back gives the same bits.
     std::string text_of(const Value& value) const;
@@ -120,7 +122,7 @@ std::vector<std::string_view> near_keys(std::string_view key,
                                         std::span<const std::string_view> keys);
 /// Throws ConfigError.
 [[noreturn]] void refuse_key(std::string_view key, std::span<const std::string_view> near,
-                             std::string_view otherwise);
+                             const Message& otherwise);
 
 }  // namespace parameter_detail
 
@@ -286,7 +288,7 @@ const Parameter<Owner>* look_up(std::span<const Parameter<Owner>> table, std::st
 /// `otherwise` where no key is near.
 template <class Owner>
 const Parameter<Owner>& find_parameter(std::span<const Parameter<Owner>> table,
-                                       std::string_view key, std::string_view otherwise) {
+                                       std::string_view key, const Message& otherwise) {
     if (const Parameter<Owner>* found = look_up(table, key)) return *found;
     std::vector<std::string_view> keys;
     for (const Parameter<Owner>& parameter : table) keys.push_back(parameter.key);

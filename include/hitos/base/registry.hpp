@@ -39,17 +39,26 @@ class Registry {
     /// Throws ConfigError where the word is empty or taken, or the registry closed.
     void add(Entry entry) {
         if (closed_) {
-            throw ConfigError(key_, "the " + what_ + " \"" + entry.word +
-                                        "\" comes too late; add it before anything is read or run");
+            throw ConfigError(
+                key_,
+                message(HITOS_TEXT(
+                            "Errors",
+                            "the %1 \"%2\" comes too late; add it before anything is read or run"),
+                        what_, entry.word));
         }
         if (entry.word.empty() || entry.word == "auto") {
-            throw ConfigError(key_, "found a " + what_ + " of the word \"" + entry.word +
-                                        "\"; give it one of its own");
+            throw ConfigError(
+                key_, message(HITOS_TEXT("Errors",
+                                         "found a %1 of the word \"%2\"; give it one of its own"),
+                              what_, entry.word));
         }
         if (const Entry* known = look_up(entry.word)) {
-            throw ConfigError(key_, "the " + what_ + " \"" + entry.word + "\" (" + entry.label +
-                                        ") is known already as " + known->label +
-                                        "; give it another word");
+            throw ConfigError(
+                key_,
+                message(
+                    HITOS_TEXT("Errors",
+                               "the %1 \"%2\" (%3) is known already as %4; give it another word"),
+                    what_, entry.word, entry.label, known->label));
         }
         entries_.push_back(std::move(entry));
     }
@@ -63,30 +72,34 @@ class Registry {
     const Entry& find(std::string_view word) const {
         closed_ = true;
         if (const Entry* entry = look_up(word)) return *entry;
-        throw ConfigError(key_, "found \"" + std::string(word) + "\", expected " + words(" or "));
+        throw ConfigError(
+            key_, message(HITOS_TEXT("Errors", "found \"%1\", expected %2"), word, either()));
     }
     bool knows(std::string_view word) const {
         closed_ = true;
         return look_up(word) != nullptr;
     }
-    /// "split-merge, ransac"; `last` stands before the last one: " or ".
-    std::string words(std::string_view last = ", ") const {
-        return words(last, [](const Entry&) { return true; });
+    /// "split-merge, ransac".
+    std::string words() const {
+        closed_ = true;
+        std::string list;
+        for (const Entry& entry : entries_) list += (list.empty() ? "" : ", ") + entry.word;
+        return list;
+    }
+
+    /// "split-merge or ransac".
+    Message either() const {
+        return either([](const Entry&) { return true; });
     }
     /// Of the entries that are wanted.
     template <class Wanted>
-    std::string words(std::string_view last, const Wanted& wanted) const {
+    Message either(const Wanted& wanted) const {
         closed_ = true;
         std::vector<std::string_view> listed;
         for (const Entry& entry : entries_) {
             if (wanted(entry)) listed.push_back(entry.word);
         }
-        std::string list;
-        for (std::size_t i = 0; i < listed.size(); ++i) {
-            if (i > 0) list += i + 1 == listed.size() ? last : std::string_view(", ");
-            list += listed[i];
-        }
-        return list;
+        return hitos::either(listed);
     }
 
     /// Whether the parameter has an effect where the entry of this word is chosen: it reads the

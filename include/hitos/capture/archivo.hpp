@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "hitos/base/message.hpp"
 #include "hitos/capture/fuente.hpp"
 #include "hitos/capture/log_format.hpp"
 
@@ -33,19 +34,19 @@ class Archivo final : public Fuente {
     std::optional<RawLine> read_odometry_line() override;
     std::optional<double> progress() const override;
     std::string name() const override;
-    std::optional<std::pair<std::uint64_t, std::string>> take_damage() override;
+    std::optional<std::pair<std::uint64_t, Message>> take_damage() override;
     std::unique_ptr<Fuente> reopen() const override;
 
   private:
     struct Cursor;
     std::optional<RawLine> read(Cursor& cursor, LineKind wanted);
-    void note_damage(std::uint64_t line, std::string reason);
+    void note_damage(std::uint64_t line, Message reason);
 
     std::filesystem::path path_;
     const LogFormat& format_;
     std::unique_ptr<Cursor> scans_;
     std::unique_ptr<Cursor> odometry_;
-    std::deque<std::pair<std::uint64_t, std::string>> damage_;
+    std::deque<std::pair<std::uint64_t, Message>> damage_;
     std::uint64_t damage_untold_ = 0;  ///< lines beyond those that damage_ may hold
 };
 

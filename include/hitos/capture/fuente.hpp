@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "hitos/base/message.hpp"
+
 namespace hitos {
 
 struct LogFormat;
@@ -38,7 +40,7 @@ class Fuente {
     virtual std::string name() const = 0;
     /// Reasons and line numbers of lines that no cursor could hand out (too long, no text); each
     /// such line is told once, to the scan cursor's owner.
-    virtual std::optional<std::pair<std::uint64_t, std::string>> take_damage() = 0;
+    virtual std::optional<std::pair<std::uint64_t, Message>> take_damage() = 0;
     /// An equal source at its beginning.
     virtual std::unique_ptr<Fuente> reopen() const = 0;
 };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/capture/conversor.hpp"
 #include "hitos/capture/fuente.hpp"
 #include "hitos/capture/scan.hpp"
@@ -42,7 +43,7 @@ class Procesador final : public TourReader {
     std::optional<Odometria> from_velocity(const OdometryRecord& record);
     Odometria hand_out(double time_s, const Twist& twist, std::uint64_t line);
     void collect_damage();
-    void note_damage(std::uint64_t line, std::string reason);
+    void note_damage(std::uint64_t line, Message reason);
 
     std::unique_ptr<Fuente> fuente_;
     ReadOptions options_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/capture/scan.hpp"
 
 namespace hitos {
@@ -17,7 +18,7 @@ namespace hitos {
 struct ReadReport {
     struct Skip {
         std::uint64_t line = 0;
-        std::string reason;
+        Message reason;
     };
     static constexpr std::size_t kExamples = 20;
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
@@ -30,6 +31,6 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress = {
 
 /// The first lines of a text file, plain or gzip, each cut to 200 bytes; what is no text is said in
 /// words. Throws FileError.
-std::vector<std::string> first_lines_of(const std::filesystem::path& path);
+std::vector<Message> first_lines_of(const std::filesystem::path& path);
 
 }  // namespace hitos

@@ -11,7 +11,7 @@ namespace hitos {
 
 struct SourceInspection {
     TourSummary tour;
-    std::vector<std::string> first_lines;  ///< of its file
+    std::vector<Message> first_lines;  ///< of its file
 };
 
 /// Reads the whole source. Throws what open_tour() and inspect_tour() throw.

@@ -62,7 +62,7 @@ double take_tail(Fields& fields) {
     const double time_s = fields.number("time");
     fields.word("host");
     if (!fields.at_end()) fields.number("logger_time");
-    fields.expect_end("the logger's time");
+    fields.expect_end(HITOS_TEXT("Errors", "the logger's time"));
     return time_s;
 }
 
@@ -116,15 +116,15 @@ bool skip_remissions(Fields& fields, bool with_pose) {
     if (!count || left <= least) return false;
     const std::uint32_t remissions = fields.count("num_remissions", 0);
     if (left < 1 + remissions + least || left > 2 + remissions + least) {
-        fields.fail("num_remissions: found " + std::to_string(remissions) + ", but " +
-                    std::to_string(left - 1) + " fields follow");
+        fields.fail(message(HITOS_TEXT("Errors", "num_remissions: found %1, but %2 fields follow"),
+                            remissions, left - 1));
     }
     for (std::uint32_t i = 0; i < remissions; ++i) fields.reading("remission");
     return true;
 }
 
 /// One line, in full.
-struct Message {
+struct CarmenMessage {
     double time_s = 0.0;
     std::optional<Pose> pose_odom_robot;
     std::optional<Twist> velocity;
@@ -138,8 +138,8 @@ class ConversorCarmen final : public RangeConversor {
 
   private:
     void parse_parameter(Fields fields);
-    Message parse_flaser(Fields fields, Readings& out);
-    Message parse_laser(Fields fields, bool with_pose, Readings& out);
+    CarmenMessage parse_flaser(Fields fields, Readings& out);
+    CarmenMessage parse_laser(Fields fields, bool with_pose, Readings& out);
     Pose steady_mount(const Pose& mount);
 
     double stated_max_m_ = 0.0;
@@ -152,13 +152,13 @@ class ConversorCarmen final : public RangeConversor {
 
 bool ConversorCarmen::parse_scan(const RawLine& line, Readings& out) {
     Fields fields(line);
-    const std::string_view name = fields.word("message name");
+    const std::string_view name = fields.word(HITOS_TEXT("Errors", "message name"));
     if (name == "PARAM") {
         parse_parameter(fields);
         return false;
     }
     const bool flaser = name == "FLASER";
-    const Message message =
+    const CarmenMessage message =
         flaser ? parse_flaser(fields, out) : parse_laser(fields, name == "ROBOTLASER1", out);
     out.time_s = message.time_s;
     out.carries_odometry = message.pose_odom_robot.has_value();
@@ -168,8 +168,8 @@ bool ConversorCarmen::parse_scan(const RawLine& line, Readings& out) {
 }
 
 void ConversorCarmen::parse_parameter(Fields fields) {
-    const std::string_view name = fields.word("parameter name");
-    const double value = fields.number("parameter value");
+    const std::string_view name = fields.word(HITOS_TEXT("Errors", "parameter name"));
+    const double value = fields.number(HITOS_TEXT("Errors", "parameter value"));
     if (name == "robot_front_laser_max") stated_max_m_ = value;
     if (name == "laser_front_laser_resolution") resolution_deg_ = value;
     if (name == "robot_frontlaser_offset") pose_robot_laser_.x = value;
@@ -177,10 +177,10 @@ void ConversorCarmen::parse_parameter(Fields fields) {
     if (name == "robot_frontlaser_angular_offset") pose_robot_laser_.theta = wrap_angle(value);
 }
 
-Message ConversorCarmen::parse_flaser(Fields fields, Readings& out) {
+CarmenMessage ConversorCarmen::parse_flaser(Fields fields, Readings& out) {
     const std::uint32_t count = fields.count("num_readings");
     for (std::uint32_t i = 0; i < count; ++i) out.ranges_m.push_back(fields.reading("range"));
-    Message message;
+    CarmenMessage message;
     take_pose(fields, "x", "y", "theta");
     message.pose_odom_robot = take_pose(fields, "odom_x", "odom_y", "odom_theta");
     message.time_s = take_tail(fields);
@@ -190,7 +190,7 @@ Message ConversorCarmen::parse_flaser(Fields fields, Readings& out) {
     return message;
 }
 
-Message ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readings& out) {
+CarmenMessage ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readings& out) {
     fields.number("laser_type");
     const double start_rad = fields.number("start_angle");
     const double view_rad = fields.number("field_of_view");
@@ -202,7 +202,7 @@ Message ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readings& ou
     for (std::uint32_t i = 0; i < count; ++i) out.ranges_m.push_back(fields.reading("range"));
 
     const bool has_block = skip_remissions(fields, with_pose);
-    Message message;
+    CarmenMessage message;
     Pose mount = pose_robot_laser_;
     if (with_pose) {
         const Pose laser = take_pose(fields, "laser_x", "laser_y", "laser_theta");
@@ -242,8 +242,8 @@ Pose ConversorCarmen::steady_mount(const Pose& mount) {
 
 std::optional<OdometryRecord> ConversorCarmen::odometry(const RawLine& line) {
     Fields fields(line);
-    const std::string_view name = fields.word("message name");
-    Message message;
+    const std::string_view name = fields.word(HITOS_TEXT("Errors", "message name"));
+    CarmenMessage message;
     if (name == "ODOM") {
         message.pose_odom_robot = take_pose(fields, "x", "y", "theta");
         Twist velocity;

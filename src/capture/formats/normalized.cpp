@@ -61,7 +61,7 @@ std::optional<Scan> ConversorNormalized::scan(const RawLine& line) {
         run_open = true;
         scan.points.push_back({x, y});
     }
-    fields.expect_end("the points that n announces");
+    fields.expect_end(HITOS_TEXT("Errors", "the points that n announces"));
     return scan;
 }
 
@@ -75,7 +75,7 @@ std::optional<OdometryRecord> ConversorNormalized::odometry(const RawLine& line)
     velocity.v = fields.number("V");
     velocity.w = fields.number("W");
     if (!fields.at_end()) velocity.v_lateral = fields.number("VL");
-    fields.expect_end("the velocities");
+    fields.expect_end(HITOS_TEXT("Errors", "the velocities"));
     record.velocity = velocity;
     return record;
 }

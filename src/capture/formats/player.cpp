@@ -121,9 +121,9 @@ class ConversorPlayer final : public RangeConversor {
 std::pair<PlayerHeader, double> header_of(const RawLine& line) {
     const std::optional<PlayerHeader> header = split_player_header(line.text);
     if (!header) {
-        Fields(line).fail(
-            "found no header of a Player line, expected time host robot interface "
-            "index type subtype");
+        Fields(line).fail(message(HITOS_TEXT("Errors",
+                                             "found no header of a Player line, expected time host "
+                                             "robot interface index type subtype")));
     }
     Fields time(header->time, line.number);
     const double time_s = time.number("time");
@@ -172,7 +172,7 @@ void ConversorPlayer::parse_metadata(Fields fields, const PlayerHeader& header, 
         fan.max_range_m = fields.number("max_range");
         fields.number("range_resolution");
         fields.number("frequency");
-        fields.expect_end("the frequency");
+        fields.expect_end(HITOS_TEXT("Errors", "the frequency"));
         setup.fan = fan;
         return;
     }
@@ -189,7 +189,7 @@ void ConversorPlayer::parse_metadata(Fields fields, const PlayerHeader& header, 
         pose.theta = wrap_angle(fields.number("pyaw"));
         fields.number("length");
         fields.number("width");
-        fields.expect_end("the width");
+        fields.expect_end(HITOS_TEXT("Errors", "the width"));
     }
     setup.pose_robot_laser = pose;
 }
@@ -218,7 +218,7 @@ void ConversorPlayer::parse_laser(Fields fields, const PlayerHeader& header, Rea
         out.ranges_m.push_back(fields.reading("range"));
         fields.reading("intensity");
     }
-    fields.expect_end("the readings that the count announces");
+    fields.expect_end(HITOS_TEXT("Errors", "the readings that the count announces"));
 }
 
 /// 1:3: each reading has its own angle.
@@ -231,7 +231,7 @@ void ConversorPlayer::parse_scan_angle(Fields fields, Readings& out) {
         out.bearings_rad.push_back(fields.number("angle"));
         fields.reading("intensity");
     }
-    fields.expect_end("the readings that the count announces");
+    fields.expect_end(HITOS_TEXT("Errors", "the readings that the count announces"));
     const Pose mount = out.fan.pose_robot_laser;
     out.fan = fan_of_bearings(out.bearings_rad);
     out.fan.pose_robot_laser = mount;
@@ -240,9 +240,9 @@ void ConversorPlayer::parse_scan_angle(Fields fields, Readings& out) {
 
 void ConversorPlayer::parse_ranger(Fields fields, const LaserSetup& setup, Readings& out) {
     if (!setup.fan) {
-        fields.fail(
-            "found the ranges of a ranger whose angles are unknown, expected a line of "
-            "type 4, subtype 5 before it");
+        fields.fail(message(HITOS_TEXT("Errors",
+                                       "found the ranges of a ranger whose angles are unknown, "
+                                       "expected a line of type 4, subtype 5 before it")));
     }
     out.fan = *setup.fan;
     out.fan.pose_robot_laser = setup.pose_robot_laser;
@@ -250,7 +250,7 @@ void ConversorPlayer::parse_ranger(Fields fields, const LaserSetup& setup, Readi
     for (std::uint32_t i = 0; i < out.fan.count; ++i) {
         out.ranges_m.push_back(fields.reading("range"));
     }
-    fields.expect_end("the ranges that the count announces");
+    fields.expect_end(HITOS_TEXT("Errors", "the ranges that the count announces"));
 }
 
 std::optional<OdometryRecord> ConversorPlayer::odometry(const RawLine& line) {

@@ -47,7 +47,10 @@ bool ConversorRadish::parse_scan(const RawLine& line, Readings& out) {
     fields.word("laser");
     const std::int64_t index = fields.integer("index");
     out.time_s = fields.number("time");
-    if (fields.at_end()) fields.fail("readings: found none, expected range bearing intensity");
+    if (fields.at_end()) {
+        fields.fail(message(
+            HITOS_TEXT("Errors", "readings: found none, expected range bearing intensity")));
+    }
     while (!fields.at_end()) {
         out.ranges_m.push_back(fields.reading("range"));
         out.bearings_rad.push_back(fields.number("bearing"));

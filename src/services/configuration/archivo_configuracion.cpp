@@ -17,7 +17,7 @@ namespace {
 
 struct Mistake {
     std::uint64_t line = 0;
-    std::string problem;
+    Message problem;
 };
 
 std::uint64_t line_of(const toml::source_region& source) {
@@ -28,33 +28,33 @@ std::string_view name_of(std::string_view key) {
     return key.substr(key.find('.') + 1);
 }
 
-std::string_view type_name(const toml::node& node) {
+Message type_name(const toml::node& node) {
     switch (node.type()) {
         case toml::node_type::table:
-            return "a table";
+            return message(HITOS_TEXT("Errors", "a table"));
         case toml::node_type::array:
-            return "an array";
+            return message(HITOS_TEXT("Errors", "an array"));
         case toml::node_type::string:
-            return "a string";
+            return message(HITOS_TEXT("Errors", "a string"));
         case toml::node_type::integer:
-            return "an integer";
+            return message(HITOS_TEXT("Errors", "an integer"));
         case toml::node_type::floating_point:
-            return "a real number";
+            return message(HITOS_TEXT("Errors", "a real number"));
         case toml::node_type::boolean:
-            return "a boolean";
+            return message(HITOS_TEXT("Errors", "a boolean"));
         default:
-            return "a date or time";
+            return message(HITOS_TEXT("Errors", "a date or time"));
     }
 }
 
-std::string_view expected_name(ConfigParameter::Type type) {
+Message expected_name(ConfigParameter::Type type) {
     switch (type) {
         case ConfigParameter::Type::real:
-            return "a number";
+            return message(HITOS_TEXT("Errors", "a number"));
         case ConfigParameter::Type::integer:
-            return "an integer";
+            return message(HITOS_TEXT("Errors", "an integer"));
         default:
-            return "a string in quotes";
+            return message(HITOS_TEXT("Errors", "a string in quotes"));
     }
 }
 
@@ -84,14 +84,16 @@ class Reading {
             if (const toml::table* table = node.as_table()) {
                 // The mistakes inside an unknown group name near keys; an empty one is told here.
                 if (!known && table->empty()) {
-                    add(line_of(key.source()), fmt::format("[{}]: no such group", group));
+                    add(line_of(key.source()),
+                        message(HITOS_TEXT("Errors", "[%1]: no such group"), group));
                 }
                 for (const auto& [name, value] : *table) {
                     read(fmt::format("{}.{}", group, name.str()), line_of(name.source()), value);
                 }
             } else if (known) {
                 add(line_of(key.source()),
-                    fmt::format("{0}: found {1}; expected a table [{0}]", group, type_name(node)));
+                    message(HITOS_TEXT("Errors", "%1: found %2; expected a table [%1]"), group,
+                            type_name(node)));
             } else {
                 read(std::string(group), line_of(key.source()), node);
             }
@@ -101,7 +103,7 @@ class Reading {
     }
 
   private:
-    void add(std::uint64_t line, std::string problem) {
+    void add(std::uint64_t line, Message problem) {
         mistakes.push_back({line, std::move(problem)});
     }
 
@@ -112,11 +114,12 @@ class Reading {
                 parameter.set(configuration, *text);
                 lines_.emplace_back(key, line);
             } else {
-                add(line, fmt::format("{}: found {}; expected {}, {}", key, type_name(node),
-                                      expected_name(parameter.type), parameter.allowed()));
+                add(line, message(HITOS_TEXT("Errors", "%1: found %2; expected %3, %4"), key,
+                                  type_name(node), expected_name(parameter.type),
+                                  parameter.allowed_message()));
             }
         } catch (const ConfigError& error) {
-            add(line, error.what());
+            add(line, error.message());
         }
     }
 
@@ -126,7 +129,7 @@ class Reading {
         } catch (const ConfigError& error) {
             const auto found = std::ranges::find(lines_, error.key(),
                                                  &std::pair<std::string, std::uint64_t>::first);
-            add(found == lines_.end() ? 0 : found->second, error.what());
+            add(found == lines_.end() ? 0 : found->second, error.message());
         }
     }
 
@@ -134,14 +137,16 @@ class Reading {
 };
 
 /// One mistake as it is; several one below the other, each with its line.
-std::string joined(const std::vector<Mistake>& mistakes) {
+Message joined(const std::vector<Mistake>& mistakes) {
     if (mistakes.size() == 1) return mistakes.front().problem;
-    std::string text = fmt::format("{} mistakes:", mistakes.size());
+    Message list = message(HITOS_TEXT("Errors", "%1 mistakes:"), mistakes.size());
     for (const Mistake& mistake : mistakes) {
-        text += mistake.line == 0 ? fmt::format("\n  {}", mistake.problem)
-                                  : fmt::format("\n  line {}: {}", mistake.line, mistake.problem);
+        const Message placed = mistake.line == 0 ? mistake.problem
+                                                 : message(HITOS_TEXT("Errors", "line %1: %2"),
+                                                           mistake.line, mistake.problem);
+        list = message("%1\n  %2", list, placed);
     }
-    return text;
+    return list;
 }
 
 /// Where the bytes stop being well-formed UTF-8 (Unicode 15, table 3-7), the one encoding of TOML;
@@ -175,7 +180,9 @@ std::string toml_string(const ConfigParameter& parameter, std::string_view text)
     if (end_of_utf8(text) != text.size()) {
         throw ConfigError(
             std::string(parameter.key),
-            input::in_quotes(text) + " is not UTF-8 and cannot stand in a configuration file");
+            message(
+                HITOS_TEXT("Errors", "%1 is not UTF-8 and cannot stand in a configuration file"),
+                input::in_quotes(text)));
     }
     std::string out = "\"";
     for (const char c : text) {
@@ -250,14 +257,15 @@ Configuracion ArchivoConfiguracion::parse(std::string_view text, const std::stri
     if (end != text.size()) {
         const auto line = 1 + std::ranges::count(text.substr(0, end), '\n');
         throw FormatError(name, static_cast<std::uint64_t>(line),
-                          fmt::format("found the byte 0x{:02x}; expected UTF-8 text",
-                                      static_cast<unsigned char>(text[end])));
+                          message(HITOS_TEXT("Errors", "found the byte 0x%1; expected UTF-8 text"),
+                                  fmt::format("{:02x}", static_cast<unsigned char>(text[end]))));
     }
     Reading reading;
     try {
         reading.read(toml::parse(text));
     } catch (const toml::parse_error& error) {
-        throw FormatError(name, line_of(error.source()), std::string(error.description()));
+        throw FormatError(name, line_of(error.source()),
+                          verbatim(std::string(error.description())));
     }
     if (!reading.mistakes.empty()) {
         throw FormatError(name, reading.mistakes.front().line, joined(reading.mistakes));

@@ -34,7 +34,8 @@ const ParameterGroupFacts& group_of(std::string_view table) {
     for (const ParameterGroupFacts& group : parameter_groups()) {
         if (std::ranges::find(group.tables, table) != group.tables.end()) return group;
     }
-    throw ConfigError(std::string(table), "no group of parameters has this table");
+    throw ConfigError(std::string(table),
+                      message(HITOS_TEXT("Errors", "no group of parameters has this table")));
 }
 
 std::span<const ConfigParameter> parameters() {
@@ -43,13 +44,15 @@ std::span<const ConfigParameter> parameters() {
 }
 
 const ConfigParameter& find_parameter(std::string_view key) {
-    return find_parameter(parameters(), key, "init.cfg lists all of them");
+    return find_parameter(parameters(), key,
+                          message(HITOS_TEXT("Errors", "init.cfg lists all of them")));
 }
 
 void set_parameter(Configuracion& configuration, std::string_view assignment) {
     const std::size_t sign = assignment.find('=');
     if (sign == std::string_view::npos) {
-        throw ConfigError(std::string(assignment), "expected key=value");
+        throw ConfigError(std::string(assignment),
+                          message(HITOS_TEXT("Errors", "expected key=value")));
     }
     find_parameter(input::trimmed(assignment.substr(0, sign)))
         .set(configuration, assignment.substr(sign + 1));
@@ -62,14 +65,17 @@ void check(const Configuracion& configuration) {
     const GridParams& grid = configuration.grid;
     if (grid.log_odds_hit == 0.0 && grid.log_odds_miss == 0.0) {
         throw ConfigError("grid.hit",
-                          "grid.hit and grid.miss both 0 draw nothing; give at least one of them "
-                          "another value");
+                          message(HITOS_TEXT("Errors",
+                                             "grid.hit and grid.miss both 0 draw nothing; give at "
+                                             "least one of them another value")));
     }
     if (grid.max_range_m > 0.0 && grid.max_range_m < grid.resolution_m) {
-        throw ConfigError("grid.max_range",
-                          fmt::format("{} m is less than a cell (grid.resolution {} m); 0 draws "
-                                      "rays whole",
-                                      grid.max_range_m, grid.resolution_m));
+        throw ConfigError(
+            "grid.max_range",
+            message(
+                HITOS_TEXT("Errors",
+                           "%1 m is less than a cell (grid.resolution %2 m); 0 draws rays whole"),
+                grid.max_range_m, grid.resolution_m));
     }
 }
 

@@ -133,8 +133,11 @@ void require_known(const Table& table, const Registry<Entry>& registry) {
     for (const Entry& entry : registry.entries()) {
         for (const std::string& key : entry.reads) {
             if (look_up(std::span<const ConfigParameter>(table), key) != nullptr) continue;
-            throw ConfigError(entry.word,
-                              "says that it reads " + key + ", but there is no such parameter");
+            throw ConfigError(
+                entry.word,
+                message(
+                    HITOS_TEXT("Errors", "says that it reads %1, but there is no such parameter"),
+                    key));
         }
     }
 }

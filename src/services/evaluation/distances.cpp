@@ -14,18 +14,20 @@ namespace {
 
 constexpr double kGreatestAway = 0.5;   // m, of a line from its point
 constexpr double kGreatestShare = 0.5;  // of the distance, likewise
-constexpr std::string_view kExpected = "expected 5 fields, name x1 y1 x2 y2";
-constexpr std::string_view kName = "expected a word without commas and quotes";
+constexpr const char* kExpected = HITOS_TEXT("Errors", "expected 5 fields, name x1 y1 x2 y2");
+constexpr const char* kName = HITOS_TEXT("Errors", "expected a word without commas and quotes");
 
 NamedDistance distance_from(std::string_view line, const std::string& file, std::uint64_t number) {
     const std::vector<std::string_view> words = input::fields(line);
     if (words.size() != 5) {
-        throw FormatError(file, number,
-                          fmt::format("found {} fields; {}", words.size(), kExpected));
+        throw FormatError(
+            file, number,
+            message(HITOS_TEXT("Errors", "found %1 fields; %2"), words.size(), marked(kExpected)));
     }
     if (!is_distance_name(words[0])) {
         throw FormatError(file, number,
-                          fmt::format("the name is {}; {}", input::in_quotes(words[0]), kName));
+                          message(HITOS_TEXT("Errors", "the name is %1; %2"),
+                                  input::in_quotes(words[0]), marked(kName)));
     }
     constexpr std::array<std::string_view, 4> kColumns = {"x1", "y1", "x2", "y2"};
     std::array<double, kColumns.size()> values{};
@@ -35,9 +37,10 @@ NamedDistance distance_from(std::string_view line, const std::string& file, std:
     NamedDistance distance{std::string(words[0]), {values[0], values[1]}, {values[2], values[3]}};
     if (!(distance.true_m() >= kLeastDistance)) {
         throw FormatError(file, number,
-                          fmt::format("the two points of {} are {} m apart; expected points on two "
-                                      "walls, at least {} m apart",
-                                      distance.name, distance.true_m(), kLeastDistance));
+                          message(HITOS_TEXT("Errors",
+                                             "the two points of %1 are %2 m apart; expected points "
+                                             "on two walls, at least %3 m apart"),
+                                  distance.name, distance.true_m(), kLeastDistance));
     }
     return distance;
 }
@@ -132,34 +135,44 @@ std::vector<NamedDistance> parse_distances(std::string_view text, const std::str
         if (content.empty()) continue;
         NamedDistance distance = distance_from(content, name, number);
         if (std::ranges::find(distances, distance.name, &NamedDistance::name) != distances.end()) {
-            throw FormatError(name, number,
-                              fmt::format("{} stands twice in the file; expected each name once",
-                                          input::in_quotes(distance.name)));
+            throw FormatError(
+                name, number,
+                message(
+                    HITOS_TEXT("Errors", "%1 stands twice in the file; expected each name once"),
+                    input::in_quotes(distance.name)));
         }
         distances.push_back(std::move(distance));
     }
     if (distances.empty()) {
-        throw FormatError(name, 0, fmt::format("no distance in the file; {}", kExpected));
+        throw FormatError(
+            name, 0,
+            message(HITOS_TEXT("Errors", "no distance in the file; %1"), marked(kExpected)));
     }
     return distances;
 }
 
 std::string distances_text(std::span<const NamedDistance> distances) {
-    if (distances.empty()) throw Error("there is no distance between two walls to write");
+    if (distances.empty()) {
+        throw Error(
+            message(HITOS_TEXT("Errors", "there is no distance between two walls to write")));
+    }
     std::string text = "# name x1 y1 x2 y2: a point on each of two parallel walls [m]\n";
     for (std::size_t i = 0; i < distances.size(); ++i) {
         const auto& [name, a, b] = distances[i];
         if (!is_distance_name(name)) {
-            throw Error(fmt::format("a distance is named {}; {}", input::in_quotes(name), kName));
+            throw Error(message(HITOS_TEXT("Errors", "a distance is named %1; %2"),
+                                input::in_quotes(name), marked(kName)));
         }
         if (std::ranges::find(distances.first(i), name, &NamedDistance::name) !=
             distances.begin() + static_cast<std::ptrdiff_t>(i)) {
-            throw Error(fmt::format("two distances are named {}; expected each name once",
-                                    input::in_quotes(name)));
+            throw Error(
+                message(HITOS_TEXT("Errors", "two distances are named %1; expected each name once"),
+                        input::in_quotes(name)));
         }
         if (!(distances[i].true_m() >= kLeastDistance)) {
-            throw Error(fmt::format("the two points of {} are {} m apart; expected at least {} m",
-                                    name, distances[i].true_m(), kLeastDistance));
+            throw Error(message(
+                HITOS_TEXT("Errors", "the two points of %1 are %2 m apart; expected at least %3 m"),
+                name, distances[i].true_m(), kLeastDistance));
         }
         text += fmt::format("{} {} {} {} {}\n", name, a.x, a.y, b.x, b.y);
     }

@@ -6,6 +6,7 @@ namespace hitos {
 
 std::optional<double> pose_nees(const Pose& estimate, const Eigen::Matrix3d& covariance,
                                 const Pose& truth) {
+    if (!covariance.allFinite()) return std::nullopt;
     const Eigen::Vector3d sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     if (!(sigma.minCoeff() > 0.0)) return std::nullopt;
     // By correlations, so that metres and radians count alike. Below this pivot the inverse would

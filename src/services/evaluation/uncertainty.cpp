@@ -108,15 +108,16 @@ std::string uncertainty_csv(const UncertaintyRecord& record) {
     return text;
 }
 
-std::string write_uncertainty(const UncertaintyRecord& record,
-                              const std::filesystem::path& folder) {
+Message write_uncertainty(const UncertaintyRecord& record, const std::filesystem::path& folder) {
     write_file(folder / "uncertainty.csv", uncertainty_csv(record));
     const Curves curves = curves_of(record);
     const std::vector<PlotFile> files = {{"uncertainty.dat", curves.text},
                                          {"uncertainty.gp", script_of(curves)}};
     const std::vector<std::string> pictures = {"uncertainty.png"};
     return draw_pictures(folder, files, "uncertainty.gp", pictures,
-                         curves.text.empty() ? "no landmark was observed" : "");
+                         curves.text.empty()
+                             ? message(HITOS_TEXT("Errors", "no landmark was observed"))
+                             : Message());
 }
 
 }  // namespace hitos

@@ -186,7 +186,9 @@ void draw_bar(cv::Mat& image, const Layout& layout) {
 }  // namespace
 
 std::string encode_contact_sheet(const ContactSheet& sheet, std::string_view kind) {
-    if (sheet.tiles.empty()) throw Error("there is no map to put on a sheet");
+    if (sheet.tiles.empty()) {
+        throw Error(message(HITOS_TEXT("Errors", "there is no map to put on a sheet")));
+    }
     const Window window = window_of(sheet.tiles);
     int side = std::max(sheet.tile_side, kLeastSide);
     Layout layout = layout_of(sheet, window, side);
@@ -199,8 +201,8 @@ std::string encode_contact_sheet(const ContactSheet& sheet, std::string_view kin
         layout = layout_of(sheet, window, side);
     }
     if (too_great()) {
-        throw Error(fmt::format("{} maps are too many for one sheet of {} pixels",
-                                sheet.tiles.size(), kMostSheetPixels));
+        throw Error(message(HITOS_TEXT("Errors", "%1 maps are too many for one sheet of %2 pixels"),
+                            sheet.tiles.size(), kMostSheetPixels));
     }
     cv::Mat image(layout.height(),
                   std::max(layout.width(),

@@ -55,8 +55,8 @@ class MemoryFile {
 
   private:
     [[noreturn]] static void fail() {
-        throw Error("a drawing cannot be made in memory: " +
-                    std::generic_category().message(errno));
+        throw Error(message(HITOS_TEXT("Errors", "a drawing cannot be made in memory: %1"),
+                            system_message(errno)));
     }
     int descriptor_;
 };
@@ -84,12 +84,12 @@ bool drawable(const Point2& point) {
     return std::abs(point.x) <= kGreatestCoordinate && std::abs(point.y) <= kGreatestCoordinate;
 }
 
-void check_drawable(const Point2& point, const std::string& what) {
+void check_drawable(const Point2& point, const Message& what) {
     if (drawable(point)) return;
-    throw Error(
-        fmt::format("{} is at ({}, {}) and cannot be drawn; expected coordinates up to {:g} "
-                    "m: check the log's readings and the motion noise",
-                    what, point.x, point.y, kGreatestCoordinate));
+    throw Error(message(HITOS_TEXT("Errors",
+                                   "%1 is at (%2, %3) and cannot be drawn; expected coordinates up "
+                                   "to %4 m: check the log's readings and the motion noise"),
+                        what, point.x, point.y, fmt::format("{:g}", kGreatestCoordinate)));
 }
 
 bool known(const Eigen::Matrix2d& covariance) {
@@ -141,7 +141,7 @@ Drawing drawing_of(const LandmarkMap& map, std::span<const LineExtent> segments,
                    const Trajectory& path) {
     Drawing drawing;
     for (std::size_t i = 0; i < map.size(); ++i) {
-        check_drawable(map[i].point(), fmt::format("landmark {}", i));
+        check_drawable(map[i].point(), message(HITOS_TEXT("Errors", "landmark %1"), i));
         if (const auto* corner = std::get_if<Esquina>(&map[i].value)) {
             add_corner(drawing, *corner, map[i].covariance);
         }
@@ -153,12 +153,13 @@ Drawing drawing_of(const LandmarkMap& map, std::span<const LineExtent> segments,
                                 ? nullptr
                                 : std::get_if<Recta>(&map[index].value);
         if (line == nullptr) {
-            throw Error(
-                fmt::format("segment {} belongs to landmark {}, which is no line of the map", i,
-                            segment.landmark));
+            throw Error(message(
+                HITOS_TEXT("Errors",
+                           "segment %1 belongs to landmark %2, which is no line of the map"),
+                i, segment.landmark));
         }
         for (const Point2& end : {segment.a, segment.b}) {
-            check_drawable(end, fmt::format("an end of segment {}", i));
+            check_drawable(end, message(HITOS_TEXT("Errors", "an end of segment %1"), i));
             drawing.box.hold(end);
         }
         drawing.lines.emplace_back(segment.a, segment.b);
@@ -166,7 +167,7 @@ Drawing drawing_of(const LandmarkMap& map, std::span<const LineExtent> segments,
     }
     for (const StampedPose& stamped : path) {
         const Point2 place{stamped.pose.x, stamped.pose.y};
-        check_drawable(place, "the path");
+        check_drawable(place, message(HITOS_TEXT("Errors", "the path")));
         if (drawing.path.empty() || drawing.path.back() != place) drawing.path.push_back(place);
     }
     if (drawing.path.size() < 2) drawing.path.clear();
@@ -179,7 +180,9 @@ class Writer {
   public:
     Writer(const Drawing& drawing, const std::string& name)
         : drawing_(drawing), out_(dxf_.out(name.c_str(), DL_Codes::AC1015)) {
-        if (out_ == nullptr) throw Error(name + ": a drawing cannot be made there");
+        if (out_ == nullptr) {
+            throw Error(message(HITOS_TEXT("Errors", "%1: a drawing cannot be made there"), name));
+        }
     }
 
     void write() {
@@ -336,7 +339,9 @@ std::string dxf_text(const LandmarkMap& map, std::span<const LineExtent> segment
     Writer(drawing, memory.name()).write();
     std::string text = memory.content();
     // dxflib does not say whether its writing succeeded.
-    if (!text.ends_with("EOF\n")) throw Error("a drawing cannot be made: memory is exhausted");
+    if (!text.ends_with("EOF\n")) {
+        throw Error(message(HITOS_TEXT("Errors", "a drawing cannot be made: memory is exhausted")));
+    }
     return text;
 }
 

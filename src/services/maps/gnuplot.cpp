@@ -29,7 +29,10 @@ class Workshop {
         std::error_code error;
         fs::remove_all(path_, error);
         fs::create_directory(path_, error);
-        if (error) throw FileError(path_.string(), "cannot be made: " + error.message());
+        if (error) {
+            throw FileError(path_.string(), message(HITOS_TEXT("Errors", "cannot be made: %1"),
+                                                    system_message(error.value())));
+        }
     }
     ~Workshop() {
         std::error_code ignored;
@@ -49,7 +52,7 @@ std::string read_all(const fs::path& path) {
 }
 
 /// Empty where gnuplot has run the script; else why not.
-std::string run_gnuplot(const fs::path& folder, const std::string& script) {
+Message run_gnuplot(const fs::path& folder, const std::string& script) {
     const fs::path said = folder / "gnuplot.out";
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
@@ -65,27 +68,30 @@ std::string run_gnuplot(const fs::path& folder, const std::string& script) {
     const int error =
         ::posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
-    if (error == ENOENT) return "gnuplot is not installed (Debian: gnuplot-nox)";
-    if (error != 0) return "gnuplot: " + std::generic_category().message(error);
+    if (error == ENOENT) {
+        return message(HITOS_TEXT("Errors", "gnuplot is not installed (Debian: gnuplot-nox)"));
+    }
+    if (error != 0) return message("gnuplot: %1", system_message(error));
     int status = 0;
     while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
     }
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
     const std::string output = read_all(said);
-    return "gnuplot fails: " + std::string(input::trimmed(output).substr(0, 400));
+    return message(HITOS_TEXT("Errors", "gnuplot fails: %1"),
+                   input::trimmed(output).substr(0, 400));
 }
 
 }  // namespace
 
-std::string draw_pictures(const fs::path& folder, std::span<const PlotFile> files,
-                          const std::string& script, std::span<const std::string> pictures,
-                          const std::string& refusal) {
+Message draw_pictures(const fs::path& folder, std::span<const PlotFile> files,
+                      const std::string& script, std::span<const std::string> pictures,
+                      const Message& refusal) {
     const Workshop workshop(folder);
     for (const PlotFile& file : files) {
         write_file(folder / file.name, file.text);
         write_file(workshop.path() / file.name, file.text);
     }
-    std::string failure = refusal.empty() ? run_gnuplot(workshop.path(), script) : refusal;
+    Message failure = refusal.empty() ? run_gnuplot(workshop.path(), script) : refusal;
     for (const std::string& picture : pictures) {
         if (failure.empty()) {
             write_file(folder / picture, read_all(workshop.path() / picture));

@@ -17,8 +17,8 @@
 namespace hitos {
 namespace {
 
-constexpr std::string_view kExpected =
-    R"(expected "rho: <metres> theta: <degrees>" or "x: <metres> y: <metres>")";
+constexpr const char* kExpected = HITOS_TEXT(
+    "Errors", "expected \"rho: <metres> theta: <degrees>\" or \"x: <metres> y: <metres>\"");
 
 double radians(double degrees) {
     return degrees * (kPi / 180.0);
@@ -46,8 +46,9 @@ class LineParser {
             fail_line();
         }
         if (!input::trimmed(rest_).empty()) {
-            fail(fmt::format("found {} after the feature; expected the end of the line",
-                             input::in_quotes(input::trimmed(rest_))));
+            fail(message(
+                HITOS_TEXT("Errors", "found %1 after the feature; expected the end of the line"),
+                input::in_quotes(input::trimmed(rest_))));
         }
         return landmark;
     }
@@ -76,16 +77,18 @@ class LineParser {
         const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\v\f"));
         const std::optional<double> number = input::parse_number(word);
         if (!number || !std::isfinite(*number)) {
-            fail(fmt::format("{} is {}; expected a finite number", what, input::in_quotes(word)));
+            fail(message(HITOS_TEXT("Errors", "%1 is %2; expected a finite number"), what,
+                         input::in_quotes(word)));
         }
         rest_.remove_prefix(word.size());
         return *number;
     }
 
     [[noreturn]] void fail_line() const {
-        fail(fmt::format("found {}; {}", input::in_quotes(input::trimmed(line_)), kExpected));
+        fail(message(HITOS_TEXT("Errors", "found %1; %2"), input::in_quotes(input::trimmed(line_)),
+                     marked(kExpected)));
     }
-    [[noreturn]] void fail(const std::string& problem) const {
+    [[noreturn]] void fail(const Message& problem) const {
         throw FormatError(name_, number_, problem);
     }
 
@@ -136,7 +139,9 @@ LandmarkMap parse_map(std::string_view text, const std::string& name) {
         if (!content.empty()) map.push_back(LineParser(content, name, number).feature());
     }
     if (map.empty()) {
-        throw FormatError(name, 0, fmt::format("no landmark in the file; {}", kExpected));
+        throw FormatError(
+            name, 0,
+            message(HITOS_TEXT("Errors", "no landmark in the file; %1"), marked(kExpected)));
     }
     return map;
 }
@@ -148,10 +153,13 @@ std::string map_to_text(const LandmarkMap& map) {
         const auto [first, second] = recta != nullptr ? std::pair(recta->rho, recta->theta)
                                                       : std::pair(esquina->x, esquina->y);
         if (!std::isfinite(first) || !std::isfinite(second)) {
-            throw Error(
-                fmt::format("landmark {} of the map, a {} ({}, {}), is not finite and cannot "
-                            "be written",
-                            i, to_string(map[i].kind()), first, second));
+            const Message kind = recta != nullptr ? message(HITOS_TEXT("Errors", "line"))
+                                                  : message(HITOS_TEXT("Errors", "corner"));
+            throw Error(message(
+                HITOS_TEXT(
+                    "Errors",
+                    "landmark %1 of the map, a %2 (%3, %4), is not finite and cannot be written"),
+                i, kind, first, second));
         }
     }
     std::string text;

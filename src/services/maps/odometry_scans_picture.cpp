@@ -77,7 +77,7 @@ std::string OdometryScansPicture::script() const {
                frame.low.y - margin, frame.high.y + margin);
 }
 
-std::string OdometryScansPicture::write(const std::filesystem::path& folder) const {
+Message OdometryScansPicture::write(const std::filesystem::path& folder) const {
     const std::vector<PlotFile> files = {{"odometry_scans.gp", script()}};
     const std::vector<std::string> pictures = {"odometry_scans.png"};
     return draw_pictures(folder, files, "odometry_scans.gp", pictures);

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/capture/scan.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 
@@ -24,7 +25,7 @@ class OdometryScansPicture {
     /// Draws odometry_scans.png by gnuplot, with its script (odometry_scans.gp): true walls grey,
     /// points blue, the odometry's path magenta; equal axes in metres. Returns why there is no
     /// picture, else an empty text. Throws FileError.
-    std::string write(const std::filesystem::path& folder) const;
+    Message write(const std::filesystem::path& folder) const;
 
   private:
     std::string script() const;

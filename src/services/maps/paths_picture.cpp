@@ -113,12 +113,13 @@ Trajectory in_frame_of_run(const Trajectory& reference, const Trajectory& run,
     return moved;
 }
 
-std::string write_paths_picture(const PathsPicture& picture, const std::filesystem::path& folder) {
-    std::string refusal;
+Message write_paths_picture(const PathsPicture& picture, const std::filesystem::path& folder) {
+    Message refusal;
     if (picture.truth.empty()) {
-        refusal = "no pose of the reference trajectory is as old as the first scan";
+        refusal = message(HITOS_TEXT(
+            "Errors", "no pose of the reference trajectory is as old as the first scan"));
     } else if (picture.estimate.empty()) {
-        refusal = "nothing was estimated";
+        refusal = message(HITOS_TEXT("Errors", "nothing was estimated"));
     }
     const std::vector<PlotFile> files = {{"paths.gp", refusal.empty() ? script_of(picture) : ""}};
     const std::vector<std::string> pictures = {"paths.png"};

@@ -63,9 +63,10 @@ std::string kind_from(const std::filesystem::path& path) {
     if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
         throw FileError(
             path.string(),
-            fmt::format("found the extension \"{}\"; pictures are written as .png, .jpg "
-                        "or .jpeg",
-                        path.extension().string()));
+            message(HITOS_TEXT(
+                        "Errors",
+                        "found the extension \"%1\"; pictures are written as .png, .jpg or .jpeg"),
+                    path.extension().string()));
     }
     return extension.substr(1);
 }
@@ -125,15 +126,17 @@ std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<i
     const std::string word = lower(kind);
     const bool jpeg = word == "jpg" || word == "jpeg";
     if (!jpeg && word != "png") {
-        throw ConfigError("kind", fmt::format("\"{}\" is no kind of picture; allowed: one of png, "
-                                              "jpg, jpeg",
-                                              kind));
+        throw ConfigError(
+            "kind",
+            message(HITOS_TEXT("Errors",
+                               "\"%1\" is no kind of picture; allowed: one of png, jpg, jpeg"),
+                    kind));
     }
     if (jpeg && std::max(image.cols, image.rows) > kLongestJpegSide) {
-        throw Error(
-            fmt::format("JPG holds at most {} pixels a side and the picture has {} x {}; "
-                        "write PNG instead",
-                        kLongestJpegSide, image.cols, image.rows));
+        throw Error(message(HITOS_TEXT("Errors",
+                                       "JPG holds at most %1 pixels a side and the picture has %2 "
+                                       "x %3; write PNG instead"),
+                            kLongestJpegSide, image.cols, image.rows));
     }
     std::vector<int> options;
     if (jpeg) options = {cv::IMWRITE_JPEG_QUALITY, 95};
@@ -141,10 +144,11 @@ std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<i
     std::vector<std::uint8_t> bytes;
     try {
         if (!cv::imencode(jpeg ? ".jpg" : ".png", image, bytes, options)) {
-            throw Error("the picture could not be encoded");
+            throw Error(message(HITOS_TEXT("Errors", "the picture could not be encoded")));
         }
     } catch (const cv::Exception& error) {
-        throw Error(fmt::format("the picture could not be encoded: {}", error.err));
+        throw Error(
+            message(HITOS_TEXT("Errors", "the picture could not be encoded: %1"), error.err));
     }
     return {bytes.begin(), bytes.end()};
 }
@@ -156,7 +160,7 @@ void write_encoded(const std::filesystem::path& path,
     try {
         bytes = encode(kind);
     } catch (const Error& error) {
-        throw FileError(path.string(), error.what());
+        throw FileError(path.string(), error.message());
     }
     write_file(path, bytes);
 }

@@ -19,19 +19,23 @@ namespace fs = std::filesystem;
 
 cv::Mat scaled(const Grid::Picture& picture, int scale) {
     if (scale < 1 || scale > kGreatestPictureScale) {
-        throw ConfigError("scale", fmt::format("{} is out of range; allowed: integers from 1 to {}",
-                                               scale, kGreatestPictureScale));
+        throw ConfigError(
+            "scale",
+            message(HITOS_TEXT("Errors", "%1 is out of range; allowed: integers from 1 to %2"),
+                    scale, kGreatestPictureScale));
     }
     if (picture.width <= 0 || picture.height <= 0) {
-        throw Error("the grid map is empty: there is nothing to draw");
+        throw Error(
+            message(HITOS_TEXT("Errors", "the grid map is empty: there is nothing to draw")));
     }
     const std::int64_t width = std::int64_t{picture.width} * scale;
     const std::int64_t height = std::int64_t{picture.height} * scale;
     if (width > drawing::kMostPixels / height) {
-        throw Error(
-            fmt::format("a picture of {} x {} pixels is too great; use a smaller scale or "
-                        "coarser cells",
-                        width, height));
+        throw Error(message(
+            HITOS_TEXT(
+                "Errors",
+                "a picture of %1 x %2 pixels is too great; use a smaller scale or coarser cells"),
+            width, height));
     }
     cv::Mat cells(picture.height, picture.width, CV_8UC1);
     std::copy(picture.grey.begin(), picture.grey.end(), cells.begin<std::uint8_t>());
@@ -116,7 +120,7 @@ void write_picture(const Grid::Picture& picture, const fs::path& path) {
 
 Grid::Picture read_grey_picture(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw FileError(path.string(), "cannot be read");
+    if (!in) throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read")));
     const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in),
                                           std::istreambuf_iterator<char>()};
     cv::Mat image;
@@ -126,7 +130,9 @@ Grid::Picture read_grey_picture(const fs::path& path) {
         image.release();
     }
     if (image.empty()) {
-        throw FormatError(path.string(), 0, "is no picture; expected a PNG or JPG file");
+        throw FormatError(
+            path.string(), 0,
+            message(HITOS_TEXT("Errors", "is no picture; expected a PNG or JPG file")));
     }
     return {image.cols, image.rows, {image.begin<std::uint8_t>(), image.end<std::uint8_t>()}};
 }

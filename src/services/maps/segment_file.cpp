@@ -21,10 +21,12 @@ LineExtent segment_from(std::string_view line, const std::string& name, std::uin
     constexpr double kGreatestLandmark = 1e9;
     const double landmark = values[4];
     if (landmark < 1.0 || landmark > kGreatestLandmark || landmark != std::floor(landmark)) {
-        throw FormatError(name, number,
-                          fmt::format("landmark is {}; expected the number of a line of the map, "
-                                      "counted from 1",
-                                      input::in_quotes(input::fields(line)[4])));
+        throw FormatError(
+            name, number,
+            message(HITOS_TEXT(
+                        "Errors",
+                        "landmark is %1; expected the number of a line of the map, counted from 1"),
+                    input::in_quotes(input::fields(line)[4])));
     }
     return {static_cast<int>(landmark) - 1, {values[0], values[1]}, {values[2], values[3]}, 0};
 }
@@ -58,16 +60,18 @@ std::string segments_to_text(const LandmarkMap& map, std::span<const LineExtent>
         const auto& [landmark, a, b, points] = segments[i];
         const auto index = static_cast<std::size_t>(landmark);
         if (landmark < 0 || index >= map.size() || numbers[index] == 0) {
-            throw Error(fmt::format(
-                "segment {} belongs to landmark {}, which is no line of the map of {} landmarks", i,
-                landmark, map.size()));
+            throw Error(message(HITOS_TEXT("Errors",
+                                           "segment %1 belongs to landmark %2, which is no line of "
+                                           "the map of %3 landmarks"),
+                                i, landmark, map.size()));
         }
         if (!std::isfinite(a.x) || !std::isfinite(a.y) || !std::isfinite(b.x) ||
             !std::isfinite(b.y)) {
-            throw Error(
-                fmt::format("segment {}, from ({}, {}) to ({}, {}), is not finite and cannot "
-                            "be written",
-                            i, a.x, a.y, b.x, b.y));
+            throw Error(message(
+                HITOS_TEXT(
+                    "Errors",
+                    "segment %1, from (%2, %3) to (%4, %5), is not finite and cannot be written"),
+                i, a.x, a.y, b.x, b.y));
         }
         text +=
             fmt::format("{} {} {} {} {}\n", without_sign_of_zero(a.x), without_sign_of_zero(a.y),

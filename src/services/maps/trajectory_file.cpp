@@ -24,7 +24,8 @@ StampedPose pose_from(std::string_view line, const std::string& name, std::uint6
     const double length = std::hypot(std::hypot(qx, qy), std::hypot(qz, qw));
     if (!(std::abs(length - 1.0) <= kTolerance)) {
         throw FormatError(name, number,
-                          fmt::format("the quaternion's length is {:.6g}; expected 1", length));
+                          message(HITOS_TEXT("Errors", "the quaternion's length is %1; expected 1"),
+                                  fmt::format("{:.6g}", length)));
     }
     // This form of the yaw holds for a quaternion of any length.
     const double yaw = std::atan2(2.0 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
@@ -54,7 +55,10 @@ Trajectory parse_trajectory(std::string_view text, const std::string& name) {
     }
     if (trajectory.empty()) {
         throw FormatError(
-            name, 0, "no pose in the file; expected 8 numbers, t x y z qx qy qz qw on each line");
+            name, 0,
+            message(HITOS_TEXT(
+                "Errors",
+                "no pose in the file; expected 8 numbers, t x y z qx qy qz qw on each line")));
     }
     return trajectory;
 }
@@ -65,10 +69,10 @@ std::string trajectory_to_text(const Trajectory& trajectory) {
         const auto& [t, pose] = trajectory[i];
         if (!std::isfinite(t) || !std::isfinite(pose.x) || !std::isfinite(pose.y) ||
             !std::isfinite(pose.theta)) {
-            throw Error(
-                fmt::format("pose {} of the trajectory (t {}, x {}, y {}, theta {}) is not "
-                            "finite and cannot be written",
-                            i, t, pose.x, pose.y, pose.theta));
+            throw Error(message(HITOS_TEXT("Errors",
+                                           "pose %1 of the trajectory (t %2, x %3, y %4, theta %5) "
+                                           "is not finite and cannot be written"),
+                                i, t, pose.x, pose.y, pose.theta));
         }
         const double half = wrap_angle(pose.theta) / 2.0;
         text += fmt::format("{} {} {} 0 0 0 {} {}\n", without_sign_of_zero(t),

@@ -8,6 +8,18 @@
 #include "hitos/slam/filters.hpp"
 
 namespace hitos {
+namespace {
+
+Message nothing_found(const ReadReport& log) {
+    if (log.examples.empty()) return message(HITOS_TEXT("Errors", "found no readable scan"));
+    return message(
+        HITOS_TEXT(
+            "Errors",
+            "found no readable scan; %1 damaged lines were skipped, the first is line %2: %3"),
+        log.skipped, log.examples.front().line, log.examples.front().reason);
+}
+
+}  // namespace
 
 Algoritmo::Algoritmo(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
                      const AlgoritmoOptions& options)
@@ -59,17 +71,11 @@ bool Algoritmo::step(AssociationRecord* record) {
     if (!scan) {
         finished_ = true;
         if (steps() == 0) {
-            const ReadReport& log = report();
-            std::string problem = "found no readable scan";
-            if (!log.examples.empty()) {
-                problem += "; " + std::to_string(log.skipped) +
-                           " damaged lines were skipped, the " + "first is line " +
-                           std::to_string(log.examples.front().line) + ": " +
-                           log.examples.front().reason;
-            }
             throw FormatError(
                 reader().name(), 0,
-                problem + "; expected at least one scan: check the file and its format");
+                message(HITOS_TEXT("Errors",
+                                   "%1; expected at least one scan: check the file and its format"),
+                        nothing_found(report())));
         }
         finish();
         return false;

@@ -26,9 +26,11 @@ std::optional<double> error_in(const json& summary, const char* table, const cha
 bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
     const std::filesystem::path file = folder / "summary.json";
     if (!std::filesystem::is_regular_file(file)) {
-        throw FileError(folder.string(),
-                        "is no folder of results: it has no summary.json; choose one that Save all "
-                        "results or hitos-cli run --out has written");
+        throw FileError(
+            folder.string(),
+            message(HITOS_TEXT("Errors",
+                               "is no folder of results: it has no summary.json; choose one that "
+                               "Save all results or hitos-cli run --out has written")));
     }
     try {
         const json summary = json::parse(input::read_text(file));
@@ -39,7 +41,9 @@ bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
         const json& counts = summary.at("landmarks");
         return counts.at("lines").get<int>() + counts.at("corners").get<int>() > 0;
     } catch (const json::exception& error) {
-        throw FormatError(file.string(), 0, std::string("is no summary of a run: ") + error.what());
+        throw FormatError(
+            file.string(), 0,
+            message(HITOS_TEXT("Errors", "is no summary of a run: %1"), error.what()));
     }
 }
 
@@ -48,6 +52,7 @@ bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
 KeptRun read_results(const std::filesystem::path& folder) {
     KeptRun run;
     const bool landmarks = read_summary(folder, run);
+    run.finished = true;
     run.configuration = ArchivoConfiguracion::read(folder / "config.cfg");
     if (landmarks) run.map = read_map(folder / "map.txt");  // one without any is no map file
     const std::filesystem::path segments = folder / "segments.txt";
@@ -57,9 +62,10 @@ KeptRun read_results(const std::filesystem::path& folder) {
     for (const LineExtent& extent : run.line_extents) {
         if (extent.landmark < lines) continue;
         throw FormatError(segments.string(), 0,
-                          fmt::format("has a segment of line {}, and map.txt beside it {} lines; "
-                                      "the folder mixes the files of several runs",
-                                      extent.landmark + 1, lines));
+                          message(HITOS_TEXT("Errors",
+                                             "has a segment of line %1, and map.txt beside it %2 "
+                                             "lines; the folder mixes the files of several runs"),
+                                  extent.landmark + 1, lines));
     }
     run.path = read_trajectory(folder / "trajectory.tum");
     run.odometry = read_trajectory(folder / "odometry.tum");

@@ -1,6 +1,7 @@
 #include "hitos/services/run/line_extents.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -49,6 +50,38 @@ std::vector<Line> lines_of(const LandmarkMap& map) {
     }
     return lines;
 }
+
+/// The lines of a map by direction: a map has many, and a stretch lies along few of them.
+class Directions {
+  public:
+    explicit Directions(std::span<const Line> lines) {
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            if (!std::isfinite(lines[i].c)) continue;  // it has no direction
+            const std::ptrdiff_t middle = bin_of({-lines[i].s, lines[i].c});
+            for (std::ptrdiff_t bin = middle - kReach; bin <= middle + kReach; ++bin) {
+                bins_[static_cast<std::size_t>((bin + kBins) % kBins)].push_back(i);
+            }
+        }
+    }
+
+    /// Every line that has the direction, and few others, in the order of the lines.
+    std::span<const std::size_t> near(const Point2& direction) const {
+        if (!std::isfinite(direction.x) || !std::isfinite(direction.y)) return {};
+        return bins_[static_cast<std::size_t>(bin_of(direction))];
+    }
+
+  private:
+    static constexpr std::ptrdiff_t kBins = 64;  // of half a turn
+    /// kGreatestSine, in bins, and one for where in its bin a direction lies.
+    static constexpr std::ptrdiff_t kReach = 5;
+
+    static std::ptrdiff_t bin_of(const Point2& direction) {
+        const double turns = std::atan2(direction.y, direction.x) / kPi + 1.0;  // half ones
+        return static_cast<std::ptrdiff_t>(turns * static_cast<double>(kBins)) % kBins;
+    }
+
+    std::array<std::vector<std::size_t>, kBins> bins_;
+};
 
 /// Where parts end that see the same end. Poses scatter, so that the outermost of many ends lies
 /// beyond it by the greatest of their errors; others stop short of it, where something hides the
@@ -133,6 +166,7 @@ void LineExtents::clear() {
 
 std::vector<LineExtent> LineExtents::of(const LandmarkMap& map, const Trajectory& path) const {
     const std::vector<Line> lines = lines_of(map);
+    const Directions directions(lines);
     std::vector<std::vector<Interval>> parts(lines.size());
     for (const Stretch& stretch : stretches_) {
         if (stretch.scan >= path.size()) break;
@@ -151,10 +185,11 @@ std::vector<LineExtent> LineExtents::of(const LandmarkMap& map, const Trajectory
         const Point2 along = turned(stretch.along);
         std::size_t nearest = lines.size();
         double least = kGreatestDistance;
-        for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (const std::size_t i : directions.near(along)) {
+            if (!lines[i].has_direction(along)) continue;
             const double away =
                 std::max({lines[i].away(a), lines[i].away(b), lines[i].beyond(a, b)});
-            if (!(away < least) || !lines[i].has_direction(along)) continue;
+            if (!(away < least)) continue;
             least = away;
             nearest = i;
         }

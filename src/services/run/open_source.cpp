@@ -8,7 +8,9 @@ namespace hitos {
 
 std::unique_ptr<TourReader> open_source(const SourceParams& source) {
     if (source.file.empty()) {
-        throw ConfigError("source.file", "found no file name; expected the path of a log");
+        throw ConfigError(
+            "source.file",
+            message(HITOS_TEXT("Errors", "found no file name; expected the path of a log")));
     }
     return std::make_unique<Procesador>(open_log(source.file, source.format), source.read);
 }

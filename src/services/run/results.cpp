@@ -77,14 +77,14 @@ void remove_files(const std::vector<std::string>& files, const std::filesystem::
 }
 
 /// Why the output is missing, else an empty text.
-std::string written(const RunOutput& output, const FinishedRun& finished,
-                    const std::filesystem::path& folder) {
+Message written(const RunOutput& output, const FinishedRun& finished,
+                const std::filesystem::path& folder) {
     try {
         return output.write(finished, folder);
     } catch (const std::exception& error) {  // of a library too
         if (output.essential) throw;
         remove_files(output.files(finished), folder);
-        return error.what();
+        return message_of(error);
     }
 }
 
@@ -131,7 +131,7 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
 std::string to_json(const RunSummary& summary, double seconds) {
     ordered_json skipped = ordered_json::array();
     for (const ReadReport::Skip& skip : summary.report.examples) {
-        skipped.push_back({{"line", skip.line}, {"reason", skip.reason}});
+        skipped.push_back({{"line", skip.line}, {"reason", skip.reason.english()}});
     }
     ordered_json json{
         {"hitos_version", version()},
@@ -171,7 +171,8 @@ std::string to_json(const RunSummary& summary, double seconds) {
     json["quality"] = json_of(summary.quality);
     json["not_written"] = ordered_json::array();
     for (const NotWritten& missing : summary.not_written) {
-        json["not_written"].push_back({{"file", missing.file}, {"reason", missing.reason}});
+        json["not_written"].push_back(
+            {{"file", missing.file}, {"reason", missing.reason.english()}});
     }
     // Text from a damaged log may be no UTF-8: replace what is not instead of failing.
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
@@ -181,9 +182,12 @@ void prepare_output_folder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error || !std::filesystem::is_directory(folder)) {
-        throw FileError(folder.string(), "cannot make this output folder: " +
-                                             (error ? error.message() : "a file is in its place") +
-                                             "; give another with --out");
+        throw FileError(
+            folder.string(),
+            message(
+                HITOS_TEXT("Errors", "cannot make this output folder: %1; give another with --out"),
+                error ? system_message(error.value())
+                      : message(HITOS_TEXT("Errors", "a file is in its place"))));
     }
     // Destroyed without commit, the probe leaves nothing behind.
     AtomicFile(folder / "summary.json").write("");
@@ -201,7 +205,7 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
             remove_files(output.files(finished), folder);
             continue;
         }
-        const std::string reason = written(output, finished, folder);
+        const Message reason = written(output, finished, folder);
         if (!reason.empty()) not_written.push_back({output.files(finished).front(), reason});
     }
     summary.not_written = std::move(not_written);

@@ -30,21 +30,12 @@ std::optional<RunCheckpoint> Algoritmo::state() const {
     std::unique_ptr<const SlamFilter> filter = filter_->clone();
     if (!filter) return std::nullopt;
     return RunCheckpoint{
-        remembered_->place(),
-        *controls_,
+        remembered_->place(), *controls_,
         registration_ ? std::make_unique<const Registration>(*registration_) : nullptr,
         std::move(filter),
-        step_grid_,
-        step_grid_stale_,
-        key_scans_,
-        key_poses_,
-        online_,
-        line_extents_,
-        suitability_,
-        uncertainty_,
-        scan_,
-        observation_,
-        odometry_};
+        // With registration it can be drawn of the key scans, which takes far less memory.
+        registration_ ? Grid(configuration_.grid) : step_grid_, key_scans_, key_poses_, online_,
+        line_extents_, suitability_, uncertainty_, scan_, observation_, odometry_};
 }
 
 void Algoritmo::go_to(const RunCheckpoint& checkpoint) {
@@ -55,7 +46,7 @@ void Algoritmo::go_to(const RunCheckpoint& checkpoint) {
                         : nullptr;
     filter_ = checkpoint.filter->clone();
     step_grid_ = checkpoint.step_grid;
-    step_grid_stale_ = checkpoint.step_grid_stale;
+    step_grid_stale_ = registration_ != nullptr;
     step_grid_change_ = {};
     ++step_grid_redrawn_;  // whoever followed its changes has to begin anew
     key_scans_ = checkpoint.key_scans;
@@ -78,11 +69,15 @@ std::unique_ptr<const AssociationRecord> Algoritmo::weighed(const RunCheckpoint*
     const bool finished = finished_;
     const bool drawn = std::exchange(options_.step_grid, false);
     const std::uint64_t redrawn = step_grid_redrawn_;
+    const bool stale = step_grid_stale_;
+    Grid grid = std::move(step_grid_);
     const auto come_back = [&] {
         options_.step_grid = drawn;
         go_to(*now);
         finished_ = finished;
-        step_grid_redrawn_ = redrawn;  // it is the grid that it was
+        step_grid_ = std::move(grid);
+        step_grid_stale_ = stale;
+        step_grid_redrawn_ = redrawn;
     };
     auto record = std::make_unique<AssociationRecord>();
     try {

@@ -31,7 +31,7 @@ template <class Write>
 RunOutput always(const char* file, Write write) {
     return {named({file}), {}, [file, write](const FinishedRun& finished, const Folder& folder) {
                 write(finished, folder / file);
-                return std::string();
+                return Message();
             }};
 }
 
@@ -65,7 +65,7 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
                 for (const char* extension : {".png", ".jpg"}) {
                     write_picture(grid, style, folder / (stem + extension));
                 }
-                return std::string();
+                return Message();
             }};
 }
 
@@ -109,7 +109,7 @@ RunOutput particle_grid() {
                     }
                 }
                 const auto particle = finished.run.options().grid_of;
-                if (!particle) return std::string();
+                if (!particle) return Message();
                 return whole_grid(stem(*particle),
                                   [particle](const FinishedRun& run) {
                                       return run.run.trajectory_of(*particle);
@@ -123,7 +123,7 @@ RunOutput distances() {
             [](const FinishedRun& finished) { return !finished.summary.distances.empty(); },
             [](const FinishedRun& finished, const Folder& folder) {
                 write_file(folder / "distances.csv", distances_csv(finished.summary.distances));
-                return std::string();
+                return Message();
             }};
 }
 

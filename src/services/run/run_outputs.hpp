@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/services/run/results.hpp"
 
 namespace hitos {
@@ -27,9 +28,9 @@ struct RunOutput {
     std::function<std::vector<std::string>(const FinishedRun&)> files;
     /// Whether there is something to write; null: always.
     std::function<bool(const FinishedRun&)> wanted;
-    /// Writes into the folder. Returns why the first of the files is missing, else an empty text.
-    /// Throws Error.
-    std::function<std::string(const FinishedRun&, const std::filesystem::path& folder)> write;
+    /// Writes into the folder. Returns why the first of the files is missing, else an empty
+    /// message. Throws Error.
+    std::function<Message(const FinishedRun&, const std::filesystem::path& folder)> write;
     bool essential = false;  ///< whether the run fails without it
 };
 

@@ -75,6 +75,11 @@ bool RunWorker::waits_for_pace() const {
     return budget_ > 0 && paced_ && Pacer::Clock::now() < due_;
 }
 
+bool RunWorker::passes_by() const {
+    using namespace std::chrono_literals;
+    return budget_ > 0 && !paced_ && std::chrono::steady_clock::now() < seek_began_ + 300ms;
+}
+
 void RunWorker::pause() {
     const std::scoped_lock lock(mutex_);
     stop_running();
@@ -111,6 +116,7 @@ void RunWorker::seek(std::uint64_t steps) {
     rules_ = {};
     paced_ = false;
     seek_wanted_ = steps;
+    seek_began_ = std::chrono::steady_clock::now();
     progress_.state = Progress::State::running;
     progress_.stopped_by = StopReason::none;
     wake_.notify_one();
@@ -133,7 +139,9 @@ bool RunWorker::idle() const {
 
 Progress RunWorker::progress() const {
     const std::scoped_lock lock(mutex_);
-    return progress_;
+    Progress progress = progress_;
+    progress.waits = waits_for_pace();
+    return progress;
 }
 
 void RunWorker::request_snapshot(const SnapshotParts& parts) {
@@ -201,10 +209,11 @@ void RunWorker::work(const std::stop_token& stop) {
             do_step();
             lock.lock();
         }
-        if (std::exchange(snapshot_wanted_, false)) {
+        if (!passes_by() && std::exchange(snapshot_wanted_, false)) {
             const SnapshotParts parts = parts_wanted_;
+            const bool rests = budget_ == 0;
             lock.unlock();
-            publish_snapshot(parts);
+            publish_snapshot(parts, rests);
             lock.lock();
         }
         for (const auto& task : std::exchange(tasks_, {})) {
@@ -218,14 +227,13 @@ void RunWorker::work(const std::stop_token& stop) {
 }
 
 void RunWorker::do_restart() {
-    std::string error;
-    tiler_.clear();
-    grid_redrawn_ = 0;
+    Message error;
+    grid_.begin_anew();
     checkpoints_.clear();
     try {
         run_.restart();
     } catch (const std::exception& failure) {
-        error = failure.what();
+        error = message_of(failure);
     }
     const std::scoped_lock lock(mutex_);
     snapshot_ = nullptr;
@@ -236,20 +244,20 @@ void RunWorker::do_restart() {
 }
 
 void RunWorker::do_seek(std::uint64_t steps, std::uint64_t orders) {
-    std::string error;
+    Message error;
     try {
         // Past the end the path is smoothed: that is no state after a scan.
         const bool back = run_.steps() > steps || run_.finished();
         const std::shared_ptr<const RunCheckpoint> nearest = checkpoints_.before(steps);
         if (nearest && (back || nearest->steps() > run_.steps())) {
             run_.go_to(*nearest);
+            grid_.begin_anew();
         } else if (back) {
-            tiler_.clear();
-            grid_redrawn_ = 0;
+            grid_.begin_anew();
             if (!run_.rewind()) checkpoints_.clear();
         }
     } catch (const std::exception& failure) {
-        error = failure.what();
+        error = message_of(failure);
     }
     const std::scoped_lock lock(mutex_);
     stepping_ = false;
@@ -273,15 +281,15 @@ void RunWorker::do_seek(std::uint64_t steps, std::uint64_t orders) {
 void RunWorker::do_step() {
     const auto begin = std::chrono::steady_clock::now();
     bool more = false;
-    std::string error;
+    Message error;
     try {
         more = run_.step();
     } catch (const std::exception& failure) {
-        error = failure.what();
+        error = message_of(failure);
     }
     const auto end = std::chrono::steady_clock::now();
     if (more) {
-        tiler_.note_change(run_.step_grid_change());
+        grid_.note_step(run_);
         checkpoints_.note(run_);
     }
 
@@ -332,7 +340,7 @@ void RunWorker::note_progress() {
     }
 }
 
-void RunWorker::publish_snapshot(const SnapshotParts& parts) {
+void RunWorker::publish_snapshot(const SnapshotParts& parts, bool rests) {
     const double begin = thread_seconds();
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->parts = parts;
@@ -367,13 +375,8 @@ void RunWorker::publish_snapshot(const SnapshotParts& parts) {
     snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
     snapshot->odometry_trajectory = run_.odometry_trajectory();
     snapshot->checkpoints = checkpoints_.all();
-    const Grid& grid = run_.step_grid();
-    if (grid_redrawn_ != run_.step_grid_redrawn()) {
-        grid_redrawn_ = run_.step_grid_redrawn();
-        tiler_.clear();
-        tiler_.note_change(grid.area());
-    }
-    snapshot->step_grid = tiler_.tiles(grid);
+    snapshot->grid_behind = !rests && grid_.may_wait(run_);
+    snapshot->step_grid = snapshot->grid_behind ? grid_.last() : grid_.now(run_);
     snapshot->seconds = thread_seconds() - begin;
 
     const std::scoped_lock lock(mutex_);

@@ -104,9 +104,9 @@ class Crew {
             if (!computed) return;
             record = *std::move(computed);
         } catch (const Error& error) {
-            record.problem = error.what();
+            record.problem = error.message();
         } catch (const std::exception& error) {
-            record.problem = std::string("internal error: ") + error.what();
+            record.problem = message(HITOS_TEXT("Errors", "internal error: %1"), error.what());
         }
         record.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -115,7 +115,7 @@ class Crew {
             study::write_record(studies_[s].layout, plan, run, record);
         } catch (const Error& error) {
             record.ok = false;
-            record.problem = error.what();
+            record.problem = error.message();
         }
         outcomes_[s].records[run] = record;
         tell(place, 1.0, &record);
@@ -151,7 +151,7 @@ class Crew {
             if (!record->ok) {
                 ++progress_.failed;
                 ++outcomes_[s].failed;
-                progress_.failure = outcomes_[s].plan.label(run) + ": " + record->problem;
+                progress_.failure = outcomes_[s].plan.label(run) + ": " + record->problem.english();
             }
             if (listener_) listener_(outcomes_[s].plan, run, *record);
         }
@@ -180,14 +180,16 @@ class Crew {
     std::exception_ptr broken_;
 };
 
-std::string missing_runs(const StudyPlan& plan, const std::vector<std::size_t>& missing) {
+Message missing_runs(const StudyPlan& plan, const std::vector<std::size_t>& missing) {
     constexpr std::size_t kNamed = 3;
     std::vector<std::string> labels;
     for (std::size_t i = 0; i < std::min(kNamed, missing.size()); ++i)
         labels.push_back(plan.label(missing[i]));
-    return fmt::format("{} of {} runs are not there: {}{}; start the shards that lack them again",
-                       missing.size(), plan.runs(), fmt::join(labels, ", "),
-                       missing.size() > kNamed ? ", …" : "");
+    return message(
+        HITOS_TEXT("Errors",
+                   "%1 of %2 runs are not there: %3%4; start the shards that lack them again"),
+        missing.size(), plan.runs(), fmt::format("{}", fmt::join(labels, ", ")),
+        missing.size() > kNamed ? ", …" : "");
 }
 
 void copy_whole(const fs::path& from, const fs::path& to) {
@@ -276,9 +278,10 @@ StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout>
     for (const StudyLayout& shard : shards) {
         if (study::read_plan(shard) != outcome.plan) {
             throw FormatError(study::plan_file(shard).string(), 0,
-                              "is of another study than " +
-                                  study::plan_file(shards.front()).string() +
-                                  ": program, configuration, log, values or seeds differ");
+                              message(HITOS_TEXT("Errors",
+                                                 "is of another study than %1: program, "
+                                                 "configuration, log, values or seeds differ"),
+                                      study::plan_file(shards.front()).string()));
         }
     }
     study::prepare(layout, outcome.plan);
@@ -291,7 +294,7 @@ StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout>
         outcome.records.push_back(record.value_or(StudyRecord{}));
     }
     if (!missing.empty()) {
-        throw Error(layout.folder.string() + ": " + missing_runs(outcome.plan, missing));
+        throw Error(message("%1: %2", layout.folder.string(), missing_runs(outcome.plan, missing)));
     }
     outcome.reused = outcome.plan.runs() - outcome.failed;
     outcome.plot_problem = study::write_tables(layout, outcome.plan, outcome.records);

@@ -30,8 +30,10 @@ void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder)) {
-        throw FileError(folder.string(), "cannot make this output folder: " +
-                                             (error ? error.message() : "a file is in its place"));
+        throw FileError(folder.string(),
+                        message(HITOS_TEXT("Errors", "cannot make this output folder: %1"),
+                                error ? system_message(error.value())
+                                      : message(HITOS_TEXT("Errors", "a file is in its place"))));
     }
 }
 
@@ -130,13 +132,15 @@ Digest& Digest::add(std::string_view text) {
 
 Digest& Digest::add_file(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError(path.string(), "cannot be read");
+    if (!file) throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read")));
     std::string buffer(std::size_t{1} << 16, '\0');
     while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
            file.gcount() > 0) {
         mix(std::string_view(buffer).substr(0, static_cast<std::size_t>(file.gcount())));
     }
-    if (file.bad()) throw FileError(path.string(), "cannot be read to its end");
+    if (file.bad()) {
+        throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read to its end")));
+    }
     return *this;
 }
 
@@ -188,7 +192,8 @@ StudyPlan read_plan(const StudyLayout& layout) {
     try {
         const ordered_json json = ordered_json::parse(text);
         if (json.at("format") != kPlanFormat) {
-            throw FormatError(path.string(), 0, fmt::format("expected format {}", kPlanFormat));
+            throw FormatError(path.string(), 0,
+                              message(HITOS_TEXT("Errors", "expected format %1"), kPlanFormat));
         }
         StudyPlan plan;
         for (const ordered_json& axis : json.at("parameters")) {
@@ -211,10 +216,14 @@ StudyPlan read_plan(const StudyLayout& layout) {
                            axis.values.begin(), axis.values.end(),
                            [&](const StudyValue& v) { return v.size() == axis.keys.size(); });
             });
-        if (plan.seeds < 1 || !whole) throw FormatError(path.string(), 0, "the plan is damaged");
+        if (plan.seeds < 1 || !whole) {
+            throw FormatError(path.string(), 0,
+                              message(HITOS_TEXT("Errors", "the plan is damaged")));
+        }
         return plan;
     } catch (const nlohmann::json::exception& error) {
-        throw FormatError(path.string(), 0, fmt::format("is no plan of a study: {}", error.what()));
+        throw FormatError(path.string(), 0,
+                          message(HITOS_TEXT("Errors", "is no plan of a study: %1"), error.what()));
     }
 }
 
@@ -236,7 +245,7 @@ void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t 
                   const StudyRecord& record) {
     const ordered_json json{{"run", plan.run_digest(run)},
                             {"ok", record.ok},
-                            {"problem", record.problem},
+                            {"problem", record.problem.english()},
                             {"error_m", json_of(record.error_m)},
                             {"aligned_error_m", json_of(record.aligned_error_m)},
                             {"trajectory_error_m", json_of(record.trajectory_error_m)},
@@ -263,7 +272,7 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
         if (json.at("run") != plan.run_digest(run)) return std::nullopt;
         StudyRecord record;
         record.ok = json.at("ok");
-        record.problem = json.at("problem");
+        record.problem = verbatim(json.at("problem"));
         record.error_m = optional_number(json.at("error_m"));
         record.aligned_error_m = optional_number(json.at("aligned_error_m"));
         record.trajectory_error_m = optional_number(json.at("trajectory_error_m"));
@@ -291,8 +300,8 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
     }
 }
 
-std::string write_tables(const StudyLayout& layout, const StudyPlan& plan,
-                         std::span<const StudyRecord> records) {
+Message write_tables(const StudyLayout& layout, const StudyPlan& plan,
+                     std::span<const StudyRecord> records) {
     for (const char* folder : {"maps", "runs"}) remove_leftovers(layout.file(folder));
     remove_leftovers(layout.folder);
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "hitos/base/message.hpp"
 #include "hitos/services/study/study_result.hpp"
 
 struct XXH3_state_s;
@@ -58,7 +59,7 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
 
 /// Writes tables and plots and removes what a killed process left half-written. Gives the reason
 /// why there are no plots, else an empty text.
-std::string write_tables(const StudyLayout& layout, const StudyPlan& plan,
-                         std::span<const StudyRecord> records);
+Message write_tables(const StudyLayout& layout, const StudyPlan& plan,
+                     std::span<const StudyRecord> records);
 
 }  // namespace hitos::study

@@ -68,13 +68,16 @@ std::string title_of(const StudyPlan& plan) {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw FileError(folder.string(), "cannot be made: " + error.message());
+    if (error) {
+        throw FileError(folder.string(), message(HITOS_TEXT("Errors", "cannot be made: %1"),
+                                                 system_message(error.value())));
+    }
 }
 
 }  // namespace
 
-std::string write_pictures(const StudyLayout& layout, const StudyPlan& plan,
-                           std::span<const StudyRecord> records) {
+Message write_pictures(const StudyLayout& layout, const StudyPlan& plan,
+                       std::span<const StudyRecord> records) {
     const fs::path sheet_file = layout.file("contact-sheet.png");
     const fs::path folder = layout.file("pictures");
     std::error_code ignored;
@@ -82,7 +85,7 @@ std::string write_pictures(const StudyLayout& layout, const StudyPlan& plan,
     for (std::size_t run = 0; run < plan.runs(); ++run) {
         if (!plan.pictured(run)) fs::remove(folder / (plan.file_stem(run) + ".png"), ignored);
     }
-    if (plan.pictures == StudyPictures::none) return "";
+    if (plan.pictures == StudyPictures::none) return {};
     make_folder(folder);
     ContactSheet sheet;
     sheet.title = title_of(plan);
@@ -101,9 +104,9 @@ std::string write_pictures(const StudyLayout& layout, const StudyPlan& plan,
     try {
         write_contact_sheet(sheet, sheet_file);
     } catch (const Error& error) {
-        return error.what();
+        return error.message();
     }
-    return "";
+    return {};
 }
 
 }  // namespace hitos::study

@@ -39,31 +39,39 @@ StudyValue canonical(const std::vector<std::string>& keys, const StudyValue& val
 }
 
 StudyPlan::Axis axis_of(const StudyParameter& parameter, const Configuracion& configuration) {
-    if (parameter.values.empty()) throw ConfigError(parameter.name, "found no value to study");
+    if (parameter.values.empty()) {
+        throw ConfigError(parameter.name, message(HITOS_TEXT("Errors", "found no value to study")));
+    }
     StudyPlan::Axis axis{parameter.name, parameter.keys, {}, {}};
     for (const std::string& key : parameter.keys) {
         const ConfigParameter& varied = find_parameter(key);
         if (varied.table() == "grid") {
             throw ConfigError(key,
-                              "has no effect on a landmark map; a study draws grids only to "
-                              "measure and show its runs");
+                              message(HITOS_TEXT("Errors",
+                                                 "has no effect on a landmark map; a study draws "
+                                                 "grids only to measure and show its runs")));
         }
         if (!can_be_varied(varied)) {
-            throw ConfigError(parameter.name, key +
-                                                  " is set by the study itself; say the number "
-                                                  "of runs and the first seed instead");
+            throw ConfigError(parameter.name,
+                              message(HITOS_TEXT("Errors",
+                                                 "%1 is set by the study itself; say the number of "
+                                                 "runs and the first seed instead"),
+                                      key));
         }
         axis.units.emplace_back(varied.unit_of(configuration));
     }
     for (const StudyValue& value : parameter.values) {
         if (value.size() != parameter.keys.size()) {
-            throw ConfigError(parameter.name, fmt::format("a value has {} components, expected {}",
-                                                          value.size(), parameter.keys.size()));
+            throw ConfigError(
+                parameter.name,
+                message(HITOS_TEXT("Errors", "a value has %1 components, expected %2"),
+                        value.size(), parameter.keys.size()));
         }
         StudyValue texts = canonical(parameter.keys, value);
         if (std::find(axis.values.begin(), axis.values.end(), texts) != axis.values.end()) {
             throw ConfigError(parameter.name,
-                              fmt::format("the value {} is given twice", fmt::join(texts, ", ")));
+                              message(HITOS_TEXT("Errors", "the value %1 is given twice"),
+                                      fmt::format("{}", fmt::join(texts, ", "))));
         }
         axis.values.push_back(std::move(texts));
     }
@@ -99,8 +107,8 @@ void check_effect(const Configuracion& base, const StudyPlan& plan) {
     const Configuracion first = configuration_of(base, keys, plan.texts(0));
     const ConfigParameter::Condition& unmet = *idle.front()->unmet(first);
     throw ConfigError(std::string(idle.front()->key),
-                      fmt::format("has no effect where {} is {}; set it to {}", unmet.key,
-                                  find_parameter(unmet.key).text(first), unmet.needed));
+                      message(HITOS_TEXT("Errors", "has no effect where %1 is %2; set it to %3"),
+                              unmet.key, find_parameter(unmet.key).text(first), unmet.needed));
 }
 
 /// All that decides a result, but for values and seeds: program, parameters, log, reference.
@@ -145,27 +153,29 @@ StudyPictures parse_study_pictures(std::string_view word, const std::string& opt
     for (std::size_t i = 0; i < kPictureWords.size(); ++i) {
         if (kPictureWords.at(i) == word) return static_cast<StudyPictures>(i);
     }
-    throw ConfigError(option, fmt::format("found \"{}\", expected one of {}", word,
-                                          fmt::join(kPictureWords, ", ")));
+    throw ConfigError(option, message(HITOS_TEXT("Errors", "found \"%1\", expected one of %2"),
+                                      word, fmt::format("{}", fmt::join(kPictureWords, ", "))));
 }
 
 StudyPlan plan_study(const Study& study) {
     check(study.configuration);
     constexpr std::size_t kMostParameters = 2;
     if (study.parameters.size() > kMostParameters) {
-        throw ConfigError(study.parameters.back().name,
-                          fmt::format("found {} parameters; a study varies two at the most",
-                                      study.parameters.size()));
+        throw ConfigError(
+            study.parameters.back().name,
+            message(HITOS_TEXT("Errors", "found %1 parameters; a study varies two at the most"),
+                    study.parameters.size()));
     }
     constexpr int kMostSeeds = 1000000;
     if (study.seeds < 1 || study.seeds > kMostSeeds) {
-        throw ConfigError("runs", fmt::format("found {} for each value, expected 1 to {}",
-                                              study.seeds, kMostSeeds));
+        throw ConfigError("runs",
+                          message(HITOS_TEXT("Errors", "found %1 for each value, expected 1 to %2"),
+                                  study.seeds, kMostSeeds));
     }
     constexpr auto kLastSeed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
     if (study.first_seed > kLastSeed - static_cast<std::uint64_t>(study.seeds)) {
-        throw ConfigError("seed", fmt::format("{} and {} more go beyond {}", study.first_seed,
-                                              study.seeds - 1, kLastSeed));
+        throw ConfigError("seed", message(HITOS_TEXT("Errors", "%1 and %2 more go beyond %3"),
+                                          study.first_seed, study.seeds - 1, kLastSeed));
     }
     StudyPlan plan;
     plan.first_seed = study.first_seed;
@@ -177,7 +187,8 @@ StudyPlan plan_study(const Study& study) {
         plan.axes.push_back(axis_of(parameter, study.configuration));
         for (const std::string& key : parameter.keys) {
             if (!keys.insert(key).second) {
-                throw ConfigError(key, "is varied by both parameters of the study");
+                throw ConfigError(key, message(HITOS_TEXT(
+                                           "Errors", "is varied by both parameters of the study")));
             }
         }
     }
@@ -277,8 +288,10 @@ StudyLayout study_in_folder(const fs::path& folder) {
 StudyLayout study_beside(const fs::path& quality_file) {
     std::error_code ignored;
     if (!quality_file.has_filename() || fs::is_directory(quality_file, ignored)) {
-        throw FileError(quality_file.string(),
-                        "is a folder; expected the path of the quality file to write");
+        throw FileError(
+            quality_file.string(),
+            message(HITOS_TEXT("Errors",
+                               "is a folder; expected the path of the quality file to write")));
     }
     const fs::path folder = quality_file.has_parent_path() ? quality_file.parent_path() : ".";
     return {folder, quality_file.stem().string() + "-", quality_file.filename().string()};

@@ -137,11 +137,11 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
 
 }  // namespace
 
-std::string write_plots(const StudyLayout& layout, const StudyPlan& plan,
-                        std::span<const StudyCell> cells) {
-    if (plan.axes.empty()) return "";
+Message write_plots(const StudyLayout& layout, const StudyPlan& plan,
+                    std::span<const StudyCell> cells) {
+    if (plan.axes.empty()) return {};
     const StudyAbscissa x = study_abscissa(plan.axes[0]);
-    std::string problem;
+    Message problem;
     for (const Measure& measure : kMeasures) {
         const std::string stem = layout.prefix + measure.name;
         const bool any = std::any_of(cells.begin(), cells.end(), [&](const StudyCell& cell) {
@@ -154,9 +154,10 @@ std::string write_plots(const StudyLayout& layout, const StudyPlan& plan,
         const std::vector<PlotFile> files{{stem + ".dat", data_text(plan, cells, x, measure)},
                                           {stem + ".gp", script_text(layout, plan, x, measure)}};
         const std::vector<std::string> pictures{stem + ".png", stem + ".svg"};
-        const std::string failure =
-            draw_pictures(layout.folder, files, stem + ".gp", pictures,
-                          any ? "" : fmt::format("no run gave a figure for {}", measure.name));
+        const Message failure = draw_pictures(
+            layout.folder, files, stem + ".gp", pictures,
+            any ? Message()
+                : message(HITOS_TEXT("Errors", "no run gave a figure for %1"), measure.name));
         if (problem.empty()) problem = failure;
     }
     return problem;

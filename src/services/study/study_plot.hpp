@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "hitos/base/message.hpp"
 #include "hitos/services/study/study_result.hpp"
 
 namespace hitos::study {
@@ -12,7 +13,7 @@ namespace hitos::study {
 /// (.dat, .gp, and .png and .svg where gnuplot is installed) against the first parameter, one curve
 /// for each value of the second. Gives the reason why there are no
 /// pictures, else an empty text; a study without parameter has none and needs none.
-std::string write_plots(const StudyLayout& layout, const StudyPlan& plan,
-                        std::span<const StudyCell> cells);
+Message write_plots(const StudyLayout& layout, const StudyPlan& plan,
+                    std::span<const StudyCell> cells);
 
 }  // namespace hitos::study

@@ -37,9 +37,13 @@ int number(const Environment& environment, const char* name) {
     const std::optional<std::string> text = environment(name);
     const std::optional<int> value = text ? whole_number(*text) : std::nullopt;
     if (!value) {
-        throw ConfigError(name, (text ? "found " + input::in_quotes(*text) : "is not set") +
-                                    std::string(", expected a whole number; say the shard with "
-                                                "--shard i/n"));
+        const Message found =
+            text ? message(HITOS_TEXT("Errors", "found %1"), input::in_quotes(*text))
+                 : message(HITOS_TEXT("Errors", "is not set"));
+        throw ConfigError(
+            name, message(HITOS_TEXT("Errors",
+                                     "%1, expected a whole number; say the shard with --shard i/n"),
+                          found));
     }
     return *value;
 }
@@ -50,18 +54,19 @@ StudyShard shard_of(const Environment& environment, const ArrayVariables& names)
     const int last = number(environment, names.last);
     const int step = environment(names.step) ? number(environment, names.step) : 1;
     if (step < 1 || id < first || id > last || (id - first) % step != 0) {
-        throw ConfigError(names.id,
-                          fmt::format("found task {} of an array from {} to {} by {}; say "
-                                      "the shard with --shard i/n",
-                                      id, first, last, step));
+        throw ConfigError(names.id, message(HITOS_TEXT("Errors",
+                                                       "found task %1 of an array from %2 to %3 by "
+                                                       "%4; say the shard with --shard i/n"),
+                                            id, first, last, step));
     }
     const int count = (last - first) / step + 1;
     if (names.count != nullptr && environment(names.count) &&
         number(environment, names.count) != count) {
-        throw ConfigError(
-            names.count, fmt::format("found {} tasks in an array from {} to {} by {}: it has gaps; "
-                                     "say the shard with --shard i/n",
-                                     number(environment, names.count), first, last, step));
+        throw ConfigError(names.count,
+                          message(HITOS_TEXT("Errors",
+                                             "found %1 tasks in an array from %2 to %3 by %4: it "
+                                             "has gaps; say the shard with --shard i/n"),
+                                  number(environment, names.count), first, last, step));
     }
     return {(id - first) / step + 1, count};
 }
@@ -74,8 +79,10 @@ StudyShard parse_shard(std::string_view text) {
     const auto count =
         slash == std::string_view::npos ? std::nullopt : whole_number(text.substr(slash + 1));
     if (!index || !count || *index < 1 || *count < *index) {
-        throw ConfigError("--shard", "found " + input::in_quotes(text) +
-                                         ", expected i/n with 1 <= i <= n, such as 2/8");
+        throw ConfigError(
+            "--shard",
+            message(HITOS_TEXT("Errors", "found %1, expected i/n with 1 <= i <= n, such as 2/8"),
+                    input::in_quotes(text)));
     }
     return {*index, *count};
 }
@@ -96,10 +103,11 @@ std::optional<StudyShard> scheduler_shard(const Environment& environment) {
     if (grid_engine && *grid_engine != "undefined") return shard_of(environment, kGridEngine);
     for (const char* name : {"PBS_ARRAY_INDEX", "PBS_ARRAYID"}) {
         if (const auto index = environment(name)) {
-            throw ConfigError(name, "found task " + input::in_quotes(*index) +
-                                        ", but PBS does not tell how many there are; say the "
-                                        "shard with --shard $" +
-                                        name + "/n");
+            throw ConfigError(name,
+                              message(HITOS_TEXT("Errors",
+                                                 "found task %1, but PBS does not tell how many "
+                                                 "there are; say the shard with --shard $%2/n"),
+                                      input::in_quotes(*index), name));
         }
     }
     return std::nullopt;

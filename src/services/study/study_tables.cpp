@@ -247,8 +247,8 @@ std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
                  exact(record.blur_m2), layout.prefix + "maps/" + plan.file_stem(run) + ".map",
                  ""});
         } else {
-            row.insert(row.end(),
-                       {"failed", "", "", "", "", "", "", "", "", "", "", "", "", record.problem});
+            row.insert(row.end(), {"failed", "", "", "", "", "", "", "", "", "", "", "", "",
+                                   record.problem.english()});
         }
         text += csv_line(std::move(row));
     }

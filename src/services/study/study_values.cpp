@@ -29,9 +29,12 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 double range_number(std::string_view range, std::string_view word) {
     const auto number = input::parse_number(word);
     if (!number || !std::isfinite(*number)) {
-        throw ConfigError(std::string(range), input::in_quotes(word) +
-                                                  " is not a number; expected a range from:to:step "
-                                                  "such as 0.01:0.05:0.01");
+        throw ConfigError(
+            std::string(range),
+            message(HITOS_TEXT(
+                        "Errors",
+                        "%1 is not a number; expected a range from:to:step such as 0.01:0.05:0.01"),
+                    input::in_quotes(word)));
     }
     return *number;
 }
@@ -67,13 +70,14 @@ void append_word(StudyParameter& parameter, std::string_view word) {
 }
 
 /// "two values (rho, theta)" for messages.
-std::string components(const StudyParameter& parameter) {
+Message components(const StudyParameter& parameter) {
     for (const ThesisParameter& thesis : thesis_parameters()) {
         if (thesis.name == parameter.name) {
-            return fmt::format("{} ({})", parameter.keys.size(), thesis.meaning);
+            return message("%1 (%2)", parameter.keys.size(), marked(thesis.meaning));
         }
     }
-    return fmt::format("{} ({})", parameter.keys.size(), fmt::join(parameter.keys, ", "));
+    return message("%1 (%2)", parameter.keys.size(),
+                   fmt::format("{}", fmt::join(parameter.keys, ", ")));
 }
 
 StudyParameter from_thesis(const ThesisParameter& thesis) {
@@ -84,23 +88,28 @@ StudyParameter from_thesis(const ThesisParameter& thesis) {
 
 std::span<const ThesisParameter> thesis_parameters() {
     static const std::vector<ThesisParameter> table{
-        {"p", {"filter.particles"}, "number of particles"},
-        {"dmax", {"split_merge.dmax"}, "greatest distance of a point from its line, m"},
-        {"mlon", {"split_merge.min_length"}, "shortest line, m"},
-        {"mpuntos", {"split_merge.min_points"}, "fewest points of a line"},
+        {"p", {"filter.particles"}, HITOS_TEXT("Errors", "number of particles")},
+        {"dmax",
+         {"split_merge.dmax"},
+         HITOS_TEXT("Errors", "greatest distance of a point from its line, m")},
+        {"mlon", {"split_merge.min_length"}, HITOS_TEXT("Errors", "shortest line, m")},
+        {"mpuntos", {"split_merge.min_points"}, HITOS_TEXT("Errors", "fewest points of a line")},
         {"sensor",
          {"observation.var_rho", "observation.var_theta"},
-         "variance of rho in m^2, variance of theta in rad^2"},
+         HITOS_TEXT("Errors", "variance of rho in m^2, variance of theta in rad^2")},
         {"mov",
          {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"},
-         "standard deviation of x in m, of y in m, of theta in rad; with motion.unit = "
-         "\"variance\" in "
-         "the configuration the variances of the thesis's text, in m^2, m^2, rad^2"},
-        {"p0", {"association.p0"}, "likelihood of a new landmark"},
+         HITOS_TEXT("Errors",
+                    "standard deviation of x in m, of y in m, of theta in rad; with motion.unit = "
+                    "\"variance\" in "
+                    "the configuration the variances of the thesis's text, in m^2, m^2, rad^2")},
+        {"p0", {"association.p0"}, HITOS_TEXT("Errors", "likelihood of a new landmark")},
         {"col",
          {"split_merge.collinear_rho", "split_merge.collinear_theta"},
-         "collinearity thresholds: rho in m, theta in rad"},
-        {"es", {"features.corner_distance"}, "greatest distance of a corner from its lines, m"}};
+         HITOS_TEXT("Errors", "collinearity thresholds: rho in m, theta in rad")},
+        {"es",
+         {"features.corner_distance"},
+         HITOS_TEXT("Errors", "greatest distance of a corner from its lines, m")}};
     return table;
 }
 
@@ -111,7 +120,8 @@ StudyParameter find_thesis_parameter(std::string_view name) {
         names.push_back(thesis.name);
     }
     throw ConfigError(std::string(name),
-                      fmt::format("no such parameter; expected one of {}", fmt::join(names, ", ")));
+                      message(HITOS_TEXT("Errors", "no such parameter; expected one of %1"),
+                              fmt::format("{}", fmt::join(names, ", "))));
 }
 
 StudyParameter find_study_parameter(std::string_view name) {
@@ -122,7 +132,8 @@ StudyParameter find_study_parameter(std::string_view name) {
     for (const std::string_view key : split(name, '+')) {
         parameter.keys.emplace_back(find_parameter(key).key);
         if (std::count(parameter.keys.begin(), parameter.keys.end(), parameter.keys.back()) > 1) {
-            throw ConfigError(std::string(name), "names a key twice");
+            throw ConfigError(std::string(name),
+                              message(HITOS_TEXT("Errors", "names a key twice")));
         }
     }
     return parameter;
@@ -131,8 +142,9 @@ StudyParameter find_study_parameter(std::string_view name) {
 void set_values(StudyParameter& parameter, std::span<const std::string> words) {
     const std::size_t width = parameter.keys.size();
     if (words.empty() || words.size() % width != 0) {
-        throw ConfigError(parameter.name, fmt::format("found {} values; each run takes {}",
-                                                      words.size(), components(parameter)));
+        throw ConfigError(parameter.name,
+                          message(HITOS_TEXT("Errors", "found %1 values; each run takes %2"),
+                                  words.size(), components(parameter)));
     }
     parameter.values.clear();
     if (width == 1) {
@@ -148,12 +160,16 @@ void set_values(StudyParameter& parameter, std::span<const std::string> words) {
 StudyParameter parse_study_parameter(std::string_view assignment) {
     const std::size_t sign = assignment.find('=');
     if (sign == std::string_view::npos) {
-        throw ConfigError(std::string(assignment),
-                          "expected name=value,value,… or name=from:to:step");
+        throw ConfigError(
+            std::string(assignment),
+            message(HITOS_TEXT("Errors", "expected name=value,value,… or name=from:to:step")));
     }
     StudyParameter parameter = find_study_parameter(input::trimmed(assignment.substr(0, sign)));
     for (const std::string_view word : split(assignment.substr(sign + 1), ',')) {
-        if (word.empty()) throw ConfigError(parameter.name, "found an empty value");
+        if (word.empty()) {
+            throw ConfigError(parameter.name,
+                              message(HITOS_TEXT("Errors", "found an empty value")));
+        }
         if (parameter.keys.size() == 1) {
             append_word(parameter, word);
             continue;
@@ -162,9 +178,9 @@ StudyParameter parse_study_parameter(std::string_view assignment) {
         if (parts.size() != parameter.keys.size()) {
             throw ConfigError(
                 parameter.name,
-                fmt::format("found {} of {} components; each run takes {}, joined by "
-                            "'/'",
-                            input::in_quotes(word), parts.size(), components(parameter)));
+                message(HITOS_TEXT("Errors",
+                                   "found %1 of %2 components; each run takes %3, joined by '/'"),
+                        input::in_quotes(word), parts.size(), components(parameter)));
         }
         parameter.values.emplace_back(parts.begin(), parts.end());
     }
@@ -174,7 +190,8 @@ StudyParameter parse_study_parameter(std::string_view assignment) {
 std::vector<std::string> expand_range(std::string_view range) {
     const std::vector<std::string_view> parts = split(range, ':');
     if (parts.size() != 3) {
-        throw ConfigError(std::string(range), "expected a range from:to:step");
+        throw ConfigError(std::string(range),
+                          message(HITOS_TEXT("Errors", "expected a range from:to:step")));
     }
     const double from = range_number(range, parts[0]);
     const double to = range_number(range, parts[1]);
@@ -183,11 +200,13 @@ std::vector<std::string> expand_range(std::string_view range) {
     constexpr double kSlack = 1e-9;
     const double steps = step == 0.0 ? -1.0 : std::floor((to - from) / step + kSlack);
     if (!(steps >= 0.0)) {
-        throw ConfigError(std::string(range), "the step does not lead from the first to the last");
+        throw ConfigError(
+            std::string(range),
+            message(HITOS_TEXT("Errors", "the step does not lead from the first to the last")));
     }
     if (steps >= kLongestRange) {
         throw ConfigError(std::string(range),
-                          fmt::format("has more than {} values", kLongestRange));
+                          message(HITOS_TEXT("Errors", "has more than %1 values"), kLongestRange));
     }
     const int digits = std::max(decimals(parts[0]), decimals(parts[2]));
     std::vector<std::string> values;

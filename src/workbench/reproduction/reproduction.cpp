@@ -184,7 +184,8 @@ Reproduction gather(const std::vector<ThesisFigure>& figures,
             if (!record.ok) {
                 ++figure.rows[run].failed;
                 result.failures.push_back(fmt::format("{} {}: {}", figure.thesis.stem(),
-                                                      outcome.plan.label(run), record.problem));
+                                                      outcome.plan.label(run),
+                                                      record.problem.english()));
                 continue;
             }
             ++figure.rows[run].finished;
@@ -207,8 +208,9 @@ bool names(const std::string& word, const ThesisFigure& figure) {
 void check(const ReproductionOptions& options) {
     constexpr int kMostRuns = 10000;
     if (options.runs < 1 || options.runs > kMostRuns) {
-        throw ConfigError("--runs", fmt::format("found {} of each value, expected 1 to {}",
-                                                options.runs, kMostRuns));
+        throw ConfigError("--runs",
+                          message(HITOS_TEXT("Errors", "found %1 of each value, expected 1 to %2"),
+                                  options.runs, kMostRuns));
     }
 }
 
@@ -223,9 +225,12 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
             std::vector<std::string> known;
             known.reserve(figures.size());
             for (const ThesisFigure& figure : figures) known.push_back(figure.stem());
-            throw ConfigError("--only", fmt::format("found '{}', expected a figure's number, a "
-                                                    "world or a parameter of {}",
-                                                    word, fmt::join(known, ", ")));
+            throw ConfigError(
+                "--only",
+                message(HITOS_TEXT(
+                            "Errors",
+                            "found '%1', expected a figure's number, a world or a parameter of %2"),
+                        word, fmt::format("{}", fmt::join(known, ", "))));
         }
     }
     std::vector<ThesisFigure> selected;

@@ -167,7 +167,7 @@ void note_failures(const ReproducedExperiment& experiment, MapReproduction& resu
         if (experiment.records[run].ok) continue;
         result.failures.push_back(fmt::format("{} {}: {}", experiment.thesis->stem(),
                                               experiment.plan.label(run),
-                                              experiment.records[run].problem));
+                                              experiment.records[run].problem.english()));
     }
 }
 
@@ -248,7 +248,10 @@ MapReproduction reproduce_maps(const MapReproductionOptions& options) {
     const fs::path sheets = options.out / "maps";
     std::error_code error;
     fs::create_directories(sheets, error);
-    if (error) throw FileError(sheets.string(), "cannot be made: " + error.message());
+    if (error) {
+        throw FileError(sheets.string(),
+                        message(HITOS_TEXT("Errors", "cannot be made: %1"), error.message()));
+    }
     std::map<std::string, OdometryMap> odometry;
     result.experiments.reserve(chosen.size());
     for (std::size_t i = 0; i < chosen.size(); ++i) {

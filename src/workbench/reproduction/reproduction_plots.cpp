@@ -117,7 +117,9 @@ std::string draw_reproduction(const Reproduction& reproduction, const fs::path& 
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
-        throw FileError(folder.string(), "cannot make this output folder: " + error.message());
+        throw FileError(
+            folder.string(),
+            message(HITOS_TEXT("Errors", "cannot make this output folder: %1"), error.message()));
     }
     std::string problem;
     for (const ReproducedFigure& figure : reproduction.figures) {
@@ -125,7 +127,7 @@ std::string draw_reproduction(const Reproduction& reproduction, const fs::path& 
         const std::vector<PlotFile> files{{stem + ".dat", data_text(figure)},
                                           {stem + ".gp", script_text(figure, stem)}};
         const std::vector<std::string> pictures{stem + ".png"};
-        const std::string failure = draw_pictures(folder, files, stem + ".gp", pictures);
+        const std::string failure = draw_pictures(folder, files, stem + ".gp", pictures).english();
         if (problem.empty()) problem = failure;
     }
     return problem;

@@ -144,14 +144,20 @@ void write_report(const Reproduction& reproduction, const fs::path& document, co
     const fs::path folder = document.parent_path() / document.stem();
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw FileError(folder.string(), "cannot make this folder: " + error.message());
+    if (error) {
+        throw FileError(
+            folder.string(),
+            message(HITOS_TEXT("Errors", "cannot make this folder: %1"), error.message()));
+    }
     for (const ReproducedFigure& figure : reproduction.figures) {
         const std::string picture = figure.thesis.stem() + ".png";
         if (!fs::exists(plots / picture, error)) continue;
         fs::copy_file(plots / picture, folder / picture, fs::copy_options::overwrite_existing,
                       error);
         if (error) {
-            throw FileError((folder / picture).string(), "cannot be written: " + error.message());
+            throw FileError(
+                (folder / picture).string(),
+                message(HITOS_TEXT("Errors", "cannot be written: %1"), error.message()));
         }
     }
     write_file(document, reproduction_markdown(reproduction, document.stem().string(), tried));

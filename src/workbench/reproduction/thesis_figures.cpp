@@ -109,7 +109,7 @@ std::vector<std::string> split(const std::string& line) {
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& path) : path_(path.string()), in_(path) {
-        if (!in_) throw FileError(path_, "cannot be read");
+        if (!in_) throw FileError(path_, message(HITOS_TEXT("Errors", "cannot be read")));
     }
 
     bool next() {
@@ -117,7 +117,7 @@ class Reader {
         return static_cast<bool>(std::getline(in_, text_));
     }
     const std::string& text() const { return text_; }
-    [[noreturn]] void fail(const std::string& problem) const {
+    [[noreturn]] void fail(const Message& problem) const {
         throw FormatError(path_, line_, problem);
     }
     double number(const std::string& word) const {
@@ -125,13 +125,15 @@ class Reader {
         const char* end = word.data() + word.size();
         const auto [stop, error] = std::from_chars(word.data(), end, value);
         if (error != std::errc{} || stop != end || std::isnan(value) || value < 0.0) {
-            fail(fmt::format("found '{}', expected a number from 0 or inf", word));
+            fail(verbatim(fmt::format("found '{}', expected a number from 0 or inf", word)));
         }
         return value;
     }
     double finite(const std::string& word) const {
         const double value = number(word);
-        if (!std::isfinite(value)) fail(fmt::format("found '{}', expected a finite number", word));
+        if (!std::isfinite(value)) {
+            fail(verbatim(fmt::format("found '{}', expected a finite number", word)));
+        }
         return value;
     }
 
@@ -150,7 +152,7 @@ ThesisFigure make_figure(const Reader& reader, const std::vector<std::string>& w
                 working_range(words[2], words[1]),
                 {}};
     } catch (const ConfigError& error) {
-        reader.fail(error.what());
+        reader.fail(error.message());
     }
 }
 
@@ -169,7 +171,8 @@ const ThesisTable& find_thesis_table(std::string_view parameter) {
     for (const ThesisTable& table : thesis_tables()) {
         if (table.parameter == parameter) return table;
     }
-    throw ConfigError(std::string(parameter), "the thesis has no table for this parameter");
+    throw ConfigError(std::string(parameter),
+                      message(HITOS_TEXT("Errors", "the thesis has no table for this parameter")));
 }
 
 WorkingRange working_range(std::string_view parameter, std::string_view world) {
@@ -178,8 +181,9 @@ WorkingRange working_range(std::string_view parameter, std::string_view world) {
             return stated.range;
         }
     }
-    throw ConfigError(std::string(parameter),
-                      fmt::format("the thesis says no range for world '{}'", world));
+    throw ConfigError(
+        std::string(parameter),
+        message(HITOS_TEXT("Errors", "the thesis says no range for world '%1'"), world));
 }
 
 Configuracion thesis_configuration(const ThesisTable& table) {
@@ -191,20 +195,22 @@ Configuracion thesis_configuration(const ThesisTable& table) {
 std::vector<ThesisFigure> read_thesis_figures(const std::filesystem::path& path) {
     Reader reader(path);
     if (!reader.next() || split(reader.text()) != split(std::string(kHeader))) {
-        reader.fail(fmt::format("found '{}', expected the header {}", reader.text(), kHeader));
+        reader.fail(
+            verbatim(fmt::format("found '{}', expected the header {}", reader.text(), kHeader)));
     }
     std::vector<ThesisFigure> figures;
     while (reader.next()) {
         const std::vector<std::string> words = split(reader.text());
         if (words.size() != kColumns) {
-            reader.fail(fmt::format("found {} columns, expected {}", words.size(), kColumns));
+            reader.fail(
+                verbatim(fmt::format("found {} columns, expected {}", words.size(), kColumns)));
         }
         if (figures.empty() || figures.back().name != words[0]) {
             figures.push_back(make_figure(reader, words));
         }
         ThesisFigure& figure = figures.back();
         if (figure.world != words[1] || figure.table->parameter != words[2]) {
-            reader.fail("world or parameter changes within a figure");
+            reader.fail(verbatim("world or parameter changes within a figure"));
         }
         static_cast<void>(reader.finite(words[3]));
         const double error = reader.number(words[4]);

@@ -53,7 +53,8 @@ std::vector<Parameter<Wheel>> make_wheel() {
 const std::vector<Parameter<Wheel>> kWheel = make_wheel();
 
 const Parameter<Wheel>& of_wheel(std::string_view key) {
-    return find_parameter(std::span<const Parameter<Wheel>>(kWheel), key, "see the manual");
+    return find_parameter(std::span<const Parameter<Wheel>>(kWheel), key,
+                          verbatim("see the manual"));
 }
 
 TEST(Parameter, ReadsAndSetsWhereItsMembersPoint) {

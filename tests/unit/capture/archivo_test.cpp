@@ -106,7 +106,7 @@ TEST_F(ArchivoTest, DamageIsToldOnceAndInBoundedMemory) {
     int told = 0;
     while (const auto damage = log.take_damage()) {
         EXPECT_EQ(damage->first, static_cast<std::uint64_t>(std::min(told, 63) + 2));
-        EXPECT_NE(damage->second.find("normalized"), std::string::npos);
+        EXPECT_NE(damage->second.english().find("normalized"), std::string::npos);
         ++told;
     }
     EXPECT_EQ(told, 1000);

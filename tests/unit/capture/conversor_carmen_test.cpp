@@ -86,7 +86,7 @@ TEST(ConversorCarmen, RobotLaser) {
     const std::string head = "ROBOTLASER1 0 -1.570796 3.141593 1.570796 20.0 0.01 0 3 1 2 30 ";
     const std::string tail = "1.0 0.2 1.570796 1 0 1.570796 0.5 0.1 0.8 0.4 0.0 7.5 h 7.5\n";
     const Log log = carmen(head + "3 10 20 30 " + tail);
-    ASSERT_EQ(log.scans.size(), 1U) << log.report.examples.at(0).reason;
+    ASSERT_EQ(log.scans.size(), 1U) << log.report.examples.at(0).reason.english();
     const Scan& scan = log.scans[0];
     EXPECT_TRUE(scan.carries_odometry);
     EXPECT_EQ(scan.time_s, 7.5);
@@ -103,7 +103,7 @@ TEST(ConversorCarmen, RobotLaser) {
         head + "0 1.0 0.2 1.570796 1 0 1.570796 0.5 0.1 0.8 0.4 0.0 7.5 h\n"};
     for (const std::string& shape : shapes) {
         const Log other = carmen(shape);
-        ASSERT_EQ(other.scans.size(), 1U) << shape << other.report.examples.at(0).reason;
+        ASSERT_EQ(other.scans.size(), 1U) << shape << other.report.examples.at(0).reason.english();
         EXPECT_EQ(other.scans[0].points, scan.points) << shape;
         EXPECT_EQ(other.scans[0].time_s, 7.5) << shape;
         EXPECT_EQ(other.odometry.size(), 1U) << shape;
@@ -111,10 +111,11 @@ TEST(ConversorCarmen, RobotLaser) {
     EXPECT_EQ(carmen(head + "4 10 20 30 " + tail).report.skipped, 1U);
     const Log sparing = carmen(head + "2 10 20 30 " + tail);
     ASSERT_EQ(sparing.report.skipped, 1U);
-    EXPECT_THAT(sparing.report.examples.at(0).reason, HasSubstr("num_remissions: found 2"));
+    EXPECT_THAT(sparing.report.examples.at(0).reason.english(),
+                HasSubstr("num_remissions: found 2"));
     const Log lying = carmen(head + "9 10 20 30 " + tail);
     ASSERT_EQ(lying.report.skipped, 1U);
-    EXPECT_THAT(lying.report.examples.at(0).reason, HasSubstr("num_remissions: found 9"));
+    EXPECT_THAT(lying.report.examples.at(0).reason.english(), HasSubstr("num_remissions: found 9"));
 }
 
 TEST(ConversorCarmen, RoundedPosesDoNotMoveTheMounting) {

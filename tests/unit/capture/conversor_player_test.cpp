@@ -25,7 +25,7 @@ std::string reason(const std::string& line) {
     EXPECT_EQ(log.report.skipped, 1U) << line;
     if (log.report.examples.empty()) return {};
     EXPECT_EQ(log.report.examples.front().line, 2U);
-    return log.report.examples.front().reason;
+    return log.report.examples.front().reason.english();
 }
 
 TEST(ConversorPlayer, LinesAsWritelogWritesThem) {
@@ -85,7 +85,7 @@ TEST(ConversorPlayer, ReadingsThatAreNoPointsBreakRuns) {
     const Log log = player("0.1" + kLaserHead + "001 001 0000 -1.0 +1.0 0.1 +8.0000 0012 " +
                            "1 1 nan 0 1 1 1 1 inf 0 0.0 0 1 1 -1.0 0 1 1 8.000 0 9.5 0 -nan 0\n");
     ASSERT_EQ(log.scans.size(), 1U)
-        << (log.report.examples.empty() ? "" : log.report.examples[0].reason);
+        << (log.report.examples.empty() ? "" : log.report.examples[0].reason.english());
     EXPECT_THAT(log.scans[0].rays, ElementsAre(0, 2, 3, 6, 8));
     EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 1, 3, 4));
 }
@@ -134,7 +134,7 @@ TEST(ConversorPlayer, RangerTakesAnglesFromItsConfiguration) {
     expect_near(log.scans[0].points[1], Point2{0.1, 2.2}, 1e-5);
     EXPECT_EQ(log.scans[0].fan.max_range_m, 8.0);
     ASSERT_EQ(log.report.skipped, 1U);
-    EXPECT_THAT(log.report.examples[0].reason, HasSubstr("angles are unknown"));
+    EXPECT_THAT(log.report.examples[0].reason.english(), HasSubstr("angles are unknown"));
 }
 
 TEST(ConversorPlayer, TheFirstDeviceOfEachKindIsUsed) {

@@ -113,9 +113,9 @@ TEST(ConversorRadish, DamagedLines) {
     ASSERT_EQ(log.report.skipped, 7U);
     ASSERT_EQ(log.report.examples.size(), 7U);
     for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(log.report.examples[i].line, i + 2);
-    EXPECT_THAT(log.report.examples[0].reason, HasSubstr("found none"));
-    EXPECT_THAT(log.report.examples[1].reason, HasSubstr("intensity"));
-    EXPECT_THAT(log.report.examples[2].reason, HasSubstr("bearing"));
+    EXPECT_THAT(log.report.examples[0].reason.english(), HasSubstr("found none"));
+    EXPECT_THAT(log.report.examples[1].reason.english(), HasSubstr("intensity"));
+    EXPECT_THAT(log.report.examples[2].reason.english(), HasSubstr("bearing"));
 }
 
 TEST(ConversorRadish, TheFirstDeviceIsUsed) {

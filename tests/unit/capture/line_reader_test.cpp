@@ -19,7 +19,7 @@ std::vector<Got> lines_of(const std::filesystem::path& path) {
     std::vector<Got> lines;
     LineReader reader(path);
     while (const std::optional<LineReader::Line> line = reader.next()) {
-        lines.push_back({std::string(line->text), line->number, line->damage});
+        lines.push_back({std::string(line->text), line->number, line->damage.english()});
     }
     EXPECT_FALSE(reader.next());
     return lines;

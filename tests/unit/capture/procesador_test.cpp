@@ -149,7 +149,7 @@ TEST(Procesador, TruncatedGzipGivesWhatCanBeReadAndCountsOnce) {
     EXPECT_LT(log.odometry.size(), 15000U);
     ASSERT_EQ(log.report.skipped, 1U);
     EXPECT_EQ(log.report.examples[0].line, log.odometry.size() + 1);
-    EXPECT_THAT(log.report.examples[0].reason, HasSubstr("end early"));
+    EXPECT_THAT(log.report.examples[0].reason.english(), HasSubstr("end early"));
 }
 
 TEST(Procesador, RestartBeginsAnew) {

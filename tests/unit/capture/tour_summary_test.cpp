@@ -36,9 +36,9 @@ TEST(TourSummary, CountsAWholeLog) {
     EXPECT_EQ(summary.duration_s, 3.0);
     EXPECT_NEAR(summary.distance_m, 5.0, 1e-12);
     EXPECT_EQ(summary.fan.count, 3U);
-    const std::vector<std::string> lines = first_lines_of(path);
+    const std::vector<Message> lines = first_lines_of(path);
     ASSERT_EQ(lines.size(), 6U);
-    EXPECT_EQ(lines[0], "# note");
+    EXPECT_EQ(lines[0].english(), "# note");
     EXPECT_TRUE(summary.complete);
     EXPECT_EQ(last, 1.0);
 }

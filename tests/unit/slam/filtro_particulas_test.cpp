@@ -210,30 +210,6 @@ TEST(FiltroParticulas, EqualsTheSlowAlgorithmWithCovariancesOfItsOwnForEveryFeat
     compare_with_slow(room_params(30), with_covariances(make_tour(120, 0.1)));
 }
 
-TEST(FiltroParticulas, PoseCovarianceIsThatOfTheHypotheses) {
-    const Tour tour = make_tour(40, 0.1);
-    FilterParams params = room_params(200);
-    params.resampling = {ResamplingRule::neff, 0.0};  // never: the weights stay unequal
-    FiltroParticulas filter(params, 1, 1);
-    for (std::size_t k = 0; k < tour.controls.size(); ++k) {
-        feed(filter, tour.controls[k], tour.observations[k]);
-    }
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const WeightedPose& h : filter.hypotheses()) {
-        mean += h.weight * Eigen::Vector3d(h.pose.x, h.pose.y, h.pose.theta);
-    }
-    Matrix3 expected = Matrix3::Zero();
-    for (const WeightedPose& h : filter.hypotheses()) {
-        const Eigen::Vector3d away = Eigen::Vector3d(h.pose.x, h.pose.y, h.pose.theta) - mean;
-        expected += h.weight * away * away.transpose();
-    }
-    ASSERT_GT(expected(0, 0), 0.0);
-    EXPECT_LT((filter.pose_covariance() - expected).norm(), 1e-9);
-    const Pose told = filter.mean_pose();
-    EXPECT_LT((Eigen::Vector3d(told.x, told.y, told.theta) - mean).norm(), 1e-9);
-    EXPECT_EQ(filter.joint_covariance().size(), 0);
-}
-
 TEST(FiltroParticulas, MapsTheRoom) {
     const Tour tour = make_tour(300, 0.1);
     FiltroParticulas filter(room_params(100), 1, 1);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/features/caracteristica.hpp"
 
 namespace hitos {
@@ -53,6 +54,6 @@ std::string uncertainty_csv(const UncertaintyRecord& record);
 /// Writes uncertainty.csv, and by gnuplot uncertainty.png with its data and script
 /// (uncertainty.dat, uncertainty.gp): a curve for each landmark over the scans. Returns why there
 /// is no picture, else an empty text. Throws FileError.
-std::string write_uncertainty(const UncertaintyRecord& record, const std::filesystem::path& folder);
+Message write_uncertainty(const UncertaintyRecord& record, const std::filesystem::path& folder);
 
 }  // namespace hitos

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "hitos/base/message.hpp"
+
 namespace hitos {
 
 /// A text that gnuplot reads: a script or its data.
@@ -16,10 +18,10 @@ struct PlotFile {
 /// Writes the files into the folder and has gnuplot run the script, one of them, which makes the
 /// pictures; each picture appears whole. Where `refusal` says why there is nothing to draw, or
 /// gnuplot is missing or fails, pictures of an earlier time are removed and the reason is given;
-/// else an empty text.
-std::string draw_pictures(const std::filesystem::path& folder, std::span<const PlotFile> files,
-                          const std::string& script, std::span<const std::string> pictures,
-                          const std::string& refusal = {});
+/// else an empty message.
+Message draw_pictures(const std::filesystem::path& folder, std::span<const PlotFile> files,
+                      const std::string& script, std::span<const std::string> pictures,
+                      const Message& refusal = {});
 
 /// The text in gnuplot's quotes.
 std::string gnuplot_quoted(const std::string& text);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/services/run/line_extents.hpp"
 
 namespace hitos {
@@ -33,6 +34,6 @@ Trajectory in_frame_of_run(const Trajectory& reference, const Trajectory& run,
 /// Draws paths.png by gnuplot, with its script (paths.gp): the true path blue, the odometry
 /// magenta, the estimate black, segments green, corners red, true walls grey; equal axes in metres.
 /// Returns why there is no picture, else an empty text. Throws FileError.
-std::string write_paths_picture(const PathsPicture& picture, const std::filesystem::path& folder);
+Message write_paths_picture(const PathsPicture& picture, const std::filesystem::path& folder);
 
 }  // namespace hitos

@@ -79,6 +79,8 @@ class Algoritmo {
     /// With registration it is of the key scans, and drawn anew when it is asked for after a
     /// correction, each scan at its corrected place.
     const Grid& step_grid() const;
+    /// Whether it will be drawn anew when it is asked for.
+    bool step_grid_stale() const { return step_grid_stale_; }
     /// How often it was drawn anew.
     std::uint64_t step_grid_redrawn() const { return step_grid_redrawn_; }
     /// No cell out of it was changed by the last step, as long as the grid is not drawn anew.

@@ -43,6 +43,8 @@ class GridTiler {
     void note_change(const CellArea& area);
     /// The picture of the grid as it is; draws only what changed since the last call.
     const GridTiles& tiles(const Grid& grid);
+    /// The picture as it was at that call.
+    const GridTiles& last() const { return tiles_; }
     /// Forgets everything, as Grid::clear() does.
     void clear();
 

@@ -17,8 +17,9 @@ namespace hitos {
 struct KeptRun {
     Configuracion configuration;
     std::uint64_t scans = 0;
-    double seconds = 0.0;  ///< of wall time that its steps took
-    LandmarkMap map;       ///< of the best hypothesis; from a folder without covariances
+    bool finished = false;  ///< the tour is over, and what smooths the path has done it
+    double seconds = 0.0;   ///< of wall time that its steps took
+    LandmarkMap map;        ///< of the best hypothesis; from a folder without covariances
     std::vector<LineExtent> line_extents;
     Trajectory path;  ///< of the best hypothesis
     Trajectory odometry;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/maps/paths_picture.hpp"
@@ -28,7 +29,7 @@ struct References {
 /// A file that a run could do without, and why it is missing.
 struct NotWritten {
     std::string file;
-    std::string reason;
+    Message reason;
 };
 
 /// The figures of a run, as summary.json states them.

@@ -16,8 +16,7 @@ struct RunCheckpoint {
     ControlTrack controls;
     std::unique_ptr<const Registration> registration;  ///< null where the run has none
     std::unique_ptr<const SlamFilter> filter;
-    Grid step_grid;
-    bool step_grid_stale = false;
+    Grid step_grid;  ///< empty with registration: of the key scans
     std::vector<std::shared_ptr<const Scan>> key_scans;
     std::vector<Pose> key_poses;
     Trajectory online;
@@ -41,7 +40,7 @@ struct RunCheckpoint {
 class RunCheckpoints {
   public:
     static constexpr std::size_t kMostBytes = std::size_t{160} << 20;
-    static constexpr std::size_t kMost = 40;
+    static constexpr std::size_t kMost = 80;
 
     explicit RunCheckpoints(std::size_t most_bytes = kMostBytes) : most_bytes_(most_bytes) {}
 

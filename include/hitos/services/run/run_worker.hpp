@@ -14,10 +14,12 @@
 #include <thread>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/grid_tiles.hpp"
 #include "hitos/services/run/pace.hpp"
 #include "hitos/services/run/run_checkpoint.hpp"
+#include "hitos/services/run/shown_grid.hpp"
 #include "hitos/services/run/step_figures.hpp"
 
 namespace hitos {
@@ -45,6 +47,7 @@ struct Snapshot {
     SnapshotParts parts;  ///< what was asked for
     std::uint64_t steps = 0;
     std::uint64_t revision = 0;  ///< as Algoritmo::revision()
+    bool grid_behind = false;    ///< step_grid is the one from before a correction
     Scan scan;
     Observation observation;
     std::vector<Association> associations;
@@ -85,8 +88,9 @@ struct Progress {
     FilterStatistics statistics;
     double step_seconds = 0.0;  ///< wall time of the last step
     std::uint64_t skipped_lines = 0;
+    bool waits = false;                        ///< running, for its pace: it has time to spare
     StopReason stopped_by = StopReason::none;  ///< of the rules that the run was given
-    std::string error;                         ///< what ended a failed run
+    Message error;                             ///< what ended a failed run
 };
 
 /// A run on its own thread. Every member may be called from any thread and returns without waiting
@@ -157,15 +161,16 @@ class RunWorker {
     void do_restart();
     /// `orders`: the number of orders when this one was taken.
     void do_seek(std::uint64_t steps, std::uint64_t orders);
-    void publish_snapshot(const SnapshotParts& parts);
+    void publish_snapshot(const SnapshotParts& parts, bool rests);
     void note_progress();
     bool waits_for_pace() const;  // with the mutex held
-    void note_due();              // likewise
+    /// Whether nobody wants to see where the run is: it is soon where it was sent to.
+    bool passes_by() const;  // likewise
+    void note_due();         // likewise
 
-    Algoritmo run_;    // the worker's own, once it runs
-    GridTiler tiler_;  // likewise
+    Algoritmo run_;   // the worker's own, once it runs
+    ShownGrid grid_;  // likewise
     RunCheckpoints checkpoints_;
-    std::uint64_t grid_redrawn_ = 0;
 
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
@@ -178,6 +183,7 @@ class RunWorker {
     std::optional<PositionError> error_;  // up to the last of figures_
     bool restart_wanted_ = false;
     std::optional<std::uint64_t> seek_wanted_;
+    std::chrono::steady_clock::time_point seek_began_;
     std::uint64_t orders_ = 0;  // run, pause, restart, seek: the last one counts
     bool snapshot_wanted_ = false;
     SnapshotParts parts_wanted_;

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
@@ -96,9 +97,9 @@ struct StudyOutcome {
     std::size_t computed = 0;
     std::size_t reused = 0;
     std::size_t failed = 0;
-    bool stopped = false;         ///< before every run was done: there are no tables and plots
-    std::string plot_problem;     ///< why there are no plots; empty where there are, and for shards
-    std::string picture_problem;  ///< likewise of the contact sheet
+    bool stopped = false;     ///< before every run was done: there are no tables and plots
+    Message plot_problem;     ///< why there are no plots; empty where there are, and for shards
+    Message picture_problem;  ///< likewise of the contact sheet
 };
 
 /// Runs what is not yet done of every study, spreading all runs over the threads, each run on one

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
+#include "hitos/base/message.hpp"
 #include "hitos/services/study/study_values.hpp"
 
 namespace hitos {
@@ -103,7 +104,7 @@ struct StudyPicture {
 /// The result of one run.
 struct StudyRecord {
     bool ok = false;
-    std::string problem;                    ///< why it failed
+    Message problem;                        ///< why it failed; in English where it was read
     std::optional<double> error_m;          ///< nothing where no landmark could be compared
     std::optional<double> aligned_error_m;  ///< after the best rigid motion of the map
     /// ATE of the best particle's path and of the odometry; nothing where the true path is unknown.

@@ -22,7 +22,7 @@ struct StudyParameter {
 struct ThesisParameter {
     std::string_view name;
     std::vector<std::string_view> keys;
-    std::string_view meaning;  ///< of its components, in their order
+    const char* meaning;  ///< of its components, in their order; translated in the context "Errors"
 };
 std::span<const ThesisParameter> thesis_parameters();
 

@@ -64,7 +64,7 @@ FormatError error_of(const std::string& text) {
         return error;
     }
     ADD_FAILURE() << "nothing was thrown";
-    return {"", 0, ""};
+    return {"", 0, {}};
 }
 
 TEST(ArchivoConfiguracion, AnEmptyFileGivesTheDefaults) {

@@ -90,10 +90,10 @@ TEST(UncertaintyRecord, StaysWithinItsBoundWithEvenSteps) {
 TEST(UncertaintyRecord, IsDrawn) {
     const TempFolder folder;
     UncertaintyRecord record;
-    EXPECT_EQ(write_uncertainty(record, folder.path()), "no landmark was observed");
+    EXPECT_EQ(write_uncertainty(record, folder.path()).english(), "no landmark was observed");
     EXPECT_FALSE(std::filesystem::exists(folder / "uncertainty.png"));
     for (int scan = 0; scan < 20; ++scan) record.note(scan, map_of(3, 2, 1.0 / (1 + scan)));
-    const std::string failure = write_uncertainty(record, folder.path());
+    const std::string failure = write_uncertainty(record, folder.path()).english();
     if (failure.find("not installed") != std::string::npos) GTEST_SKIP() << failure;
     ASSERT_EQ(failure, "");
     EXPECT_TRUE(content(folder / "uncertainty.png").starts_with("\x89PNG"));

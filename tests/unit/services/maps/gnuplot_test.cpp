@@ -27,7 +27,7 @@ class GnuplotTest : public testing::Test {
     std::string draw(const std::string& refusal = {}) {
         const std::vector<PlotFile> files = {{"a.gp", "script"}, {"a.dat", "1 2"}};
         const std::vector<std::string> pictures = {"a.png"};
-        return draw_pictures(out_.path(), files, "a.gp", pictures, refusal);
+        return draw_pictures(out_.path(), files, "a.gp", pictures, verbatim(refusal)).english();
     }
 
     std::string before_ = std::getenv("PATH");

@@ -76,7 +76,7 @@ TEST(PathsPicture, ShowsTheThreePathsAndTheMapOnEqualAxes) {
     picture.map = {{Recta{4.0, kPi / 2.0}}, {Esquina{5.0, 4.5}}};
     // Ten metres up and down for the scale of y; the paths are ten metres along x.
     picture.segments = {{0, {5.0, -5.0}, {5.0, 5.0}, 10}};
-    const std::string failure = write_paths_picture(picture, folder.path());
+    const std::string failure = write_paths_picture(picture, folder.path()).english();
     if (failure.find("not installed") != std::string::npos) GTEST_SKIP() << failure;
     ASSERT_EQ(failure, "");
     const cv::Mat image = cv::imread((folder / "paths.png").string(), cv::IMREAD_COLOR);
@@ -101,7 +101,8 @@ TEST(PathsPicture, ShowsTheThreePathsAndTheMapOnEqualAxes) {
 TEST(PathsPicture, IsRemovedWhereThereIsNoTruth) {
     const TempFolder folder;
     folder.put("paths.png", "old");
-    EXPECT_THAT(write_paths_picture({}, folder.path()), HasSubstr("no pose of the reference"));
+    EXPECT_THAT(write_paths_picture({}, folder.path()).english(),
+                HasSubstr("no pose of the reference"));
     EXPECT_FALSE(std::filesystem::exists(folder / "paths.png"));
 }
 

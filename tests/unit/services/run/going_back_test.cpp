@@ -53,15 +53,20 @@ void expect_same_state(RunWorker& worker, const Algoritmo& expected) {
         .get();
 }
 
+Configuracion registered_tour() {
+    Configuracion configuration = ArchivoConfiguracion::read(kRepository / "config/recorded.cfg");
+    configuration.source.file = kRepository / "data/bigloop.log.gz";
+    configuration.filter.particles = 10;
+    return configuration;
+}
+
 class GoingBack : public testing::TestWithParam<const char*> {};
 
 TEST_P(GoingBack, TheStateAtAScanIsTheOneOfARunForwards) {
     Configuracion configuration = small_tour();
     const std::string algorithm = GetParam();
     if (algorithm == "registered") {
-        configuration = ArchivoConfiguracion::read(kRepository / "config/recorded.cfg");
-        configuration.source.file = kRepository / "data/bigloop.log.gz";
-        configuration.filter.particles = 10;
+        configuration = registered_tour();
     } else {
         configuration.filter.algorithm = algorithm;
     }
@@ -134,6 +139,44 @@ TEST(RunWorker, GoesBackFromTheBeginningWhereNothingIsRemembered) {
     worker.wait();
     EXPECT_EQ(worker.progress().steps, 20U);
     EXPECT_EQ(path_of(worker), expected_path(20));
+}
+
+/// While the run goes on its grid may be shown as it was before a correction; not when it rests.
+TEST(RunWorker, AtRestTheGridIsTheOneOfTheRun) {
+    const Configuracion configuration = registered_tour();
+    RunWorker worker(configuration, open_source(configuration.source),
+                     {.step_grid = true, .go_back = true});
+    const auto shown = [&worker] {
+        worker.request_snapshot();
+        worker.wait();
+        return worker.latest_snapshot()->step_grid;
+    };
+    const auto expect_whole = [&](const GridTiles& tiles) {
+        const GridTiles expected =
+            worker.with_run([](const Algoritmo& run) { return tiles_of(run.step_grid()); }).get();
+        EXPECT_EQ(tiles.area, expected.area);
+        ASSERT_EQ(tiles.tiles.size(), expected.tiles.size());
+        for (std::size_t i = 0; i < tiles.tiles.size(); ++i) {
+            ASSERT_EQ(tiles.tiles[i] == nullptr, expected.tiles[i] == nullptr);
+            if (tiles.tiles[i]) {
+                EXPECT_EQ(tiles.tiles[i]->grey, expected.tiles[i]->grey);
+            }
+        }
+    };
+    worker.run();
+    while (worker.progress().state == State::running) worker.request_snapshot();
+    worker.wait();
+    const auto last = worker.latest_snapshot();
+    if (last->revision == worker.progress().revision && !last->grid_behind) {
+        expect_whole(last->step_grid);
+    }
+    expect_whole(shown());
+    EXPECT_FALSE(worker.latest_snapshot()->grid_behind);
+    for (const std::uint64_t steps : {200U, 90U, 300U}) {
+        worker.seek(steps);
+        worker.request_snapshot();  // on the way
+        expect_whole(shown());
+    }
 }
 
 TEST(RunCheckpoints, StayWithinTheirMemoryAndGrowApart) {

@@ -162,7 +162,7 @@ TEST_F(ResultsTest, WhatWasAskedForIsWrittenAndWhatCouldNotBeDrawnIsTold) {
     out_.put("paths.png", "old");
     const RunSummary summary = write_results(run, references, 1.0, out_.path());
     ASSERT_FALSE(summary.not_written.empty());
-    EXPECT_THAT(summary.not_written.front().reason,
+    EXPECT_THAT(summary.not_written.front().reason.english(),
                 StartsWith("no pose of the reference trajectory"));
     EXPECT_FALSE(names().contains("paths.png"));
     for (const char* name : {"distances.csv", "uncertainty.csv", "uncertainty.gp"}) {

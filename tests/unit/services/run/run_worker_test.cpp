@@ -249,7 +249,7 @@ TEST(RunWorker, AFailureIsToldAndEndsTheRun) {
     worker.run();
     worker.wait();
     EXPECT_EQ(worker.progress().state, State::failed);
-    EXPECT_NE(worker.progress().error.find("no readable scan"), std::string::npos);
+    EXPECT_NE(worker.progress().error.english().find("no readable scan"), std::string::npos);
     // A source that has gone meanwhile: restarting fails, and says so.
     std::filesystem::remove(configuration.source.file);
     worker.restart();

@@ -78,7 +78,7 @@ TEST_F(StudyPicturesTest, PicturesAreTheSameForAnyThreadsShardsAndStops) {
         study.seeds = 2;
         return study;
     };
-    EXPECT_EQ(run(pictured("one")).picture_problem, "");
+    EXPECT_EQ(run(pictured("one")).picture_problem.english(), "");
     const auto expected = files("one");
     EXPECT_EQ(expected.count("contact-sheet.png"), 1U);
     EXPECT_EQ(expected.count("pictures/dmax-0.02-p-2-s1.png"), 1U);
@@ -98,7 +98,8 @@ TEST_F(StudyPicturesTest, PicturesAreTheSameForAnyThreadsShardsAndStops) {
         run(pictured("shard" + std::to_string(i)), shard);
         layouts.push_back(study_in_folder(folder_ / ("shard" + std::to_string(i))));
     }
-    EXPECT_EQ(merge_study(study_in_folder(folder_ / "merged"), layouts).picture_problem, "");
+    EXPECT_EQ(merge_study(study_in_folder(folder_ / "merged"), layouts).picture_problem.english(),
+              "");
     EXPECT_EQ(files("merged"), expected);
     // Begun without pictures: then no run has drawn its grid, and all are done again.
     Study without = pictured("later");

@@ -44,7 +44,7 @@ StudyRecord run(double error, int lines, int corners) {
 
 StudyRecord failure(const std::string& problem) {
     StudyRecord record;
-    record.problem = problem;
+    record.problem = verbatim(problem);
     return record;
 }
 
@@ -176,7 +176,8 @@ TEST(StudyTables, PlotsDrawOneCurveForEachSecondValue) {
     const std::vector<StudyRecord> records{run(0.1, 4, 4), run(0.2, 4, 4), failure("x"),
                                            run(0.4, 4, 4)};
     const std::string problem =
-        study::write_plots(study_in_folder(folder.path()), plan, summarize(plan, records));
+        study::write_plots(study_in_folder(folder.path()), plan, summarize(plan, records))
+            .english();
     EXPECT_EQ(content(folder / "error.dat"),
               "# x mean standard_deviation minimum maximum runs\n# sensor = 1/2\n"
               "0.01 0.1 0 0.1 0.1 1\n0.1 NaN NaN NaN NaN 0\n\n\n# sensor = 3/4\n"

@@ -162,12 +162,12 @@ TEST_F(StudyTest, ASourceThatFailsForOneSeedFailsThatRun) {
     std::atomic<int> opened = 0;
     study.source = [&](const StudyJob& job) -> std::unique_ptr<TourReader> {
         ++opened;
-        if (job.seed == 2) throw FileError("tape", "torn");
+        if (job.seed == 2) throw FileError("tape", verbatim("torn"));
         return open_source(job.configuration.source);
     };
     const StudyOutcome outcome = run(study);
     EXPECT_EQ(outcome.failed, 1U);
-    EXPECT_EQ(outcome.records[1].problem, "tape: torn");
+    EXPECT_EQ(outcome.records[1].problem.english(), "tape: torn");
     EXPECT_EQ(opened, 4) << "once to see whether it opens at all, then run by run";
 }
 
@@ -178,7 +178,7 @@ TEST_F(StudyTest, MissingLogsThatAreVariedFailRunByRun) {
     study.parameters = {logs};
     const StudyOutcome outcome = run(study);
     EXPECT_EQ(outcome.failed, 3U);
-    EXPECT_THAT(outcome.records[3].problem, HasSubstr("missing.log"));
+    EXPECT_THAT(outcome.records[3].problem.english(), HasSubstr("missing.log"));
 }
 
 TEST_F(StudyTest, SeveralStudiesGoAtOnceAndShareAFolder) {
