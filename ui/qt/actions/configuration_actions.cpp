@@ -26,11 +26,11 @@ bool is_source(const std::string& named) {
 /// Why a file was refused, and how it begins, to see what it is instead.
 QString with_beginning(const QString& reason, const std::string& file) {
     constexpr std::size_t kMostLines = 5;
-    std::vector<std::string> lines = beginning_of(file);
+    std::vector<Message> lines = beginning_of(file);
     lines.resize(std::min(lines.size(), kMostLines));
     if (lines.empty()) return reason;
     QString text = reason + "\n\n" + ConfigurationActions::tr("The file begins:");
-    for (const std::string& line : lines) text += '\n' + QString::fromStdString(line);
+    for (const Message& line : lines) text += '\n' + words_of(line);
     return text;
 }
 

@@ -7,6 +7,8 @@
 #include <exception>
 #include <optional>
 
+#include "app/words_of.hpp"
+
 class QWidget;
 
 namespace hitos::window {
@@ -62,11 +64,6 @@ class QtPrompts final : public Prompts {
 /// (*.dxf)"), or `otherwise` where the filter names none. An ending that was typed stays: it says
 /// what is written.
 QString with_ending(const QString& path, const QString& chosen, const QString& otherwise);
-
-/// What an error says.
-inline QString words_of(const std::exception& error) {
-    return QString::fromUtf8(error.what());
-}
 
 /// Whether the user lets an existing file be replaced.
 bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path);

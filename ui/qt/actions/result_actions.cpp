@@ -1,5 +1,6 @@
 #include "result_actions.hpp"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QWidget>
@@ -265,12 +266,18 @@ void ResultActions::save_figures() {
     emit notice(tr("Figures saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
+/// A question of another window does not bring the main one before it.
+QWidget* ResultActions::window_in_use() const {
+    QWidget* active = QApplication::activeWindow();
+    return active == nullptr ? window_ : active;
+}
+
 void ResultActions::save_picture(const Picture& picture, const QString& name) {
     save_picture_as(name, [&](const QString& target) { write_picture(picture, target); });
 }
 
 void ResultActions::save_picture(const CanvasView& view) {
-    PictureDialog dialog(view, window_);
+    PictureDialog dialog(view, window_in_use());
     if (dialog.exec() != QDialog::Accepted) return;
     save_picture_as("hitos.jpg", [&](const QString& target) {
         write_picture(view.picture(dialog.whole(), dialog.scale()), target);
@@ -280,7 +287,7 @@ void ResultActions::save_picture(const CanvasView& view) {
 void ResultActions::save_picture_as(const QString& name,
                                     const std::function<void(const QString&)>& write) {
     const QString path =
-        save_until_done(prompts_, window_,
+        save_until_done(prompts_, window_in_use(),
                         {tr("Save as image"), files_.last_folder("picture") + '/' + name,
                          picture_filter(), QFileInfo(name).suffix()},
                         write);

@@ -62,6 +62,7 @@ class ResultActions final : public QObject {
     /// What one hypothesis believes at this moment, however long the user thinks about a name.
     std::shared_future<ParticleDetails> moment_of(std::optional<std::size_t> particle) const;
     void save_moment(const std::shared_future<ParticleDetails>& moment, const QString& title);
+    QWidget* window_in_use() const;
     void save_picture_as(const QString& name, const std::function<void(const QString&)>& write);
     void write_results_to(const QString& folder);
     void end_writing(int number, const QString& folder, const QString& problem,

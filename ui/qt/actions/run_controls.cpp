@@ -150,6 +150,7 @@ void RunControls::show_progress(const Progress& progress, bool has_source) {
     actions_.save_map->setEnabled(begun);
     actions_.odometry->setEnabled(has_source);
     time_line_->setEnabled(has_source && progress.state != State::failed);
+    if (!running) time_line_->arrive();
     const auto scan = static_cast<int>(progress.steps);
     time_line_->show_run(scan, static_cast<int>(total_.value_or(figures_taken_)));
 }

@@ -61,7 +61,9 @@ Animation::~Animation() {
 }
 
 void Animation::start() {
-    before_ = session_.progress().steps;
+    const Progress before = session_.progress();
+    // Past the end path and map are smoothed, which they are not after the last scan.
+    before_ = before.state == Progress::State::finished ? RunWorker::kToTheEnd : before.steps;
     session_.pause();
     folder_ = std::make_unique<QTemporaryDir>(plan_.folder + "-XXXXXX");
     if (!folder_->isValid()) {
@@ -82,7 +84,7 @@ void Animation::cancel() {
 void Animation::step() {
     const Progress now = session_.progress();
     if (now.state == Progress::State::failed) {
-        end(QString::fromStdString(now.error));
+        end(words_of(now.error));
         return;
     }
     const bool over = now.state == Progress::State::finished;
@@ -136,7 +138,11 @@ void Animation::end_film(int code, QProcess::ExitStatus status) {
 
 void Animation::keep() {
     // Made for its owner alone, as temporary folders are.
-    QFile::setPermissions(folder_->path(), QFileInfo(QFileInfo(plan_.folder).path()).permissions());
+    QDir made(folder_->path());
+    if (made.mkdir("as-usual")) {
+        QFile::setPermissions(folder_->path(), QFileInfo(made.filePath("as-usual")).permissions());
+        made.rmdir("as-usual");
+    }
     if (!QDir().rename(folder_->path(), plan_.folder)) {
         end(tr("%1 cannot be made; is it there already?")
                 .arg(QDir::toNativeSeparators(plan_.folder)));

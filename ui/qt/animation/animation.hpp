@@ -74,7 +74,7 @@ class Animation final : public QObject {
     FilmMaker maker_;
     QString film_;
     QString complaint_;
-    quint64 before_ = 0;  ///< where the run was
+    quint64 before_ = 0;  ///< where the run was; beyond the last scan where it was over
     quint64 scan_ = 0;    ///< of the next frame
     int written_ = 0;
     bool ended_ = false;

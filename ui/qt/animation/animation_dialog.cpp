@@ -140,7 +140,12 @@ void save_animation(Session& session, UserFiles& files, Prompts& prompts, ScanVi
         },
         nullptr);
     QString trouble;
-    QObject::connect(&animation, &Animation::progressed, bar, &QProgressBar::setValue);
+    QObject::connect(&animation, &Animation::progressed, bar, [&](int frames) {
+        bar->setValue(frames);
+        if (frames >= static_cast<int>(plan.frames())) {
+            progress.setLabelText(AnimationDialog::tr("Making the film; the frames are there…"));
+        }
+    });
     QObject::connect(&progress, &QProgressDialog::canceled, &animation, &Animation::cancel);
     QObject::connect(&animation, &Animation::finished, &progress, [&](const QString& problem) {
         trouble = problem;

@@ -212,8 +212,9 @@ int run_benchmark(MainWindow& window, Session& session) {
     QCoreApplication::processEvents();
     const Figures figures = measure(window, session);
     if (figures.slowdowns.empty()) {
-        throw Error(fmt::format("{}: too short to measure; a log of {} scans or more is needed",
-                                session.configuration().source.file, kSliceSteps));
+        throw Error(
+            verbatim(fmt::format("{}: too short to measure; a log of {} scans or more is needed",
+                                 session.configuration().source.file, kSliceSteps)));
     }
     const double cost = 1.0 - speed(figures.shown) / speed(figures.bare);
     const double usual = 1.0 - 1.0 / quantile(figures.slowdowns, 0.5);

@@ -46,6 +46,8 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.add_option("--reference", out.reference, "Reference map to measure the map against");
     program.add_option("--reference-trajectory", out.reference_trajectory,
                        "Reference trajectory (TUM) to measure the path against");
+    program.add_option("--distances", out.distances,
+                       "Named distances between parallel walls to measure in the map");
     program.add_flag("--run", out.run, "Start running at once");
     program
         .add_option("--vary", out.vary,
@@ -68,10 +70,11 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         .add_option(
             "--show", out.show,
             "What the picture shows: main, world, plots, landmarks, particles, associations, "
-            "joint, runs, compare, source, configuration, best-map, odometry, study")
+            "joint, measurements, runs, compare, source, configuration, run-until, best-map, "
+            "odometry, study")
         ->check(CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
-                               "joint", "runs", "compare", "source", "configuration", "best-map",
-                               "odometry", "study"}));
+                               "joint", "measurements", "runs", "compare", "source",
+                               "configuration", "run-until", "best-map", "odometry", "study"}));
     program.add_flag("--benchmark", out.benchmark,
                      "Run the log with and without the window; print speeds and response times");
     try {

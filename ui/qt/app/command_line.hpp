@@ -20,6 +20,7 @@ struct CommandLine {
     ValueChoices values;
     std::string reference;
     std::string reference_trajectory;
+    std::string distances;  ///< a file of them, to measure
     std::string language;
     std::string theme;
     std::string size;

@@ -15,6 +15,7 @@
 #include "dialogs/study_dialog.hpp"
 #include "language.hpp"
 #include "main_window.hpp"
+#include "measure/measurements.hpp"
 #include "runs/runs.hpp"
 #include "screen_fit.hpp"
 #include "screenshot.hpp"
@@ -65,6 +66,11 @@ int run(int argc, char** argv, const CommandLine& line) {
     without_display(line) ? actions.start(line) : actions.start_or_warn(line);
     const QString named = QString::fromStdString(line.open);
     if (!named.isEmpty() && kind_of(named) == FileKind::results) window.runs().open(named);
+    const QString distances = QString::fromStdString(line.distances);
+    if (!distances.isEmpty()) {
+        without_display(line) ? window.measurements().open(distances)
+                              : window.open_distances(distances);
+    }
     int code = 0;
     if (!line.screenshot.empty()) {
         take_screenshot(window, session, line);

@@ -17,11 +17,11 @@
 #include "dialogs/parameter_text.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
+#include "docks.hpp"
 #include "icons.hpp"
 #include "inspect/inspection.hpp"
 #include "language.hpp"
 #include "runs/runs.hpp"
-#include "runs/runs_panel.hpp"
 #include "screen_fit.hpp"
 #include "status_line.hpp"
 #include "ui_main_window.h"
@@ -85,9 +85,11 @@ void MainWindow::make_parts() {
     connect(counter_, &LogCounter::counted, ui_->controls, &RunControls::set_total);
     connect(counter_, &LogCounter::counted, status_, &StatusLine::set_total);
     plots_ = new Plots(session_, *meter_);
+    keep_keys_off_tabs(*this);
     dock_ = new QDockWidget(tr("Plots"), this);
     dock_->setObjectName("plots_dock");
     dock_->setWidget(plots_);
+    keep_keys_in_front(dock_);
     addDockWidget(Qt::BottomDockWidgetArea, dock_);
     dock_->hide();
     QAction* show_plots = dock_->toggleViewAction();
@@ -208,8 +210,13 @@ void MainWindow::connect_run() {
     connect(ui_->action_save_figures, &QAction::triggered, results_, &ResultActions::save_figures);
     connect(plots_, &Plots::table_wanted, results_, &ResultActions::save_figures);
     connect(ui_->action_study, &QAction::triggered, this, [this] { open_study(); });
-    connect(ui_->action_save_picture, &QAction::triggered, this,
-            [this] { results_->save_picture(view_in_use()); });
+    connect(ui_->action_save_picture, &QAction::triggered, this, [this] {
+        if (plots_->hasFocus()) {
+            emit plots_->picture_wanted();
+        } else {
+            results_->save_picture(view_in_use());
+        }
+    });
     connect(ui_->action_copy_picture, &QAction::triggered, this, [this] {
         view_in_use().copy_picture();
         status_->notice(tr("The picture is in the clipboard."));
@@ -287,20 +294,6 @@ void MainWindow::connect_views() {
     show_snapshot();
 }
 
-void MainWindow::connect_runs() {
-    connect(configuration_, &ConfigurationActions::results_named, runs_, &Runs::open);
-    connect(&runs_->panel(), &RunsPanel::configuration_wanted, configuration_,
-            &ConfigurationActions::use_again);
-    connect(&runs_->panel(), &RunsPanel::traces_changed, ui_->grid_view, &GridView::set_traces);
-    connect(ui_->action_open_results, &QAction::triggered, runs_, &Runs::ask);
-    connect(ui_->action_compare, &QAction::triggered, runs_,
-            [this] { runs_->compare(runs_->panel().chosen()); });
-    connect(runs_, &Runs::picture_wanted, results_,
-            [this](const GridView* view) { results_->save_picture(*view); });
-    connect(runs_, &Runs::opened, this,
-            [this](QWidget* window) { window->addActions(ui_->menu_run->actions()); });
-}
-
 void MainWindow::set_highlight(const PickedLandmark& picked) {
     ui_->scan_view->set_highlight(picked);
     ui_->grid_view->set_highlight(picked);
@@ -310,18 +303,6 @@ void MainWindow::set_highlight(const PickedLandmark& picked) {
 const CanvasView& MainWindow::view_in_use() const {
     if (ui_->scan_view->hasFocus()) return *ui_->scan_view;
     return *ui_->grid_view;
-}
-
-StudyDialog& MainWindow::open_study() {
-    if (study_ == nullptr) {
-        study_ = new StudyDialog(session_, files_, prompts_, this);
-        connect(study_, &StudyDialog::run_wanted, configuration_,
-                &ConfigurationActions::look_at_run);
-    }
-    if (study_->isVisible()) study_->raise();
-    study_->show();
-    study_->activateWindow();
-    return *study_;
 }
 
 void MainWindow::restyle() {

@@ -19,6 +19,8 @@ class GridView;
 class Inspection;
 class LogCounter;
 class MeasureTool;
+class MeasurementTable;
+class Measurements;
 struct DockPlace;
 struct PickedLandmark;
 class Plots;
@@ -46,6 +48,9 @@ class MainWindow final : public QMainWindow {
     ScanView& scan_view() const;
     GridView& grid_view() const;
     Runs& runs() const { return *runs_; }
+    Measurements& measurements() const { return *measurements_; }
+    /// Adds a file's distances to what is measured, and shows the table.
+    void open_distances(const QString& path);
     Plots& plots() const { return *plots_; }
     QDockWidget& plots_dock() const { return *dock_; }
     /// Shows the study of one parameter.
@@ -95,6 +100,8 @@ class MainWindow final : public QMainWindow {
     Inspection* inspection_ = nullptr;
     Runs* runs_ = nullptr;
     MeasureTool* measure_ = nullptr;
+    Measurements* measurements_ = nullptr;
+    MeasurementTable* measurement_table_ = nullptr;
     StudyDialog* study_ = nullptr;
 };
 

@@ -18,10 +18,12 @@ void MainWindow::set_up_measuring(const DockPlace& place) {
     ui_->action_measure->setIcon(icon(Glyph::distance));
     ui_->action_measure_angle->setIcon(icon(Glyph::angle));
     ui_->grid_measure->setDefaultAction(ui_->action_measure);
-    auto* measurements = new Measurements(session_, this);
-    measure_ = new MeasureTool(*measurements, ui_->action_measure, ui_->action_measure_angle, this);
-    auto* table = new MeasurementTable(*measurements, files_, prompts_,
+    measurements_ = new Measurements(session_, this);
+    measure_ =
+        new MeasureTool(*measurements_, ui_->action_measure, ui_->action_measure_angle, this);
+    auto* table = new MeasurementTable(*measurements_, files_, prompts_,
                                        {ui_->action_measure, ui_->action_measure_angle}, this);
+    measurement_table_ = table;
     QDockWidget* dock = add_dock(place, table, tr("Measurements"), "measurements_dock",
                                  QKeySequence("Ctrl+Shift+M"));
     connect(table, &MeasurementTable::shown, measure_, &MeasureTool::set_shown);
@@ -38,6 +40,13 @@ void MainWindow::set_up_measuring(const DockPlace& place) {
         map->addActions({ui_->action_measure, ui_->action_measure_angle});
         map->findChild<GridView*>()->set_tool(*measure_);
     });
+}
+
+void MainWindow::open_distances(const QString& path) {
+    auto* dock = qobject_cast<QDockWidget*>(measurement_table_->parentWidget());
+    dock->show();
+    dock->raise();
+    measurement_table_->open(path);
 }
 
 }  // namespace hitos::window

@@ -8,12 +8,14 @@
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QPixmap>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <functional>
 
 #include "actions/result_actions.hpp"
 #include "dialogs/configuration_dialog.hpp"
+#include "dialogs/run_until_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "hitos/base/error.hpp"
@@ -73,7 +75,8 @@ void show_study(MainWindow& window, const CommandLine& line) {
     const QString folder = line.study_folder.empty() ? scratch.filePath("study")
                                                      : QString::fromStdString(line.study_folder);
     if (QFileInfo::exists(folder)) {  // there is nobody to ask
-        throw FileError(folder.toStdString(), "exists already; a picture takes a new folder");
+        throw FileError(folder.toStdString(),
+                        verbatim("exists already; a picture takes a new folder"));
     }
     study.form().set_folder(folder);
     if (!line.vary.empty()) study.start();
@@ -106,6 +109,13 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
         write_picture_of(dialog, line);
     } else if (line.show == "configuration") {
         ConfigurationDialog dialog(session.configuration(), prompts, &window);
+        dialog.show();
+        settle(100);
+        write_picture_of(dialog, line);
+    } else if (line.show == "run-until") {
+        const QTemporaryDir scratch;
+        QSettings untouched(scratch.filePath("settings.ini"), QSettings::IniFormat);
+        RunUntilDialog dialog(session, untouched, &window);
         dialog.show();
         settle(100);
         write_picture_of(dialog, line);

@@ -2,11 +2,14 @@
 
 #include <QThreadPool>
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
+#include <system_error>
 #include <utility>
 
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/workbench/open_tour.hpp"
+#include "words_of.hpp"
 #include "workers/background.hpp"
 
 namespace hitos::window {
@@ -17,6 +20,12 @@ constexpr qint64 kFrameUs = 16'000;  // sixty pictures a second
 constexpr qint64 kTellMs = 100;
 
 }  // namespace
+
+bool same_log(const Configuracion& a, const Configuracion& b) {
+    if (a.source.file == b.source.file) return true;
+    std::error_code problem;
+    return std::filesystem::equivalent(a.source.file, b.source.file, problem) && !problem;
+}
 
 Session::Session(QObject* parent) : QObject(parent) {
     timer_.setInterval(kTickMs);
@@ -62,7 +71,7 @@ void Session::set_configuration(const Configuracion& configuration) {
     }
     if (worker_) emit leaving();
     retire();
-    const bool another_log = configuration.source.file != configuration_.source.file;
+    const bool another_log = !same_log(configuration, configuration_);
     configuration_ = configuration;
     worker_ = std::move(next);
     if (worker_) worker_->set_pace(pace_);
@@ -158,7 +167,7 @@ void Session::tick() {
         told_ms_ = clock_.elapsed();
         emit progress_changed();
         if (changed_state && now.state == Progress::State::failed) {
-            emit failed(QString::fromStdString(now.error));
+            emit failed(words_of(now.error));
         }
     }
     const qint64 now_us = clock_.nsecsElapsed() / 1000;
@@ -170,8 +179,9 @@ void Session::tick() {
         emit snapshot_changed();
         const double cost =
             latest->seconds + std::exchange(paint_seconds_, 0.0) + thread_seconds() - begin;
+        const double share = now.waits ? kShareOfWaiting : kShare;
         request_not_before_us_ =
-            now_us + std::max(kFrameUs, static_cast<qint64>(cost / kShare * 1e6));
+            now_us + std::max(kFrameUs, static_cast<qint64>(cost / share * 1e6));
     }
     const bool running = now.state == Progress::State::running;
     const bool behind = now.steps > 0 && !shows(now);

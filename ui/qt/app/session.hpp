@@ -12,14 +12,18 @@
 
 namespace hitos::window {
 
+/// Whether both are of one log, however its path is written.
+bool same_log(const Configuracion& a, const Configuracion& b);
+
 /// Holds the configuration and the RunWorker that runs it, and tells the views what is new at the
 /// rate of the screen. Snapshots are asked for so seldom that making and painting them takes no
-/// more than kShare of the time.
+/// more than kShare of the time, or kShareOfWaiting where the run waits for its pace anyway.
 class Session final : public QObject {
     Q_OBJECT
 
   public:
-    static constexpr double kShare = 0.1;
+    static constexpr double kShare = 0.05;
+    static constexpr double kShareOfWaiting = 0.4;
 
     explicit Session(QObject* parent = nullptr);
     ~Session() override;
@@ -36,7 +40,7 @@ class Session final : public QObject {
     /// The newest one; null before the first.
     std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
     Progress progress() const;
-    /// Wall time [s] that the first `steps` steps took, each the last time that it was done.
+    /// Wall time [s] that the first `steps` steps took, each the first time that it was done.
     double computed_seconds(std::uint64_t steps = RunWorker::kToTheEnd) const;
     /// Whether the snapshot is of the run as it is now, with all that is wanted.
     bool up_to_date() const { return shows(progress()); }
@@ -79,7 +83,9 @@ class Session final : public QObject {
   private:
     void tick();
     bool shows(const Progress& progress) const {
-        return snapshot_ && snapshot_->revision == progress.revision && snapshot_->parts == parts_;
+        const bool running = progress.state == Progress::State::running;
+        return snapshot_ && snapshot_->revision == progress.revision &&
+               snapshot_->parts == parts_ && (running || !snapshot_->grid_behind);
     }
     void wake();
     void retire();

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/screen_fit.hpp"
+#include "app/words_of.hpp"
 
 namespace hitos::window {
 namespace {
@@ -22,7 +23,7 @@ void show_skipped_lines(QWidget* parent, const QString& file, const ReadReport& 
     for (const ReadReport::Skip& skip : report.examples) {
         lines << skipped_words(QT_TRANSLATE_NOOP("SkippedLines", "Line %1: %2"))
                      .arg(skip.line)
-                     .arg(QString::fromStdString(skip.reason));
+                     .arg(words_of(skip.reason));
     }
     if (report.skipped > report.examples.size()) {
         lines << skipped_words(QT_TRANSLATE_NOOP("SkippedLines", "… and %1 more"))

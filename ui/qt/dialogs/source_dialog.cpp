@@ -9,6 +9,7 @@
 
 #include "app/screen_fit.hpp"
 #include "app/theme.hpp"
+#include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
 #include "parameter_text.hpp"
 #include "ui_source_dialog.h"
@@ -25,7 +26,7 @@ QString format_words(const std::string& word) {
 
 }  // namespace
 
-std::vector<std::string> beginning_of(const std::string& file) {
+std::vector<Message> beginning_of(const std::string& file) {
     try {
         return first_lines_of(file);
     } catch (const Error&) {
@@ -115,7 +116,7 @@ void SourceDialog::begin_check() {
                 return !stop->load();
             });
         } catch (const std::exception& error) {
-            refusal = {QString::fromUtf8(error.what()), beginning_of(wanted.file)};
+            refusal = {window::words_of(error), beginning_of(wanted.file)};
         }
         QMetaObject::invokeMethod(
             this, [this, stop, summary, refusal] { end_check(stop, summary, refusal); },
@@ -145,9 +146,9 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
     emit checked(scans);
 }
 
-void SourceDialog::show_lines(const std::vector<std::string>& first_lines) {
+void SourceDialog::show_lines(const std::vector<Message>& first_lines) {
     QStringList lines;
-    for (const std::string& line : first_lines) lines << QString::fromStdString(line);
+    for (const Message& line : first_lines) lines << window::words_of(line);
     ui_->lines->setPlainText(lines.join('\n'));
 }
 
@@ -170,7 +171,7 @@ QString SourceDialog::words_of(const TourSummary& summary) const {
         words += '\n' + tr("Damaged lines that will be skipped: %1; the first is line %2: %3")
                             .arg(summary.report.skipped)
                             .arg(first.line)
-                            .arg(QString::fromStdString(first.reason));
+                            .arg(window::words_of(first.reason));
     }
     return words;
 }

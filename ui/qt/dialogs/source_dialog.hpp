@@ -21,7 +21,7 @@ class SourceDialog;
 
 /// The first lines of a file, to see what it is where it is no log; nothing where it cannot be
 /// read.
-std::vector<std::string> beginning_of(const std::string& file);
+std::vector<Message> beginning_of(const std::string& file);
 
 /// Reads the whole file while the user looks at its first lines; only a log that can be read can be
 /// accepted.
@@ -53,14 +53,14 @@ class SourceDialog final : public QDialog {
     /// Why a file was not taken, and what it is.
     struct Refusal {
         QString reason;
-        std::vector<std::string> first_lines;
+        std::vector<Message> first_lines;
     };
 
     void browse();
     void begin_check();
     void end_check(const Stop& stop, const std::optional<SourceInspection>& summary,
                    const Refusal& refusal);
-    void show_lines(const std::vector<std::string>& first_lines);
+    void show_lines(const std::vector<Message>& first_lines);
     void show_verdict(const QString& text, const char* role);
     QString words_of(const TourSummary& summary) const;
 

@@ -9,6 +9,7 @@
 
 #include "app/screen_fit.hpp"
 #include "app/theme.hpp"
+#include "app/words_of.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "ui_study_dialog.h"
@@ -30,7 +31,7 @@ QString first_failure(const StudyOutcome& outcome) {
     for (std::size_t run = 0; run < outcome.records.size(); ++run) {
         const StudyRecord& record = outcome.records[run];
         if (record.ok || record.problem.empty()) continue;
-        return QString::fromStdString(outcome.plan.label(run) + ": " + record.problem);
+        return QString::fromStdString(outcome.plan.label(run)) + ": " + words_of(record.problem);
     }
     return {};
 }
@@ -167,12 +168,10 @@ void StudyDialog::finish(const StudyOutcome& outcome) {
                          .arg(first_failure(outcome));
         }
         if (!outcome.plot_problem.empty()) {
-            words << tr("No picture files of the plots: %1")
-                         .arg(QString::fromStdString(outcome.plot_problem));
+            words << tr("No picture files of the plots: %1").arg(words_of(outcome.plot_problem));
         }
         if (!outcome.picture_problem.empty()) {
-            words
-                << tr("No contact sheet: %1").arg(QString::fromStdString(outcome.picture_problem));
+            words << tr("No contact sheet: %1").arg(words_of(outcome.picture_problem));
         }
         show_verdict(words.join('\n'), outcome.failed > 0 ? "error" : "good");
     }

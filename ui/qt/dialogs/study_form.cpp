@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/theme.hpp"
+#include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/workbench/study_noise.hpp"
 #include "parameter_text.hpp"
@@ -74,7 +75,7 @@ StudyForm::StudyForm(Ui::StudyDialog& ui, Session& session, UserFiles& files, Pr
 void StudyForm::fill() {
     for (const ThesisParameter& thesis : thesis_parameters()) {
         ui_.parameter->addItem(item_of(thesis.name, thesis.keys));
-        ui_.parameter->setItemData(ui_.parameter->count() - 1, to_qt(thesis.meaning),
+        ui_.parameter->setItemData(ui_.parameter->count() - 1, words_of(marked(thesis.meaning)),
                                    Qt::ToolTipRole);
     }
     ui_.parameter->insertSeparator(ui_.parameter->count());

@@ -285,6 +285,8 @@ JointCovariance::JointCovariance(Session& session, QWidget* parent)
         words_->setText(words.isEmpty() ? tr("Point at an entry to read it.") : words);
     });
     connect(&session, &Session::snapshot_changed, this, &JointCovariance::refresh);
+    // A snapshot holds what its run went back to: no view keeps that of a run which is gone.
+    connect(&session, &Session::restarted, this, [this] { view_->set_snapshot(nullptr); });
 }
 
 /// A square needs more height than a table.

@@ -120,6 +120,8 @@ LandmarkTable::LandmarkTable(Session& session, QWidget* parent)
     table_->setAccessibleName(tr("Landmarks"));
     column->addWidget(table_);
     connect(&session, &Session::snapshot_changed, this, &LandmarkTable::refresh);
+    // A snapshot holds what its run went back to: no view keeps that of a run which is gone.
+    connect(&session, &Session::restarted, this, [this] { model_->set_snapshot(nullptr); });
     connect(table_, &FiguresTable::row_chosen, this, [this](int row) {
         emit landmark_chosen({model_->snapshot()->best_map[static_cast<std::size_t>(row)]});
     });

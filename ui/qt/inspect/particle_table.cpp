@@ -89,6 +89,8 @@ ParticleTable::ParticleTable(Session& session, QWidget* parent)
     buttons_->setEnabled(false);
     row->addWidget(buttons_);
     connect(&session, &Session::snapshot_changed, this, &ParticleTable::refresh);
+    // A snapshot holds what its run went back to: no view keeps that of a run which is gone.
+    connect(&session, &Session::restarted, this, [this] { model_->set_snapshot(nullptr); });
     connect(table_, &FiguresTable::row_chosen, this,
             [this](int particle) { choose(static_cast<std::size_t>(particle)); });
 }

@@ -74,6 +74,10 @@ MeasureTool::MeasureTool(Measurements& measurements, QAction* distance, QAction*
         connect(action, &QAction::toggled, this, &MeasureTool::begin);
     }
     connect(&measurements, &Measurements::changed, this, &ViewTool::changed);
+    connect(&measurements, &Measurements::log_changed, this, [this] {
+        picked_.clear();
+        hovered_.reset();
+    });
 }
 
 void MeasureTool::begin() {

@@ -175,7 +175,7 @@ MeasurementTable::MeasurementTable(Measurements& measurements, UserFiles& files,
     row->addWidget(remove_ =
                        add_button(tr("Remove"), "measurement_remove", &MeasurementTable::remove));
     row->addWidget(clear_ = add_button(tr("Clear"), "measurement_clear", &MeasurementTable::clear));
-    row->addWidget(add_button(tr("Open…"), "measurement_open", &MeasurementTable::open));
+    row->addWidget(add_button(tr("Open…"), "measurement_open", &MeasurementTable::ask_and_open));
     row->addWidget(save_ = add_button(tr("Save…"), "measurement_save", &MeasurementTable::save));
     save_->setToolTip(tr("Write the distances between walls as a file for hitos-cli --distances"));
     means_ = new QLabel(this);
@@ -249,13 +249,16 @@ void MeasurementTable::clear() {
     }
 }
 
-void MeasurementTable::open() {
+void MeasurementTable::ask_and_open() {
     const QString path =
         prompts_.open_file(this, {tr("Open distances file"),
                                   files_.folder_to_open("distances"),
                                   tr("Distances (*.distances *.txt);;All files (*)"),
                                   {}});
-    if (path.isEmpty()) return;
+    if (!path.isEmpty()) open(path);
+}
+
+void MeasurementTable::open(const QString& path) {
     try {
         measurements_.open(path);
     } catch (const std::exception& problem) {
@@ -274,10 +277,10 @@ void MeasurementTable::save() {
     if (path.isEmpty()) return;
     files_.note_folder("distances", path);
     const int untrue = measurements_.distances_without_truth();
-    const QString saved = tr("Distances between walls saved: %1 (%2 of %3 measurements)")
-                              .arg(QDir::toNativeSeparators(path))
+    const QString saved = tr("%1 of %2 measurements, those between walls, saved: %3")
                               .arg(measurements_.distances())
-                              .arg(measurements_.rows().size());
+                              .arg(measurements_.rows().size())
+                              .arg(QDir::toNativeSeparators(path));
     emit notice(
         untrue == 0
             ? saved

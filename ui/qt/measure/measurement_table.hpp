@@ -52,6 +52,8 @@ class MeasurementTable final : public QWidget {
                      const QList<QAction*>& measure, QWidget* parent);
 
     FiguresTable& table() const { return *table_; }
+    /// Adds the distances of a file; one that cannot be used is told.
+    void open(const QString& path);
 
   signals:
     void notice(QString text);
@@ -68,7 +70,7 @@ class MeasurementTable final : public QWidget {
     void refresh();
     void remove();
     void clear();
-    void open();
+    void ask_and_open();
     void save();
 
     Measurements& measurements_;

@@ -1,5 +1,6 @@
 #include "measurements.hpp"
 
+#include <QFileInfo>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +11,13 @@ namespace hitos::window {
 namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
+
+/// The same however its path is written.
+std::string log_of(const Session& session) {
+    const QString named = QString::fromStdString(session.configuration().source.file);
+    const QString found = QFileInfo(named).canonicalFilePath();
+    return (found.isEmpty() ? named : found).toStdString();
+}
 
 bool for_file(const MeasuredRow& row) {
     return row.measurement.between_walls();
@@ -34,18 +42,19 @@ QString value_words(Quantity quantity, std::optional<double> value) {
 }
 
 Measurements::Measurements(Session& session, QObject* parent)
-    : QObject(parent), session_(session), log_(session.configuration().source.file) {
+    : QObject(parent), session_(session), log_(log_of(session)) {
     connect(&session, &Session::configuration_changed, this, &Measurements::change_log);
     connect(&session, &Session::snapshot_changed, this, &Measurements::refresh);
     connect(&session, &Session::references_changed, this, &Measurements::refresh);
 }
 
 void Measurements::change_log() {
-    const std::string& log = session_.configuration().source.file;
+    const std::string log = log_of(session_);
     if (log == log_) return;
     of_other_logs_[log_] = std::move(rows_);
     log_ = log;
     chosen_ = -1;
+    emit log_changed();
     set(std::move(of_other_logs_[log_]));
 }
 

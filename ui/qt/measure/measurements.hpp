@@ -58,6 +58,8 @@ class Measurements final : public QObject {
 
   signals:
     void changed();
+    /// They are those of another log.
+    void log_changed();
 
   private:
     void change_log();

@@ -35,14 +35,14 @@ CompareWindow::CompareWindow(RunList& list, const ViewSettings& settings, QWidge
     setWindowTitle(tr("Compare runs"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(make_tools());
+    auto* boxes = new QHBoxLayout;
     auto* views = new QHBoxLayout;
     for (std::size_t side = 0; side < sides_.size(); ++side) {
         make_side(side, settings);
-        auto* half = new QVBoxLayout;
-        half->addWidget(sides_[side].box);
-        half->addWidget(sides_[side].view, 1);
-        views->addLayout(half, 1);
+        boxes->addWidget(sides_[side].box, 1);
+        views->addWidget(sides_[side].view, 1);
     }
+    column->addLayout(boxes);
     column->addLayout(views, 1);
     verdict_ = new QLabel(this);
     verdict_->setObjectName("compare_verdict");
@@ -131,6 +131,8 @@ void CompareWindow::fill_boxes() {
             QString words = title_of({listed.number, false});
             const QString different = difference_words(listed.run->configuration, base);
             if (!different.isEmpty()) words += ": " + different;
+            const QString source = source_words(listed);
+            if (source != source_words(runs.front())) words += " · " + source;
             side.box->addItem(words, QPoint(listed.number, 0));
             side.box->addItem(title_of({listed.number, true}), QPoint(listed.number, 1));
         }
@@ -138,7 +140,8 @@ void CompareWindow::fill_boxes() {
         const int place = side.box->findData(chosen);
         side.box->setCurrentIndex(std::max(place, 0));
         if (place < 0) {
-            side.choice = {};
+            const QPoint first = side.box->currentData().toPoint();
+            side.choice = {first.x(), first.y() == 1};
             side.run = nullptr;
         }
         take(side);
@@ -149,6 +152,11 @@ void CompareWindow::fill_boxes() {
 void CompareWindow::compare(const std::vector<ListedRun>& runs) {
     Choice left;
     Choice right{0, true};
+    const std::vector<ListedRun> all = list_.runs();
+    if (runs.empty() && all.size() > 1 && all.front().run->scans == 0) {
+        left = {all.back().number, false};  // of this run there is nothing to see yet
+        right = {all.back().number, true};
+    }
     if (!runs.empty()) left = {runs.front().number, false};
     if (runs.size() == 2) {
         right = {runs.back().number, false};
@@ -220,6 +228,9 @@ QString CompareWindow::verdict() const {
     const QString different = difference_words(right.run->configuration, left.run->configuration);
     QStringList words{different.isEmpty() ? tr("Left and right have the same configuration.")
                                           : tr("The right one differs in: %1").arg(different)};
+    if (!same_log(left.run->configuration, right.run->configuration)) {
+        words << tr("The logs differ: %1 and %2").arg(log_of(*left.run), log_of(*right.run));
+    }
     for (const Side& side : sides_) {
         const QString& problem = side.builder->state().error;
         if (!side.made || problem.isEmpty()) continue;

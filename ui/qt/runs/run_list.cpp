@@ -1,6 +1,8 @@
 #include "run_list.hpp"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QStringList>
 #include <algorithm>
 #include <array>
@@ -19,7 +21,8 @@ QString run_words(const char* text) {
 
 /// The same scans under the same parameters: the results are equal to the last bit.
 bool same(const KeptRun& a, const KeptRun& b) {
-    return a.scans == b.scans && a.configuration.source.file == b.configuration.source.file &&
+    return a.scans == b.scans && a.finished == b.finished &&
+           same_log(a.configuration, b.configuration) &&
            differences(a.configuration, b.configuration).empty();
 }
 
@@ -39,6 +42,15 @@ QColor colour_of(const ListedRun& listed) {
     return colours[static_cast<std::size_t>(listed.number) % colours.size()];
 }
 
+QString log_of(const KeptRun& run) {
+    return QFileInfo(QString::fromStdString(run.configuration.source.file)).fileName();
+}
+
+QString source_words(const ListedRun& listed) {
+    const QString log = log_of(*listed.run);
+    return listed.folder.isEmpty() ? log : log + ", " + QFileInfo(listed.folder).fileName();
+}
+
 QString difference_words(const Configuracion& configuration, const Configuracion& base) {
     QStringList words;
     for (const ConfigParameter* parameter : differences(configuration, base)) {
@@ -50,8 +62,17 @@ QString difference_words(const Configuracion& configuration, const Configuracion
 RunList::RunList(Session& session, QObject* parent) : QObject(parent), session_(session) {
     connect(&session, &Session::leaving, this, &RunList::keep_present);
     connect(&session, &Session::references_changed, this, &RunList::measure_anew);
+    // A snapshot holds what its run went back to, and the run is gone.
+    connect(&session, &Session::restarted, this, [this] {
+        present_ = nullptr;
+        of_ = nullptr;
+    });
     connect(&session, &Session::configuration_changed, this, &RunList::changed);
     connect(&session, &Session::snapshot_changed, this, &RunList::present_changed);
+    connect(&session, &Session::progress_changed, this, [this] {
+        const bool rests = present_rests();
+        if (rests != std::exchange(rested_, rests)) emit present_changed();
+    });
 }
 
 std::shared_ptr<const KeptRun> RunList::present() const {
@@ -62,6 +83,7 @@ std::shared_ptr<const KeptRun> RunList::present() const {
     run.configuration = session_.configuration();
     if (now && now->steps > 0) {
         run.scans = now->steps;
+        run.finished = now->revision > now->steps;
         run.seconds = session_.computed_seconds(now->steps);
         run.map = now->best_map;
         run.line_extents = now->line_extents;
@@ -74,6 +96,7 @@ std::shared_ptr<const KeptRun> RunList::present() const {
     return present_;
 }
 
+/// A run on the log that the references belong to.
 void RunList::measure(KeptRun& run) const {
     const References& references = session_.references();
     if (references.trajectory) {
@@ -84,6 +107,15 @@ void RunList::measure(KeptRun& run) const {
         const auto error = map_error(run.map, *references.map);
         run.map_error_m = error ? std::optional(error->mean_m) : std::nullopt;
     }
+}
+
+void RunList::measure_listed(ListedRun& listed) const {
+    if (!same_log(listed.run->configuration, session_.configuration())) return;
+    auto run = std::make_shared<KeptRun>(*listed.run);
+    run->trajectory_error_m = listed.told_trajectory_error_m;
+    run->map_error_m = listed.told_map_error_m;
+    measure(*run);
+    listed.run = std::move(run);
 }
 
 std::vector<ListedRun> RunList::runs() const {
@@ -98,27 +130,36 @@ bool RunList::present_rests() const {
 }
 
 ListedRun RunList::open(const QString& folder) {
-    return add(in_background(
-        [&] { return std::make_shared<const KeptRun>(read_results(folder.toStdString())); }));
+    ListedRun listed{0, in_background([&] {
+                         return std::make_shared<const KeptRun>(read_results(folder.toStdString()));
+                     })};
+    listed.told_trajectory_error_m = listed.run->trajectory_error_m;
+    listed.told_map_error_m = listed.run->map_error_m;
+    listed.folder = QDir(folder).absolutePath();
+    measure_listed(listed);
+    return add(std::move(listed));
 }
 
-ListedRun RunList::add(std::shared_ptr<const KeptRun> run) {
-    const auto again =
-        std::ranges::find_if(kept_, [&](const ListedRun& one) { return same(*one.run, *run); });
+ListedRun RunList::add(ListedRun listed) {
+    // A folder may hold what another program or another log of that name has made.
+    const auto again = std::ranges::find_if(kept_, [&](const ListedRun& one) {
+        return one.folder == listed.folder && same(*one.run, *listed.run);
+    });
     if (again != kept_.end()) {
-        again->run = std::move(run);
+        again->run = std::move(listed.run);
         emit changed();
         return *again;
     }
     if (kept_.size() >= kMost) kept_.erase(kept_.begin());
-    kept_.push_back({++last_number_, std::move(run)});
+    listed.number = ++last_number_;
+    kept_.push_back(std::move(listed));
     emit changed();
     return kept_.back();
 }
 
 void RunList::keep_present() {
     // One scan shows nothing that could be compared.
-    if (const auto run = present(); run->scans > 1) add(run);
+    if (const auto run = present(); run->scans > 1) add({0, run});
 }
 
 void RunList::remove(int number) {
@@ -127,15 +168,9 @@ void RunList::remove(int number) {
     }
 }
 
-/// References belong to a log: the runs on it are measured by them.
 void RunList::measure_anew() {
     present_ = nullptr;
-    for (ListedRun& listed : kept_) {
-        if (listed.run->configuration.source.file != session_.configuration().source.file) continue;
-        auto run = std::make_shared<KeptRun>(*listed.run);
-        measure(*run);
-        listed.run = std::move(run);
-    }
+    for (ListedRun& listed : kept_) measure_listed(listed);
     emit changed();
 }
 

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/session.hpp"
@@ -16,12 +17,20 @@ namespace hitos::window {
 struct ListedRun {
     int number = 0;  ///< for people; 0 is the run of the window
     std::shared_ptr<const KeptRun> run;
+    QString folder = {};  ///< where it was read from, if from results
+    /// What that folder tells.
+    std::optional<double> told_trajectory_error_m = std::nullopt;
+    std::optional<double> told_map_error_m = std::nullopt;
 };
 
 /// What people call it: "run 3", "this run".
 QString name_of(const ListedRun& listed);
 /// That of its path in pictures.
 QColor colour_of(const ListedRun& listed);
+/// The name of its log's file.
+QString log_of(const KeptRun& run);
+/// The same with the folder of results that the run was read from: "aces.log.gz, out/b".
+QString source_words(const ListedRun& listed);
 /// What the configuration has otherwise than `base`: "Particles 200, Seed 3"; empty where nothing.
 QString difference_words(const Configuracion& configuration, const Configuracion& base);
 
@@ -54,13 +63,15 @@ class RunList final : public QObject {
   private:
     std::shared_ptr<const KeptRun> present() const;
     void keep_present();
-    ListedRun add(std::shared_ptr<const KeptRun> run);
+    ListedRun add(ListedRun listed);
     void measure(KeptRun& run) const;
+    void measure_listed(ListedRun& listed) const;
     void measure_anew();
 
     Session& session_;
     std::vector<ListedRun> kept_;
     int last_number_ = 0;
+    bool rested_ = true;
     mutable std::shared_ptr<const KeptRun> present_;  ///< of the snapshot below; null: unknown
     mutable std::shared_ptr<const Snapshot> of_;
 };

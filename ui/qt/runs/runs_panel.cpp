@@ -1,6 +1,5 @@
 #include "runs_panel.hpp"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -25,8 +24,8 @@ double sortable(const std::optional<double>& error_m) {
 }  // namespace
 
 RunsModel::RunsModel(QObject* parent)
-    : FiguresModel({tr("Run"), tr("Log"), tr("Different from this run"), tr("Scans"),
-                    tr("Landmarks"), tr("Path error"), tr("Map error"), tr("Time")},
+    : FiguresModel({tr("Run"), tr("Log"), tr("Scans"), tr("Landmarks"), tr("Path error"),
+                    tr("Map error"), tr("Time"), tr("Different from this run")},
                    parent) {}
 
 void RunsModel::set_runs(std::vector<ListedRun> runs, const Configuracion& base) {
@@ -64,7 +63,7 @@ QString RunsModel::text(int row, int column) const {
         case name:
             return name_of(this->run(row));
         case log:
-            return QFileInfo(QString::fromStdString(run.configuration.source.file)).fileName();
+            return source_words(this->run(row));
         case different:
             return differences_[static_cast<std::size_t>(row)];
         case scans:

@@ -20,7 +20,7 @@ class RunsModel final : public FiguresModel {
     Q_OBJECT
 
   public:
-    enum Column { name, log, different, scans, landmarks, path_error, map_error, seconds };
+    enum Column { name, log, scans, landmarks, path_error, map_error, seconds, different };
 
     explicit RunsModel(QObject* parent);
     /// What is different is told against `base`.

@@ -144,6 +144,1213 @@
     </message>
 </context>
 <context>
+    <name>Errors</name>
+    <message>
+        <source>line %1: %2</source>
+        <translation>línea %1: %2</translation>
+    </message>
+    <message>
+        <source>the %1 &quot;%2&quot; comes too late; add it before anything is read or run</source>
+        <translation>%1 «%2»: llega demasiado tarde; añádalo antes de leer o ejecutar nada</translation>
+    </message>
+    <message>
+        <source>found a %1 of the word &quot;%2&quot;; give it one of its own</source>
+        <translation>%1: se encontró la palabra «%2»; déle una propia</translation>
+    </message>
+    <message>
+        <source>the %1 &quot;%2&quot; (%3) is known already as %4; give it another word</source>
+        <translation>%1 «%2» (%3): ya se conoce como %4; déle otra palabra</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected %2</source>
+        <translation>se encontró «%1», se esperaba %2</translation>
+    </message>
+    <message>
+        <source>; choose a folder that you may write to</source>
+        <translation>; elija una carpeta en la que pueda escribir</translation>
+    </message>
+    <message>
+        <source>; choose another folder</source>
+        <translation>; elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>; create the folder first</source>
+        <translation>; cree antes la carpeta</translation>
+    </message>
+    <message>
+        <source>; choose a path whose parent is a folder</source>
+        <translation>; elija una ruta que esté dentro de una carpeta</translation>
+    </message>
+    <message>
+        <source>; free some space or choose another disk</source>
+        <translation>; libere espacio o elija otro disco</translation>
+    </message>
+    <message>
+        <source>; choose a shorter name</source>
+        <translation>; elija un nombre más corto</translation>
+    </message>
+    <message>
+        <source>cannot be written: it is a folder; choose a file name</source>
+        <translation>no se puede escribir: es una carpeta; elija un nombre de archivo</translation>
+    </message>
+    <message>
+        <source>cannot be written: it names no file</source>
+        <translation>no se puede escribir: no nombra ningún archivo</translation>
+    </message>
+    <message>
+        <source>cannot be written: it is a device or a pipe; choose a file name</source>
+        <translation>no se puede escribir: es un dispositivo o una tubería; elija un nombre de archivo</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>no se puede escribir</translation>
+    </message>
+    <message>
+        <source>cannot be compressed</source>
+        <translation>no se puede comprimir</translation>
+    </message>
+    <message>
+        <source>writing fails</source>
+        <translation>la escritura falla</translation>
+    </message>
+    <message>
+        <source>cannot be put in place</source>
+        <translation>no se puede poner en su sitio</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>permiso denegado</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>error de entrada y salida</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>es una carpeta</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>nombre de archivo demasiado largo</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>no existe el archivo o la carpeta</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>no queda espacio en el disco</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>no es una carpeta</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>operación no permitida</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>sistema de archivos de solo lectura</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
+    </message>
+    <message>
+        <source>%1; allowed: %2</source>
+        <translation>%1; se permite: %2</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 está fuera del rango</translation>
+    </message>
+    <message>
+        <source>%1 is none of the choices</source>
+        <translation>%1 no es ninguna de las opciones</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 no es un número</translation>
+    </message>
+    <message>
+        <source>%1 is not an integer</source>
+        <translation>%1 no es un número entero</translation>
+    </message>
+    <message>
+        <source>%1 to %2%3</source>
+        <translation>de %1 a %2%3</translation>
+    </message>
+    <message>
+        <source>integers from %1 to %2%3</source>
+        <translation>enteros de %1 a %2%3</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>uno de %1</translation>
+    </message>
+    <message>
+        <source>any text</source>
+        <translation>cualquier texto</translation>
+    </message>
+    <message>
+        <source>no such parameter; %1</source>
+        <translation>no existe ese parámetro; %1</translation>
+    </message>
+    <message>
+        <source>no such parameter; did you mean %1?</source>
+        <translation>no existe ese parámetro; ¿quería decir %1?</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>no existe ese archivo</translation>
+    </message>
+    <message>
+        <source>is a directory; expected a file</source>
+        <translation>es una carpeta; se esperaba un archivo</translation>
+    </message>
+    <message>
+        <source>cannot open: %1</source>
+        <translation>no se puede abrir: %1</translation>
+    </message>
+    <message>
+        <source>is greater than %1 MiB</source>
+        <translation>ocupa más de %1 MiB</translation>
+    </message>
+    <message>
+        <source>cannot read: %1</source>
+        <translation>no se puede leer: %1</translation>
+    </message>
+    <message>
+        <source>damaged gzip file: %1</source>
+        <translation>archivo gzip dañado: %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2; expected a finite number</source>
+        <translation>%1 es %2; se esperaba un número finito</translation>
+    </message>
+    <message>
+        <source>found %1 fields; expected %2 numbers, %3</source>
+        <translation>se encontraron %1 campos; se esperaban %2 números, %3</translation>
+    </message>
+    <message>
+        <source>not a line of the format %1</source>
+        <translation>no es una línea del formato %1</translation>
+    </message>
+    <message>
+        <source>there is no such file; check the path</source>
+        <translation>no existe ese archivo; compruebe la ruta</translation>
+    </message>
+    <message>
+        <source>cannot be opened for reading: %1</source>
+        <translation>no se puede abrir para leer: %1</translation>
+    </message>
+    <message>
+        <source>is a folder; choose a log file inside it</source>
+        <translation>es una carpeta; elija un registro que esté dentro</translation>
+    </message>
+    <message>
+        <source>is no regular file; copy the log to one first</source>
+        <translation>no es un archivo normal; copie antes el registro a uno</translation>
+    </message>
+    <message>
+        <source>reading fails: %1</source>
+        <translation>la lectura falla: %1</translation>
+    </message>
+    <message>
+        <source>bytes that are not gzip follow the compressed data</source>
+        <translation>tras los datos comprimidos hay bytes que no son gzip</translation>
+    </message>
+    <message>
+        <source>the compressed data end early</source>
+        <translation>los datos comprimidos terminan antes de tiempo</translation>
+    </message>
+    <message>
+        <source>the compressed data are damaged</source>
+        <translation>los datos comprimidos están dañados</translation>
+    </message>
+    <message>
+        <source>the scan of line %1 (time %2) cannot be written as ranges: %3; write it in the normalized format</source>
+        <translation>el barrido de la línea %1 (tiempo %2) no se puede escribir como distancias: %3; escríbalo en el formato normalizado</translation>
+    </message>
+    <message>
+        <source>two of its points have one bearing</source>
+        <translation>dos de sus puntos tienen la misma dirección</translation>
+    </message>
+    <message>
+        <source>its points do not lie on regular rays</source>
+        <translation>sus puntos no están sobre rayos regulares</translation>
+    </message>
+    <message>
+        <source>a point belongs to ray %1 of %2</source>
+        <translation>un punto pertenece al rayo %1 de %2</translation>
+    </message>
+    <message>
+        <source>a point is %1 m away, its greatest range is %2 m</source>
+        <translation>un punto está a %1 m y su mayor alcance es de %2 m</translation>
+    </message>
+    <message>
+        <source>a whole number from 1</source>
+        <translation>un número entero desde 1</translation>
+    </message>
+    <message>
+        <source>a whole number from 0</source>
+        <translation>un número entero desde 0</translation>
+    </message>
+    <message>
+        <source>found %1 after %2, expected the end of the line</source>
+        <translation>se encontró %1 tras %2, se esperaba el final de la línea</translation>
+    </message>
+    <message>
+        <source>%1: found %2, expected %3</source>
+        <translation>%1: se encontró %2, se esperaba %3</translation>
+    </message>
+    <message>
+        <source>%1: found the end of the line, expected a value</source>
+        <translation>%1: se encontró el final de la línea, se esperaba un valor</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>a finite number below 1e12</source>
+        <translation>un número finito menor que 1e12</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un número entero</translation>
+    </message>
+    <message>
+        <source>the logger&apos;s time</source>
+        <translation>la hora del registrador</translation>
+    </message>
+    <message>
+        <source>num_remissions: found %1, but %2 fields follow</source>
+        <translation>num_remissions: se encontró %1, pero siguen %2 campos</translation>
+    </message>
+    <message>
+        <source>message name</source>
+        <translation>nombre del mensaje</translation>
+    </message>
+    <message>
+        <source>parameter name</source>
+        <translation>nombre del parámetro</translation>
+    </message>
+    <message>
+        <source>parameter value</source>
+        <translation>valor del parámetro</translation>
+    </message>
+    <message>
+        <source>the points that n announces</source>
+        <translation>los puntos que anuncia n</translation>
+    </message>
+    <message>
+        <source>the velocities</source>
+        <translation>las velocidades</translation>
+    </message>
+    <message>
+        <source>found no header of a Player line, expected time host robot interface index type subtype</source>
+        <translation>no se encontró la cabecera de una línea de Player, se esperaba time host robot interface index type subtype</translation>
+    </message>
+    <message>
+        <source>the frequency</source>
+        <translation>la frecuencia</translation>
+    </message>
+    <message>
+        <source>the width</source>
+        <translation>la anchura</translation>
+    </message>
+    <message>
+        <source>the readings that the count announces</source>
+        <translation>las lecturas que anuncia la cuenta</translation>
+    </message>
+    <message>
+        <source>found the ranges of a ranger whose angles are unknown, expected a line of type 4, subtype 5 before it</source>
+        <translation>se encontraron las distancias de un ranger cuyos ángulos no se conocen, se esperaba antes una línea de tipo 4, subtipo 5</translation>
+    </message>
+    <message>
+        <source>the ranges that the count announces</source>
+        <translation>las distancias que anuncia la cuenta</translation>
+    </message>
+    <message>
+        <source>readings: found none, expected range bearing intensity</source>
+        <translation>lecturas: no se encontró ninguna, se esperaba range bearing intensity</translation>
+    </message>
+    <message>
+        <source>the line is longer than 1 MiB</source>
+        <translation>la línea pasa de 1 MiB</translation>
+    </message>
+    <message>
+        <source>the line is not text (it holds control characters)</source>
+        <translation>la línea no es texto (contiene caracteres de control)</translation>
+    </message>
+    <message>
+        <source>it is bzip2 data; unpack them first</source>
+        <translation>son datos bzip2; descomprímalos antes</translation>
+    </message>
+    <message>
+        <source>it is xz data; unpack them first</source>
+        <translation>son datos xz; descomprímalos antes</translation>
+    </message>
+    <message>
+        <source>it is zstd data; unpack them first</source>
+        <translation>son datos zstd; descomprímalos antes</translation>
+    </message>
+    <message>
+        <source>it is a zip archive; unpack it first</source>
+        <translation>es un archivo zip; descomprímalo antes</translation>
+    </message>
+    <message>
+        <source>it is a ROS bag; convert it first, for example to CARMEN</source>
+        <translation>es una bolsa de ROS; conviértala antes, por ejemplo a CARMEN</translation>
+    </message>
+    <message>
+        <source>it is a PNG picture</source>
+        <translation>es una imagen PNG</translation>
+    </message>
+    <message>
+        <source>it is a JPEG picture</source>
+        <translation>es una imagen JPEG</translation>
+    </message>
+    <message>
+        <source>it is a PDF document</source>
+        <translation>es un documento PDF</translation>
+    </message>
+    <message>
+        <source>it is a program</source>
+        <translation>es un programa</translation>
+    </message>
+    <message>
+        <source>is a gzip file that holds nothing</source>
+        <translation>es un archivo gzip sin contenido</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>está vacío</translation>
+    </message>
+    <message>
+        <source>is gzip, but %1 before any line</source>
+        <translation>es gzip, pero %1 antes de cualquier línea</translation>
+    </message>
+    <message>
+        <source>it holds control characters</source>
+        <translation>contiene caracteres de control</translation>
+    </message>
+    <message>
+        <source>is not text once unpacked: %1</source>
+        <translation>una vez descomprimido no es texto: %1</translation>
+    </message>
+    <message>
+        <source>is not text: %1</source>
+        <translation>no es texto: %1</translation>
+    </message>
+    <message>
+        <source>holds nothing but comments</source>
+        <translation>no contiene más que comentarios</translation>
+    </message>
+    <message>
+        <source>no line is one of a format that Hitos reads; the first is &quot;%1&quot;</source>
+        <translation>ninguna línea es de un formato que Hitos lea; la primera es «%1»</translation>
+    </message>
+    <message>
+        <source>%1, expected a text log (%2), plain or gzip</source>
+        <translation>%1, se esperaba un registro de texto (%2), tal cual o gzip</translation>
+    </message>
+    <message>
+        <source>is not in the format %1 but looks like %2; choose the format %2 or auto</source>
+        <translation>no está en el formato %1 sino que parece %2; elija el formato %2 o auto</translation>
+    </message>
+    <message>
+        <source>nothing in it can be read as %1; it holds neither scans nor odometry</source>
+        <translation>nada de lo que contiene se puede leer como %1; no tiene barridos ni odometría</translation>
+    </message>
+    <message>
+        <source>nothing in it can be read as %1: %2</source>
+        <translation>nada de lo que contiene se puede leer como %1: %2</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>una tabla</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>una lista</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>una cadena de texto</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>un número entero</translation>
+    </message>
+    <message>
+        <source>a real number</source>
+        <translation>un número real</translation>
+    </message>
+    <message>
+        <source>a boolean</source>
+        <translation>un valor lógico</translation>
+    </message>
+    <message>
+        <source>a date or time</source>
+        <translation>una fecha u hora</translation>
+    </message>
+    <message>
+        <source>a string in quotes</source>
+        <translation>una cadena entre comillas</translation>
+    </message>
+    <message>
+        <source>[%1]: no such group</source>
+        <translation>[%1]: no existe ese grupo</translation>
+    </message>
+    <message>
+        <source>%1: found %2; expected a table [%1]</source>
+        <translation>%1: se encontró %2; se esperaba una tabla [%1]</translation>
+    </message>
+    <message>
+        <source>%1: found %2; expected %3, %4</source>
+        <translation>%1: se encontró %2; se esperaba %3, %4</translation>
+    </message>
+    <message>
+        <source>%1 mistakes:</source>
+        <translation>%1 errores:</translation>
+    </message>
+    <message>
+        <source>%1 is not UTF-8 and cannot stand in a configuration file</source>
+        <translation>%1 no es UTF-8 y no puede estar en un archivo de configuración</translation>
+    </message>
+    <message>
+        <source>found the byte 0x%1; expected UTF-8 text</source>
+        <translation>se encontró el byte 0x%1; se esperaba texto en UTF-8</translation>
+    </message>
+    <message>
+        <source>no group of parameters has this table</source>
+        <translation>ningún grupo de parámetros tiene esta tabla</translation>
+    </message>
+    <message>
+        <source>init.cfg lists all of them</source>
+        <translation>init.cfg los enumera todos</translation>
+    </message>
+    <message>
+        <source>expected key=value</source>
+        <translation>se esperaba clave=valor</translation>
+    </message>
+    <message>
+        <source>grid.hit and grid.miss both 0 draw nothing; give at least one of them another value</source>
+        <translation>con grid.hit y grid.miss a 0 no se dibuja nada; dé otro valor al menos a uno de ellos</translation>
+    </message>
+    <message>
+        <source>%1 m is less than a cell (grid.resolution %2 m); 0 draws rays whole</source>
+        <translation>%1 m es menos que una celda (grid.resolution %2 m); 0 dibuja los rayos enteros</translation>
+    </message>
+    <message>
+        <source>says that it reads %1, but there is no such parameter</source>
+        <translation>dice que lee %1, pero no existe ese parámetro</translation>
+    </message>
+    <message>
+        <source>expected 5 fields, name x1 y1 x2 y2</source>
+        <translation>se esperaban 5 campos, nombre x1 y1 x2 y2</translation>
+    </message>
+    <message>
+        <source>expected a word without commas and quotes</source>
+        <translation>se esperaba una palabra sin comas ni comillas</translation>
+    </message>
+    <message>
+        <source>found %1 fields; %2</source>
+        <translation>se encontraron %1 campos; %2</translation>
+    </message>
+    <message>
+        <source>the name is %1; %2</source>
+        <translation>el nombre es %1; %2</translation>
+    </message>
+    <message>
+        <source>the two points of %1 are %2 m apart; expected points on two walls, at least %3 m apart</source>
+        <translation>los dos puntos de %1 están a %2 m; se esperaban puntos sobre dos paredes, al menos a %3 m</translation>
+    </message>
+    <message>
+        <source>%1 stands twice in the file; expected each name once</source>
+        <translation>%1 está dos veces en el archivo; se esperaba cada nombre una sola vez</translation>
+    </message>
+    <message>
+        <source>no distance in the file; %1</source>
+        <translation>no hay ninguna distancia en el archivo; %1</translation>
+    </message>
+    <message>
+        <source>there is no distance between two walls to write</source>
+        <translation>no hay ninguna distancia entre dos paredes que escribir</translation>
+    </message>
+    <message>
+        <source>a distance is named %1; %2</source>
+        <translation>una distancia se llama %1; %2</translation>
+    </message>
+    <message>
+        <source>two distances are named %1; expected each name once</source>
+        <translation>dos distancias se llaman %1; se esperaba cada nombre una sola vez</translation>
+    </message>
+    <message>
+        <source>the two points of %1 are %2 m apart; expected at least %3 m</source>
+        <translation>los dos puntos de %1 están a %2 m; se esperaban al menos %3 m</translation>
+    </message>
+    <message>
+        <source>no landmark was observed</source>
+        <translation>no se observó ningún hito</translation>
+    </message>
+    <message>
+        <source>there is no map to put on a sheet</source>
+        <translation>no hay ningún mapa que poner en la hoja</translation>
+    </message>
+    <message>
+        <source>%1 maps are too many for one sheet of %2 pixels</source>
+        <translation>%1 mapas son demasiados para una hoja de %2 píxeles</translation>
+    </message>
+    <message>
+        <source>a drawing cannot be made in memory: %1</source>
+        <translation>no se puede hacer un dibujo en memoria: %1</translation>
+    </message>
+    <message>
+        <source>%1 is at (%2, %3) and cannot be drawn; expected coordinates up to %4 m: check the log&apos;s readings and the motion noise</source>
+        <translation>%1: está en (%2, %3) y no se puede dibujar; se esperaban coordenadas de hasta %4 m: compruebe las lecturas del registro y el ruido del movimiento</translation>
+    </message>
+    <message>
+        <source>landmark %1</source>
+        <translation>hito %1</translation>
+    </message>
+    <message>
+        <source>segment %1 belongs to landmark %2, which is no line of the map</source>
+        <translation>el segmento %1 pertenece al hito %2, que no es una recta del mapa</translation>
+    </message>
+    <message>
+        <source>an end of segment %1</source>
+        <translation>un extremo del segmento %1</translation>
+    </message>
+    <message>
+        <source>the path</source>
+        <translation>el camino</translation>
+    </message>
+    <message>
+        <source>%1: a drawing cannot be made there</source>
+        <translation>%1: ahí no se puede hacer un dibujo</translation>
+    </message>
+    <message>
+        <source>a drawing cannot be made: memory is exhausted</source>
+        <translation>no se puede hacer el dibujo: se agotó la memoria</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>no se puede crear: %1</translation>
+    </message>
+    <message>
+        <source>gnuplot is not installed (Debian: gnuplot-nox)</source>
+        <translation>gnuplot no está instalado (Debian: gnuplot-nox)</translation>
+    </message>
+    <message>
+        <source>gnuplot fails: %1</source>
+        <translation>gnuplot falla: %1</translation>
+    </message>
+    <message>
+        <source>expected &quot;rho: &lt;metres&gt; theta: &lt;degrees&gt;&quot; or &quot;x: &lt;metres&gt; y: &lt;metres&gt;&quot;</source>
+        <translation>se esperaba «rho: &lt;metros&gt; theta: &lt;grados&gt;» o «x: &lt;metros&gt; y: &lt;metros&gt;»</translation>
+    </message>
+    <message>
+        <source>found %1 after the feature; expected the end of the line</source>
+        <translation>se encontró %1 tras la característica; se esperaba el final de la línea</translation>
+    </message>
+    <message>
+        <source>found %1; %2</source>
+        <translation>se encontró %1; %2</translation>
+    </message>
+    <message>
+        <source>no landmark in the file; %1</source>
+        <translation>no hay ningún hito en el archivo; %1</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>recta</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>esquina</translation>
+    </message>
+    <message>
+        <source>landmark %1 of the map, a %2 (%3, %4), is not finite and cannot be written</source>
+        <translation>el hito %1 del mapa, una %2 (%3, %4), no es finito y no se puede escribir</translation>
+    </message>
+    <message>
+        <source>no pose of the reference trajectory is as old as the first scan</source>
+        <translation>ninguna pose de la trayectoria de referencia es tan antigua como el primer barrido</translation>
+    </message>
+    <message>
+        <source>nothing was estimated</source>
+        <translation>no se estimó nada</translation>
+    </message>
+    <message>
+        <source>found the extension &quot;%1&quot;; pictures are written as .png, .jpg or .jpeg</source>
+        <translation>se encontró la extensión «%1»; las imágenes se escriben como .png, .jpg o .jpeg</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no kind of picture; allowed: one of png, jpg, jpeg</source>
+        <translation>«%1» no es un tipo de imagen; se permite: uno de png, jpg, jpeg</translation>
+    </message>
+    <message>
+        <source>JPG holds at most %1 pixels a side and the picture has %2 x %3; write PNG instead</source>
+        <translation>JPG admite como mucho %1 píxeles por lado y la imagen tiene %2 x %3; escriba PNG en su lugar</translation>
+    </message>
+    <message>
+        <source>the picture could not be encoded</source>
+        <translation>la imagen no se pudo codificar</translation>
+    </message>
+    <message>
+        <source>the picture could not be encoded: %1</source>
+        <translation>la imagen no se pudo codificar: %1</translation>
+    </message>
+    <message>
+        <source>%1 is out of range; allowed: integers from 1 to %2</source>
+        <translation>%1 está fuera del rango; se permite: enteros de 1 a %2</translation>
+    </message>
+    <message>
+        <source>the grid map is empty: there is nothing to draw</source>
+        <translation>el mapa de celdas está vacío: no hay nada que dibujar</translation>
+    </message>
+    <message>
+        <source>a picture of %1 x %2 pixels is too great; use a smaller scale or coarser cells</source>
+        <translation>una imagen de %1 x %2 píxeles es demasiado grande; use una escala menor o celdas mayores</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>no se puede leer</translation>
+    </message>
+    <message>
+        <source>is no picture; expected a PNG or JPG file</source>
+        <translation>no es una imagen; se esperaba un archivo PNG o JPG</translation>
+    </message>
+    <message>
+        <source>landmark is %1; expected the number of a line of the map, counted from 1</source>
+        <translation>el hito es %1; se esperaba el número de una recta del mapa, contado desde 1</translation>
+    </message>
+    <message>
+        <source>segment %1 belongs to landmark %2, which is no line of the map of %3 landmarks</source>
+        <translation>el segmento %1 pertenece al hito %2, que no es una recta del mapa de %3 hitos</translation>
+    </message>
+    <message>
+        <source>segment %1, from (%2, %3) to (%4, %5), is not finite and cannot be written</source>
+        <translation>el segmento %1, de (%2, %3) a (%4, %5), no es finito y no se puede escribir</translation>
+    </message>
+    <message>
+        <source>the quaternion&apos;s length is %1; expected 1</source>
+        <translation>la longitud del cuaternión es %1; se esperaba 1</translation>
+    </message>
+    <message>
+        <source>no pose in the file; expected 8 numbers, t x y z qx qy qz qw on each line</source>
+        <translation>no hay ninguna pose en el archivo; se esperaban 8 números, t x y z qx qy qz qw en cada línea</translation>
+    </message>
+    <message>
+        <source>pose %1 of the trajectory (t %2, x %3, y %4, theta %5) is not finite and cannot be written</source>
+        <translation>la pose %1 de la trayectoria (t %2, x %3, y %4, theta %5) no es finita y no se puede escribir</translation>
+    </message>
+    <message>
+        <source>found no readable scan</source>
+        <translation>no se encontró ningún barrido legible</translation>
+    </message>
+    <message>
+        <source>found no readable scan; %1 damaged lines were skipped, the first is line %2: %3</source>
+        <translation>no se encontró ningún barrido legible; líneas dañadas que se saltaron: %1, la primera es la línea %2: %3</translation>
+    </message>
+    <message>
+        <source>%1; expected at least one scan: check the file and its format</source>
+        <translation>%1; se esperaba al menos un barrido: compruebe el archivo y su formato</translation>
+    </message>
+    <message>
+        <source>is no folder of results: it has no summary.json; choose one that Save all results or hitos-cli run --out has written</source>
+        <translation>no es una carpeta de resultados: no tiene summary.json; elija una que haya escrito Guardar todos los resultados o hitos-cli run --out</translation>
+    </message>
+    <message>
+        <source>is no summary of a run: %1</source>
+        <translation>no es el resumen de una ejecución: %1</translation>
+    </message>
+    <message>
+        <source>has a segment of line %1, and map.txt beside it %2 lines; the folder mixes the files of several runs</source>
+        <translation>tiene un segmento de la recta %1, y map.txt a su lado %2 rectas; la carpeta mezcla los archivos de varias ejecuciones</translation>
+    </message>
+    <message>
+        <source>found no file name; expected the path of a log</source>
+        <translation>no se encontró ningún nombre de archivo; se esperaba la ruta de un registro</translation>
+    </message>
+    <message>
+        <source>cannot make this output folder: %1; give another with --out</source>
+        <translation>no se puede crear esta carpeta de salida: %1; dé otra con --out</translation>
+    </message>
+    <message>
+        <source>a file is in its place</source>
+        <translation>hay un archivo en su lugar</translation>
+    </message>
+    <message>
+        <source>internal error: %1</source>
+        <translation>error interno: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are not there: %3%4; start the shards that lack them again</source>
+        <translation>faltan %1 de %2 ejecuciones: %3%4; vuelva a lanzar las partes a las que les faltan</translation>
+    </message>
+    <message>
+        <source>is of another study than %1: program, configuration, log, values or seeds differ</source>
+        <translation>es de otro estudio que %1: difieren el programa, la configuración, el registro, los valores o las semillas</translation>
+    </message>
+    <message>
+        <source>cannot make this output folder: %1</source>
+        <translation>no se puede crear esta carpeta de salida: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>no se puede leer hasta el final</translation>
+    </message>
+    <message>
+        <source>expected format %1</source>
+        <translation>se esperaba el formato %1</translation>
+    </message>
+    <message>
+        <source>the plan is damaged</source>
+        <translation>el plan está dañado</translation>
+    </message>
+    <message>
+        <source>is no plan of a study: %1</source>
+        <translation>no es el plan de un estudio: %1</translation>
+    </message>
+    <message>
+        <source>found no value to study</source>
+        <translation>no se encontró ningún valor que estudiar</translation>
+    </message>
+    <message>
+        <source>has no effect on a landmark map; a study draws grids only to measure and show its runs</source>
+        <translation>no tiene efecto sobre un mapa de hitos; un estudio dibuja celdas solo para medir y mostrar sus ejecuciones</translation>
+    </message>
+    <message>
+        <source>%1 is set by the study itself; say the number of runs and the first seed instead</source>
+        <translation>%1 lo fija el propio estudio; diga en su lugar el número de ejecuciones y la primera semilla</translation>
+    </message>
+    <message>
+        <source>a value has %1 components, expected %2</source>
+        <translation>un valor tiene %1 componentes, se esperaban %2</translation>
+    </message>
+    <message>
+        <source>the value %1 is given twice</source>
+        <translation>el valor %1 se da dos veces</translation>
+    </message>
+    <message>
+        <source>has no effect where %1 is %2; set it to %3</source>
+        <translation>no tiene efecto donde %1 es %2; póngalo a %3</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected one of %2</source>
+        <translation>se encontró «%1», se esperaba uno de %2</translation>
+    </message>
+    <message>
+        <source>found %1 parameters; a study varies two at the most</source>
+        <translation>se encontraron %1 parámetros; un estudio varía dos como mucho</translation>
+    </message>
+    <message>
+        <source>found %1 for each value, expected 1 to %2</source>
+        <translation>se encontró %1 para cada valor, se esperaba de 1 a %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more go beyond %3</source>
+        <translation>%1 y %2 más pasan de %3</translation>
+    </message>
+    <message>
+        <source>is varied by both parameters of the study</source>
+        <translation>lo varían los dos parámetros del estudio</translation>
+    </message>
+    <message>
+        <source>is a folder; expected the path of the quality file to write</source>
+        <translation>es una carpeta; se esperaba la ruta del archivo de calidad que escribir</translation>
+    </message>
+    <message>
+        <source>no run gave a figure for %1</source>
+        <translation>ninguna ejecución dio una cifra de %1</translation>
+    </message>
+    <message>
+        <source>found %1</source>
+        <translation>se encontró %1</translation>
+    </message>
+    <message>
+        <source>is not set</source>
+        <translation>no está definida</translation>
+    </message>
+    <message>
+        <source>%1, expected a whole number; say the shard with --shard i/n</source>
+        <translation>%1, se esperaba un número entero; diga la parte con --shard i/n</translation>
+    </message>
+    <message>
+        <source>found task %1 of an array from %2 to %3 by %4; say the shard with --shard i/n</source>
+        <translation>se encontró la tarea %1 de una serie de %2 a %3 de %4 en %4; diga la parte con --shard i/n</translation>
+    </message>
+    <message>
+        <source>found %1 tasks in an array from %2 to %3 by %4: it has gaps; say the shard with --shard i/n</source>
+        <translation>se encontraron %1 tareas en una serie de %2 a %3 de %4 en %4: tiene huecos; diga la parte con --shard i/n</translation>
+    </message>
+    <message>
+        <source>found %1, expected i/n with 1 &lt;= i &lt;= n, such as 2/8</source>
+        <translation>se encontró %1, se esperaba i/n con 1 &lt;= i &lt;= n, como 2/8</translation>
+    </message>
+    <message>
+        <source>found task %1, but PBS does not tell how many there are; say the shard with --shard $%2/n</source>
+        <translation>se encontró la tarea %1, pero PBS no dice cuántas hay; diga la parte con --shard $%2/n</translation>
+    </message>
+    <message>
+        <source>%1 is not a number; expected a range from:to:step such as 0.01:0.05:0.01</source>
+        <translation>%1 no es un número; se esperaba un rango desde:hasta:paso como 0.01:0.05:0.01</translation>
+    </message>
+    <message>
+        <source>number of particles</source>
+        <translation>número de partículas</translation>
+    </message>
+    <message>
+        <source>greatest distance of a point from its line, m</source>
+        <translation>mayor distancia de un punto a su recta, m</translation>
+    </message>
+    <message>
+        <source>shortest line, m</source>
+        <translation>recta más corta, m</translation>
+    </message>
+    <message>
+        <source>fewest points of a line</source>
+        <translation>menor número de puntos de una recta</translation>
+    </message>
+    <message>
+        <source>variance of rho in m^2, variance of theta in rad^2</source>
+        <translation>varianza de rho en m^2, varianza de theta en rad^2</translation>
+    </message>
+    <message>
+        <source>standard deviation of x in m, of y in m, of theta in rad; with motion.unit = &quot;variance&quot; in the configuration the variances of the thesis&apos;s text, in m^2, m^2, rad^2</source>
+        <translation>desviación típica de x en m, de y en m, de theta en rad; con motion.unit = &quot;variance&quot; en la configuración, las varianzas del texto de la tesis, en m^2, m^2, rad^2</translation>
+    </message>
+    <message>
+        <source>likelihood of a new landmark</source>
+        <translation>verosimilitud de un hito nuevo</translation>
+    </message>
+    <message>
+        <source>collinearity thresholds: rho in m, theta in rad</source>
+        <translation>umbrales de colinealidad: rho en m, theta en rad</translation>
+    </message>
+    <message>
+        <source>greatest distance of a corner from its lines, m</source>
+        <translation>mayor distancia de una esquina a sus rectas, m</translation>
+    </message>
+    <message>
+        <source>no such parameter; expected one of %1</source>
+        <translation>no existe ese parámetro; se esperaba uno de %1</translation>
+    </message>
+    <message>
+        <source>names a key twice</source>
+        <translation>nombra una clave dos veces</translation>
+    </message>
+    <message>
+        <source>found %1 values; each run takes %2</source>
+        <translation>se encontraron %1 valores; cada ejecución toma %2</translation>
+    </message>
+    <message>
+        <source>expected name=value,value,… or name=from:to:step</source>
+        <translation>se esperaba nombre=valor,valor,… o nombre=desde:hasta:paso</translation>
+    </message>
+    <message>
+        <source>found an empty value</source>
+        <translation>se encontró un valor vacío</translation>
+    </message>
+    <message>
+        <source>found %1 of %2 components; each run takes %3, joined by &apos;/&apos;</source>
+        <translation>se encontró %1, de %2 componentes; cada ejecución toma %3, unidos por &apos;/&apos;</translation>
+    </message>
+    <message>
+        <source>expected a range from:to:step</source>
+        <translation>se esperaba un rango desde:hasta:paso</translation>
+    </message>
+    <message>
+        <source>the step does not lead from the first to the last</source>
+        <translation>el paso no lleva del primero al último</translation>
+    </message>
+    <message>
+        <source>has more than %1 values</source>
+        <translation>tiene más de %1 valores</translation>
+    </message>
+    <message>
+        <source>way point %1 at (%2, %3)</source>
+        <translation>punto de paso %1 en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>way point %1 at (%2, %3) of lap %4</source>
+        <translation>punto de paso %1 en (%2, %3) de la vuelta %4</translation>
+    </message>
+    <message>
+        <source>wall %1, (%2, %3) to (%4, %5)</source>
+        <translation>pared %1, de (%2, %3) a (%4, %5)</translation>
+    </message>
+    <message>
+        <source>the start at (%1, %2) is %3 m from %4; expected at least the robot&apos;s radius of %5 m</source>
+        <translation>la salida en (%1, %2) está a %3 m de %4; se esperaba al menos el radio del robot, %5 m</translation>
+    </message>
+    <message>
+        <source>%1 is %2 m from %3; expected more than %4 m, twice the tolerance at which it is passed</source>
+        <translation>%1 está a %2 m de %3; se esperaban más de %4 m, el doble de la tolerancia con que se pasa</translation>
+    </message>
+    <message>
+        <source>the start</source>
+        <translation>la salida</translation>
+    </message>
+    <message>
+        <source>the one before</source>
+        <translation>el anterior</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached: the robot is still %2 m away after %3 s; raise robot.tolerance or the accelerations</source>
+        <translation>%1 no se puede alcanzar: el robot sigue a %2 m tras %3 s; suba robot.tolerance o las aceleraciones</translation>
+    </message>
+    <message>
+        <source>takes more than %1 control steps; expected a shorter tour or a faster robot</source>
+        <translation>necesita más de %1 pasos de control; se esperaba un recorrido más corto o un robot más rápido</translation>
+    </message>
+    <message>
+        <source>on the way to %1 the robot comes within %2 m of %3; expected at least its radius of %4 m</source>
+        <translation>de camino a %1 el robot se acerca a %2 m de %3; se esperaba al menos su radio, %4 m</translation>
+    </message>
+    <message>
+        <source>a mesh</source>
+        <translation>una malla</translation>
+    </message>
+    <message>
+        <source>a polyline fitted to a curve</source>
+        <translation>una polilínea ajustada a una curva</translation>
+    </message>
+    <message>
+        <source>a polyline with arcs (bulges)</source>
+        <translation>una polilínea con arcos (bulges)</translation>
+    </message>
+    <message>
+        <source>an ARC</source>
+        <translation>un ARC</translation>
+    </message>
+    <message>
+        <source>a CIRCLE</source>
+        <translation>un CIRCLE</translation>
+    </message>
+    <message>
+        <source>an ELLIPSE</source>
+        <translation>un ELLIPSE</translation>
+    </message>
+    <message>
+        <source>a SPLINE</source>
+        <translation>un SPLINE</translation>
+    </message>
+    <message>
+        <source>an inserted block (INSERT)</source>
+        <translation>un bloque insertado (INSERT)</translation>
+    </message>
+    <message>
+        <source>is a directory; expected a DXF drawing</source>
+        <translation>es una carpeta; se esperaba un dibujo DXF</translation>
+    </message>
+    <message>
+        <source>cannot be read; expected a DXF drawing</source>
+        <translation>no se puede leer; se esperaba un dibujo DXF</translation>
+    </message>
+    <message>
+        <source>the drawing</source>
+        <translation>el dibujo</translation>
+    </message>
+    <message>
+        <source>layer &quot;%1&quot;</source>
+        <translation>la capa «%1»</translation>
+    </message>
+    <message>
+        <source>%1 holds %2; walls are straight: expected LINE, LWPOLYLINE and POLYLINE (explode blocks, draw arcs as polylines, or name the walls&apos; layer)</source>
+        <translation>%1 contiene %2; las paredes son rectas: se esperaban LINE, LWPOLYLINE y POLYLINE (descomponga los bloques, dibuje los arcos como polilíneas o nombre la capa de las paredes)</translation>
+    </message>
+    <message>
+        <source>%1 holds no wall; expected LINE, LWPOLYLINE or POLYLINE entities of an ASCII DXF drawing</source>
+        <translation>%1 no contiene ninguna pared; se esperaban entidades LINE, LWPOLYLINE o POLYLINE de un dibujo DXF en ASCII</translation>
+    </message>
+    <message>
+        <source>%1 holds a polyline of one point; a wall needs two</source>
+        <translation>%1 contiene una polilínea de un punto; una pared necesita dos</translation>
+    </message>
+    <message>
+        <source>holds a point that is not finite</source>
+        <translation>contiene un punto que no es finito</translation>
+    </message>
+    <message>
+        <source>found %1, expected a number of 0 or more</source>
+        <translation>se encontró %1, se esperaba un número desde 0</translation>
+    </message>
+    <message>
+        <source>found %1 m for walls over %2 x %3 m, which is %4 cells; expected at most %5, so take greater cells</source>
+        <translation>se encontró %1 m para paredes sobre %2 x %3 m, que son %4 celdas; se esperaban como mucho %5: tome celdas mayores</translation>
+    </message>
+    <message>
+        <source>found %1, expected more than 0</source>
+        <translation>se encontró %1, se esperaba más de 0</translation>
+    </message>
+    <message>
+        <source>[%1]: no such group; expected [tour], [robot], [laser], [raster] or [odometry]</source>
+        <translation>[%1]: no existe ese grupo; se esperaba [tour], [robot], [laser], [raster] u [odometry]</translation>
+    </message>
+    <message>
+        <source>found no walls; expected the key walls or walls_dxf</source>
+        <translation>no se encontró ninguna pared; se esperaba la clave walls o walls_dxf</translation>
+    </message>
+    <message>
+        <source>found no way points; expected way_points = [[x, y], ...] in [tour]</source>
+        <translation>no se encontró ningún punto de paso; se esperaba way_points = [[x, y], ...] en [tour]</translation>
+    </message>
+    <message>
+        <source>dxf_unit: expected the metres per drawing unit, more than 0</source>
+        <translation>dxf_unit: se esperaban los metros por unidad del dibujo, más de 0</translation>
+    </message>
+    <message>
+        <source>%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, seed, [tour], [robot], [laser], [raster] or [odometry]</source>
+        <translation>%1: no existe esa clave; se esperaba walls, walls_dxf, dxf_layer, dxf_unit, seed, [tour], [robot], [laser], [raster] u [odometry]</translation>
+    </message>
+    <message>
+        <source>%1: expected %2</source>
+        <translation>%1: se esperaba %2</translation>
+    </message>
+    <message>
+        <source>walls: expected a list of polylines</source>
+        <translation>walls: se esperaba una lista de polilíneas</translation>
+    </message>
+    <message>
+        <source>wall %1: found %2, expected two points or more, [[x, y], [x, y]]</source>
+        <translation>pared %1: se encontró %2, se esperaban dos puntos o más, [[x, y], [x, y]]</translation>
+    </message>
+    <message>
+        <source>no list of points</source>
+        <translation>ninguna lista de puntos</translation>
+    </message>
+    <message>
+        <source>no point</source>
+        <translation>ningún punto</translation>
+    </message>
+    <message>
+        <source>one point</source>
+        <translation>un punto</translation>
+    </message>
+    <message>
+        <source>wall %1</source>
+        <translation>pared %1</translation>
+    </message>
+    <message>
+        <source>wall %1: found the point (%2, %3) twice in a row, expected two different ones</source>
+        <translation>pared %1: se encontró el punto (%2, %3) dos veces seguidas, se esperaban dos distintos</translation>
+    </message>
+    <message>
+        <source>walls_dxf: %1: no such file</source>
+        <translation>walls_dxf: %1: no existe ese archivo</translation>
+    </message>
+    <message>
+        <source>tour.start: expected [x, y, heading] in metres and degrees</source>
+        <translation>tour.start: se esperaba [x, y, rumbo] en metros y grados</translation>
+    </message>
+    <message>
+        <source>tour.way_points: found none, expected [[x, y], ...]</source>
+        <translation>tour.way_points: no se encontró ninguno, se esperaba [[x, y], ...]</translation>
+    </message>
+    <message>
+        <source>way point %1</source>
+        <translation>punto de paso %1</translation>
+    </message>
+    <message>
+        <source>%1: expected a point [x, y] within %2 m of the origin</source>
+        <translation>%1: se esperaba un punto [x, y] a menos de %2 m del origen</translation>
+    </message>
+    <message>
+        <source>%1: expected a string in quotes</source>
+        <translation>%1: se esperaba una cadena entre comillas</translation>
+    </message>
+    <message>
+        <source>is a directory; expected a world file</source>
+        <translation>es una carpeta; se esperaba un archivo de mundo</translation>
+    </message>
+    <message>
+        <source>found %1, expected %2</source>
+        <translation>se encontró %1, se esperaba %2</translation>
+    </message>
+    <message>
+        <source>a whole number, %1 to %2</source>
+        <translation>un número entero, de %1 a %2</translation>
+    </message>
+    <message>
+        <source>no such key; expected one of %1</source>
+        <translation>no existe esa clave; se esperaba una de %1</translation>
+    </message>
+    <message>
+        <source>found no &quot;=&quot;, expected KEY=VALUE</source>
+        <translation>no se encontró «=», se esperaba CLAVE=VALOR</translation>
+    </message>
+    <message>
+        <source>found none, expected one or more</source>
+        <translation>no se encontró ninguno, se esperaba uno o más</translation>
+    </message>
+    <message>
+        <source>no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta all 0 can never move; give at least one of them a value above 0</source>
+        <translation>no-odometry con motion.sigma_x, motion.sigma_y y motion.sigma_theta a 0 no se puede mover nunca; dé al menos a uno un valor mayor que 0</translation>
+    </message>
+    <message>
+        <source>%1 is less than association.gate_probability %2; an observation inside that gate cannot be new</source>
+        <translation>%1 es menor que association.gate_probability %2; una observación dentro de esa puerta no puede ser nueva</translation>
+    </message>
+    <message>
+        <source>graph-slam needs registration, and the run has none</source>
+        <translation>graph-slam necesita el registro de barridos, y la ejecución no lo tiene</translation>
+    </message>
+    <message>
+        <source>&quot;registered&quot; needs registration, and this run has none; choose another motion model, or give every step what registration says of it</source>
+        <translation>«registered» necesita el registro de barridos, y esta ejecución no lo tiene; elija otro modelo de movimiento o dé a cada paso lo que el registro dice de él</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot; for the world %2, expected auto: it is no log</source>
+        <translation>se encontró «%1» para el mundo %2, se esperaba auto: no es un registro</translation>
+    </message>
+    <message>
+        <source>found &apos;%1&apos;, expected one of %2</source>
+        <translation>se encontró «%1», se esperaba uno de %2</translation>
+    </message>
+    <message>
+        <source>is not there; it comes with Hitos: start the program from its folder</source>
+        <translation>no está; viene con Hitos: arranque el programa desde su carpeta</translation>
+    </message>
+    <message>
+        <source>found %1 of each value, expected 1 to %2</source>
+        <translation>se encontró %1 de cada valor, se esperaba de 1 a %2</translation>
+    </message>
+    <message>
+        <source>found &apos;%1&apos;, expected a figure&apos;s number, a world or a parameter of %2</source>
+        <translation>se encontró «%1», se esperaba el número de una figura, un mundo o un parámetro de %2</translation>
+    </message>
+    <message>
+        <source>cannot make this folder: %1</source>
+        <translation>no se puede crear esta carpeta: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>no se puede escribir: %1</translation>
+    </message>
+    <message>
+        <source>the thesis has no table for this parameter</source>
+        <translation>la tesis no tiene ninguna tabla de este parámetro</translation>
+    </message>
+    <message>
+        <source>the thesis says no range for world &apos;%1&apos;</source>
+        <translation>la tesis no dice ningún rango para el mundo «%1»</translation>
+    </message>
+    <message>
+        <source>no such world file; the worlds that come with Hitos are %1</source>
+        <translation>no existe ese archivo de mundo; los mundos que vienen con Hitos son %1</translation>
+    </message>
+    <message>
+        <source>no such log, nor a world of that name; the worlds that come with Hitos are %1</source>
+        <translation>no existe ese registro, ni un mundo con ese nombre; los mundos que vienen con Hitos son %1</translation>
+    </message>
+</context>
+<context>
     <name>Landmarks</name>
     <message>
         <source>Line %1</source>
@@ -1418,6 +2625,10 @@
         <source>No animation was written.</source>
         <translation>No se ha escrito ninguna animación.</translation>
     </message>
+    <message>
+        <source>Making the film; the frames are there…</source>
+        <translation>Haciendo la película; los fotogramas ya están…</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::AssociationInspector</name>
@@ -1565,6 +2776,10 @@
     <message>
         <source>No grid map of %1: %2</source>
         <translation>Sin mapa de rejilla de la %1: %2</translation>
+    </message>
+    <message>
+        <source>The logs differ: %1 and %2</source>
+        <translation>Los registros difieren: %1 y %2</translation>
     </message>
 </context>
 <context>
@@ -2399,7 +3614,7 @@
     </message>
     <message>
         <source>&amp;Layers</source>
-        <translation>&amp;Capas</translation>
+        <translation>Ca&amp;pas</translation>
     </message>
 </context>
 <context>
@@ -2539,12 +3754,12 @@
         <translation>Guardar como archivo de distancias</translation>
     </message>
     <message>
-        <source>Distances between walls saved: %1 (%2 of %3 measurements)</source>
-        <translation>Distancias entre paredes guardadas: %1 (%2 de %3 medidas)</translation>
-    </message>
-    <message>
         <source>%1; %2 without a true value, with what is measured now</source>
         <translation>%1; %2 sin valor verdadero, con lo que se mide ahora</translation>
+    </message>
+    <message>
+        <source>%1 of %2 measurements, those between walls, saved: %3</source>
+        <translation>%1 de %2 medidas, las que hay entre paredes, guardadas: %3</translation>
     </message>
 </context>
 <context>

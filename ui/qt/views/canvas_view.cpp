@@ -171,12 +171,13 @@ QSize CanvasView::picture_size(bool whole, double scale) const {
 Picture CanvasView::picture(bool whole, double scale) const {
     const QSize pixels = picture_size(whole, scale);
     if (pixels.width() > kLongestSide || pixels.height() > kLongestSide) {
-        throw Error(tr("The picture would have %1 × %2 pixels and may have %3 a side; choose a "
-                       "smaller scale.")
-                        .arg(pixels.width())
-                        .arg(pixels.height())
-                        .arg(kLongestSide)
-                        .toStdString());
+        throw Error(
+            verbatim(tr("The picture would have %1 × %2 pixels and may have %3 a side; choose a "
+                        "smaller scale.")
+                         .arg(pixels.width())
+                         .arg(pixels.height())
+                         .arg(kLongestSide)
+                         .toStdString()));
     }
     const QSizeF logical = QSizeF(pixels) / scale;
     return {logical, scale, [this, whole, logical](QPaintDevice& device, double by) {

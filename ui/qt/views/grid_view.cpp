@@ -71,6 +71,8 @@ void GridView::set_grid(const GridTiles& tiles, const Trajectory& path) {
 
 void GridView::set_landmarks(const MarkedMap& landmarks) {
     landmarks_ = landmarks;
+    hovered_ = -1;
+    hover_again();
     update();
 }
 

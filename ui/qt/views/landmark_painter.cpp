@@ -214,23 +214,29 @@ int find_same(const LandmarkMap& map, const std::optional<ICaracteristica>& want
 }
 
 QStringList describe(const ICaracteristica& world, int index) {
-    const double sigma_0 = std::sqrt(std::max(world.covariance(0, 0), 0.0));
-    const double sigma_1 = std::sqrt(std::max(world.covariance(1, 1), 0.0));
+    // A file of results tells no covariance and no number of observations.
+    const bool known = !world.covariance.isZero(0.0);
+    const auto value = [&](double number, int place, double factor, int decimals) {
+        QString words = QString::number(number * factor, 'f', decimals);
+        if (!known) return words;
+        const double sigma = std::sqrt(std::max(world.covariance(place, place), 0.0));
+        return words + " ± " + QString::number(sigma * factor, 'f', decimals);
+    };
     QStringList lines;
     if (const auto* recta = std::get_if<Recta>(&world.value)) {
         lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Line %1")).arg(index + 1)
-              << QString("ρ  %1 ± %2 m").arg(recta->rho, 0, 'f', 3).arg(sigma_0, 0, 'f', 3)
-              << QString("θ  %1 ± %2°")
-                     .arg(recta->theta * kDegrees, 0, 'f', 2)
-                     .arg(sigma_1 * kDegrees, 0, 'f', 2);
+              << QString("ρ  %1 m").arg(value(recta->rho, 0, 1.0, 3))
+              << QString("θ  %1°").arg(value(recta->theta, 1, kDegrees, 2));
     } else {
         const auto& esquina = std::get<Esquina>(world.value);
         lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Corner %1")).arg(index + 1)
-              << QString("x  %1 ± %2 m").arg(esquina.x, 0, 'f', 3).arg(sigma_0, 0, 'f', 3)
-              << QString("y  %1 ± %2 m").arg(esquina.y, 0, 'f', 3).arg(sigma_1, 0, 'f', 3);
+              << QString("x  %1 m").arg(value(esquina.x, 0, 1.0, 3))
+              << QString("y  %1 m").arg(value(esquina.y, 1, 1.0, 3));
     }
-    lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Observed %1 times"))
-                 .arg(world.observations);
+    if (world.observations > 0) {
+        lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Observed %1 times"))
+                     .arg(world.observations);
+    }
     return lines;
 }
 

@@ -36,7 +36,8 @@ QByteArray pixels_of(const QImage& image, const QString& path) {
     if (!image.save(&buffer, jpeg ? "JPG" : "PNG", jpeg ? kJpegQuality : -1)) {
         throw FileError(
             path.toStdString(),
-            words(QT_TRANSLATE_NOOP("Picture", "the picture could not be encoded")).toStdString());
+            verbatim(words(QT_TRANSLATE_NOOP("Picture", "the picture could not be encoded"))
+                         .toStdString()));
     }
     return bytes;
 }
@@ -78,22 +79,24 @@ void write_bytes(const QByteArray& bytes, const QString& path) {
 void check_ending(const QString& path, const QStringList& known) {
     if (known.contains(ending_of(path))) return;
     throw FileError(path.toStdString(),
-                    words(QT_TRANSLATE_NOOP("Picture", "pictures are written as %1"))
-                        .arg("." + known.join(", ."))
-                        .toStdString());
+                    verbatim(words(QT_TRANSLATE_NOOP("Picture", "pictures are written as %1"))
+                                 .arg("." + known.join(", ."))
+                                 .toStdString()));
 }
 
 }  // namespace
 
-Picture picture_of(QCustomPlot& plot, double scale) {
+Picture picture_of(QCustomPlot& plot, double scale, std::function<void(const Colours&)> style) {
     Picture picture;
     picture.size = plot.size();
     picture.scale = scale;
-    picture.paint = [&plot](QPaintDevice& device, double by) {
+    picture.paint = [&plot, style = std::move(style)](QPaintDevice& device, double by) {
+        style(light_colours());
         QCPPainter painter(&device);
         painter.setMode(QCPPainter::pmVectorized);
         painter.scale(by, by);
         plot.toPainter(&painter, plot.width(), plot.height());
+        style(colours());
     };
     return picture;
 }

@@ -11,6 +11,8 @@ class QPaintDevice;
 
 namespace hitos::window {
 
+struct Colours;
+
 /// Something that can be painted at any scale.
 struct Picture {
     QSizeF size;         ///< in points of the screen
@@ -21,7 +23,8 @@ struct Picture {
     QSize pixels() const { return (size * scale).toSize(); }
 };
 
-Picture picture_of(QCustomPlot& plot, double scale);
+/// `style` gives the plot its colours; the picture's are the light ones, whatever the screen's.
+Picture picture_of(QCustomPlot& plot, double scale, std::function<void(const Colours&)> style);
 
 QImage image_of(const Picture& picture);
 

@@ -2,10 +2,6 @@
 
 #include <qcustomplot.h>
 
-#include <QApplication>
-#include <QContextMenuEvent>
-#include <QMenu>
-#include <QMouseEvent>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -73,7 +69,9 @@ int columns_for(std::size_t plots) {
 Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
     : QWidget(parent), session_(session), plot_(new QCustomPlot(this)) {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    column->setContentsMargins(1, 1, 1, 1);  // where one sees that it has the keyboard
+    setObjectName("plots");
+    setFocusPolicy(Qt::StrongFocus);
     column->addWidget(plot_);
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
@@ -82,15 +80,7 @@ Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
     plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     plot_->installEventFilter(this);
     plot_->setMouseTracking(true);
-    connect(plot_, &QCustomPlot::mousePress, this,
-            [this](QMouseEvent* event) { pressed_ = event->position().toPoint(); });
-    connect(plot_, &QCustomPlot::mouseRelease, this, [this](QMouseEvent* event) {
-        const QPoint place = event->position().toPoint();
-        const bool moved =
-            (place - pressed_).manhattanLength() >= QApplication::startDragDistance();
-        if (event->button() == Qt::LeftButton && !moved) go_to(place);
-    });
-    connect(plot_, &QCustomPlot::mouseDoubleClick, this, &Plots::show_all_times);
+    follow_clicks();
     clock_.start();
     connect(&session, &Session::restarted, this, &Plots::clear);
     connect(&session, &Session::references_changed, this, &Plots::clear);
@@ -191,7 +181,12 @@ QCPItemStraightLine* Plots::add_line(QCPAxisRect* rect) {
 }
 
 void Plots::restyle() {
-    const Colours& c = colours();
+    style(colours());
+    hide_values();
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void Plots::style(const Colours& c) {
     plot_->setBackground(c.card);
     const QFont small = plot_font(font());
     for (const Shown& shown : shown_) {
@@ -206,8 +201,6 @@ void Plots::restyle() {
         }
         style_plot(*shown.rect, *shown.title, c, small);
     }
-    hide_values();
-    plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 /// Nothing is known of the run, or of what it is measured against.
@@ -325,28 +318,8 @@ void Plots::hide_values() {
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void Plots::go_to(const QPoint& place) {
-    const QCPAxisRect* under = plot_->axisRectAt(place);
-    if (under == nullptr || figures_.empty()) return;
-    const double time_s = under->axis(QCPAxis::atBottom)->pixelToCoord(place.x());
-    auto at = std::ranges::lower_bound(figures_, time_s, {}, &StepFigures::time_s);
-    if (at == figures_.end()) --at;
-    if (at != figures_.begin() && time_s - std::prev(at)->time_s < at->time_s - time_s) --at;
-    session_.seek(static_cast<quint64>(at - figures_.begin()) + 1);
-}
-
-bool Plots::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::MouseMove) {
-        // NOLINTNEXTLINE(*-static-cast-downcast): by its type
-        show_values(static_cast<QMouseEvent*>(event)->position().toPoint());
-    } else if (event->type() == QEvent::Leave) {
-        hide_values();
-    }
-    return QWidget::eventFilter(watched, event);
-}
-
-Picture Plots::picture(double scale) const {
-    return picture_of(*plot_, scale);
+Picture Plots::picture(double scale) {
+    return picture_of(*plot_, scale, [this](const Colours& c) { style(c); });
 }
 
 const Plots::Shown* Plots::find(Figure figure) const {
@@ -386,14 +359,6 @@ std::pair<double, double> Plots::times() const {
 void Plots::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     refresh(true);
-}
-
-void Plots::contextMenuEvent(QContextMenuEvent* event) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("Save as image…"), this, &Plots::picture_wanted);
-    menu->addAction(tr("Save the figures as CSV…"), this, &Plots::table_wanted);
-    menu->popup(event->globalPos());
 }
 
 }  // namespace hitos::window

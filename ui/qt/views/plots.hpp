@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 #include <limits>
 #include <memory>
@@ -22,7 +23,7 @@ namespace hitos::window {
 /// One plot for every figure that there is something to say of: Neff and weights where there are
 /// several hypotheses, errors where there is a reference. Wheel and drag zoom and move all along
 /// time, a double click shows all; a click goes to that scan; the titles tell the values under the
-/// mouse.
+/// mouse. By keys, + and - zoom about the scan that is shown, and F shows all.
 class Plots final : public QWidget {
     Q_OBJECT
 
@@ -48,7 +49,8 @@ class Plots final : public QWidget {
 
     Plots(Session& session, ReferenceMeter& meter, QWidget* parent = nullptr);
 
-    Picture picture(double scale) const;
+    /// For print: in the light colours.
+    Picture picture(double scale);
 
     /// Points drawn so far; 0 where the plot is not shown.
     int points(Figure figure) const;
@@ -68,6 +70,8 @@ class Plots final : public QWidget {
   protected:
     void showEvent(QShowEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
@@ -85,12 +89,15 @@ class Plots final : public QWidget {
     void lay_out();
     void add_plot(Figure figure, int place, int columns);
     QCPItemStraightLine* add_line(QCPAxisRect* rect);
+    void style(const Colours& colours);
     void clear();
     void refresh(bool at_once);
     void fill();
     void note_errors(const Measured& figures);
     void set_times(double from_s, double to_s);
     void show_all_times();
+    void zoom(double factor);
+    void follow_clicks();
     void show_values(const QPoint& place);
     void hide_values();
     void go_to(const QPoint& place);
@@ -105,7 +112,9 @@ class Plots final : public QWidget {
     std::vector<ErrorPoint> course_;
     std::size_t filled_ = 0;  // scans in the graphs
     bool zoomed_ = false;
-    QPoint pressed_;
+    std::optional<QPoint> pressed_;
+    QPoint clicked_;
+    QTimer click_;
     QElapsedTimer clock_;
 };
 

@@ -259,19 +259,8 @@ void StudyPlots::explain(const QPoint& place) {
     QToolTip::hideText();
 }
 
-template <class Draw>
-void StudyPlots::in_light_colours(Draw draw) {
-    style(light_colours());
-    draw();
-    restyle();
-}
-
 Picture StudyPlots::picture(double scale) {
-    Picture picture = picture_of(*plot_, scale);
-    picture.paint = [this, paint = picture.paint](QPaintDevice& device, double by) {
-        in_light_colours([&] { paint(device, by); });
-    };
-    return picture;
+    return picture_of(*plot_, scale, [this](const Colours& c) { style(c); });
 }
 
 int StudyPlots::means() const {

@@ -70,8 +70,6 @@ class StudyPlots final : public QWidget {
     void lay_out_axis(const StudyPlan::Axis& axis);
     void draw(const Measure& measure, std::optional<Spread> StudyCell::*spread);
     void explain(const QPoint& place);
-    template <class Draw>
-    void in_light_colours(Draw draw);
 
     QCustomPlot* plot_;
     Quality shown_;

@@ -134,17 +134,25 @@ bool TimeLine::event(QEvent* event) {
     return QAbstractSlider::event(event);
 }
 
-void TimeLine::draw(QPainter& painter, const Mark& mark, int middle) const {
+/// The marks of one kind: a long run has many at one place, where one is seen.
+void TimeLine::draw_marks(QPainter& painter, Mark::Kind kind, int middle) const {
     using Kind = Mark::Kind;
     const Colours& c = colours();
-    const int x = x_of(mark.scan);
-    const bool above = mark.kind == Kind::filter;
-    const bool rare = mark.kind == Kind::loop || mark.kind == Kind::damage;
-    painter.setPen(mark.kind == Kind::loop     ? c.highlight
-                   : mark.kind == Kind::damage ? c.danger
-                                               : c.muted);
+    const bool above = kind == Kind::filter;
+    const bool rare = kind == Kind::loop || kind == Kind::damage;
     const int from = above ? middle - kGroove : middle + kGroove;
-    painter.drawLine(x, from, x, above ? from - 3 : from + (rare ? 6 : 3));
+    std::vector<bool> drawn(static_cast<std::size_t>(std::max(width(), 0)) + 1);
+    QList<QLine> lines;
+    for (const Mark& mark : marks_) {
+        if (mark.kind != kind) continue;
+        const int x = std::clamp(x_of(mark.scan), 0, std::max(width(), 0));
+        auto place = drawn[static_cast<std::size_t>(x)];
+        if (place) continue;
+        place = true;
+        lines.append(QLine(x, from, x, above ? from - 3 : from + (rare ? 6 : 3)));
+    }
+    painter.setPen(kind == Kind::loop ? c.highlight : kind == Kind::damage ? c.danger : c.muted);
+    painter.drawLines(lines);
 }
 
 void TimeLine::paintEvent(QPaintEvent* /*event*/) {
@@ -162,7 +170,10 @@ void TimeLine::paintEvent(QPaintEvent* /*event*/) {
     painter.drawRoundedRect(QRect(groove.left(), groove.top(), now - groove.left(), kGroove),
                             kGroove / 2.0, kGroove / 2.0);
     painter.setRenderHint(QPainter::Antialiasing, false);
-    for (const Mark& mark : marks_) draw(painter, mark, middle);
+    using Kind = Mark::Kind;
+    for (const Kind kind : {Kind::filter, Kind::event, Kind::loop, Kind::damage}) {
+        draw_marks(painter, kind, middle);
+    }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(hasFocus() ? c.text : c.accent, hasFocus() ? 2.0 : 1.0));
     painter.setBrush(isEnabled() ? c.accent : c.border);

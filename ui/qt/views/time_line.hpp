@@ -27,6 +27,8 @@ class TimeLine final : public QAbstractSlider {
 
     /// Where the run is; `last` is the last scan that can be chosen.
     void show_run(int scan, int last);
+    /// The run goes nowhere: keys go on from where it is.
+    void arrive() { on_its_way_ = false; }
     void set_marks(std::vector<Mark> marks);
     void add_marks(const std::vector<Mark>& marks);
     const std::vector<Mark>& marks() const { return marks_; }
@@ -52,7 +54,7 @@ class TimeLine final : public QAbstractSlider {
 
   private:
     void choose(int scan);
-    void draw(QPainter& painter, const Mark& mark, int middle) const;
+    void draw_marks(QPainter& painter, Mark::Kind kind, int middle) const;
     QString tip_at(int x) const;
 
     std::vector<Mark> marks_;

@@ -3,6 +3,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/words_of.hpp"
 #include "background.hpp"
 #include "hitos/services/run/grid_builder.hpp"
 #include "hitos/workbench/open_tour.hpp"
@@ -40,7 +41,7 @@ void MapBuilder::build(const Configuracion& configuration, std::optional<Traject
             try {
                 work(configuration, std::move(path), stop);
             } catch (const std::exception& failure) {
-                error = QString::fromUtf8(failure.what());
+                error = words_of(failure);
             }
             const std::scoped_lock lock(mutex_);
             shared_.running = false;

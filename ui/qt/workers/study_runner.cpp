@@ -3,6 +3,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/words_of.hpp"
 #include "background.hpp"
 #include "hitos/base/error.hpp"
 
@@ -10,7 +11,7 @@ namespace hitos::window {
 namespace {
 
 StudyProblem problem_of(const std::exception& error) {
-    StudyProblem problem{QString::fromUtf8(error.what()), {}, {}};
+    StudyProblem problem{words_of(error), {}, {}};
     if (const auto* bad_value = dynamic_cast<const ConfigError*>(&error)) {
         problem.key = bad_value->key();
     } else if (const auto* bad_file = dynamic_cast<const FileError*>(&error)) {

@@ -1,0 +1,45 @@
+// Runs to compare and studies of many, and what the window does with them.
+
+#include "actions/configuration_actions.hpp"
+#include "actions/result_actions.hpp"
+#include "dialogs/study_dialog.hpp"
+#include "main_window.hpp"
+#include "runs/compare_window.hpp"
+#include "runs/runs.hpp"
+#include "runs/runs_panel.hpp"
+#include "ui_main_window.h"
+#include "views/grid_view.hpp"
+
+namespace hitos::window {
+
+void MainWindow::connect_runs() {
+    connect(configuration_, &ConfigurationActions::results_named, runs_, &Runs::open);
+    connect(&runs_->panel(), &RunsPanel::configuration_wanted, configuration_,
+            &ConfigurationActions::use_again);
+    connect(&runs_->panel(), &RunsPanel::traces_changed, ui_->grid_view, &GridView::set_traces);
+    connect(ui_->action_open_results, &QAction::triggered, runs_, &Runs::ask);
+    connect(ui_->action_compare, &QAction::triggered, runs_,
+            [this] { runs_->compare(runs_->panel().chosen()); });
+    connect(runs_, &Runs::picture_wanted, results_,
+            [this](const GridView* view) { results_->save_picture(*view); });
+    connect(runs_, &Runs::opened, this,
+            [this](QWidget* window) { window->addActions(ui_->menu_run->actions()); });
+}
+
+StudyDialog& MainWindow::open_study() {
+    if (study_ == nullptr) {
+        study_ = new StudyDialog(session_, files_, prompts_, this);
+        connect(study_, &StudyDialog::run_wanted, configuration_,
+                &ConfigurationActions::look_at_run);
+        connect(study_, &StudyDialog::run_wanted, this, [this] {
+            raise();
+            activateWindow();
+        });
+    }
+    if (study_->isVisible()) study_->raise();
+    study_->show();
+    study_->activateWindow();
+    return *study_;
+}
+
+}  // namespace hitos::window
