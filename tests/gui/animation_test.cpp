@@ -120,6 +120,12 @@ void ViewTest::a_cancelled_animation_leaves_nothing() {
     f.trigger("action_save_animation");
     QCOMPARE(f.prompts.warnings.size(), 1);
     QTRY_COMPARE(f.steps(), quint64{20});
+    // A run that was over is over again.
+    f.run_to_end();
+    f.prompts.saves = {f.path("no/such/folder")};
+    ask_for(1, 3, 1);
+    f.trigger("action_save_animation");
+    QTRY_VERIFY(f.state() == Progress::State::finished && f.shows_everything());
 }
 
 }  // namespace hitos::window

@@ -47,7 +47,8 @@ void ConfigurationTest::a_configuration_is_loaded() {
 }
 
 void ConfigurationTest::a_configuration_is_loaded_while_running() {
-    Fixture f(true, 200);
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     f.trigger("action_run");
     QTRY_VERIFY(f.steps() > 2);
     f.prompts.opens = {f.write("other.cfg", "[filter]\nparticles = 7\n")};
@@ -217,7 +218,8 @@ void ConfigurationTest::the_form_can_be_cancelled_or_declined() {
 }
 
 void ConfigurationTest::the_form_opens_while_the_run_goes_on() {
-    Fixture f(true, 200);
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     f.trigger("action_run");
     QTRY_VERIFY(f.steps() > 2);
     f.prompts.confirms = {true};

@@ -151,7 +151,8 @@ void ContactTest::a_damaged_log_is_not_told_in_green() {
 }
 
 void ContactTest::no_message_hides_the_state() {
-    Fixture f(true, 200);
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     f.trigger("action_run");
     auto* state = f.window->findChild<QLabel*>("status_state");
     QTRY_COMPARE(state->text(), QString("Running"));

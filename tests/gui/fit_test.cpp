@@ -7,6 +7,7 @@
 #include <QProcess>
 #include <QTranslator>
 
+#include "animation/animation_dialog.hpp"
 #include "app/screen_fit.hpp"
 #include "dialogs/configuration_dialog.hpp"
 #include "dialogs/picture_dialog.hpp"
@@ -14,6 +15,8 @@
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "runs/compare_window.hpp"
+#include "runs/runs.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {
@@ -30,6 +33,20 @@ bool scrolls(const QWidget* widget) {
     return false;
 }
 
+/// Those of `part` are whole and inside the window.
+void check_buttons(const QWidget& part, const QString& where) {
+    QWidget& window = *part.window();
+    for (const auto* button : part.findChildren<QAbstractButton*>()) {
+        if (!button->isVisible() || button->window() != &window || scrolls(button)) continue;
+        const QRect place(button->mapTo(&window, QPoint()), button->size());
+        QVERIFY2(window.rect().contains(place),
+                 qPrintable(where + ": outside: " + button->objectName() + button->text()));
+        if (button->text().isEmpty()) continue;
+        QVERIFY2(button->width() >= button->sizeHint().width(),
+                 qPrintable(where + ": cut: " + button->objectName() + button->text()));
+    }
+}
+
 /// On every screen the window is no larger, and its buttons are whole and inside.
 void check_fits(QWidget& window, const QString& name) {
     for (const QSize& screen : kScreens) {
@@ -43,15 +60,7 @@ void check_fits(QWidget& window, const QString& name) {
                                   .arg(window.width())
                                   .arg(window.height());
         QVERIFY2(window.size() == wanted, qPrintable(where));
-        for (const auto* button : window.findChildren<QAbstractButton*>()) {
-            if (!button->isVisible() || button->window() != &window || scrolls(button)) continue;
-            const QRect place(button->mapTo(&window, QPoint()), button->size());
-            QVERIFY2(window.rect().contains(place),
-                     qPrintable(where + ": outside: " + button->objectName() + button->text()));
-            if (button->text().isEmpty()) continue;
-            QVERIFY2(button->width() >= button->sizeHint().width(),
-                     qPrintable(where + ": cut: " + button->objectName() + button->text()));
-        }
+        check_buttons(window, where);
     }
 }
 
@@ -93,19 +102,17 @@ void FitTest::every_window_fits() {
         f.window->resize(1024, 700);
         QCoreApplication::processEvents();
         QCOMPARE(f.window->size(), QSize(1024, 700));
-        f.trigger("action_landmarks_dock");
-        f.trigger("action_particles_dock");
-        f.trigger("action_associations_dock");
-        f.trigger("action_joint_dock");
         for (auto* dock : f.window->findChildren<QDockWidget*>()) {
+            dock->show();
             dock->raise();
             f.window->resize(1024, 700);
             QCoreApplication::processEvents();
-            QVERIFY2(f.window->size() == QSize(1024, 700),
-                     qPrintable(QString("with %1: %2 x %3")
-                                    .arg(dock->objectName())
-                                    .arg(f.window->width())
-                                    .arg(f.window->height())));
+            const QString where = QString("with %1: %2 x %3")
+                                      .arg(dock->objectName())
+                                      .arg(f.window->width())
+                                      .arg(f.window->height());
+            QVERIFY2(f.window->size() == QSize(1024, 700), qPrintable(where));
+            check_buttons(*dock, where);
         }
         ConfigurationDialog form(f.session.configuration(), f.prompts, f.window.get());
         check_dialog(form, {980, 790}, "form");
@@ -115,9 +122,13 @@ void FitTest::every_window_fits() {
         check_dialog(picture, picture.sizeHint(), "picture");
         RunUntilDialog until(f.session, f.files.settings(), f.window.get());
         check_dialog(until, until.sizeHint(), "run until");
+        AnimationDialog animation(30, f.window.get());
+        check_dialog(animation, animation.sizeHint(), "animation");
         check_dialog(f.window->open_study(), {1120, 720}, "study");
         f.trigger("action_odometry");
         check_dialog(*f.window->result_actions().odometry_window(), {820, 680}, "map");
+        f.trigger("action_compare");
+        check_dialog(*f.window->runs().comparison(), {1100, 680}, "compare");
         f.trigger("action_keys");
         f.trigger("action_about");
         for (const char* name : {"keys", "about"}) {

@@ -37,6 +37,9 @@ namespace hitos::window {
 
 constexpr int kPatienceMs = 300000;
 
+/// The ready tour takes 50 s: still under way when a test looks at it, on any machine.
+constexpr Pace kUnhurried{Pace::Kind::scans, 20.0};
+
 /// Answers from lists; where a list is at its end, the answer is "cancel".
 class ScriptedPrompts final : public Prompts {
   public:
@@ -104,26 +107,50 @@ inline void expect_no_awaited_dialog() {
     QCOMPARE(never_opened, 0);
 }
 
-/// A window on the ready tour, with files of its own.
-struct Fixture {
+/// A window with files of its own, whose questions `Asked` answers.
+template <class Asked>
+struct WindowFixture {
     QTemporaryDir folder;
     UserFiles files{folder.filePath("user")};
-    ScriptedPrompts prompts;
+    Asked prompts;
     Session session;
     std::unique_ptr<MainWindow> window;
 
-    explicit Fixture(bool with_source = true, int particles = 10) {
+    WindowFixture() {
         QDir().mkpath(folder.filePath("user"));
         PaceControl::set_full_speed(files.settings());
         window = std::make_unique<MainWindow>(session, files, prompts);
         window->run_guard().set_long_run(kPatienceMs);  // no question, however slow the machine
         window->show();
-        if (with_source) session.set_configuration(tour(particles));
+        // A desktop gives the keyboard to a new window; without a screen the end of the window
+        // before may take it away again.
+        window->activateWindow();
+        if (!QTest::qWaitForWindowActive(window.get(), kPatienceMs)) qFatal("no active window");
     }
-    ~Fixture() {
+    ~WindowFixture() {
         expect_no_awaited_dialog();
         window.reset();
         QThreadPool::globalInstance()->waitForDone();
+    }
+
+    QString path(const QString& name) const { return folder.filePath(name); }
+    QString write(const QString& name, const QByteArray& content) const {
+        QFile file(path(name));
+        if (!file.open(QIODevice::WriteOnly)) qFatal("cannot write %s", qPrintable(name));
+        file.write(content);
+        return path(name);
+    }
+    /// What the status bar says for a while.
+    QString notice() const { return window->statusBar()->currentMessage(); }
+    Progress::State state() const { return session.progress().state; }
+    quint64 steps() const { return session.progress().steps; }
+    bool shows_everything() const { return session.up_to_date(); }
+};
+
+/// On the ready tour.
+struct Fixture : WindowFixture<ScriptedPrompts> {
+    explicit Fixture(bool with_source = true, int particles = 10) {
+        if (with_source) session.set_configuration(tour(particles));
     }
 
     static Configuracion tour(int particles) {
@@ -147,22 +174,10 @@ struct Fixture {
         QTRY_VERIFY2(action(name)->isEnabled(), name);
         action(name)->trigger();
     }
-    QString path(const QString& name) const { return folder.filePath(name); }
-    QString write(const QString& name, const QByteArray& content) const {
-        QFile file(path(name));
-        if (!file.open(QIODevice::WriteOnly)) qFatal("cannot write %s", qPrintable(name));
-        file.write(content);
-        return path(name);
-    }
     static QByteArray read(const QString& path) {
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
-    /// What the status bar says for a while.
-    QString notice() const { return window->statusBar()->currentMessage(); }
-    Progress::State state() const { return session.progress().state; }
-    quint64 steps() const { return session.progress().steps; }
-    bool shows_everything() const { return session.up_to_date(); }
     void run_steps(quint64 count) {
         session.run_steps(count);
         QTRY_VERIFY(state() != Progress::State::running && shows_everything());

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
     if (name == "run") return run<RunTest>(arguments);
     if (name == "runs") return run<RunsTest>(arguments);
     if (name == "inspect") return run<InspectTest>(arguments);
+    if (name == "keyboard") return run<KeyboardTest>(arguments);
     if (name == "measure") return run<MeasureTest>(arguments);
     if (name == "study") return run<StudyTest>(arguments);
     if (name == "time") return run<TimeTest>(arguments);
@@ -43,6 +44,6 @@ int main(int argc, char** argv) {
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
         "expected contact, fit, source, configuration, random, run, runs, study, time, view, "
-        "inspect, measure or words");
+        "inspect, keyboard, measure or words");
     return 2;
 }

@@ -103,7 +103,8 @@ void RunTest::a_typed_ending_wins_over_the_filter() {
 }
 
 void RunTest::the_map_is_saved_while_running() {
-    Fixture f(true, 200);
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     f.trigger("action_run");
     QTRY_VERIFY(f.steps() > 20 && f.action("action_save_map")->isEnabled());
     f.prompts.saves = {f.path("map.txt")};

@@ -40,7 +40,8 @@ void RunTest::one_step_is_one_scan() {
 }
 
 void RunTest::it_stops_and_goes_on() {
-    Fixture f(true, 200);
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     f.trigger("action_run");
     QTRY_VERIFY(f.steps() > 2);
     QVERIFY(!f.action("action_run")->isEnabled());
@@ -93,7 +94,8 @@ void RunTest::after_the_end_it_restarts() {
 }
 
 void RunTest::it_restarts_while_running() {
-    Fixture f(true, 500);
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     f.trigger("action_run");
     QTRY_VERIFY(f.action("action_restart")->isEnabled());
     QCOMPARE(f.state(), State::running);
@@ -107,8 +109,8 @@ void RunTest::it_restarts_while_running() {
 }
 
 void RunTest::the_space_bar_runs_and_stops() {
-    Fixture f(true, 200);
-    QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     QTest::keyClick(f.window.get(), Qt::Key_Space);
     QTRY_VERIFY(f.steps() > 2);
     QCOMPARE(f.state(), State::running);
@@ -121,9 +123,8 @@ void RunTest::the_space_bar_runs_and_stops() {
 }
 
 void RunTest::the_keyboard_stays_with_running_and_stopping() {
-    Fixture f(true, 400);
-    f.window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     auto* run = f.window->findChild<QToolButton*>("button_run");
     auto* stop = f.window->findChild<QToolButton*>("button_stop");
     auto* step = f.window->findChild<QToolButton*>("button_step");
@@ -143,8 +144,6 @@ void RunTest::the_keyboard_stays_with_running_and_stopping() {
 
 void RunTest::the_space_bar_presses_what_has_the_focus() {
     Fixture f;
-    f.window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
     auto* step = f.window->findChild<QToolButton*>("button_step");
     QTRY_VERIFY(step->isEnabled());
     step->setFocus(Qt::TabFocusReason);
@@ -173,7 +172,8 @@ void RunTest::the_space_bar_presses_what_has_the_focus() {
 }
 
 void RunTest::closing_while_running_ends_it() {
-    Fixture f(true, 300);
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     f.trigger("action_run");
     QTRY_VERIFY(f.steps() > 2);
     QVERIFY(f.window->close());
@@ -234,7 +234,8 @@ void RunTest::the_odometry_map_of_a_lost_log_says_so() {
 }
 
 void RunTest::the_best_particles_map_while_running_is_that_moments() {
-    Fixture f(true, 200);
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     f.trigger("action_run");
     QTRY_VERIFY(f.steps() > 20 && f.session.snapshot() && f.session.snapshot()->steps > 0);
     f.trigger("action_best_map");

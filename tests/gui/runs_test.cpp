@@ -106,6 +106,35 @@ void RunsTest::what_is_kept_is_the_run_to_the_last_bit() {
     QVERIFY(kept.grid.tiles == snapshot->step_grid.tiles);
 }
 
+void RunsTest::a_finished_run_is_another_than_one_at_its_last_scan() {
+    RunsFixture f;
+    f.run_to_end();
+    f.trigger("action_restart");
+    f.session.seek(1050);
+    QTRY_VERIFY(f.state() == Progress::State::paused && f.shows_everything());
+    QCOMPARE(f.steps(), quint64{1050});
+    f.trigger("action_restart");
+    const std::vector<ListedRun> runs = f.list().runs();
+    QCOMPARE(runs.size(), std::size_t{3});
+    QVERIFY(runs[1].run->finished && !runs[2].run->finished);
+    QCOMPARE(runs[1].run->scans, runs[2].run->scans);
+}
+
+void RunsTest::runs_of_two_logs_are_told_apart() {
+    RunsFixture f;
+    f.run_steps(40);
+    Configuracion other = f.session.configuration();
+    other.source.file = Fixture::source_file("data/bigloop-noisy.log.gz").toStdString();
+    f.session.set_configuration(other);
+    f.run_steps(40);
+    f.trigger("action_compare");
+    CompareWindow& comparison = f.comparison();
+    comparison.choose(1, {1, false});
+    const QString said = comparison.findChild<QLabel*>("compare_verdict")->text();
+    QVERIFY2(said.contains("bigloop.log.gz") && said.contains("bigloop-noisy.log.gz"),
+             qPrintable(said));
+}
+
 void RunsTest::errors_are_measured_by_the_references() {
     RunsFixture f;
     run_thrice(f);
@@ -118,6 +147,11 @@ void RunsTest::errors_are_measured_by_the_references() {
     QCOMPARE(f.cell(1, RunsModel::map_error), "0.000 m");
     QVERIFY(f.cell(2, RunsModel::path_error) != "–");
     QVERIFY(f.cell(2, RunsModel::path_error) != "0.000 m");
+    f.session.set_references({});
+    for (const int row : {1, 2}) {
+        QCOMPARE(f.cell(row, RunsModel::path_error), "–");
+        QCOMPARE(f.cell(row, RunsModel::map_error), "–");
+    }
 }
 
 void RunsTest::paths_of_chosen_runs_are_in_the_grid_map() {
@@ -131,8 +165,9 @@ void RunsTest::paths_of_chosen_runs_are_in_the_grid_map() {
     f.panel().table().choose_rows({1});
     QVERIFY(seen(f.window->grid_view()) != with_both);
     f.trigger("action_runs_dock");  // hidden, it draws nothing
-    QCOMPARE(seen(f.window->grid_view()).size(), f.window->grid_view().size());
+    const QImage hidden = seen(f.window->grid_view());
     f.panel().table().choose_rows({});
+    QCOMPARE(seen(f.window->grid_view()), hidden);
 }
 
 void RunsTest::a_run_can_be_removed_and_its_configuration_used() {
@@ -180,6 +215,8 @@ void RunsTest::two_runs_lie_over_each_other_or_blink() {
     CompareWindow& comparison = compare_first_two(f);
     comparison.set_mode(CompareWindow::Mode::overlaid);
     QVERIFY(!comparison.view(1).isVisible());
+    // The one view has the whole width.
+    QTRY_VERIFY(comparison.view(0).width() > 3 * comparison.width() / 4);
     const QImage overlaid = seen(comparison.view(0));
     comparison.set_mode(CompareWindow::Mode::blinking);
     const QImage first = seen(comparison.view(0));

@@ -131,7 +131,8 @@ void SourceTest::cancel_changes_nothing() {
 }
 
 void SourceTest::the_source_changes_while_running() {
-    Fixture f(true, 300);
+    Fixture f;
+    f.session.set_pace(kUnhurried);
     f.trigger("action_run");
     QTRY_VERIFY(f.steps() > 3);
     const QString path = f.write("small.txt", "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n");

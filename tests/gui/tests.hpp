@@ -62,6 +62,8 @@ class RunsTest : public QObject {
   private slots:
     void runs_that_are_left_stay_in_the_list();
     void what_is_kept_is_the_run_to_the_last_bit();
+    void a_finished_run_is_another_than_one_at_its_last_scan();
+    void runs_of_two_logs_are_told_apart();
     void errors_are_measured_by_the_references();
     void paths_of_chosen_runs_are_in_the_grid_map();
     void a_run_can_be_removed_and_its_configuration_used();
@@ -152,6 +154,7 @@ class ViewTest : public QObject {
     void dragging_pans_and_fit_comes_back();
     void the_view_follows_the_robot();
     void a_click_highlights_in_both_views();
+    void a_landmark_may_go_from_below_the_cursor();
     void what_is_highlighted_goes_with_its_run();
     void layers_are_remembered();
     void the_landmark_below_the_cursor_stays_named();
@@ -259,6 +262,27 @@ class FitTest : public QObject {
     void the_summary_can_be_folded();
 };
 
+class KeyboardTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void the_source_is_selected();
+    void a_configuration_is_loaded();
+    void the_configuration_is_saved();
+    void the_configuration_is_changed_by_hand();
+    void it_is_set_as_default();
+    void it_runs();
+    void maps_are_looked_at();
+    void the_odometry_map_is_stopped();
+    void the_map_is_saved();
+    void pictures_are_saved();
+    void a_study_is_done();
+    void tab_reaches_everything();
+    void no_letter_means_two_things_data();
+    void no_letter_means_two_things();
+    void no_key_means_two_things();
+};
+
 class WordsTest : public QObject {
     Q_OBJECT
 
@@ -270,6 +294,12 @@ class WordsTest : public QObject {
     void nothing_speaks_of_particles_that_are_not_there();
     void the_program_makes_pictures_without_a_display();
     void the_program_tells_what_is_wrong();
+    void every_message_of_the_libraries_is_translated();
+    void a_refused_log_is_told_in_spanish();
+    void a_bad_configuration_is_told_in_spanish();
+    void damaged_lines_are_told_in_spanish();
+    void a_run_that_fails_is_told_in_spanish();
+    void what_cannot_be_written_is_told_in_spanish();
 };
 
 }  // namespace hitos::window

@@ -107,6 +107,15 @@ void TimeTest::the_time_line_goes_by_keys() {
     for (int i = 0; i < 20; ++i) QTest::keyClick(line, Qt::Key_Right);
     QTRY_VERIFY2(f.state() == State::paused && f.steps() == 21,
                  qPrintable(QString::number(f.steps())));
+    // Stopped on the way to the end, keys go on from where it stopped.
+    QTest::keyClick(line, Qt::Key_End);
+    f.session.pause();
+    QTRY_VERIFY(f.state() == State::paused && line->value() == static_cast<int>(f.steps()));
+    const quint64 stopped = f.steps();
+    press(Qt::Key_Left, {}, std::max<quint64>(stopped, 2) - 1);
+    press(Qt::Key_Home, {}, 1);
+    press(Qt::Key_Right, Qt::ShiftModifier, 11);
+    press(Qt::Key_Right, Qt::ShiftModifier, 21);
     // The space bar runs and stops as elsewhere.
     QTRY_VERIFY(f.action("action_run")->isEnabled());
     QTest::keyClick(line, Qt::Key_Space);
@@ -306,6 +315,9 @@ void TimeTest::the_plots_zoom_along_time() {
     QVERIFY(plots.times().second - plots.times().first < whole.second - whole.first);
     QTest::mouseDClick(canvas, Qt::LeftButton, {}, place);
     QTRY_COMPARE(plots.times(), whole);
+    // A double click is no click: the run stays where it is.
+    QTest::qWait(2 * QApplication::doubleClickInterval());
+    QCOMPARE(f.state(), State::finished);
 }
 
 void TimeTest::plots_without_a_figure_take_no_room() {

@@ -261,6 +261,21 @@ void ViewTest::a_click_highlights_in_both_views() {
     QVERIFY(f.window->findChild<QLabel*>("status_place")->text().startsWith("x "));
 }
 
+void ViewTest::a_landmark_may_go_from_below_the_cursor() {
+    GridView view;
+    view.resize(400, 300);
+    view.show();
+    MarkedMap marked;
+    marked.map.push_back({Esquina{0.0, 0.0}});
+    view.set_landmarks(marked);
+    const QImage bare = view.grab().toImage();
+    QTest::mouseMove(&view, QPoint(1, 1));
+    QTest::mouseMove(&view, view.camera().to_screen(view.size()).map(QPointF(0.0, 0.0)).toPoint());
+    QVERIFY(view.grab().toImage() != bare);  // its values stand beside it
+    view.set_landmarks({});
+    QVERIFY(!view.grab().isNull());
+}
+
 void ViewTest::what_is_highlighted_goes_with_its_run() {
     Fixture f;
     f.trigger("action_world_frame");
