@@ -19,6 +19,7 @@ void find_corners(Observation& seen, double corner_distance_m, double corner_ang
 class LineFinder {
   public:
     LineFinder(const ExtractionParams& params, std::uint64_t seed);
+    void go_to(std::uint64_t scan) { method_->go_to(scan); }
     /// Replaces the content of `out`.
     void find(const Scan& scan, Observation& out);
     /// Whether fit_all() may change the lines that find() gives.
@@ -39,6 +40,7 @@ class LineFinder {
 class ExRectas final : public Extractor {
   public:
     explicit ExRectas(LineFinder lines) : lines_(std::move(lines)) {}
+    void go_to(std::uint64_t scan) override { lines_.go_to(scan); }
     void extract(const Scan& scan, Observation& out) override;
 
   private:
@@ -55,6 +57,7 @@ class ExPuntos final : public Extractor {
           corner_angle_rad_(corner_angle_rad),
           fit_(corner_lines == CornerLines::fitted && lines_.may_fit()),
           keep_lines_(keep_lines) {}
+    void go_to(std::uint64_t scan) override { lines_.go_to(scan); }
     void extract(const Scan& scan, Observation& out) override;
 
   private:

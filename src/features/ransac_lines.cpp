@@ -30,7 +30,7 @@ double draws_needed(double part) {
 }  // namespace
 
 void RansacLines::extract_lines(const Scan& scan, Observation& out) {
-    RandomStream random(seed_, RandomPurpose::line_sampling, scans_++, 0);
+    RandomStream random(seed_, RandomPurpose::line_sampling, next_scan_++, 0);
     pieces_.clear();
     points_.clear();
     points_.reserve(2 * scan.points.size());  // pieces point into it: it must not move

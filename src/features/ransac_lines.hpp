@@ -18,6 +18,7 @@ class RansacLines final : public MetodoExtraccionRectas {
   public:
     RansacLines(const LineParams& lines, const RansacParams& ransac, std::uint64_t seed)
         : lines_params_(lines), params_(ransac), seed_(seed) {}
+    void go_to(std::uint64_t scan) override { next_scan_ = scan; }
     void extract_lines(const Scan& scan, Observation& out) override;
 
   private:
@@ -49,7 +50,7 @@ class RansacLines final : public MetodoExtraccionRectas {
     LineParams lines_params_;
     RansacParams params_;
     std::uint64_t seed_;
-    std::uint64_t scans_ = 0;
+    std::uint64_t next_scan_ = 0;
     // Working memory, kept between scans.
     std::vector<double> ranges_;  // of all points, from the laser
     std::vector<std::uint32_t>

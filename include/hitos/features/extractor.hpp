@@ -122,6 +122,9 @@ struct ExtractionParams {
 class Extractor {
   public:
     virtual ~Extractor() = default;
+    /// The scan that comes next is the one of this number, counted from 0; without, the one after
+    /// the last. What is drawn at random is drawn by this number.
+    virtual void go_to(std::uint64_t scan) = 0;
     /// Replaces the content of `out`.
     virtual void extract(const Scan& scan, Observation& out) = 0;
 };

@@ -14,6 +14,9 @@ namespace hitos {
 class MetodoExtraccionRectas {
   public:
     virtual ~MetodoExtraccionRectas() = default;
+    /// The scan that comes next is the one of this number, counted from 0. A method whose lines
+    /// depend on more than scan and parameters has to make them depend on this: runs go back.
+    virtual void go_to(std::uint64_t /*scan*/) {}
     /// Appends the lines of the scan (robot frame, normal form) and their points to `out`, which is
     /// otherwise left alone.
     virtual void extract_lines(const Scan& scan, Observation& out) = 0;

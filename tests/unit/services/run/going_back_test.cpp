@@ -28,7 +28,21 @@ void expect_same_state(RunWorker& worker, const Algoritmo& expected) {
             const LandmarkMap expected_map = expected.filter().best_map();
             ASSERT_EQ(map.size(), expected_map.size());
             for (std::size_t i = 0; i < map.size(); ++i) {
+                EXPECT_EQ(map[i].value, expected_map[i].value);
                 EXPECT_EQ(map[i].covariance, expected_map[i].covariance);
+                EXPECT_EQ(map[i].observations, expected_map[i].observations);
+                EXPECT_EQ(map[i].first_seen, expected_map[i].first_seen);
+                EXPECT_EQ(map[i].last_seen, expected_map[i].last_seen);
+            }
+            const auto extents = run.line_extents().of(map, run.best_trajectory());
+            const auto expected_extents =
+                expected.line_extents().of(expected_map, expected.best_trajectory());
+            ASSERT_EQ(extents.size(), expected_extents.size());
+            for (std::size_t i = 0; i < extents.size(); ++i) {
+                EXPECT_EQ(extents[i].landmark, expected_extents[i].landmark);
+                EXPECT_EQ(extents[i].a, expected_extents[i].a);
+                EXPECT_EQ(extents[i].b, expected_extents[i].b);
+                EXPECT_EQ(extents[i].points, expected_extents[i].points);
             }
             EXPECT_EQ(run.filter().statistics().neff, expected.filter().statistics().neff);
             const auto hypotheses = run.filter().hypotheses();
@@ -67,6 +81,9 @@ TEST_P(GoingBack, TheStateAtAScanIsTheOneOfARunForwards) {
     const std::string algorithm = GetParam();
     if (algorithm == "registered") {
         configuration = registered_tour();
+    } else if (algorithm == "ransac") {  // which draws at random, scan by scan
+        configuration.extraction.method = "ransac";
+        configuration.filter.algorithm = "ekf-slam";
     } else {
         configuration.filter.algorithm = algorithm;
     }
@@ -104,7 +121,8 @@ TEST_P(GoingBack, TheStateAtAScanIsTheOneOfARunForwards) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Algorithms, GoingBack,
-                         testing::Values("fastslam", "ekf-slam", "graph-slam", "registered"),
+                         testing::Values("fastslam", "ekf-slam", "graph-slam", "registered",
+                                         "ransac"),
                          [](const auto& name) {
                              std::string word = name.param;
                              std::erase(word, '-');
