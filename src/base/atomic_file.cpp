@@ -6,7 +6,10 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <system_error>
 #include <utility>
@@ -39,6 +42,34 @@ Message advice(int error, bool folder_exists) {
         default:
             return {};
     }
+}
+
+/// Where remove_temporary_files() finds the names: a handler of signals may take no memory.
+struct NotedFile {
+    std::atomic<bool> taken = false;
+    std::atomic<bool> there = false;
+    std::array<char, PATH_MAX> path{};
+};
+constexpr std::size_t kMostNoted = 64;
+std::array<NotedFile, kMostNoted> noted_files;
+
+/// kMostNoted where there is no place for it: its name would stay after a signal, nothing else.
+std::size_t note_file(const std::filesystem::path& path) {
+    if (path.native().size() >= PATH_MAX) return kMostNoted;
+    for (std::size_t i = 0; i < kMostNoted; ++i) {
+        if (noted_files[i].taken.exchange(true)) continue;
+        path.native().copy(noted_files[i].path.data(), PATH_MAX - 1);
+        noted_files[i].path[path.native().size()] = '\0';
+        noted_files[i].there = true;
+        return i;
+    }
+    return kMostNoted;
+}
+
+void forget_file(std::size_t noted) {
+    if (noted >= kMostNoted) return;
+    noted_files[noted].there = false;
+    noted_files[noted].taken = false;
 }
 
 /// A link stays a link: what it points to is replaced.
@@ -91,6 +122,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
         temporary_.clear();
         fail(message(HITOS_TEXT("Errors", "cannot be written")));
     }
+    noted_ = note_file(temporary_);
     if (replaces) ::fchmod(descriptor_, old.st_mode & 07777U);
     if (compress_gz && target_.extension() == ".gz") {
         const int copy = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
@@ -113,7 +145,9 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::discard() {
     if (gzip_ != nullptr) ::gzclose(static_cast<gzFile>(std::exchange(gzip_, nullptr)));
     if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (temporary_.empty()) return;
+    ::unlink(temporary_.c_str());
+    forget_file(noted_);
     temporary_.clear();
 }
 
@@ -155,6 +189,7 @@ void AtomicFile::commit() {
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
         fail(message(HITOS_TEXT("Errors", "cannot be put in place")));
     }
+    forget_file(noted_);
     temporary_.clear();
     sync_folder(target_.has_parent_path() ? target_.parent_path() : std::filesystem::path("."));
 }
@@ -166,6 +201,12 @@ void AtomicFile::fail(const Message& doing) const {
     throw FileError(target_.string(),
                     message("%1: %2%3", doing, system_message(error == 0 ? EIO : error),
                             advice(error, folder_exists)));
+}
+
+void remove_temporary_files() noexcept {
+    for (const NotedFile& file : noted_files) {
+        if (file.there) ::unlink(file.path.data());
+    }
 }
 
 void write_file(const std::filesystem::path& target, std::string_view content) {

@@ -42,6 +42,16 @@ std::string Message::translated(const Translation& translation) const {
     return said;
 }
 
+Message Message::replaced(std::string_view words, std::string_view others) const {
+    Message changed = *this;
+    for (std::size_t at = changed.words_.find(words); at != std::string::npos;
+         at = changed.words_.find(words, at + others.size())) {
+        changed.words_.replace(at, words.size(), others);
+    }
+    for (Message& argument : changed.arguments_) argument = argument.replaced(words, others);
+    return changed;
+}
+
 Message system_message(int error) {
     // The system speaks the language of its own settings at best; these are what users meet.
     switch (error) {

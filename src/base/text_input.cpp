@@ -25,7 +25,7 @@ struct GzipCloser {
 
 }  // namespace
 
-std::string read_text(const std::filesystem::path& path) {
+std::string read_text(const std::filesystem::path& path, std::size_t largest) {
     std::error_code problem;
     const auto status = std::filesystem::status(path, problem);
     if (status.type() == std::filesystem::file_type::not_found) {
@@ -34,6 +34,11 @@ std::string read_text(const std::filesystem::path& path) {
     if (std::filesystem::is_directory(status)) {
         throw FileError(path.string(),
                         message(HITOS_TEXT("Errors", "is a directory; expected a file")));
+    }
+    if (!problem && !std::filesystem::is_regular_file(status)) {
+        throw FileError(
+            path.string(),
+            message(HITOS_TEXT("Errors", "is a device or a pipe; expected a file on a disk")));
     }
     errno = 0;
     const std::unique_ptr<gzFile_s, GzipCloser> file(gzopen(path.c_str(), "rb"));
@@ -48,9 +53,9 @@ std::string read_text(const std::filesystem::path& path) {
         const int got = gzread(file.get(), text.data() + used, static_cast<unsigned>(kChunk));
         text.resize(used + static_cast<std::size_t>(got > 0 ? got : 0));
         if (got <= 0) break;
-        if (text.size() > kLargestText) {
+        if (text.size() > largest) {
             throw FileError(path.string(), message(HITOS_TEXT("Errors", "is greater than %1 MiB"),
-                                                   kLargestText >> 20U));
+                                                   largest >> 20U));
         }
     }
     int code = Z_OK;

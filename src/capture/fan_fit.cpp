@@ -85,6 +85,8 @@ Fan fitted_fan(const std::vector<double>& bearings, double smallest) {
     }
     const double slope = (n * sum_kb - sum_k * sum_b) / (n * sum_kk - sum_k * sum_k);
     Fan fan;
+    constexpr double kMostRays = 1e6;
+    if (!(k >= 0.0 && k < kMostRays)) return fan;  // no scanner's
     fan.min_angle_rad = (sum_b - slope * sum_k) / n;
     fan.max_angle_rad = fan.min_angle_rad + slope * k;
     fan.count = static_cast<std::uint32_t>(k) + 1;
@@ -120,7 +122,7 @@ void FanFitter::derive(const Scan& scan) {
         return;
     }
     const Fan fan = fitted_fan(bearings, smallest);
-    if (!fits(fan, bearings)) {
+    if (fan.count == 0 || !fits(fan, bearings)) {
         fail(scan, message(HITOS_TEXT("Errors", "its points do not lie on regular rays")));
     }
     derived_ = fan;

@@ -5,9 +5,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
+#include <new>
+#include <sstream>
+#include <string>
+#include <string_view>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 
 namespace hitos {
 namespace {
@@ -116,6 +120,24 @@ class Collector final : public DL_CreationAdapter {
     bool in_block_ = false;
 };
 
+constexpr std::size_t kLargestDrawing = std::size_t{1} << 28;
+
+/// The pairs of lines, group code and value, that dxflib reads without harm: it reads a line of
+/// 1,024 characters for ever, and takes a comment (999) that begins with its own name apart. What
+/// is cut so long is no number, and comments are no walls.
+std::string as_dxflib_bears_it(std::string_view text) {
+    constexpr std::size_t kLongest = 1000;
+    std::string borne;
+    borne.reserve(text.size());
+    while (const auto code = input::next_line(text)) {
+        const auto value = input::next_line(text);
+        const bool comment = input::trimmed(*code) == "999";
+        if (!comment) borne.append(code->substr(0, kLongest)) += '\n';
+        if (value && !comment) borne.append(value->substr(0, kLongest)) += '\n';
+    }
+    return borne;
+}
+
 }  // namespace
 
 std::vector<std::vector<Point2>> read_dxf_walls(const std::filesystem::path& path,
@@ -125,14 +147,19 @@ std::vector<std::vector<Point2>> read_dxf_walls(const std::filesystem::path& pat
         throw FileError(path.string(),
                         message(HITOS_TEXT("Errors", "is a directory; expected a DXF drawing")));
     }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        throw FileError(path.string(),
-                        message(HITOS_TEXT("Errors", "cannot be read; expected a DXF drawing")));
-    }
+    std::istringstream text(as_dxflib_bears_it(input::read_text(path, kLargestDrawing)));
     Collector collector(options.layer);
     DL_Dxf reader;
-    reader.in(file, &collector);
+    try {
+        reader.in(text, &collector);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (...) {  // its exceptions are of no common type
+        throw FormatError(path.string(), 0,
+                          message(HITOS_TEXT("Errors",
+                                             "cannot be read as a DXF drawing: save it as ASCII "
+                                             "DXF, of AutoCAD 2000 or 2004, and try again")));
+    }
     collector.finish();
     const Message place = options.layer.empty()
                               ? message(HITOS_TEXT("Errors", "the drawing"))

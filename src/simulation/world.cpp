@@ -5,12 +5,11 @@
 #include <toml++/toml.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "dxf_walls.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 #include "world_values.hpp"
 
 namespace hitos {
@@ -163,6 +162,7 @@ class Reading {
             fail(drawing_at_,
                  message(HITOS_TEXT("Errors", "walls_dxf: %1: no such file"), drawing.string()));
         }
+        world_.drawing = drawing;
         for (const std::vector<Point2>& wall : read_dxf_walls(drawing, dxf_)) {
             ++walls_;
             for (std::size_t i = 1; i < wall.size(); ++i) {
@@ -250,17 +250,11 @@ World parse_world(std::string_view text, const std::filesystem::path& path) {
 
 World read_world(const std::filesystem::path& path) {
     std::error_code problem;
-    if (!std::filesystem::exists(path, problem)) {
-        throw FileError(path.string(), message(HITOS_TEXT("Errors", "no such file")));
-    }
     if (std::filesystem::is_directory(path, problem)) {
         throw FileError(path.string(),
                         message(HITOS_TEXT("Errors", "is a directory; expected a world file")));
     }
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (!file) throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read")));
-    return parse_world(text, path);
+    return parse_world(input::read_text(path, input::kLargestSettings), path);
 }
 
 }  // namespace hitos

@@ -23,4 +23,8 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
     check(configuration);
 }
 
+std::string complaint_of_seed(const std::string& text) {
+    return text.starts_with('-') ? "found " + text + ", expected a whole number from 0 on" : "";
+}
+
 }  // namespace hitos

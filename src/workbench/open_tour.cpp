@@ -43,6 +43,18 @@ std::unique_ptr<TourReader> open_tour(const Configuracion& configuration) {
     return open_tour(configuration.source, configuration.run.seed);
 }
 
+std::vector<std::filesystem::path> tour_files(const std::string& file) {
+    std::vector<std::filesystem::path> files{file};
+    if (!is_world_file(file)) return files;
+    try {
+        if (World world = read_world(file); !world.drawing.empty()) {
+            files.push_back(std::move(world.drawing));
+        }
+    } catch (const Error&) {  // whoever opens it is told
+    }
+    return files;
+}
+
 void add_truth(References& references, const std::optional<Truth>& truth) {
     if (!truth) return;
     if (references.walls.empty()) references.walls = truth->walls;

@@ -9,6 +9,7 @@ namespace hitos {
 
 void set_study_source(Study& study, double level, OdometryNoiseKind kind) {
     static_cast<void>(OdometryNoise(level, kind, 0));  // throws for an impossible level
+    study.inputs = tour_files;
     if (level == 0.0) {
         study.source = [](const StudyJob& job) { return open_tour(job.configuration); };
         return;

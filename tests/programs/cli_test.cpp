@@ -274,6 +274,14 @@ TEST_F(BadInput, ReferencesThatCannotBeRead) {
     expect_no_results();
 }
 
+TEST_F(BadInput, ASeedWithASign) {
+    for (const char* option : {"--seed", "--tour-seed"}) {
+        expect_error(cli(fmt::format("run {} {} -1 --out {}", kLog, option, out_)),
+                     {option, "found -1, expected a whole number"});
+    }
+    expect_no_results();
+}
+
 TEST_F(BadInput, UnwritableOutput) {
     const auto file = folder_.put("file", "");
     expect_error(cli("run " + kLog + " --out " + file.string() + "/out"), {"--out"});

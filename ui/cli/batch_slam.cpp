@@ -10,6 +10,8 @@
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/results.hpp"
+#include "hitos/workbench/configuration_choices.hpp"
+#include "process.hpp"
 #include "study_console.hpp"
 
 namespace hitos::cli {
@@ -86,7 +88,8 @@ int run_program(int argc, char** argv) {
                     "is run")
         ->expected(2, -1)
         ->type_name("NAME VALUES");
-    program.add_option("--seed", options.runs.first_seed, "First seed of each value (default: 1)");
+    program.add_option("--seed", options.runs.first_seed, "First seed of each value (default: 1)")
+        ->check(&complaint_of_seed);
     program
         .add_option("--threads", options.runs.threads,
                     "Runs at a time (default: as many as the machine has); results do not "
@@ -98,9 +101,6 @@ int run_program(int argc, char** argv) {
         return batch(options);
     } catch (const CLI::ParseError& error) {
         return program.exit(error);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "BatchSLAM: {}\n", error.what());
-        return 1;
     }
 }
 
@@ -108,8 +108,10 @@ int run_program(int argc, char** argv) {
 }  // namespace hitos::cli
 
 int main(int argc, char** argv) {
+    hitos::cli::prepare_process();
     try {
-        return hitos::cli::run_program(argc, argv);
+        return hitos::cli::finished("BatchSLAM",
+                                    [&] { return hitos::cli::run_program(argc, argv); });
     } catch (...) {  // not even the error could be told
         return 1;
     }

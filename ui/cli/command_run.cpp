@@ -21,6 +21,7 @@
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "options.hpp"
+#include "process.hpp"
 #include "progress_line.hpp"
 
 namespace hitos::cli {
@@ -89,6 +90,9 @@ void print_summary(const RunSummary& summary, const std::string& folder) {
     for (const NotWritten& missing : summary.not_written) {
         fmt::print("warning: not written: {}: {}\n", missing.file, missing.reason.english());
     }
+    if (!summary.finished) {
+        fmt::print("stopped: these are the results of the first {} scans\n", summary.scans);
+    }
     fmt::print("results in {}\n", folder);
 }
 
@@ -129,7 +133,7 @@ void run(const RunOptions& options) {
         references.trajectory = read_trajectory(options.reference_trajectory);
     }
     if (!options.distances.empty()) references.distances = read_distances(options.distances);
-    prepare_output_folder(options.out);
+    StagedFolder folder = results_folder(options.out);
 
     std::unique_ptr<TourReader> reader = open_tour(configuration);
     add_truth(references, reader->truth());
@@ -138,29 +142,40 @@ void run(const RunOptions& options) {
     run_options.grid_of = options.grid_of;
     RunWorker worker(configuration, std::move(reader), run_options);
     ProgressLine line("scans");
+    const StopByRequest request;
+    bool stopped = false;
     worker.run();
     Progress progress = worker.progress();
     while (progress.state == Progress::State::running) {
+        if (!stopped && StopByRequest::wanted()) {
+            worker.pause();
+            stopped = true;
+        }
         worker.wait_for(std::chrono::milliseconds(20));
         progress = worker.progress();
         line.show(progress.steps, progress.fraction,
                   fmt::format("{} landmarks", progress.lines + progress.corners));
     }
     if (progress.state == Progress::State::failed) throw Error(progress.error);
+    if (stopped && progress.steps == 0) {
+        fmt::print(stderr, "stopped before the first scan; nothing is written\n");
+        throw CLI::RuntimeError(StopByRequest::status());
+    }
+    stopped = progress.state != Progress::State::finished;
     const double seconds = line.seconds();
     line.finish(progress.steps, fmt::format("{} landmarks", progress.lines + progress.corners));
 
-    const RunSummary summary =
-        worker
-            .with_run([&](const Algoritmo& finished) {
-                return write_results(finished, references, seconds, options.out);
-            })
-            .get();
+    const RunSummary summary = worker
+                                   .with_run([&](const Algoritmo& finished) {
+                                       return write_results(finished, references, seconds, folder);
+                                   })
+                                   .get();
     print_summary(summary, options.out);
     if (!options.figures.empty()) {
         write_figures(worker.figures_since(0),
                       references.trajectory ? &*references.trajectory : nullptr, options.figures);
     }
+    if (stopped) throw CLI::RuntimeError(StopByRequest::status());
     if (options.strict && !summary.not_written.empty()) throw CLI::RuntimeError(kNotWhole);
 }
 

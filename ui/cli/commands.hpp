@@ -14,5 +14,6 @@ void add_simulate(CLI::App& program);
 void add_reproduce(CLI::App& program);
 void add_parameters(CLI::App& program);
 void add_presets(CLI::App& program);
+void add_verify(CLI::App& program);
 
 }  // namespace hitos::cli

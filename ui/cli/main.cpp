@@ -1,11 +1,10 @@
 // hitos-cli: runs, conversions and measures from the command line.
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
 
 #include "commands.hpp"
 #include "hitos/services/run/results.hpp"
+#include "process.hpp"
 
 namespace {
 
@@ -25,6 +24,7 @@ int run(int argc, char** argv) {
     hitos::cli::add_reproduce(program);
     hitos::cli::add_parameters(program);
     hitos::cli::add_presets(program);
+    hitos::cli::add_verify(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -36,10 +36,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run(argc, argv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "hitos-cli: %s\n", error.what());
-        return 1;
-    }
+    hitos::cli::prepare_process();
+    return hitos::cli::finished("hitos-cli", [&] { return run(argc, argv); });
 }

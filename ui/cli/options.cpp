@@ -28,10 +28,13 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
                     "laser.sigma=0.003; may be repeated; hitos-cli simulate --help lists them")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    command.add_option("--seed", options.values.seed, "Seed of all random numbers");
-    command.add_option("--tour-seed", options.values.tour_seed,
-                       "Seed of a world's noise, to drive the same tour with other seeds "
-                       "(default: as the world says, else the seed)");
+    command.add_option("--seed", options.values.seed, "Seed of all random numbers")
+        ->check(&complaint_of_seed);
+    command
+        .add_option("--tour-seed", options.values.tour_seed,
+                    "Seed of a world's noise, to drive the same tour with other seeds "
+                    "(default: as the world says, else the seed)")
+        ->check(&complaint_of_seed);
     command.add_option("--threads", options.values.threads,
                        "Threads (default: all); results do not depend on it");
 }

@@ -2,12 +2,16 @@
 
 #include <fmt/core.h>
 
+#include <chrono>
 #include <cstdio>
+#include <stop_token>
+#include <thread>
 
 #include "hitos/base/error.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 #include "hitos/workbench/study_noise.hpp"
 #include "options.hpp"
+#include "process.hpp"
 #include "progress_line.hpp"
 
 namespace hitos::cli {
@@ -74,8 +78,23 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
                   fmt::format("run {} of {}: {}", progress.running_number, progress.runs,
                               progress.running));
     };
+    std::stop_source stop;
+    how.stop = stop.get_token();
+    const StopByRequest request;
+    const std::jthread watch([&stop](const std::stop_token& end) {
+        while (!end.stop_requested() && !stop.stop_requested()) {
+            if (StopByRequest::wanted()) stop.request_stop();
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        }
+    });
     const StudyOutcome outcome = std::move(run_studies({&study, 1}, how).front());
     if (begun) line.finish(finished);
+    if (outcome.stopped) {
+        line.say(
+            fmt::format("stopped: {} of {} runs are done; the same command goes on with the rest",
+                        outcome.computed + outcome.reused - outcome.failed, outcome.plan.runs()));
+        return StopByRequest::status();
+    }
     if (outcome.computed + outcome.reused == outcome.failed && outcome.failed > 0) {
         all_failed(outcome);
     }

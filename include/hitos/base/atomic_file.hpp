@@ -30,10 +30,15 @@ class AtomicFile {
 
     std::filesystem::path target_;
     std::filesystem::path temporary_;
+    std::size_t noted_ = 0;  ///< for remove_temporary_files()
     int descriptor_ = -1;
     void* gzip_ = nullptr;  // gzFile, kept out of this header
     std::string buffer_;
 };
+
+/// Removes the temporary siblings of all AtomicFiles of this process; for its end by a signal, in
+/// whose handler it may be called.
+void remove_temporary_files() noexcept;
 
 /// Writes a whole small file atomically.
 void write_file(const std::filesystem::path& target, std::string_view content);

@@ -2,6 +2,7 @@
 // to do; nothing in the libraries prints.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <stdexcept>
@@ -31,8 +32,17 @@ class FileError : public Error {
     FileError(std::string path, const Message& problem)
         : Error(hitos::message("%1: %2", path, problem)), path_(std::move(path)) {}
     const std::string& path() const { return path_; }
+    /// The same of another place: wherever it says `words`, it says `others`.
+    FileError replaced(std::string_view words, std::string_view others) const {
+        return {verbatim(path_).replaced(words, others).english(),
+                message().replaced(words, others), nullptr};
+    }
 
   private:
+    /// `whole`: with the path in it.
+    FileError(std::string path, Message&& whole, std::nullptr_t)
+        : Error(std::move(whole)), path_(std::move(path)) {}
+
     std::string path_;
 };
 

@@ -29,6 +29,8 @@ class Message {
     bool empty() const { return text_ == nullptr && words_.empty(); }
     std::string english() const;
     std::string translated(const Translation& translation) const;
+    /// With other words for every place where it says these.
+    Message replaced(std::string_view words, std::string_view others) const;
 
     /// Whatever the language: what other programs say, names, numbers.
     friend Message verbatim(std::string words);

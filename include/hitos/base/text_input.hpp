@@ -12,10 +12,13 @@
 
 namespace hitos::input {
 
-/// The whole content of a file, plain or gzip. Throws FileError where it is missing, a directory,
-/// unreadable, damaged, or greater than kLargestText.
-std::string read_text(const std::filesystem::path& path);
 inline constexpr std::size_t kLargestText = std::size_t{1} << 30;
+/// Of what people write by hand: configurations, worlds; and of a study's records.
+inline constexpr std::size_t kLargestSettings = std::size_t{1} << 24;
+
+/// The whole content of a file, plain or gzip. Throws FileError where it is missing, no regular
+/// file (a device may have no end), unreadable, damaged, or greater than `largest` bytes.
+std::string read_text(const std::filesystem::path& path, std::size_t largest = kLargestText);
 
 /// The text without white space at both ends.
 std::string_view trimmed(std::string_view text);

@@ -90,8 +90,9 @@ struct OdometryParams {
 };
 
 struct World {
-    std::string name;  ///< the file's name without folder and extension
-    std::string file;  ///< path, for messages
+    std::string name;               ///< the file's name without folder and extension
+    std::string file;               ///< path, for messages
+    std::filesystem::path drawing;  ///< from which walls come too; empty: none
     std::vector<WallSegment> walls;
     TourParams tour;
     RobotParams robot;

@@ -23,4 +23,8 @@ struct ValueChoices {
 /// behind what source.world_set says already. All checked. Throws ConfigError.
 void choose_values(Configuracion& configuration, const ValueChoices& choices);
 
+/// What is wrong with the text of a seed; empty: nothing. A number with a sign would else be taken
+/// for a very great one.
+std::string complaint_of_seed(const std::string& text);
+
 }  // namespace hitos

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
@@ -18,6 +21,10 @@ namespace hitos {
 std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t run_seed = 1);
 /// With the configuration's seed.
 std::unique_ptr<TourReader> open_tour(const Configuracion& configuration);
+
+/// The files by whose content the tour of that source is known: the log, or the world and the
+/// drawing of its walls.
+std::vector<std::filesystem::path> tour_files(const std::string& file);
 
 /// Puts the truth that the tour knows where the references name nothing else: its path, and its
 /// walls for pictures.

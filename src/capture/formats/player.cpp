@@ -210,7 +210,8 @@ void ConversorPlayer::parse_laser(Fields fields, const PlayerHeader& header, Rea
     if (is_integer_text(fields.peek())) {
         Fields ahead = fields;
         const std::optional<std::int64_t> count = parse_integer(ahead.take());
-        states_range = !count || std::cmp_not_equal(ahead.remaining(), *count * 2);
+        const std::size_t left = ahead.remaining();  // a count may be any number
+        states_range = !count || left % 2 != 0 || std::cmp_not_equal(left / 2, *count);
     }
     if (states_range) out.fan.max_range_m = fields.number("max_range");
     out.fan.count = fields.count("count");

@@ -244,7 +244,8 @@ std::string named_in(const std::filesystem::path& file, const std::string& log) 
 }  // namespace
 
 Configuracion ArchivoConfiguracion::read(const std::filesystem::path& path) {
-    Configuracion configuration = parse(input::read_text(path), path.string());
+    Configuracion configuration =
+        parse(input::read_text(path, input::kLargestSettings), path.string());
     std::string& log = configuration.source.file;
     const std::filesystem::path beside = folder_of(path) / log;
     std::error_code ignored;

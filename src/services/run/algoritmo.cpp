@@ -82,6 +82,7 @@ bool Algoritmo::step(AssociationRecord* record) {
     }
     scan_ = std::move(*scan);
     controls_->controls_until(scan_, step_controls_);
+    extractor_->go_to(steps());  // wherever the run comes from
     extractor_->extract(scan_, observation_);
     std::optional<RegisteredStep> registered;
     if (registration_) registered = registration_->add(scan_, step_controls_);

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "hitos/base/error.hpp"
-#include "hitos/base/text_input.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
+#include "results_summary.hpp"
 
 namespace hitos {
 namespace {
@@ -22,29 +23,34 @@ std::optional<double> error_in(const json& summary, const char* table, const cha
     return summary.at(table).at(name).get<double>();
 }
 
+/// The files of a run that read_results() reads.
+constexpr std::array kRead{"config.cfg", "map.txt", "odometry.tum", "segments.txt",
+                           "trajectory.tum"};
+
+void expect_unchanged(const json& summary, const std::filesystem::path& folder) {
+    for (const WrittenFile& file : files_named(summary, folder / kSummaryFile)) {
+        if (std::ranges::count(kRead, file.name) == 0 || is_unchanged(file, folder)) continue;
+        throw FormatError(
+            (folder / file.name).string(), 0,
+            message(HITOS_TEXT("Errors",
+                               "is not the file that summary.json beside it names: it is missing, "
+                               "was changed or is of another run; hitos-cli verify names all such "
+                               "files")));
+    }
+}
+
 /// What the summary tells of the run. Returns whether its map has landmarks.
 bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
-    const std::filesystem::path file = folder / "summary.json";
-    if (!std::filesystem::is_regular_file(file)) {
-        throw FileError(
-            folder.string(),
-            message(HITOS_TEXT("Errors",
-                               "is no folder of results: it has no summary.json; choose one that "
-                               "Save all results or hitos-cli run --out has written")));
-    }
-    try {
-        const json summary = json::parse(input::read_text(file));
+    return with_summary(folder, [&](const json& summary) {
         run.scans = summary.at("scans").get<std::uint64_t>();
+        run.finished = summary.value("finished", true);
         run.seconds = summary.at("run_seconds").get<double>();
         run.trajectory_error_m = error_in(summary, "trajectory_error", "ate_rmse_m");
         run.map_error_m = error_in(summary, "map_error", "mean_m");
+        expect_unchanged(summary, folder);
         const json& counts = summary.at("landmarks");
         return counts.at("lines").get<int>() + counts.at("corners").get<int>() > 0;
-    } catch (const json::exception& error) {
-        throw FormatError(
-            file.string(), 0,
-            message(HITOS_TEXT("Errors", "is no summary of a run: %1"), error.what()));
-    }
+    });
 }
 
 }  // namespace
@@ -52,7 +58,6 @@ bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
 KeptRun read_results(const std::filesystem::path& folder) {
     KeptRun run;
     const bool landmarks = read_summary(folder, run);
-    run.finished = true;
     run.configuration = ArchivoConfiguracion::read(folder / "config.cfg");
     if (landmarks) run.map = read_map(folder / "map.txt");  // one without any is no map file
     const std::filesystem::path segments = folder / "segments.txt";

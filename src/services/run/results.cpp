@@ -6,8 +6,10 @@
 #include <system_error>
 
 #include "hitos/base/atomic_file.hpp"
+#include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/slam/filters.hpp"
+#include "results_summary.hpp"
 #include "run_outputs.hpp"
 #include "version.hpp"
 
@@ -64,18 +66,6 @@ ordered_json json_of(const RunQuality& quality) {
     return json;
 }
 
-}  // namespace
-
-namespace {
-
-/// An earlier run's would not belong to this map.
-void remove_files(const std::vector<std::string>& files, const std::filesystem::path& folder) {
-    for (const std::string& file : files) {
-        std::error_code ignored;
-        std::filesystem::remove(folder / file, ignored);
-    }
-}
-
 /// Why the output is missing, else an empty text.
 Message written(const RunOutput& output, const FinishedRun& finished,
                 const std::filesystem::path& folder) {
@@ -83,9 +73,36 @@ Message written(const RunOutput& output, const FinishedRun& finished,
         return output.write(finished, folder);
     } catch (const std::exception& error) {  // of a library too
         if (output.essential) throw;
-        remove_files(output.files(finished), folder);
+        for (const std::string& file : output.files(finished)) {
+            std::error_code ignored;
+            std::filesystem::remove(folder / file, ignored);
+        }
         return message_of(error);
     }
+}
+
+std::vector<WrittenFile> files_in(const std::filesystem::path& folder) {
+    std::vector<WrittenFile> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        files.push_back({entry.path().filename().string(), entry.file_size(),
+                         Digest().add_file(entry.path()).text()});
+    }
+    std::ranges::sort(files, {}, &WrittenFile::name);
+    return files;
+}
+
+/// Writes everything but the summary.
+void write_files(const FinishedRun& finished, RunSummary& summary, const StagedFolder& folder) {
+    std::vector<NotWritten> not_written;
+    for (const RunOutput& output : run_outputs()) {
+        if (output.wanted && !output.wanted(finished)) continue;
+        const Message reason = written(output, finished, folder.path());
+        if (reason.empty()) continue;
+        not_written.push_back({output.files(finished).front(),
+                               reason.replaced(folder.path().string(), folder.target().string())});
+    }
+    summary.not_written = std::move(not_written);
+    summary.files = files_in(folder.path());
 }
 
 }  // namespace
@@ -99,6 +116,7 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
     summary.source = run.reader().name();
     summary.format = run.reader().format();
     summary.scans = run.steps();
+    summary.finished = run.finished();
     summary.duration_s = run.duration_s();
     summary.algorithm = find_parameter("filter.algorithm").text(run.configuration());
     const FilterParams& filter = run.configuration().filter;
@@ -140,6 +158,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
         {"seed", summary.seed},
         {"algorithm", summary.algorithm},
         {"scans", summary.scans},
+        {"finished", summary.finished},
         {"duration_s", summary.duration_s},
         {"run_seconds", seconds},
         {"scans_per_second", seconds > 0.0 ? static_cast<double>(summary.scans) / seconds : 0.0},
@@ -174,43 +193,48 @@ std::string to_json(const RunSummary& summary, double seconds) {
         json["not_written"].push_back(
             {{"file", missing.file}, {"reason", missing.reason.english()}});
     }
+    json["files"] = ordered_json::array();
+    for (const WrittenFile& file : summary.files) {
+        json["files"].push_back(
+            {{"name", file.name}, {"bytes", file.bytes}, {"xxh3_128", file.digest}});
+    }
     // Text from a damaged log may be no UTF-8: replace what is not instead of failing.
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 void prepare_output_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error || !std::filesystem::is_directory(folder)) {
-        throw FileError(
-            folder.string(),
-            message(
-                HITOS_TEXT("Errors", "cannot make this output folder: %1; give another with --out"),
-                error ? system_message(error.value())
-                      : message(HITOS_TEXT("Errors", "a file is in its place"))));
-    }
+    made_output_folder(folder);
     // Destroyed without commit, the probe leaves nothing behind.
-    AtomicFile(folder / "summary.json").write("");
+    AtomicFile(folder / ".hitos-probe").write("");
+}
+
+StagedFolder results_folder(const std::filesystem::path& folder) {
+    return {folder,
+            [](const std::string& name) { return name == kSummaryFile || is_run_output(name); },
+            kSummaryFile};
 }
 
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
-                         const std::filesystem::path& folder) {
+                         StagedFolder& folder) {
     RunSummary summary = summarize(run, references);
     FinishedRun finished{run, references, summary, run.best_trajectory(), run.filter().best_map(),
                          {}};
     finished.segments = run.line_extents().of(finished.map, finished.best);
-    std::vector<NotWritten> not_written;
-    for (const RunOutput& output : run_outputs()) {
-        if (output.wanted && !output.wanted(finished)) {
-            remove_files(output.files(finished), folder);
-            continue;
-        }
-        const Message reason = written(output, finished, folder);
-        if (!reason.empty()) not_written.push_back({output.files(finished).front(), reason});
+    try {
+        write_files(finished, summary, folder);
+        write_file(folder.path() / kSummaryFile, to_json(summary, seconds));
+    } catch (const FileError& error) {
+        // Nobody knows of the folder in which it really was.
+        throw error.replaced(folder.path().string(), folder.target().string());
     }
-    summary.not_written = std::move(not_written);
-    write_file(folder / "summary.json", to_json(summary, seconds));
+    folder.commit();
     return summary;
+}
+
+RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
+                         const std::filesystem::path& folder) {
+    StagedFolder staged = results_folder(folder);
+    return write_results(run, references, seconds, staged);
 }
 
 }  // namespace hitos

@@ -22,17 +22,24 @@ using Folder = std::filesystem::path;
 const std::string kParticleGrid = "grid_particle_";
 
 /// The same files of every run.
-auto named(std::vector<std::string> files) {
-    return [files = std::move(files)](const FinishedRun&) { return files; };
+RunOutput named(const std::vector<std::string>& files) {
+    RunOutput output;
+    output.files = [files](const FinishedRun&) { return files; };
+    output.owns = [files](const std::string& name) {
+        return std::find(files.begin(), files.end(), name) != files.end();
+    };
+    return output;
 }
 
 /// One file, of every run.
 template <class Write>
 RunOutput always(const char* file, Write write) {
-    return {named({file}), {}, [file, write](const FinishedRun& finished, const Folder& folder) {
-                write(finished, folder / file);
-                return Message();
-            }};
+    RunOutput output = named({file});
+    output.write = [file, write](const FinishedRun& finished, const Folder& folder) {
+        write(finished, folder / file);
+        return Message();
+    };
+    return output;
 }
 
 /// A file without which the run fails.
@@ -52,21 +59,21 @@ int picture_scale(const Grid& grid) {
 /// The grid as .png and .jpg, with the path over it.
 template <class MakeGrid, class PathOf>
 RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
-    return {named({stem + ".png", stem + ".jpg"}),
-            {},
-            [stem, make_grid, path_of](const FinishedRun& finished, const Folder& folder) {
-                const Grid& grid = make_grid(finished);
-                PictureStyle style;
-                style.scale = picture_scale(grid);
-                style.scale_bar = true;
-                for (const StampedPose& stamped : path_of(finished)) {
-                    style.path.push_back({stamped.pose.x, stamped.pose.y});
-                }
-                for (const char* extension : {".png", ".jpg"}) {
-                    write_picture(grid, style, folder / (stem + extension));
-                }
-                return Message();
-            }};
+    RunOutput output = named({stem + ".png", stem + ".jpg"});
+    output.write = [stem, make_grid, path_of](const FinishedRun& finished, const Folder& folder) {
+        const Grid& grid = make_grid(finished);
+        PictureStyle style;
+        style.scale = picture_scale(grid);
+        style.scale_bar = true;
+        for (const StampedPose& stamped : path_of(finished)) {
+            style.path.push_back({stamped.pose.x, stamped.pose.y});
+        }
+        for (const char* extension : {".png", ".jpg"}) {
+            write_picture(grid, style, folder / (stem + extension));
+        }
+        return Message();
+    };
+    return output;
 }
 
 const Trajectory& best_path(const FinishedRun& finished) {
@@ -89,82 +96,85 @@ RunOutput whole_grid(const std::string& stem, PathOf path_of) {
         path_of);
 }
 
-/// The name has the particle's number, so those of an earlier run are found by their beginning.
+/// The name has the particle's number.
 RunOutput particle_grid() {
     const auto stem = [](std::size_t particle) { return kParticleGrid + std::to_string(particle); };
-    return {[stem](const FinishedRun& finished) {
-                const auto particle = finished.run.options().grid_of;
-                if (!particle) return std::vector<std::string>();
-                return std::vector{stem(*particle) + ".png", stem(*particle) + ".jpg"};
-            },
-            {},
-            [stem](const FinishedRun& finished, const Folder& folder) {
-                for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-                    const std::string name = entry.path().filename().string();
-                    const std::string extension = entry.path().extension().string();
-                    if (name.starts_with(kParticleGrid) &&
-                        (extension == ".png" || extension == ".jpg")) {
-                        std::error_code ignored;
-                        std::filesystem::remove(entry.path(), ignored);
-                    }
-                }
-                const auto particle = finished.run.options().grid_of;
-                if (!particle) return Message();
-                return whole_grid(stem(*particle),
-                                  [particle](const FinishedRun& run) {
-                                      return run.run.trajectory_of(*particle);
-                                  })
-                    .write(finished, folder);
-            }};
+    RunOutput output;
+    output.files = [stem](const FinishedRun& finished) {
+        const std::size_t particle = *finished.run.options().grid_of;
+        return std::vector{stem(particle) + ".png", stem(particle) + ".jpg"};
+    };
+    output.owns = [](const std::string& name) {
+        return name.starts_with(kParticleGrid) &&
+               (name.ends_with(".png") || name.ends_with(".jpg"));
+    };
+    output.wanted = [](const FinishedRun& finished) {
+        return finished.run.options().grid_of.has_value();
+    };
+    output.write = [stem](const FinishedRun& finished, const Folder& folder) {
+        const std::size_t particle = *finished.run.options().grid_of;
+        return whole_grid(
+                   stem(particle),
+                   [particle](const FinishedRun& run) { return run.run.trajectory_of(particle); })
+            .write(finished, folder);
+    };
+    return output;
 }
 
 RunOutput distances() {
-    return {named({"distances.csv"}),
-            [](const FinishedRun& finished) { return !finished.summary.distances.empty(); },
-            [](const FinishedRun& finished, const Folder& folder) {
-                write_file(folder / "distances.csv", distances_csv(finished.summary.distances));
-                return Message();
-            }};
+    RunOutput output = named({"distances.csv"});
+    output.wanted = [](const FinishedRun& finished) { return !finished.summary.distances.empty(); };
+    output.write = [](const FinishedRun& finished, const Folder& folder) {
+        write_file(folder / "distances.csv", distances_csv(finished.summary.distances));
+        return Message();
+    };
+    return output;
 }
 
 RunOutput paths() {
-    return {named({"paths.png", "paths.gp"}),
-            [](const FinishedRun& finished) { return finished.references.trajectory.has_value(); },
-            [](const FinishedRun& finished, const Folder& folder) {
-                const auto& [run, references, summary, best, map, segments] = finished;
-                // True walls hold the true path to the frame of the tour's start.
-                std::optional<Pose> pose_reference_run;
-                if (references.walls.empty() && summary.trajectory_error) {
-                    pose_reference_run = summary.trajectory_error->pose_reference_estimate;
-                }
-                return write_paths_picture(
-                    {in_frame_of_run(*references.trajectory, best, pose_reference_run),
-                     run.odometry_trajectory(), best, map, segments, references.walls},
-                    folder);
-            }};
+    RunOutput output = named({"paths.png", "paths.gp"});
+    output.wanted = [](const FinishedRun& finished) {
+        return finished.references.trajectory.has_value();
+    };
+    output.write = [](const FinishedRun& finished, const Folder& folder) {
+        const auto& [run, references, summary, best, map, segments] = finished;
+        // True walls hold the true path to the frame of the tour's start.
+        std::optional<Pose> pose_reference_run;
+        if (references.walls.empty() && summary.trajectory_error) {
+            pose_reference_run = summary.trajectory_error->pose_reference_estimate;
+        }
+        return write_paths_picture(
+            {in_frame_of_run(*references.trajectory, best, pose_reference_run),
+             run.odometry_trajectory(), best, map, segments, references.walls},
+            folder);
+    };
+    return output;
 }
 
 RunOutput odometry_scans() {
-    return {named({"odometry_scans.png", "odometry_scans.gp"}),
-            [](const FinishedRun& finished) { return !finished.references.walls.empty(); },
-            [](const FinishedRun& finished, const Folder& folder) {
-                OdometryScansPicture picture(finished.references.walls);
-                const std::unique_ptr<TourReader> reader = finished.run.reader().reopen();
-                for (const StampedPose& stamped : odometry_path(finished)) {
-                    const std::optional<Scan> scan = reader->next_scan();
-                    if (!scan) break;
-                    picture.add(*scan, stamped.pose);
-                }
-                return picture.write(folder);
-            }};
+    RunOutput output = named({"odometry_scans.png", "odometry_scans.gp"});
+    output.wanted = [](const FinishedRun& finished) { return !finished.references.walls.empty(); };
+    output.write = [](const FinishedRun& finished, const Folder& folder) {
+        OdometryScansPicture picture(finished.references.walls);
+        const std::unique_ptr<TourReader> reader = finished.run.reader().reopen();
+        for (const StampedPose& stamped : odometry_path(finished)) {
+            const std::optional<Scan> scan = reader->next_scan();
+            if (!scan) break;
+            picture.add(*scan, stamped.pose);
+        }
+        return picture.write(folder);
+    };
+    return output;
 }
 
 RunOutput uncertainty() {
-    return {named({"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"}),
-            [](const FinishedRun& finished) { return finished.run.options().uncertainty; },
-            [](const FinishedRun& finished, const Folder& folder) {
-                return write_uncertainty(finished.run.uncertainty(), folder);
-            }};
+    RunOutput output =
+        named({"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"});
+    output.wanted = [](const FinishedRun& finished) { return finished.run.options().uncertainty; };
+    output.write = [](const FinishedRun& finished, const Folder& folder) {
+        return write_uncertainty(finished.run.uncertainty(), folder);
+    };
+    return output;
 }
 
 std::vector<RunOutput> make_outputs() {
@@ -207,6 +217,11 @@ std::vector<RunOutput> make_outputs() {
 const std::vector<RunOutput>& run_outputs() {
     static const std::vector<RunOutput> table = make_outputs();
     return table;
+}
+
+bool is_run_output(const std::string& name) {
+    return std::ranges::any_of(run_outputs(),
+                               [&name](const RunOutput& output) { return output.owns(name); });
 }
 
 }  // namespace hitos

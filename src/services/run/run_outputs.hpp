@@ -23,9 +23,10 @@ struct FinishedRun {
 
 /// A file of a run, or several that belong together.
 struct RunOutput {
-    /// All that it writes of this run, the one that people look at first. Where they are not wanted
-    /// or cannot be written they are removed: an earlier run's would not belong to this map.
+    /// All that it writes of this run, the one that people look at first.
     std::function<std::vector<std::string>(const FinishedRun&)> files;
+    /// Whether it writes a file of that name of any run.
+    std::function<bool(const std::string& name)> owns;
     /// Whether there is something to write; null: always.
     std::function<bool(const FinishedRun&)> wanted;
     /// Writes into the folder. Returns why the first of the files is missing, else an empty
@@ -37,5 +38,8 @@ struct RunOutput {
 /// In the order in which they are written, the essential ones first; summary.json, which comes
 /// last, is not among them.
 const std::vector<RunOutput>& run_outputs();
+
+/// Whether one of them writes a file of that name, of any run.
+bool is_run_output(const std::string& name);
 
 }  // namespace hitos

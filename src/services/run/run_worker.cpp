@@ -211,7 +211,7 @@ void RunWorker::work(const std::stop_token& stop) {
         }
         if (!passes_by() && std::exchange(snapshot_wanted_, false)) {
             const SnapshotParts parts = parts_wanted_;
-            const bool rests = budget_ == 0;
+            const bool rests = budget_ == 0 || waits_for_pace();
             lock.unlock();
             publish_snapshot(parts, rests);
             lock.lock();
@@ -268,6 +268,8 @@ void RunWorker::do_seek(std::uint64_t steps, std::uint64_t orders) {
     pacer_.begin();
     note_due();
     if (!error.empty()) {
+        budget_ = 0;
+        seek_wanted_.reset();
         progress_.state = Progress::State::failed;
         progress_.error = error;
         return;

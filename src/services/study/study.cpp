@@ -235,11 +235,16 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
         outcomes.emplace_back().plan = plan_study(study);
         try_source(study, outcomes.back().plan);
     }
+    std::vector<std::unique_ptr<FolderLock>> locks;
+    for (std::size_t s = 0; s < studies.size() && options.locks; ++s) {
+        locks.push_back(study::keep(studies[s].layout, outcomes[s].plan, options.shard.whole()));
+    }
     std::vector<Task> tasks;
     std::size_t number = 0;
     for (std::size_t s = 0; s < studies.size(); ++s) {
         StudyOutcome& outcome = outcomes[s];
         study::prepare(studies[s].layout, outcome.plan);
+        if (options.locks && !options.shard.whole()) locks[s]->share();
         outcome.records.resize(outcome.plan.runs());
         for (std::size_t run = 0; run < outcome.plan.runs(); ++run, ++number) {
             if (!options.shard.takes(number)) continue;
@@ -284,6 +289,7 @@ StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout>
                                       study::plan_file(shards.front()).string()));
         }
     }
+    const auto lock = study::keep(layout, outcome.plan, true);
     study::prepare(layout, outcome.plan);
     for (const StudyLayout& shard : shards) gather(layout, shard, outcome.plan);
     std::vector<std::size_t> missing;

@@ -1,15 +1,8 @@
 #include "study_files.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
-#include <xxhash.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <charconv>
-#include <csignal>
-#include <fstream>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -88,15 +81,9 @@ std::string plan_text(const StudyPlan& plan) {
                    {"pictures", word_of(plan.pictures)}});
 }
 
-/// Whether the name is that of a temporary file (.hitos-<process>-…) whose writer is no more.
+/// Of AtomicFile. Whoever holds the study alone knows that no writer of one is left.
 bool is_leftover(std::string_view name) {
-    constexpr std::string_view kStart = ".hitos-";
-    if (!name.starts_with(kStart)) return false;
-    name.remove_prefix(kStart.size());
-    pid_t process = 0;
-    const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), process);
-    if (error != std::errc{} || stop == name.data() + name.size() || *stop != '-') return false;
-    return process == ::getpid() || (::kill(process, 0) != 0 && errno == ESRCH);
+    return name.starts_with(".hitos-") && name.ends_with(".tmp");
 }
 
 void remove_leftovers(const fs::path& folder) {
@@ -109,45 +96,6 @@ void remove_leftovers(const fs::path& folder) {
 }
 
 }  // namespace
-
-void Digest::StateRelease::operator()(XXH3_state_s* state) const {
-    XXH3_freeState(state);
-}
-
-Digest::Digest() : state_(XXH3_createState()) {
-    if (!state_) throw std::bad_alloc();
-    XXH3_128bits_reset(state_.get());
-}
-
-void Digest::mix(std::string_view bytes) {
-    XXH3_128bits_update(state_.get(), bytes.data(), bytes.size());
-}
-
-Digest& Digest::add(std::string_view text) {
-    mix(std::to_string(text.size()));
-    mix(":");
-    mix(text);
-    return *this;
-}
-
-Digest& Digest::add_file(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read")));
-    std::string buffer(std::size_t{1} << 16, '\0');
-    while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
-           file.gcount() > 0) {
-        mix(std::string_view(buffer).substr(0, static_cast<std::size_t>(file.gcount())));
-    }
-    if (file.bad()) {
-        throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read to its end")));
-    }
-    return *this;
-}
-
-std::string Digest::text() const {
-    const XXH128_hash_t hash = XXH3_128bits_digest(state_.get());
-    return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
-}
 
 fs::path plan_file(const StudyLayout& layout) {
     return layout.file("study.json");
@@ -177,6 +125,21 @@ std::string picture_digest(const StudyLayout& layout, const StudyPlan& plan, std
         .text();
 }
 
+std::unique_ptr<FolderLock> keep(const StudyLayout& layout, const StudyPlan& plan, bool whole) {
+    make_folder(layout.folder);
+    const fs::path file = plan_file(layout);
+    if (whole) return std::make_unique<FolderLock>(file);
+    auto lock = std::make_unique<FolderLock>(file, FolderLock::Shared{});
+    if (lock->alone()) return lock;
+    // Who has written it is at work.
+    if (read_plan(layout) == plan) return lock;
+    throw FileError(file.string(),
+                    message(HITOS_TEXT("Errors",
+                                       "is the plan of another study, on which others are at work: "
+                                       "program, configuration, log, values or seeds differ; wait "
+                                       "for them or choose another folder")));
+}
+
 void prepare(const StudyLayout& layout, const StudyPlan& plan) {
     make_folder(layout.folder);
     make_folder(layout.file("maps"));
@@ -188,7 +151,7 @@ void prepare(const StudyLayout& layout, const StudyPlan& plan) {
 
 StudyPlan read_plan(const StudyLayout& layout) {
     const fs::path path = plan_file(layout);
-    const std::string text = input::read_text(path);
+    const std::string text = input::read_text(path, input::kLargestSettings);
     try {
         const ordered_json json = ordered_json::parse(text);
         if (json.at("format") != kPlanFormat) {
@@ -268,7 +231,8 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) return std::nullopt;
     try {
-        const ordered_json json = ordered_json::parse(input::read_text(path));
+        const ordered_json json =
+            ordered_json::parse(input::read_text(path, input::kLargestSettings));
         if (json.at("run") != plan.run_digest(run)) return std::nullopt;
         StudyRecord record;
         record.ok = json.at("ok");

@@ -6,31 +6,13 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
+#include "hitos/base/digest.hpp"
+#include "hitos/base/folder_lock.hpp"
 #include "hitos/base/message.hpp"
 #include "hitos/services/study/study_result.hpp"
 
-struct XXH3_state_s;
-
 namespace hitos::study {
-
-/// XXH3, 128 bits: tells changed input from unchanged; no protection against forgery.
-class Digest {
-  public:
-    Digest();
-    /// The length goes in too, so that two texts are never taken for one.
-    Digest& add(std::string_view text);
-    Digest& add_file(const std::filesystem::path& path);
-    std::string text() const;
-
-  private:
-    struct StateRelease {
-        void operator()(XXH3_state_s* state) const;
-    };
-    void mix(std::string_view bytes);
-    std::unique_ptr<XXH3_state_s, StateRelease> state_;
-};
 
 std::filesystem::path plan_file(const StudyLayout& layout);
 std::filesystem::path map_file(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);
@@ -42,6 +24,11 @@ std::filesystem::path grid_file(const StudyLayout& layout, const StudyPlan& plan
 std::filesystem::path path_file(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);
 /// What the record of a pictured run states of the two.
 std::string picture_digest(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);
+
+/// Keeps the study for this process, alone or (a shard) together with others that work on the same
+/// plan. Throws FileError where others are at work that may not be there: any others of a whole
+/// study, those on another plan of a shard.
+std::unique_ptr<FolderLock> keep(const StudyLayout& layout, const StudyPlan& plan, bool whole);
 
 /// Makes the folders and the plan file. Throws FileError.
 void prepare(const StudyLayout& layout, const StudyPlan& plan);

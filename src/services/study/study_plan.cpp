@@ -116,8 +116,11 @@ std::string digest_of(const Study& study, const StudyPlan& plan) {
     Configuracion base = study.configuration;
     base.source.file.clear();  // the content counts, not the place
     base.run = {};
-    study::Digest digest;
-    digest.add(version()).add(ArchivoConfiguracion::to_text(base)).add(study.setting);
+    Digest digest;
+    digest.add(version())
+        .add(build_identity())
+        .add(ArchivoConfiguracion::to_text(base))
+        .add(study.setting);
     digest.add(map_to_text(study.reference));
     if (study.reference_trajectory) digest.add(trajectory_to_text(*study.reference_trajectory));
     if (plan.grid) digest.add("grid");
@@ -130,8 +133,13 @@ std::string digest_of(const Study& study, const StudyPlan& plan) {
         for (const StudyValue& value : axis.values) logs.push_back(value[component]);
     }
     for (const std::string& log : logs) {
-        std::error_code ignored;
-        if (fs::is_regular_file(log, ignored)) digest.add_file(log);
+        const std::vector<fs::path> files =
+            study.inputs ? study.inputs(log) : std::vector<fs::path>{log};
+        for (const fs::path& file : files) {
+            std::error_code ignored;
+            if (fs::is_regular_file(file, ignored)) digest.add_file(file);
+            digest.add("end of file");
+        }
         digest.add("end of log");
     }
     return digest.text();
@@ -273,7 +281,7 @@ std::string StudyPlan::file_stem(std::size_t run) const {
 }
 
 std::string StudyPlan::run_digest(std::size_t run) const {
-    study::Digest run_digest;
+    Digest run_digest;
     run_digest.add(digest);
     const std::vector<std::string> key = keys();
     const std::vector<std::string> text = texts(cell_of(run));

@@ -14,24 +14,17 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/folder_lock.hpp"
 #include "hitos/simulation/reference_map.hpp"
 #include "hitos/simulation/simulated_tour_reader.hpp"
 #include "hitos/workbench/recorded_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
+#include "thesis_world.hpp"
 
 namespace hitos {
 namespace {
 
 namespace fs = std::filesystem;
-
-World thesis_world(const std::string& name, const Reading& reading) {
-    World world = read_world(find_world(name));
-    world.laser.sigma_m = kReproductionLaserSigma;
-    world.odometry.noise = kReproductionOdometryNoise;
-    world.odometry.noise_kind = OdometryNoiseKind::relative_sigma;
-    apply(reading, world);
-    return world;
-}
 
 /// The tours of a world with the noise of a seed, each made once while it is in use. The studies
 /// come tour by tour, so a few are enough.
@@ -81,11 +74,6 @@ class Tours {
     std::deque<Entry> entries_;
 };
 
-std::string content(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 /// One seed of one figure: so all runs on the same tour stand together.
 struct Part {
     std::size_t figure = 0;
@@ -122,9 +110,7 @@ Study study_of(const ThesisFigure& figure, const World& world, const Reading& re
     study.parameters.push_back(std::move(parameter));
     study.first_seed = part.seed;
     study.seeds = 1;
-    study.setting = fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}{}",
-                                kReproductionLaserSigma, kReproductionOdometryNoise,
-                                text_of(reading), content(world.file));
+    study.setting = world_setting(world, reading);
     study.source = [&world, &tours](const StudyJob& job) -> std::unique_ptr<TourReader> {
         return std::make_unique<RecordedReader>(
             world.file, kWorldFormat,
@@ -271,6 +257,9 @@ Reproduction run_figures(const ReproductionOptions& options) {
     how.threads = options.threads;
     how.tables = false;
     how.observer = options.observer;
+    how.locks = false;  // its hundreds of studies are kept as one
+    fs::create_directories(options.out);
+    const FolderLock lock(options.out);
     Reproduction result = gather(figures, worlds, parts, run_studies(studies, how));
     result.runs = options.runs;
     result.reading = std::move(reading);

@@ -11,6 +11,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/folder_lock.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/services/run/grid_builder.hpp"
 #include "hitos/services/run/open_source.hpp"
@@ -19,6 +20,7 @@
 #include "hitos/simulation/simulated_tour_reader.hpp"
 #include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/shipped_data.hpp"
+#include "thesis_world.hpp"
 
 namespace hitos {
 namespace {
@@ -31,20 +33,6 @@ constexpr const char* kTimeStem = "10.95-time";
 constexpr const char* kTimeWorld = "bigloop2";
 constexpr const char* kTimeParticles = "p=5,10,20,50,100,200,500";
 
-World thesis_world(const std::string& name, const Reading& reading) {
-    World world = read_world(find_world(name));
-    world.laser.sigma_m = kReproductionLaserSigma;
-    world.odometry.noise = kReproductionOdometryNoise;
-    world.odometry.noise_kind = OdometryNoiseKind::relative_sigma;
-    apply(reading, world);
-    return world;
-}
-
-std::string content(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 /// The call's reading with what the call changes beside it.
 Reading whole_reading(const MapReproductionOptions& options) {
     Reading reading = options.reading;
@@ -55,9 +43,7 @@ Reading whole_reading(const MapReproductionOptions& options) {
 
 void set_world(Study& study, const std::string& name, const Reading& reading) {
     World world = thesis_world(name, reading);
-    study.setting = fmt::format("simulated, laser sigma {}, odometry noise {} relative sigma\n{}{}",
-                                kReproductionLaserSigma, kReproductionOdometryNoise,
-                                text_of(reading), content(world.file));
+    study.setting = world_setting(world, reading);
     study.source = [world = std::move(world)](const StudyJob& job) -> std::unique_ptr<TourReader> {
         World noisy = world;
         noisy.seed = job.seed;
@@ -240,6 +226,9 @@ MapReproduction reproduce_maps(const MapReproductionOptions& options) {
     how.threads = options.threads;
     how.tables = false;
     how.observer = options.observer;
+    how.locks = false;  // its hundreds of studies are kept as one
+    fs::create_directories(options.out);
+    const FolderLock lock(options.out);
     std::vector<StudyOutcome> outcomes = run_studies(studies, how);
     for (const StudyOutcome& outcome : outcomes) {
         result.computed += outcome.computed;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <zlib.h>
 
 #include <cmath>
@@ -70,6 +71,20 @@ TEST(ReadText, TellsMissingFilesAndFolders) {
               below_a_file.string() + ": no such file");
     EXPECT_EQ(message_of<FileError>([&] { read_text(folder.path()); }),
               folder.path().string() + ": is a directory; expected a file");
+}
+
+TEST(ReadText, RefusesWhatHasNoEnd) {
+    const TempFolder folder;
+    std::filesystem::create_symlink("/dev/zero", folder / "link.cfg");
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    for (const char* name : {"link.cfg", "pipe"}) {
+        EXPECT_THAT(message_of<FileError>([&] { read_text(folder / name); }),
+                    HasSubstr("is a device or a pipe"));
+    }
+    const auto long_one = folder.put("long", std::string(3U << 20U, 'x'));
+    EXPECT_EQ(read_text(long_one).size(), 3U << 20U);
+    EXPECT_THAT(message_of<FileError>([&] { read_text(long_one, 1U << 20U); }),
+                HasSubstr("is greater than 1 MiB"));
 }
 
 TEST(Trimmed, TakesWhiteSpaceOffBothEnds) {

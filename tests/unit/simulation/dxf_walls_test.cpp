@@ -149,5 +149,27 @@ TEST(DxfWalls, RefusesWhatIsNoDrawing) {
               std::string::npos);
 }
 
+TEST(DxfWalls, LongLinesAndCommentsDoNoHarm) {
+    const TempFolder folder;
+    const auto drawing = [](const std::string& before) {
+        return before +
+               "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n5\n21\n0\n0\nENDSEC\n0\nE"
+               "OF\n";
+    };
+    const std::string very_long(5000, 'x');
+    for (const std::string& before : std::vector<std::string>{
+             "999\ndxflib\n", "999\n" + very_long + "\n", " 999\ndxflib 1\n",
+             "1\n" + very_long.substr(0, 1023) + "\n", "1\n" + very_long.substr(0, 1024) + "\n",
+             "1\n" + very_long + "\n"}) {
+        const auto walls = read_dxf_walls(folder.put("long.dxf", drawing(before)), {});
+        ASSERT_EQ(walls.size(), 1U) << before.substr(0, 20);
+        EXPECT_EQ(walls.front().back(), (Point2{5.0, 0.0}));
+    }
+    // Without an end, and without a value.
+    EXPECT_THROW(read_dxf_walls(folder.put("x.dxf", very_long), {}), FormatError);
+    EXPECT_THROW(read_dxf_walls(folder.put("y.dxf", "0\nSECTION\n2"), {}), FormatError);
+    EXPECT_THROW(read_dxf_walls("/dev/zero", {}), FileError);
+}
+
 }  // namespace
 }  // namespace hitos

@@ -112,5 +112,19 @@ TEST(WorldFiles, FindsTheWorldsThatComeWithHitos) {
     EXPECT_FALSE(is_world_file("a/b.log"));
 }
 
+TEST(TourFiles, AreTheWorldAndTheDrawingOfItsWalls) {
+    const test::TempFolder folder;
+    const std::string world = test::content(find_world("corridor"));
+    const auto plain = folder.put("plain.toml", world);
+    EXPECT_EQ(tour_files(plain.string()), std::vector{plain});
+    const auto drawn = folder.put("drawn.toml", "walls_dxf = \"room.dxf\"\n" + world);
+    EXPECT_EQ(tour_files(drawn.string()), std::vector{drawn}) << "it cannot be opened";
+    const auto drawing = folder.put("room.dxf",
+                                    "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n50\n11\n9\n"
+                                    "21\n50\n0\nENDSEC\n0\nEOF\n");
+    EXPECT_EQ(tour_files(drawn.string()), (std::vector{drawn, drawing}));
+    EXPECT_EQ(tour_files("tour.log"), std::vector<std::filesystem::path>{"tour.log"});
+}
+
 }  // namespace
 }  // namespace hitos

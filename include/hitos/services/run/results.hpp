@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hitos/base/message.hpp"
+#include "hitos/base/staged_folder.hpp"
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/maps/paths_picture.hpp"
@@ -17,6 +18,10 @@ namespace hitos {
 
 /// The version of the program, as in summaries and --version.
 std::string version();
+
+/// Of this very program: a digest of its sources, and the compiler with its flags. Where it is the
+/// same, the same input gives the same results to the last bit.
+std::string build_identity();
 
 /// What to compare a run with.
 struct References {
@@ -32,11 +37,21 @@ struct NotWritten {
     Message reason;
 };
 
+/// A file of a run as it was written.
+struct WrittenFile {
+    std::string name;
+    std::uintmax_t bytes = 0;
+    std::string digest;  ///< Digest::text() of its content
+
+    bool operator==(const WrittenFile&) const = default;
+};
+
 /// The figures of a run, as summary.json states them.
 struct RunSummary {
     std::string source;
     std::string format;  ///< as TourReader::format()
     std::uint64_t scans = 0;
+    bool finished = false;  ///< the tour is over; else it was stopped after these scans
     double duration_s = 0.0;
     std::string algorithm;  ///< as in the configuration: "fastslam", "ekf-slam"
     int particles = 0;      ///< of FastSLAM; 0: the algorithm has none
@@ -56,6 +71,7 @@ struct RunSummary {
     std::vector<Advice> advice;
     RunQuality quality;
     std::vector<NotWritten> not_written;
+    std::vector<WrittenFile> files;  ///< by name; not the summary itself
 };
 
 RunSummary summarize(const Algoritmo& run, const References& references);
@@ -63,18 +79,26 @@ RunSummary summarize(const Algoritmo& run, const References& references);
 /// The summary as JSON text; units stand in the names. `seconds` is the wall time of the run.
 std::string to_json(const RunSummary& summary, double seconds);
 
-/// Makes the folder (and its parents) and makes sure that files can be written there, so that a
-/// long run does not end in vain. Throws FileError.
+/// Makes the folder (and its parents) and makes sure that files can be written there. Throws
+/// FileError.
 void prepare_output_folder(const std::filesystem::path& folder);
+
+/// The folder of one run's results, kept for it: what is written there takes the place of an
+/// earlier run's all at once, and other people's files in it stay. Throws FileError, so that a long
+/// run does not end in vain.
+StagedFolder results_folder(const std::filesystem::path& folder);
 
 /// Writes map.txt, segments.txt, map.dxf, trajectory.tum, trajectory_online.tum, odometry.tum,
 /// grid_best_steps, grid_best
 /// and grid_odometry (each as .png and .jpg), config.cfg and summary.json; distances.csv where
 /// distances are given; paths.png and its script where a trajectory is given; odometry_scans.png
 /// and its script where the true walls are known; uncertainty.csv, .png and their script where the
-/// run recorded it. Without, those of an earlier run are removed. Each appears whole. Map,
-/// trajectories and configuration come first, and without them the run fails (FileError); of the
-/// others each may be missing, and the summary says why. Returns the summary.
+/// run recorded it. The summary names all others with their sizes and digests. They appear together
+/// once all are written: whatever happens before, the folder is what it was. Map, trajectories and
+/// configuration come first, and without them the run fails (FileError); of the others each may be
+/// missing, and the summary says why. Returns the summary.
+RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
+                         StagedFolder& folder);
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          const std::filesystem::path& folder);
 

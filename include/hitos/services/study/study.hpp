@@ -44,7 +44,10 @@ struct Study {
     std::vector<StudyParameter> parameters;  ///< none, one or two
     std::uint64_t first_seed = 1;
     int seeds = 5;
-    StudySource source;   ///< null: the log that the configuration names
+    StudySource source;  ///< null: the log that the configuration names
+    /// The files of which the tour of a log is made, by whose content a run is known; null: the
+    /// log.
+    std::function<std::vector<std::filesystem::path>(const std::string& log)> inputs;
     std::string setting;  ///< must tell apart sources that differ beyond the log's content
     StudyLayout layout;
 };
@@ -86,6 +89,9 @@ struct StudyOptions {
     /// Told of every start and end of a run and now and then between, by one thread at a time.
     StudyObserver observer;
     StudyListener listener;
+    /// Whether each study is kept for this process while it runs; shards share theirs. Not where
+    /// the caller keeps the folder of all.
+    bool locks = true;
     std::stop_token stop;  ///< ends the study within a step; what is done stays done
 };
 

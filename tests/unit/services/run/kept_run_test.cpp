@@ -3,17 +3,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/run/results.hpp"
+#include "hitos/services/run/results_check.hpp"
 #include "ready_tour.hpp"
 #include "support.hpp"
 
 namespace hitos {
 namespace {
 
+namespace fs = std::filesystem;
+using test::content;
 using test::small_tour;
 using test::TempFolder;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -104,9 +110,55 @@ TEST_F(KeptRunTest, AMissingFileIsNamed) {
     }
 }
 
+TEST_F(KeptRunTest, AFileThatIsNotTheRunsOwnIsRefused) {
+    const fs::path map = out_.path() / "map.txt";
+    const std::string text = content(map);
+    write_file(map, text + "\n");
+    EXPECT_THAT(refusal_of_folder(), AllOf(HasSubstr("map.txt: "), HasSubstr("of another run")));
+    write_file(map, text);
+    EXPECT_EQ(refusal_of_folder(), "");
+    write_file(out_.path() / "grid_best.png", "");  // which it does not read
+    EXPECT_EQ(refusal_of_folder(), "");
+}
+
 TEST_F(KeptRunTest, SegmentsOfAnotherMapAreRefused) {
+    // As a summary says that does not name the files.
+    const fs::path file = out_.path() / "summary.json";
+    nlohmann::json summary = nlohmann::json::parse(content(file));
+    summary.erase("files");
+    write_file(file, summary.dump());
+    EXPECT_EQ(refusal_of_folder(), "");
     write_file(out_.path() / "segments.txt", "0 0 1 0 4000\n");
     EXPECT_THAT(refusal_of_folder(), HasSubstr("mixes the files of several runs"));
+    EXPECT_THAT(test::message_of<FormatError>([&] { check_results(out_.path()); }),
+                HasSubstr("does not name the files"));
+}
+
+TEST_F(KeptRunTest, AFolderIsCheckedFileByFile) {
+    const ResultsCheck whole = check_results(out_.path());
+    EXPECT_TRUE(whole.whole());
+    EXPECT_EQ(whole.files, summary_.files.size());
+    EXPECT_GE(whole.files, 14U);
+    fs::remove(out_.path() / "map.dxf");
+    write_file(out_.path() / "odometry.tum", "0 0 0 0 0 0 0 1\n");
+    write_file(out_.path() / "grid_particle_7.jpg", "of another run");
+    write_file(out_.path() / "notes.txt", "mine");
+    const ResultsCheck check = check_results(out_.path());
+    EXPECT_THAT(check.missing, ElementsAre("map.dxf"));
+    EXPECT_THAT(check.changed, ElementsAre("odometry.tum"));
+    EXPECT_THAT(check.left_over, ElementsAre("grid_particle_7.jpg"));
+}
+
+TEST_F(KeptRunTest, ASummaryCannotNameFilesElsewhere) {
+    const fs::path file = out_.path() / "summary.json";
+    nlohmann::json summary = nlohmann::json::parse(content(file));
+    for (const char* name : {"../map.txt", "/etc/passwd", "", "..", "a/b"}) {
+        summary["files"] = {{{"name", name}, {"bytes", 1}, {"xxh3_128", ""}}};
+        write_file(file, summary.dump());
+        EXPECT_THAT(test::message_of<FormatError>([&] { check_results(out_.path()); }),
+                    HasSubstr("expected a name without folders"))
+            << name;
+    }
 }
 
 std::vector<std::string> different_keys(const Configuracion& a, const Configuracion& b) {

@@ -5,9 +5,11 @@
 #include <atomic>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/folder_lock.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/open_source.hpp"
+#include "hitos/services/run/results.hpp"
 #include "study_fixture.hpp"
 
 namespace hitos {
@@ -123,6 +125,50 @@ TEST_F(StudyTest, OnlyWhatIsMissingDamagedOrChangedIsDoneAnew) {
     EXPECT_EQ(run(noisy).reused, 0U);
     folder_.put("small.log", small_log() + "ODOM 9 0 0\n");
     EXPECT_EQ(run(noisy).reused, 0U);
+    // A tour may be made of more files than the one that is named.
+    Study drawn = noisy;
+    const fs::path drawing = folder_.put("walls.dxf", "one");
+    drawn.inputs = [drawing](const std::string& log) {
+        return std::vector<fs::path>{log, drawing};
+    };
+    EXPECT_EQ(run(drawn).reused, 0U);
+    EXPECT_EQ(run(drawn).reused, 12U);
+    folder_.put("walls.dxf", "two");
+    EXPECT_EQ(run(drawn).reused, 0U);
+}
+
+TEST_F(StudyTest, OfAnotherProgramNothingIsUsed) {
+    EXPECT_GT(build_identity().size(), 32U + version().size());
+    const std::string digest = plan_study(study("out")).digest;
+    EXPECT_EQ(plan_study(study("other")).digest, digest) << "the place does not count";
+    EXPECT_THAT(build_identity(), ::testing::MatchesRegex("[0-9a-f]{32} .*"));
+}
+
+TEST_F(StudyTest, OneProcessAtATimeOrTheShardsOfOnePlan) {
+    const Study whole = study("out");
+    Study other = whole;
+    other.configuration.extraction.lines.min_length_m = 0.25;
+    StudyOptions part;
+    part.shard = {1, 2};
+    fs::create_directory(folder_ / "out");
+    {
+        const FolderLock held(folder_ / "out" / "study.json");
+        EXPECT_THAT(test::message_of<FileError>([&] { run(whole); }),
+                    HasSubstr("is being written by process "));
+    }
+    EXPECT_EQ(run(whole).computed, 12U);
+    {
+        FolderLock shard(folder_ / "out" / "study.json", FolderLock::Shared{});
+        EXPECT_TRUE(shard.alone());
+        shard.share();
+        EXPECT_THAT(test::message_of<FileError>([&] { run(whole); }),
+                    HasSubstr("is being written"));
+        EXPECT_EQ(run(whole, part).reused, 6U);
+        EXPECT_THAT(test::message_of<FileError>([&] { run(other, part); }),
+                    HasSubstr("is the plan of another study"));
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "out" / ".study.json.hitos-lock"));
+    EXPECT_EQ(run(other, part).computed, 6U);
 }
 
 TEST_F(StudyTest, MoreValuesAndSeedsKeepWhatIsDone) {

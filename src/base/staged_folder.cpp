@@ -1,0 +1,261 @@
+#include "hitos/base/staged_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "hitos/base/error.hpp"
+
+namespace hitos {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::directory_entry> entries(const fs::path& folder) {
+    std::vector<fs::directory_entry> found;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        found.push_back(*entry);
+    }
+    return found;
+}
+
+bool is_there(const fs::path& path) {
+    std::error_code ignored;
+    return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
+}
+
+/// Whether a process of this machine that one may look at works in the folder: it would find
+/// itself in the old one.
+bool somebody_is_in(const fs::path& folder) {
+    std::error_code error;
+    const fs::path real = fs::canonical(folder, error);
+    if (error) return true;
+    for (const fs::directory_entry& process : entries("/proc")) {
+        const fs::path place = fs::read_symlink(process.path() / "cwd", error);
+        if (error) continue;
+        const auto [end, rest] =
+            std::mismatch(real.begin(), real.end(), place.begin(), place.end());
+        if (end == real.end()) return true;
+    }
+    return false;
+}
+
+bool is_mount_point(const fs::path& folder) {
+    struct stat here {};
+    struct stat above {};
+    return ::stat(folder.c_str(), &here) != 0 || ::stat((folder / "..").c_str(), &above) != 0 ||
+           here.st_dev != above.st_dev;
+}
+
+/// Another name for somebody's file, or a link that leads where theirs does.
+bool linked(const fs::directory_entry& entry, const fs::path& to) {
+    std::error_code error;
+    if (entry.is_symlink(error)) {
+        fs::copy_symlink(entry.path(), to, error);
+    } else if (entry.is_regular_file(error)) {
+        fs::create_hard_link(entry.path(), to, error);
+    } else {
+        return false;
+    }
+    return !error;
+}
+
+bool exchanged(const fs::path& a, const fs::path& b) {
+    return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+void sync(const fs::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    ::fsync(descriptor);
+    ::close(descriptor);
+}
+
+/// Files that change their places, all or none.
+class Exchange {
+  public:
+    Exchange(const fs::path& from, const fs::path& to) : from_(from), to_(to) {}
+    ~Exchange() {
+        for (auto name = done_.rbegin(); name != done_.rend(); ++name) turn(*name);
+    }
+    Exchange(const Exchange&) = delete;
+    Exchange& operator=(const Exchange&) = delete;
+
+    /// What is at either place goes to the other one.
+    void add(const std::string& name) {
+        if (!turn(name)) {
+            throw FileError(
+                (to_ / name).string(),
+                message(HITOS_TEXT("Errors", "cannot be put in place: %1"), system_message(errno)));
+        }
+        done_.push_back(name);
+    }
+    void keep() { done_.clear(); }
+
+  private:
+    bool turn(const std::string& name) const {
+        const fs::path a = from_ / name;
+        const fs::path b = to_ / name;
+        if (!is_there(a)) return ::rename(b.c_str(), a.c_str()) == 0;
+        if (!is_there(b)) return ::rename(a.c_str(), b.c_str()) == 0;
+        if (exchanged(a, b)) return true;
+        // Old file systems: by a third name.
+        const fs::path c = from_ / (name + ".former");
+        return ::rename(b.c_str(), c.c_str()) == 0 && ::rename(a.c_str(), b.c_str()) == 0 &&
+               ::rename(c.c_str(), a.c_str()) == 0;
+    }
+
+    const fs::path& from_;
+    const fs::path& to_;
+    std::vector<std::string> done_;
+};
+
+/// A file that goes back to its place unless another one has taken it.
+class PutAside {
+  public:
+    PutAside(fs::path file, fs::path aside) : file_(std::move(file)), aside_(std::move(aside)) {
+        std::error_code none;
+        fs::rename(file_, aside_, none);
+    }
+    ~PutAside() {
+        std::error_code none;
+        if (!is_there(file_)) fs::rename(aside_, file_, none);
+    }
+    PutAside(const PutAside&) = delete;
+    PutAside& operator=(const PutAside&) = delete;
+
+  private:
+    fs::path file_;
+    fs::path aside_;
+};
+
+}  // namespace
+
+fs::path made_output_folder(fs::path folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error || !fs::is_directory(folder)) {
+        throw FileError(
+            folder.string(),
+            message(
+                HITOS_TEXT("Errors", "cannot make this output folder: %1; give another with --out"),
+                error ? system_message(error.value())
+                      : message(HITOS_TEXT("Errors", "a file is in its place"))));
+    }
+    return folder;
+}
+
+StagedFolder::StagedFolder(fs::path folder, Owned owned, std::string seal)
+    : target_(made_output_folder(std::move(folder))),
+      owned_(std::move(owned)),
+      seal_(std::move(seal)),
+      lock_(target_),
+      staging_(hidden_beside(target_, "new")) {
+    clear();  // whoever left it is no more: the lock was free
+    std::error_code error;
+    if (::access(target_.c_str(), W_OK) != 0) error = {errno, std::generic_category()};
+    if (error || !fs::create_directory(staging_, error)) {
+        throw FileError(target_.string(),
+                        message(HITOS_TEXT("Errors",
+                                           "cannot be written: %1; choose a folder that you may "
+                                           "write to"),
+                                error ? system_message(error.value())
+                                      : message(HITOS_TEXT("Errors", "a file is in its place"))));
+    }
+}
+
+StagedFolder::~StagedFolder() {
+    clear();
+}
+
+void StagedFolder::clear() {
+    std::error_code ignored;
+    if (!fs::is_directory(staging_, ignored)) return;
+    // After an exchange these are the former files, and what somebody put beside them meanwhile.
+    for (const fs::directory_entry& entry : entries(staging_)) {
+        const std::string name = entry.path().filename().string();
+        if (is_former(entry) || name.starts_with(".hitos-") || is_there(target_ / name)) continue;
+        fs::rename(entry.path(), target_ / name, ignored);
+    }
+    fs::remove_all(staging_, ignored);
+}
+
+bool StagedFolder::exchange_folders() {
+    if (staging_.parent_path() == fs::weakly_canonical(target_)) return false;
+    if (is_mount_point(target_) || somebody_is_in(target_)) return false;
+    std::vector<fs::path> links;
+    const auto give_up = [&links] {
+        std::error_code ignored;
+        for (const fs::path& link : links) fs::remove(link, ignored);
+        return false;
+    };
+    for (const fs::directory_entry& entry : entries(target_)) {
+        const fs::path here = staging_ / entry.path().filename();
+        if (is_former(entry) || is_there(here)) continue;
+        if (!linked(entry, here)) return give_up();
+        links.push_back(here);
+    }
+    struct stat old {};
+    if (::stat(target_.c_str(), &old) != 0) return give_up();
+    ::chmod(staging_.c_str(), old.st_mode & 07777U);
+    sync(staging_);
+    std::error_code error;
+    const fs::path real = fs::canonical(target_, error);  // a link stays a link
+    if (error || !exchanged(staging_, real)) return give_up();
+    sync(real.parent_path());
+    return true;
+}
+
+void StagedFolder::exchange_files() {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : entries(staging_)) {
+        names.push_back(entry.path().filename().string());
+    }
+    std::vector<std::string> former;
+    for (const fs::directory_entry& entry : entries(target_)) {
+        const std::string name = entry.path().filename().string();
+        if (name != seal_ && is_former(entry) && !is_there(staging_ / name)) {
+            former.push_back(name);
+        }
+    }
+    // The former seal may be gone for a moment, the new one is never early. Taken back last.
+    const PutAside former_seal(target_ / seal_, staging_ / (".hitos-" + seal_));
+    Exchange exchange(staging_, target_);
+    for (const std::string& name : former) exchange.add(name);
+    for (const std::string& name : names) {
+        if (name != seal_) exchange.add(name);
+    }
+    sync(target_);
+    exchange.add(seal_);
+    exchange.keep();
+    sync(target_);
+}
+
+bool StagedFolder::is_former(const fs::directory_entry& entry) const {
+    std::error_code ignored;
+    return !entry.is_directory(ignored) && owned_(entry.path().filename().string());
+}
+
+void StagedFolder::commit() {
+    for (const fs::directory_entry& entry : entries(staging_)) {
+        const fs::path place = target_ / entry.path().filename();
+        std::error_code ignored;
+        if (!fs::is_directory(place, ignored)) continue;
+        throw FileError(
+            place.string(),
+            message(HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name")));
+    }
+    if (!exchange_folders()) exchange_files();
+    clear();
+}
+
+}  // namespace hitos

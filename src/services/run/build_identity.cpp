@@ -1,0 +1,14 @@
+#include <string>
+
+#include "hitos/services/run/results.hpp"
+#include "source_digest.hpp"
+#include "version.hpp"
+
+namespace hitos {
+
+// In a file of its own, which every change of any source compiles anew.
+std::string build_identity() {
+    return std::string(kSourceDigest) + " " + kBuild;
+}
+
+}  // namespace hitos

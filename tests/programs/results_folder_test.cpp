@@ -1,0 +1,143 @@
+// A folder of results is always of one run, whatever happens to the processes that write it; how
+// programs end.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace hitos {
+namespace {
+
+using test::content;
+using test::Outcome;
+using test::shell;
+
+class ResultsFolder : public test::ProgramTest {
+  protected:
+    /// A run of about a second, pictures and all.
+    std::string run(int seed) const {
+        return fmt::format("{} run {} --config {} --set filter.particles=10 --seed {} --out {}",
+                           cli_, log_, config_, seed, path("out"));
+    }
+    std::string verify() const { return cli_ + " verify " + path("out"); }
+    int seed_there() const {
+        return nlohmann::json::parse(content(path("out/summary.json")))["seed"];
+    }
+};
+
+TEST_F(ResultsFolder, IsVerified) {
+    ASSERT_EQ(shell(run(1)).status, 0);
+    const Outcome whole = shell(verify());
+    EXPECT_EQ(whole.status, 0) << whole.output;
+    EXPECT_NE(whole.output.find("whole: "), std::string::npos);
+    ASSERT_EQ(
+        shell("cd " + path("out") + " && rm map.dxf && echo >> map.txt && cp map.txt distances.csv")
+            .status,
+        0);
+    const Outcome broken = shell(verify());
+    EXPECT_EQ(broken.status, 1);
+    for (const char* line :
+         {"map.dxf: missing\n", "map.txt: changed", "distances.csv: left over"}) {
+        EXPECT_NE(broken.output.find(line), std::string::npos) << broken.output;
+    }
+    EXPECT_GT(shell(cli_ + " verify " + path("nowhere")).status, 0);
+    // The next run makes it whole again.
+    ASSERT_EQ(shell(run(2)).status, 0);
+    EXPECT_EQ(shell(verify()).status, 0);
+}
+
+TEST_F(ResultsFolder, IsOfOneRunAfterEveryKill) {
+    ASSERT_EQ(shell(run(1)).status, 0);
+    for (int kill = 0; kill < 12; ++kill) {
+        const Outcome killed = shell(fmt::format("timeout -s KILL {:.2f} {} > {} 2>&1",
+                                                 0.1 * (kill + 1), run(2 + kill), path("said")));
+        const Outcome verdict = shell(verify());
+        ASSERT_EQ(verdict.status, 0) << kill << ": " << verdict.output;
+        if (killed.status != 0) {
+            EXPECT_NE(seed_there(), 2 + kill);
+        }
+    }
+    ASSERT_EQ(shell(run(99)).status, 0);
+    EXPECT_EQ(seed_there(), 99);
+    EXPECT_EQ(shell("ls -A " + path(".") + " | grep -v -e '^out$' -e '^said$'").output, "")
+        << "what killed processes left is cleared away";
+}
+
+TEST_F(ResultsFolder, ASecondRunIsToldWhoWritesIt) {
+    const Outcome both =
+        shell(fmt::format("{0} > {1} 2>&1 & while [ ! -e {2} ]; do sleep 0.01; done; sleep 0.05; "
+                          "{3}; echo second $?; "
+                          "wait $!; echo first $?",
+                          run(1), path("said"), path(".out.hitos-lock"), run(2)));
+    EXPECT_NE(both.output.find("is being written by process "), std::string::npos) << both.output;
+    EXPECT_NE(both.output.find("second 1"), std::string::npos) << both.output;
+    EXPECT_NE(both.output.find("first 0"), std::string::npos) << both.output;
+    EXPECT_EQ(seed_there(), 1);
+    EXPECT_EQ(shell(verify()).status, 0);
+}
+
+TEST_F(ResultsFolder, KeepsWhatItHadWhereTheDiskIsFull) {
+    ASSERT_EQ(shell(run(1)).status, 0);
+    // A file that may not grow beyond 20 blocks is what a full disk is to its writer.
+    const Outcome full = shell("trap '' XFSZ; ulimit -f 20; " + run(2));
+    EXPECT_GT(full.status, 0) << full.output;
+    EXPECT_EQ(seed_there(), 1);
+    EXPECT_EQ(shell(verify()).status, 0);
+}
+
+TEST_F(ResultsFolder, HoldsTheFirstScansOfARunThatWasAskedToStop) {
+    // However slow the machine, some delay falls into the run.
+    Outcome stopped;
+    for (double delay = 0.4; !std::filesystem::exists(path("out/summary.json")); delay *= 2.0) {
+        stopped = shell(fmt::format("timeout --preserve-status -s INT {} {} --set {}", delay,
+                                    run(1), "filter.particles=3000"));
+        ASSERT_EQ(stopped.status, 130) << stopped.output;
+    }
+    EXPECT_NE(stopped.output.find("stopped: these are the results of the first "),
+              std::string::npos)
+        << stopped.output;
+    EXPECT_EQ(shell(verify()).status, 0);
+    const auto summary = nlohmann::json::parse(content(path("out/summary.json")));
+    EXPECT_EQ(summary["finished"], false);
+    EXPECT_LT(summary["scans"], 1050);
+    ASSERT_EQ(shell(run(2)).status, 0);
+    EXPECT_EQ(nlohmann::json::parse(content(path("out/summary.json")))["finished"], true);
+}
+
+TEST_F(ResultsFolder, IsWholeAfterASecondRequest) {
+    ASSERT_EQ(shell(run(1)).status, 0);
+    const Outcome ended = shell(fmt::format(
+        "{} --set filter.particles=20000 & sleep 0.3; kill -TERM $!; sleep 0.3; kill -TERM $!; "
+        "wait $!; echo status $?",
+        run(2)));
+    EXPECT_NE(ended.output.find("status 143"), std::string::npos) << ended.output;
+    EXPECT_EQ(shell(verify()).status, 0);
+}
+
+class Streams : public test::ProgramTest {};
+
+TEST_F(Streams, AFullOrClosedStandardOutputIsAnError) {
+    for (const std::string where : {"> /dev/full", "| true"}) {
+        const Outcome outcome = shell(
+            fmt::format("{{ sleep 0.5; {} parameters; echo status $? >&2; }} {}", cli_, where));
+        EXPECT_NE(outcome.output.find("status 1"), std::string::npos) << outcome.output;
+        EXPECT_NE(outcome.output.find("standard output: "), std::string::npos) << outcome.output;
+    }
+    EXPECT_EQ(shell(cli_ + " parameters >&- ").status, 1);
+}
+
+TEST_F(Streams, AStudyThatWasAskedToStopGoesOnLater) {
+    const std::string study = fmt::format(
+        "{} study {} --config {} --vary filter.particles=5,6 --runs 40 --threads 1 --out ", cli_,
+        log_, config_);
+    const Outcome stopped = shell("timeout --preserve-status -s TERM 0.7 " + study + path("study"));
+    EXPECT_EQ(stopped.status, 143) << stopped.output;
+    EXPECT_NE(stopped.output.find("the same command goes on"), std::string::npos) << stopped.output;
+    ASSERT_EQ(shell(study + path("study")).status, 0);
+    ASSERT_EQ(shell(study + path("whole")).status, 0);
+    EXPECT_EQ(files("study"), files("whole"));
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,95 @@
+#include "process.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <exception>
+
+#include "hitos/base/atomic_file.hpp"
+
+namespace hitos::cli {
+namespace {
+
+// Shared with a signal handler.
+volatile std::sig_atomic_t patient = 0;
+volatile std::sig_atomic_t asked = 0;
+
+volatile std::sig_atomic_t asked_at_ms = 0;
+
+std::sig_atomic_t now_ms() {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    constexpr std::int64_t kMilli = 1000;
+    return static_cast<std::sig_atomic_t>((now.tv_sec % 1'000'000) * kMilli +
+                                          now.tv_nsec / 1'000'000);
+}
+
+void end_or_ask(int signal) {
+    // timeout(1) and some schedulers send one request twice: to the process and to its group.
+    constexpr std::sig_atomic_t kOneRequestMs = 200;
+    if (patient != 0 && asked == 0) {
+        asked = signal;
+        asked_at_ms = now_ms();
+        return;
+    }
+    if (patient != 0 && now_ms() - asked_at_ms < kOneRequestMs) return;
+    remove_temporary_files();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+}  // namespace
+
+void prepare_process() {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    for (const int signal : std::array{SIGINT, SIGTERM, SIGHUP}) {
+        // What was to be ignored (nohup) stays ignored.
+        struct sigaction action {};
+        ::sigaction(signal, nullptr, &action);
+        if (action.sa_handler == SIG_IGN) continue;
+        action = {};
+        action.sa_handler = end_or_ask;
+        action.sa_flags = SA_RESTART | SA_NODEFER;
+        ::sigaction(signal, &action, nullptr);
+    }
+}
+
+StopByRequest::StopByRequest() {
+    asked = 0;
+    patient = 1;
+}
+
+StopByRequest::~StopByRequest() {
+    patient = 0;
+}
+
+bool StopByRequest::wanted() {
+    return asked != 0;
+}
+
+int StopByRequest::status() {
+    return 128 + asked;
+}
+
+int finished(const char* program, const std::function<int()>& run) {
+    int status = 1;
+    try {
+        status = run();
+    } catch (const std::exception& error) {
+        if (std::ferror(stdout) == 0) std::fprintf(stderr, "%s: %s\n", program, error.what());
+    }
+    const int earlier = errno;
+    errno = 0;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    const int reason = errno != 0 ? errno : earlier;
+    std::fprintf(stderr, "%s: standard output: %s; not all that it says has arrived\n", program,
+                 std::strerror(reason));  // NOLINT(concurrency-mt-unsafe)
+    return status == 0 ? 1 : status;
+}
+
+}  // namespace hitos::cli
