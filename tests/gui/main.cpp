@@ -21,6 +21,11 @@ int run(QStringList arguments) {
 int main(int argc, char** argv) {
     using namespace hitos::window;  // the tests are part of the window
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (qEnvironmentVariableIsEmpty("QTEST_FUNCTION_TIMEOUT")) {
+        // Qt's five minutes are one wait's patience, and less than a user may be asked to stay.
+        const int seconds = qEnvironmentVariableIntValue("HITOS_USER_SECONDS");
+        qputenv("QTEST_FUNCTION_TIMEOUT", QByteArray::number(4 * kPatienceMs + 1000 * seconds));
+    }
     QStandardPaths::setTestModeEnabled(true);
     QApplication application(argc, argv);
     prepare_application();

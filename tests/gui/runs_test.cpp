@@ -4,6 +4,8 @@
 
 #include <QComboBox>
 #include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
@@ -287,8 +289,15 @@ void RunsTest::results_without_their_log_are_shown_without_grid() {
     QByteArray text = Fixture::read(folder + "/config.cfg");
     text.replace("bigloop.log.gz", "lost.log.gz");
     f.write("results/config.cfg", text);
+    // The summary knows the file as it was, unless it is an older one.
+    QJsonObject summary = QJsonDocument::fromJson(Fixture::read(folder + "/summary.json")).object();
     f.change(25);
-    f.prompts.folders = {folder};
+    f.prompts.folders = {folder, folder};
+    f.trigger("action_open_results");
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY2(f.prompts.warnings.takeFirst().contains("config.cfg"), "names the file");
+    summary.remove("files");
+    f.write("results/summary.json", QJsonDocument(summary).toJson());
     f.trigger("action_open_results");
     QCOMPARE(f.prompts.warnings, QStringList());
     CompareWindow& comparison = f.comparison();

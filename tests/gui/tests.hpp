@@ -119,6 +119,7 @@ class TimeTest : public QObject {
     void errors_against_another_reference_begin_anew();
     void at_a_first_start_one_sees_what_happens();
     void the_pace_is_chosen_and_changed_while_running();
+    void at_the_end_run_until_says_so();
     void it_runs_so_far_and_back();
     void it_runs_until_something_happens();
     void it_runs_until_the_error_is_too_great();

@@ -5,10 +5,12 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHelpEvent>
 #include <QProcess>
 #include <QPushButton>
 #include <QSettings>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include "actions/pace_control.hpp"
@@ -128,10 +130,31 @@ void TimeTest::the_time_line_tells_what_happened() {
     f.run_to_end();
     QTRY_VERIFY(!line->marks().empty());
     const auto marks = line->marks().size();
-    for (const TimeLine::Mark& mark : line->marks()) {
-        QVERIFY(mark.scan >= 1 && mark.scan <= line->maximum());
-        QVERIFY(!mark.text.isEmpty());
-    }
+    const std::vector<StepFigures> figures = f.session.worker()->figures_since(0);
+    const auto told = [line](const QString& words) {
+        QList<int> scans;
+        for (const TimeLine::Mark& mark : line->marks()) {
+            if (mark.text.startsWith(words)) scans << mark.scan;
+        }
+        return scans;
+    };
+    const auto happened = [&figures](const auto& what) {
+        QList<int> scans;
+        for (std::size_t i = 0; i < figures.size(); ++i) {
+            if (what(figures[i])) scans << static_cast<int>(i) + 1;
+        }
+        return scans;
+    };
+    const QList<int> born = happened([](const StepFigures& step) { return step.created > 0; });
+    QVERIFY(!born.isEmpty());
+    QCOMPARE(told("new landmarks"), born);
+    QCOMPARE(told("another particle"),
+             happened([](const StepFigures& step) { return step.best_changed; }));
+    QCOMPARE(told("a landmark seen again").isEmpty(), false);
+    const QPoint place(line->x_of(born.back()), line->height() / 2);
+    QHelpEvent asked(QEvent::ToolTip, place, line->mapToGlobal(place));
+    QApplication::sendEvent(line, &asked);
+    QVERIFY2(QToolTip::text().contains("new landmarks"), qPrintable(QToolTip::text()));
     QTest::keyClick(line, Qt::Key_Home);
     QTRY_VERIFY(f.state() == State::paused && f.steps() == 1);
     QCOMPARE(line->marks().size(), marks);  // what is known stays known
@@ -217,6 +240,22 @@ void TimeTest::the_pace_is_chosen_and_changed_while_running() {
     full.click();
     f.session.set_configuration(Fixture::tour(10));
     QCOMPARE(f.session.pace(), (Pace{Pace::Kind::scans, 1.0}));
+}
+
+void TimeTest::at_the_end_run_until_says_so() {
+    Fixture f;
+    f.run_to_end();
+    in_dialog<RunUntilDialog>([](RunUntilDialog& dialog) {
+        for (auto* box : dialog.findChildren<QCheckBox*>()) box->setChecked(false);
+        child<QCheckBox>(dialog, "until_born").setChecked(true);
+        child<QPushButton>(dialog, "run_until_run").click();
+        QVERIFY(dialog.isVisible());
+        QVERIFY(child<QLabel>(dialog, "hint").text().startsWith("The tour is over"));
+        dialog.reject();
+    });
+    f.trigger("action_run_until");
+    run_until(f, {{"to_scan", 40}});
+    QCOMPARE(f.steps(), 40U);
 }
 
 void TimeTest::it_runs_so_far_and_back() {

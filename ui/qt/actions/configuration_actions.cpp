@@ -148,8 +148,7 @@ void ConfigurationActions::select_source(const QString& path) {
         files_.note_recent(file);
         const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
         emit notice(tr("Source loaded: %1, %2 scans")
-                        .arg(QFileInfo(file).fileName())
-                        .arg(summary.report.scans));
+                        .arg(QFileInfo(file).fileName(), QString::number(summary.report.scans)));
         return;
     }
 }

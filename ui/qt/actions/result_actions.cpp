@@ -216,7 +216,6 @@ void ResultActions::write_results_to(const QString& folder) {
         QString problem;
         QStringList missing;
         try {
-            prepare_output_folder(folder.toStdString());
             const RunSummary summary =
                 write_results(run, references, seconds, folder.toStdString());
             for (const NotWritten& file : summary.not_written)

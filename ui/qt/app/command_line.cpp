@@ -1,11 +1,16 @@
 #include "command_line.hpp"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
+#include <QStringList>
+#include <algorithm>
 #include <filesystem>
 
 #include "actions/user_files.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/kept_run.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 
@@ -14,6 +19,22 @@ namespace {
 
 constexpr const char* kReadyTour = "data/bigloop-noisy.log.gz";
 constexpr const char* kReadyPreset = "thesis";
+
+/// What is wrong with a size of the window; empty: nothing.
+std::string complaint_of_size(const std::string& text) {
+    constexpr int kLeast = 100;
+    constexpr int kMost = 16384;
+    const QStringList parts = QString::fromStdString(text).split('x');
+    bool wide = parts.size() == 2;
+    bool high = wide;
+    const int width = wide ? parts[0].toInt(&wide) : 0;
+    const int height = high ? parts[1].toInt(&high) : 0;
+    if (wide && high && std::min(width, height) >= kLeast && std::max(width, height) <= kMost) {
+        return {};
+    }
+    return fmt::format("found \"{}\", expected WIDTHxHEIGHT, such as 1360x860, each from {} to {}",
+                       text, kLeast, kMost);
+}
 
 }  // namespace
 
@@ -39,9 +60,12 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
                     "Change one value of the world that is simulated; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    program.add_option("--seed", out.values.seed, "Seed of all random numbers");
-    program.add_option("--tour-seed", out.values.tour_seed,
-                       "Seed of a world's noise (default: as the world says, else the seed)");
+    program.add_option("--seed", out.values.seed, "Seed of all random numbers")
+        ->check(&complaint_of_seed);
+    program
+        .add_option("--tour-seed", out.values.tour_seed,
+                    "Seed of a world's noise (default: as the world says, else the seed)")
+        ->check(&complaint_of_seed);
     program.add_option("--threads", out.values.threads, "Threads (default: all)");
     program.add_option("--reference", out.reference, "Reference map to measure the map against");
     program.add_option("--reference-trajectory", out.reference_trajectory,
@@ -60,10 +84,12 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         ->check(CLI::IsMember({"en", "es"}));
     program.add_option("--theme", out.theme, "light, dark or system")
         ->check(CLI::IsMember({"light", "dark", "system"}));
-    program.add_option("--size", out.size, "Size of the window, e.g. 1360x860");
+    program.add_option("--size", out.size, "Size of the window, e.g. 1360x860")
+        ->check(&complaint_of_size);
     program.add_option("--screenshot", out.screenshot,
                        "Write a picture (.png, .jpg) of the window and leave; needs no display");
-    program.add_option("--steps", out.steps, "Steps to run before the picture is taken");
+    program.add_option("--steps", out.steps, "Steps to run before the picture is taken")
+        ->check(CLI::Range(0, 1'000'000'000));
     program.add_option("--scale", out.scale, "Pixels per point of the picture")
         ->check(CLI::Range(0.5, 4.0));
     program
@@ -99,7 +125,7 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
         configuration = ArchivoConfiguracion::read(line.open);
     } else if (named_results) {
         const std::filesystem::path folder = line.open;
-        configuration = ArchivoConfiguracion::read(folder / "config.cfg");
+        configuration = read_results(folder).configuration;  // which says what is wrong with it
     } else if (init == Init::read && files.has_init()) {
         configuration = ArchivoConfiguracion::read(files.init_path().toStdString());
     } else if (!named.isEmpty() && is_world_file(source_named(line.open))) {

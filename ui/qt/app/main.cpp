@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QThreadPool>
 #include <exception>
+#include <optional>
 
 #include "actions/configuration_actions.hpp"
 #include "actions/pace_control.hpp"
@@ -20,6 +21,7 @@
 #include "screen_fit.hpp"
 #include "screenshot.hpp"
 #include "views/view_settings.hpp"
+#include "words_of.hpp"
 
 namespace {
 
@@ -41,23 +43,38 @@ bool without_display(const CommandLine& line) {
     return !line.screenshot.empty() || line.benchmark;
 }
 
-int run(int argc, char** argv, const CommandLine& line) {
-    if (without_display(line)) {
-        if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-        if (line.scale != 1.0) qputenv("QT_SCALE_FACTOR", QByteArray::number(line.scale));
+/// Where nobody can answer: what a dialog would warn of goes to stderr.
+class NobodyThere final : public Prompts {
+  public:
+    QString open_file(QWidget*, const FileQuestion&) override { return {}; }
+    QString save_file(QWidget*, const FileQuestion&) override { return {}; }
+    QString choose_folder(QWidget*, const QString&, const QString&) override { return {}; }
+    bool confirm(QWidget*, const Question&) override { return false; }
+    std::optional<int> number(QWidget*, const QString&, const QString&, int, int) override {
+        return std::nullopt;
     }
-    QApplication application(argc, argv);
-    prepare_application();
-    QTemporaryDir scratch;
-    UserFiles files(without_display(line) ? scratch.path() : QString());
-    if (without_display(line)) PaceControl::set_full_speed(files.settings());
-    speak(application,
-          line.language.empty() ? saved_language(files) : QString::fromStdString(line.language));
+    std::optional<int> choice(QWidget*, const QString&, const QString&,
+                              const QStringList&) override {
+        return std::nullopt;
+    }
+    void warn(QWidget*, const QString& title, const QString& text) override {
+        fmt::print(stderr, "hitos: {}: {}\n", title.toStdString(), text.toStdString());
+        warned_ = true;
+    }
+    bool warned() const { return warned_; }
+
+  private:
+    bool warned_ = false;
+};
+
+int run_window(QApplication& application, UserFiles& files, const CommandLine& line) {
     apply_theme(application, line.theme.empty() && !without_display(line)
                                  ? ViewSettings::saved_theme(files)
                                  : theme_from(QString::fromStdString(line.theme)));
     Session session;
-    QtPrompts prompts;
+    QtPrompts user;
+    NobodyThere nobody;
+    Prompts& prompts = without_display(line) ? static_cast<Prompts&>(nobody) : user;
     MainWindow window(session, files, prompts);
     if (without_display(line)) window.resize(kWithoutScreen);
     apply_size(window, line.size);
@@ -71,9 +88,11 @@ int run(int argc, char** argv, const CommandLine& line) {
         without_display(line) ? window.measurements().open(distances)
                               : window.open_distances(distances);
     }
+    if (nobody.warned()) return 1;
     int code = 0;
     if (!line.screenshot.empty()) {
         take_screenshot(window, session, line);
+        code = nobody.warned() ? 1 : 0;
     } else if (line.benchmark) {
         code = run_benchmark(window, session);
     } else {
@@ -81,6 +100,36 @@ int run(int argc, char** argv, const CommandLine& line) {
         if (!line.vary.empty()) prepare_study(window.open_study(), line);
         if (line.run) session.run();
         code = QApplication::exec();
+    }
+    return code;
+}
+
+int run(int argc, char** argv, const CommandLine& line) {
+    if (without_display(line)) {
+        if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+        if (line.scale != 1.0) qputenv("QT_SCALE_FACTOR", QByteArray::number(line.scale));
+    }
+    const auto no = [](const char* name) { return qEnvironmentVariableIsEmpty(name); };
+    if (no("QT_QPA_PLATFORM") && no("DISPLAY") && no("WAYLAND_DISPLAY")) {
+        fmt::print(
+            stderr,
+            "hitos: there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are "
+            "not set); hitos --screenshot FILE.png draws it without one, hitos-cli run needs "
+            "none\n");
+        return 1;
+    }
+    QApplication application(argc, argv);
+    prepare_application();
+    QTemporaryDir scratch;
+    UserFiles files(without_display(line) ? scratch.path() : QString());
+    if (without_display(line)) PaceControl::set_full_speed(files.settings());
+    speak(application,
+          line.language.empty() ? saved_language(files) : QString::fromStdString(line.language));
+    int code = 1;
+    try {
+        code = run_window(application, files, line);
+    } catch (const std::exception& error) {  // here its words can still be said in the language
+        fmt::print(stderr, "hitos: {}\n", words_of(error).toStdString());
     }
     QThreadPool::globalInstance()->waitForDone();
     return code;

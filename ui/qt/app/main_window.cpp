@@ -218,7 +218,11 @@ void MainWindow::connect_run() {
         }
     });
     connect(ui_->action_copy_picture, &QAction::triggered, this, [this] {
-        view_in_use().copy_picture();
+        if (plots_->hasFocus()) {
+            plots_->copy_picture();
+        } else {
+            view_in_use().copy_picture();
+        }
         status_->notice(tr("The picture is in the clipboard."));
     });
     connect(ui_->action_save_animation, &QAction::triggered, this, [this] {

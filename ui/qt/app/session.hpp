@@ -83,7 +83,7 @@ class Session final : public QObject {
   private:
     void tick();
     bool shows(const Progress& progress) const {
-        const bool running = progress.state == Progress::State::running;
+        const bool running = progress.state == Progress::State::running && !progress.waits;
         return snapshot_ && snapshot_->revision == progress.revision &&
                snapshot_->parts == parts_ && (running || !snapshot_->grid_behind);
     }

@@ -65,17 +65,24 @@ class ElidedLabel final : public QLabel {
 
 void add_row(QGridLayout* rows, const ConfigParameter& parameter,
              const Configuracion& configuration) {
-    auto* name = new QLabel(label_of(parameter));
+    auto* name = new ElidedLabel(label_of(parameter));
+    name->setMinimumWidth(20);
     set_role(name, "muted");
     QString text = value_with_unit(parameter, configuration);
     if (text.isEmpty()) text = SummaryBar::tr("none");
     auto* value = new ElidedLabel(text);
     value->setObjectName("value_" + QString::fromStdString(std::string(parameter.key)));
     value->setTextFormat(Qt::PlainText);
-    value->setMinimumWidth(20);
     const bool changed =
         parameter.type != ConfigParameter::Type::text && !is_default(parameter, configuration);
     set_role(value, changed ? "changed" : "value");
+    // Where there is no room for both, the name ends in dots: what one looks for is the value.
+    constexpr int kLeastWidth = 20;
+    const int widest = parameter.type == ConfigParameter::Type::choice ? 80 : 130;
+    value->ensurePolished();
+    value->setMinimumWidth(parameter.type == ConfigParameter::Type::text
+                               ? kLeastWidth
+                               : std::min(value->sizeHint().width(), widest));
     QString tip = description_of(parameter);
     if (parameter.type == ConfigParameter::Type::text) {
         tip = QDir::toNativeSeparators(QString::fromStdString(parameter.text(configuration)));

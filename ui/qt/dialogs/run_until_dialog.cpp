@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/theme.hpp"
 #include "parameter_text.hpp"
 
 namespace hitos::window {
@@ -30,9 +31,10 @@ RunUntilDialog::RunUntilDialog(Session& session, QSettings& settings, QWidget* p
     : QDialog(parent), session_(session), settings_(settings) {
     setWindowTitle(tr("Run until"));
     auto* column = new QVBoxLayout(this);
-    auto* hint = new QLabel(tr("The run stops at the first of these that is met."), this);
-    hint->setWordWrap(true);
-    column->addWidget(hint);
+    hint_ = new QLabel(tr("The run stops at the first of these that is met."), this);
+    hint_->setObjectName("hint");
+    hint_->setWordWrap(true);
+    column->addWidget(hint_);
     form_ = new QFormLayout;
     column->addLayout(form_);
     more_scans_ = count_box(kMostScans);
@@ -55,6 +57,7 @@ RunUntilDialog::RunUntilDialog(Session& session, QSettings& settings, QWidget* p
     QPushButton* run = buttons->addButton(tr("Run"), QDialogButtonBox::AcceptRole);
     run->setObjectName("run_until_run");
     run->setDefault(true);
+    column->addStretch(1);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &RunUntilDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -159,6 +162,12 @@ void RunUntilDialog::accept() {
     const quint64 now = session_.progress().steps;
     if (const auto scan = behind(now)) {
         session_.seek(*scan);
+    } else if (session_.progress().state == Progress::State::finished) {
+        hint_->setText(
+            tr("The tour is over: only scans and times before its end can be reached. "
+               "Go back on the time line, or restart, for the others."));
+        set_look(*hint_, "role", "error");
+        return;
     } else {
         StopRules wanted = rules();
         const auto end_at = [&wanted](quint64 last) {

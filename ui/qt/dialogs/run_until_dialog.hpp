@@ -10,6 +10,7 @@ class QAbstractSpinBox;
 class QCheckBox;
 class QDoubleSpinBox;
 class QFormLayout;
+class QLabel;
 class QSettings;
 class QSpinBox;
 
@@ -42,6 +43,7 @@ class RunUntilDialog final : public QDialog {
 
     Session& session_;
     QSettings& settings_;
+    QLabel* hint_ = nullptr;
     QFormLayout* form_ = nullptr;
     std::vector<Line> lines_;
     QCheckBox* more_ = nullptr;

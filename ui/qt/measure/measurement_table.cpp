@@ -281,10 +281,9 @@ void MeasurementTable::save() {
                               .arg(measurements_.distances())
                               .arg(measurements_.rows().size())
                               .arg(QDir::toNativeSeparators(path));
-    emit notice(
-        untrue == 0
-            ? saved
-            : tr("%1; %2 without a true value, with what is measured now").arg(saved).arg(untrue));
+    emit notice(untrue == 0 ? saved
+                            : tr("%1; %2 without a true value, with what is measured now")
+                                  .arg(saved, QString::number(untrue)));
 }
 
 }  // namespace hitos::window

@@ -159,7 +159,16 @@ ListedRun RunList::add(ListedRun listed) {
 
 void RunList::keep_present() {
     // One scan shows nothing that could be compared.
-    if (const auto run = present(); run->scans > 1) add({0, run});
+    const auto run = present();
+    if (run->scans <= 1) return;
+    if (!of_ || !of_->grid_behind) {
+        add({0, run});
+        return;
+    }
+    // Walls from before a correction do not belong to the path after it, for good.
+    auto without_grid = std::make_shared<KeptRun>(*run);
+    without_grid->grid = {};
+    add({0, std::move(without_grid)});
 }
 
 void RunList::remove(int number) {

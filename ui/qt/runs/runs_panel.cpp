@@ -87,25 +87,26 @@ RunsPanel::RunsPanel(Session& session, RunList& list, UserFiles& files, Prompts&
       files_(files),
       prompts_(prompts),
       model_(new RunsModel(this)) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(4, 4, 4, 4);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
+    column->setSpacing(4);
     table_ = new FiguresTable(model_, this);
     table_->setObjectName("runs_table");
     table_->setAccessibleName(tr("Runs"));
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    row->addWidget(table_, 1);
     buttons_ = new QWidget(this);
-    auto* column = new QVBoxLayout(buttons_);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* row = new QHBoxLayout(buttons_);
+    row->setContentsMargins(0, 0, 0, 0);
     compare_ = add_button(tr("Compare"), "runs_compare", &RunsPanel::compare);
     compare_->setToolTip(tr("Side by side, one over the other, or blinking"));
     use_ = add_button(tr("Use configuration"), "runs_use", &RunsPanel::use);
     remove_ = add_button(tr("Remove"), "runs_remove", &RunsPanel::remove);
     QPushButton* open = add_button(tr("Open results…"), "runs_open", &RunsPanel::results_wanted);
     open->setToolTip(tr("A folder that “Save all results” or hitos-cli run has written"));
-    for (QPushButton* button : {compare_, use_, remove_, open}) column->addWidget(button);
-    column->addStretch(1);
-    row->addWidget(buttons_);
+    for (QPushButton* button : {compare_, use_, remove_, open}) row->addWidget(button);
+    row->addStretch(1);
+    column->addWidget(buttons_);
+    column->addWidget(table_, 1);
     connect(&list, &RunList::changed, this, &RunsPanel::refresh);
     connect(&list, &RunList::present_changed, this, [this] {
         constexpr qint64 kRefreshMs = 250;  // it copies paths

@@ -1150,10 +1150,6 @@
         <translation>es una carpeta; se esperaba un dibujo DXF</translation>
     </message>
     <message>
-        <source>cannot be read; expected a DXF drawing</source>
-        <translation>no se puede leer; se esperaba un dibujo DXF</translation>
-    </message>
-    <message>
         <source>the drawing</source>
         <translation>el dibujo</translation>
     </message>
@@ -1348,6 +1344,46 @@
     <message>
         <source>no such log, nor a world of that name; the worlds that come with Hitos are %1</source>
         <translation>no existe ese registro, ni un mundo con ese nombre; los mundos que vienen con Hitos son %1</translation>
+    </message>
+    <message>
+        <source>cannot be kept for this process: %1: %2; choose a folder that you may write to</source>
+        <translation>no se puede reservar para este proceso: %1: %2; elija una carpeta en la que pueda escribir</translation>
+    </message>
+    <message>
+        <source>is being written by %1; wait until it is done, or choose another folder</source>
+        <translation>lo está escribiendo %1; espere a que termine o elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>cannot be put in place: %1</source>
+        <translation>no se puede poner en su sitio: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; choose a folder that you may write to</source>
+        <translation>no se puede escribir: %1; elija una carpeta en la que pueda escribir</translation>
+    </message>
+    <message>
+        <source>is a device or a pipe; expected a file on a disk</source>
+        <translation>es un dispositivo o una tubería; se esperaba un archivo de un disco</translation>
+    </message>
+    <message>
+        <source>is not the file that summary.json beside it names: it is missing, was changed or is of another run; hitos-cli verify names all such files</source>
+        <translation>no es el archivo que nombra summary.json a su lado: falta, se ha cambiado o es de otra ejecución; hitos-cli verify nombra todos los que están así</translation>
+    </message>
+    <message>
+        <source>names the file %1; expected a name without folders</source>
+        <translation>nombra el archivo %1; se esperaba un nombre sin carpetas</translation>
+    </message>
+    <message>
+        <source>does not name the files of the run, as summaries of Hitos 0.1.0 did not; run it again to have them checked</source>
+        <translation>no nombra los archivos de la ejecución, como los resúmenes de Hitos 0.1.0; repita la ejecución para que se puedan comprobar</translation>
+    </message>
+    <message>
+        <source>is the plan of another study, on which others are at work: program, configuration, log, values or seeds differ; wait for them or choose another folder</source>
+        <translation>es el plan de otro estudio en el que otros están trabajando: difieren el programa, la configuración, el registro, los valores o las semillas; espere a que terminen o elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>cannot be read as a DXF drawing: save it as ASCII DXF, of AutoCAD 2000 or 2004, and try again</source>
+        <translation>no se puede leer como dibujo DXF: guárdelo como DXF ASCII, de AutoCAD 2000 o 2004, e inténtelo de nuevo</translation>
     </message>
 </context>
 <context>
@@ -3411,7 +3447,7 @@
     </message>
     <message>
         <source>Write Neff, weights, landmarks, features, errors and time of every scan as a table</source>
-        <translation>Escribir Neff, pesos, marcas, características, errores y tiempo de cada barrido como tabla</translation>
+        <translation>Escribir Neff, pesos, hitos, características, errores y tiempo de cada barrido como tabla</translation>
     </message>
     <message>
         <source>As fast as possible</source>
@@ -3911,6 +3947,10 @@
         <source>NEES of the pose (95 %: 0.2 … 9.3)</source>
         <translation>NEES de la pose (95 %: 0,2 … 9,3)</translation>
     </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Copiar imagen</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ResultActions</name>
@@ -4019,7 +4059,7 @@
     </message>
     <message>
         <source>a landmark seen again after %1 s</source>
-        <translation>una marca vista de nuevo tras %1 s</translation>
+        <translation>un hito visto de nuevo tras %1 s</translation>
     </message>
     <message>
         <source>resampled</source>
@@ -4070,15 +4110,15 @@
     </message>
     <message>
         <source>a landmark is born</source>
-        <translation>nazca una marca</translation>
+        <translation>nazca un hito</translation>
     </message>
     <message>
         <source>a landmark is seen again that was out of sight for</source>
-        <translation>se vuelva a ver una marca no vista durante</translation>
+        <translation>se vuelva a ver un hito no visto durante</translation>
     </message>
     <message>
         <source>registration closes a loop</source>
-        <translation>el registro cierre un bucle</translation>
+        <translation>el registro de barridos cierre un bucle</translation>
     </message>
     <message>
         <source>another particle becomes the best</source>
@@ -4103,6 +4143,10 @@
     <message>
         <source>%1 has no particles.</source>
         <translation>%1 no tiene partículas.</translation>
+    </message>
+    <message>
+        <source>The tour is over: only scans and times before its end can be reached. Go back on the time line, or restart, for the others.</source>
+        <translation>El recorrido ha terminado: solo se puede llegar a barridos y tiempos anteriores al final. Para lo demás, retroceda en la línea de tiempo o reinicie.</translation>
     </message>
 </context>
 <context>
@@ -4320,11 +4364,11 @@
     </message>
     <message>
         <source>Stopped: a landmark was born.</source>
-        <translation>Detenido: ha nacido una marca.</translation>
+        <translation>Detenido: ha nacido un hito.</translation>
     </message>
     <message>
         <source>Stopped: a landmark was seen again.</source>
-        <translation>Detenido: se ha vuelto a ver una marca.</translation>
+        <translation>Detenido: se ha vuelto a ver un hito.</translation>
     </message>
     <message>
         <source>Stopped: a loop was closed.</source>
@@ -4670,6 +4714,10 @@
     <message>
         <source>Blur: %1 m²</source>
         <translation>Borrosidad: %1 m²</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Copiar imagen</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,6 @@
 #include "canvas_view.hpp"
 
 #include <QApplication>
-#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -21,8 +20,7 @@ namespace {
 
 constexpr double kLeastZoom = 0.5;      // pixels per metre
 constexpr double kGreatestZoom = 5000;  // a millimetre is five pixels
-constexpr double kCopyScale = 2.0;
-constexpr int kLongestSide = 16000;  // of saved pictures
+constexpr int kLongestSide = 16000;     // of saved pictures
 constexpr double kClickPixels = 4.0;
 constexpr double kScaleBand = 46.0;  // pixels at the bottom that belong to the scale bar
 
@@ -44,7 +42,7 @@ QString place_words(QPointF world_m) {
 CanvasView::CanvasView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(220, 120);
+    setMinimumSize(220, 90);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setCursor(Qt::CrossCursor);
 }
@@ -362,7 +360,7 @@ void CanvasView::keyPressEvent(QKeyEvent* event) {
 }
 
 void CanvasView::copy_picture() const {
-    QApplication::clipboard()->setImage(image_of(picture(false, kCopyScale)));
+    copy(picture(false, kCopyScale));
 }
 
 void CanvasView::resizeEvent(QResizeEvent* event) {

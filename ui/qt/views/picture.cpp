@@ -3,8 +3,10 @@
 #include <qcustomplot.h>
 
 #include <QBuffer>
+#include <QClipboard>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QSvgGenerator>
@@ -106,6 +108,10 @@ QImage image_of(const Picture& picture) {
     image.fill(light_colours().canvas);
     picture.paint(image, picture.scale);
     return image;
+}
+
+void copy(const Picture& picture) {
+    QGuiApplication::clipboard()->setImage(image_of(picture));
 }
 
 QString picture_filter() {

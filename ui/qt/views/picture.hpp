@@ -28,6 +28,11 @@ Picture picture_of(QCustomPlot& plot, double scale, std::function<void(const Col
 
 QImage image_of(const Picture& picture);
 
+/// Pixels of a copied picture for each point of the screen.
+inline constexpr double kCopyScale = 2.0;
+/// Puts it into the clipboard.
+void copy(const Picture& picture);
+
 /// The endings that write_picture() knows, for a file dialog.
 QString picture_filter();
 /// Writes the picture atomically as the ending says: .png, .jpg and .jpeg of pixels, .svg and .pdf

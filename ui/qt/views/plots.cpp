@@ -2,6 +2,7 @@
 
 #include <qcustomplot.h>
 
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr int kRefreshMs = 250;
 constexpr int kLeastRow = 110;  // pixels
+constexpr int kLeastHeight = 60;
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A figure of every step, or one that is measured now and then against a reference.
@@ -72,7 +74,15 @@ Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
     column->setContentsMargins(1, 1, 1, 1);  // where one sees that it has the keyboard
     setObjectName("plots");
     setFocusPolicy(Qt::StrongFocus);
-    column->addWidget(plot_);
+    // Where the room is too low for all rows, they are not squeezed but scrolled.
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(plot_);
+    scroll->setMinimumHeight(kLeastHeight);
+    column->addWidget(scroll);
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
     plot_->setMinimumSize(kLeastRow, kLeastRow);  // it cannot paint on nothing

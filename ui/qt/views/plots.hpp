@@ -51,6 +51,7 @@ class Plots final : public QWidget {
 
     /// For print: in the light colours.
     Picture picture(double scale);
+    void copy_picture() { copy(picture(kCopyScale)); }
 
     /// Points drawn so far; 0 where the plot is not shown.
     int points(Figure figure) const;

@@ -103,6 +103,7 @@ void Plots::paintEvent(QPaintEvent* event) {
 void Plots::contextMenuEvent(QContextMenuEvent* event) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Copy picture"), this, &Plots::copy_picture);
     menu->addAction(tr("Save as image…"), this, &Plots::picture_wanted);
     menu->addAction(tr("Save the figures as CSV…"), this, &Plots::table_wanted);
     menu->popup(event->globalPos());

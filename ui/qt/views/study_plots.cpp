@@ -275,6 +275,7 @@ void StudyPlots::contextMenuEvent(QContextMenuEvent* event) {
     if (empty()) return;
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Copy picture"), this, [this] { copy(picture(kCopyScale)); });
     menu->addAction(tr("Save as image…"), this, &StudyPlots::picture_wanted);
     menu->popup(event->globalPos());
 }
