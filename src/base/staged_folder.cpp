@@ -85,7 +85,7 @@ class Exchange {
   public:
     Exchange(const fs::path& from, const fs::path& to) : from_(from), to_(to) {}
     ~Exchange() {
-        for (auto name = done_.rbegin(); name != done_.rend(); ++name) turn(*name);
+        std::for_each(done_.rbegin(), done_.rend(), [this](const auto& name) { turn(name); });
     }
     Exchange(const Exchange&) = delete;
     Exchange& operator=(const Exchange&) = delete;

@@ -19,6 +19,7 @@
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "hitos/base/error.hpp"
+#include "inspect/association_inspector.hpp"
 #include "main_window.hpp"
 #include "runs/runs.hpp"
 #include "screen_fit.hpp"
@@ -85,6 +86,18 @@ void show_study(MainWindow& window, const CommandLine& line) {
     write_picture_of(study, line);
 }
 
+/// With its first feature, where the scan has one.
+void show_associations(MainWindow& window, const Session& session, const CommandLine& line) {
+    auto* inspector = window.findChild<AssociationInspector*>();
+    const auto snapshot = session.snapshot();
+    if (inspector != nullptr && snapshot && !snapshot->associations.empty()) {
+        process_until([inspector] { return inspector->record() != nullptr; });
+        inspector->choose(0);
+        settle(100);
+    }
+    write_picture_of(window, line);
+}
+
 }  // namespace
 
 void take_screenshot(MainWindow& window, Session& session, const CommandLine& line) {
@@ -133,6 +146,8 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
         write_picture_of(comparison, line);
     } else if (line.show == "study") {
         show_study(window, line);
+    } else if (line.show == "associations") {
+        show_associations(window, session, line);
     } else {
         write_picture_of(window, line);
     }

@@ -138,7 +138,15 @@ void Plots::lay_out() {
     }
     const int rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
     plot_->setMinimumHeight(std::max(1, rows) * kLeastRow);
+    updateGeometry();
     restyle();
+}
+
+QSize Plots::sizeHint() const {
+    constexpr int kMostRows = 2;  // more of them are scrolled
+    const QMargins around = layout()->contentsMargins();
+    return {QWidget::sizeHint().width(), std::min(plot_->minimumHeight(), kMostRows * kLeastRow) +
+                                             around.top() + around.bottom()};
 }
 
 void Plots::add_plot(Figure figure, int place, int columns) {

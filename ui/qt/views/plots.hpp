@@ -49,6 +49,8 @@ class Plots final : public QWidget {
 
     Plots(Session& session, ReferenceMeter& meter, QWidget* parent = nullptr);
 
+    QSize sizeHint() const override;
+
     /// For print: in the light colours.
     Picture picture(double scale);
     void copy_picture() { copy(picture(kCopyScale)); }
