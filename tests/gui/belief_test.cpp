@@ -1,5 +1,6 @@
 // How sure the algorithm is: the pose's uncertainty, the joint covariance, the NEES.
 
+#include <QClipboard>
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
@@ -60,6 +61,9 @@ void InspectTest::the_joint_covariance_is_a_picture() {
     QCOMPARE(colour({3, 3}), colours().robot);
     QCOMPARE(colour({0, 4}), colour({4, 0}));
     f.prompts.saves = {f.path("joint.png"), f.path("joint.svg")};
+    QApplication::clipboard()->clear();
+    f.window->findChild<QPushButton*>("joint_copy")->click();
+    QCOMPARE(QApplication::clipboard()->image().size(), dock->picture(kCopyScale).pixels());
     f.window->findChild<QPushButton*>("joint_picture")->click();
     QCOMPARE(QImage(f.path("joint.png")).size(), view.size() * 2);
     f.window->findChild<QPushButton*>("joint_picture")->click();

@@ -263,6 +263,9 @@ void ContactTest::several_files_can_be_dropped_at_once() {
     QCOMPARE(f.session.references().map->size(), 16U);
     QCOMPARE(f.files.recent().size(), 4);
     QVERIFY(f.prompts.warnings.isEmpty());
+    f.prompts.confirms = {true};
+    drop(*f.window, {Fixture::source_file("data/worlds/corridor.toml")});
+    QTRY_VERIFY(f.session.configuration().source.file.ends_with("corridor.toml"));
     // A text is what it reads as.
     QCOMPARE(
         kind_of(f.write("a.txt", Fixture::read(Fixture::source_file("data/maps/bigloop.map")))),

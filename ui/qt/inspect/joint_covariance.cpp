@@ -278,8 +278,15 @@ JointCovariance::JointCovariance(Session& session, QWidget* parent)
     column->addWidget(words_, 1);
     save_ = new QPushButton(tr("Save as image…"), this);
     save_->setObjectName("joint_picture");
-    column->addWidget(save_, 0, Qt::AlignLeft);
+    copy_ = new QPushButton(tr("Copy picture"), this);
+    copy_->setObjectName("joint_copy");
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(save_);
+    buttons->addWidget(copy_);
+    buttons->addStretch(1);
+    column->addLayout(buttons);
     connect(save_, &QPushButton::clicked, this, &JointCovariance::picture_wanted);
+    connect(copy_, &QPushButton::clicked, this, [this] { copy(picture(kCopyScale)); });
     connect(view_, &CorrelationView::painted, &session, &Session::note_cost);
     connect(view_, &CorrelationView::pointed_at, words_, [this](const QString& words) {
         words_->setText(words.isEmpty() ? tr("Point at an entry to read it.") : words);
@@ -317,6 +324,7 @@ void JointCovariance::refresh() {
     const bool there = snapshot && snapshot->joint_covariance.size() > 0;
     view_->setVisible(there);
     save_->setVisible(there);
+    copy_->setVisible(there);
     view_->set_snapshot(there ? snapshot : nullptr);
     if (there) return;
     const bool none = snapshot && snapshot->parts.joint_covariance && snapshot->steps > 0;

@@ -92,6 +92,7 @@ class JointCovariance final : public QWidget {
     CorrelationView* view_;
     QLabel* words_;
     QPushButton* save_;
+    QPushButton* copy_;
 };
 
 }  // namespace hitos::window

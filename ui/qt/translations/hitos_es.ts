@@ -3080,6 +3080,10 @@
         <source>It appears here once the algorithm runs.</source>
         <translation>Aparece aquí cuando se ejecuta el algoritmo.</translation>
     </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Copiar imagen</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::LandmarkModel</name>
