@@ -45,6 +45,13 @@ bool same_file(int descriptor, const fs::path& path) {
            opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
+bool is_mount_point(const fs::path& folder) {
+    struct stat here {};
+    struct stat above {};
+    return ::stat(folder.c_str(), &here) == 0 && ::stat((folder / "..").c_str(), &above) == 0 &&
+           here.st_dev != above.st_dev;
+}
+
 }  // namespace
 
 fs::path hidden_beside(const fs::path& folder, const char* word) {
@@ -54,7 +61,7 @@ fs::path hidden_beside(const fs::path& folder, const char* word) {
     if (!real.has_filename()) real = real.parent_path();  // "results/"
     const std::string ending = std::string(".hitos-") + word;
     const fs::path parent = real.parent_path();
-    if (real.has_filename() && ::access(parent.c_str(), W_OK) == 0) {
+    if (real.has_filename() && ::access(parent.c_str(), W_OK) == 0 && !is_mount_point(real)) {
         return parent / ("." + real.filename().string() + ending);
     }
     return real / ending;

@@ -49,13 +49,6 @@ bool somebody_is_in(const fs::path& folder) {
     return false;
 }
 
-bool is_mount_point(const fs::path& folder) {
-    struct stat here {};
-    struct stat above {};
-    return ::stat(folder.c_str(), &here) != 0 || ::stat((folder / "..").c_str(), &above) != 0 ||
-           here.st_dev != above.st_dev;
-}
-
 /// Another name for somebody's file, or a link that leads where theirs does.
 bool linked(const fs::directory_entry& entry, const fs::path& to) {
     std::error_code error;
@@ -190,8 +183,9 @@ void StagedFolder::clear() {
 }
 
 bool StagedFolder::exchange_folders() {
+    // In it, where nothing can be beside it, as at a mount point.
     if (staging_.parent_path() == fs::weakly_canonical(target_)) return false;
-    if (is_mount_point(target_) || somebody_is_in(target_)) return false;
+    if (somebody_is_in(target_)) return false;
     std::vector<fs::path> links;
     const auto give_up = [&links] {
         std::error_code ignored;

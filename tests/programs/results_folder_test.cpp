@@ -129,7 +129,7 @@ TEST_F(Streams, AFullOrClosedStandardOutputIsAnError) {
 
 TEST_F(Streams, AStudyThatWasAskedToStopGoesOnLater) {
     const std::string study = fmt::format(
-        "{} study {} --config {} --vary filter.particles=5,6 --runs 40 --threads 1 --out ", cli_,
+        "{} study {} --config {} --vary filter.particles=5,6 --runs 12 --threads 1 --out ", cli_,
         log_, config_);
     const Outcome stopped = shell("timeout --preserve-status -s TERM 0.7 " + study + path("study"));
     EXPECT_EQ(stopped.status, 143) << stopped.output;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -18,6 +19,13 @@ namespace hitos {
 namespace {
 
 using Folder = std::filesystem::path;
+
+/// A log's name may be of any bytes, the text of a configuration may not: what is no UTF-8 becomes
+/// U+FFFD, as in the summary.
+std::string in_utf8(const std::string& text) {
+    using nlohmann::json;
+    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+}
 
 const std::string kParticleGrid = "grid_particle_";
 
@@ -195,7 +203,9 @@ std::vector<RunOutput> make_outputs() {
             [](const Run& r, const Folder& file) { write_trajectory(odometry_path(r), file); }),
         essential("config.cfg",
                   [](const Run& r, const Folder& file) {
-                      ArchivoConfiguracion::write(r.run.configuration(), file);
+                      Configuracion configuration = r.run.configuration();
+                      configuration.source.file = in_utf8(configuration.source.file);
+                      ArchivoConfiguracion::write(configuration, file);
                   }),
         grid(
             "grid_best_steps", [](const Run& r) -> const Grid& { return r.run.step_grid(); },

@@ -9,6 +9,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/kept_run.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "support.hpp"
 
@@ -169,6 +170,19 @@ TEST_F(ResultsTest, WhatWasAskedForIsWrittenAndWhatCouldNotBeDrawnIsTold) {
         EXPECT_TRUE(names().contains(name)) << name;
     }
     EXPECT_EQ(json::parse(content(out_ / "summary.json"))["distances"][0]["name"], "room");
+}
+
+TEST_F(ResultsTest, ALogsNameMayBeOfAnyBytes) {
+    const TempFolder logs;
+    Configuracion configuration = run_of("fastslam").configuration();
+    const auto log = logs / "n\xff\xfe.log.gz";
+    std::filesystem::copy_file(configuration.source.file, log);
+    configuration.source.file = log.string();
+    Algoritmo run(configuration, open_source(configuration.source));
+    for (int i = 0; i < 5; ++i) ASSERT_TRUE(run.step());
+    write_results(run, {}, 1.0, out_.path());
+    EXPECT_THAT(content(out_ / "config.cfg"), ::testing::HasSubstr("n\xef\xbf\xbd"));
+    EXPECT_EQ(read_results(out_.path()).scans, 5U);
 }
 
 TEST_F(ResultsTest, AnOutputFolderIsTriedBeforeTheRun) {
