@@ -127,6 +127,17 @@ TEST_F(Streams, AFullOrClosedStandardOutputIsAnError) {
     EXPECT_EQ(shell(cli_ + " parameters >&- ").status, 1);
 }
 
+TEST_F(Streams, ASignalLeavesNoTemporaryFile) {
+    folder_.put("tour.log", "precious");
+    for (const char* delay : {"0.05", "0.1", "0.2"}) {
+        shell(fmt::format("timeout -s TERM {} {} simulate bigloop2 --format player --out {}", delay,
+                          cli_, path("tour.log")));
+        EXPECT_EQ(folder_.files(), 1U) << delay;
+    }
+    const std::string left = content(path("tour.log"));
+    EXPECT_TRUE(left == "precious" || left.size() > 1'000'000) << left.size();
+}
+
 TEST_F(Streams, AStudyThatWasAskedToStopGoesOnLater) {
     const std::string study = fmt::format(
         "{} study {} --config {} --vary filter.particles=5,6 --runs 12 --threads 1 --out ", cli_,
