@@ -148,6 +148,13 @@ TEST_F(Streams, AStudyThatWasAskedToStopGoesOnLater) {
     ASSERT_EQ(shell(study + path("study")).status, 0);
     ASSERT_EQ(shell(study + path("whole")).status, 0);
     EXPECT_EQ(files("study"), files("whole"));
+    EXPECT_EQ(shell(cli_ + " verify " + path("study")).status, 0);
+    folder_.put("study/summary.csv", "other");
+    const Outcome broken = shell(cli_ + " verify " + path("study"));
+    EXPECT_EQ(broken.status, 1);
+    EXPECT_NE(broken.output.find("summary.csv: missing, or not of these runs"), std::string::npos);
+    ASSERT_EQ(shell(cli_ + " recover " + path("study")).status, 0);
+    EXPECT_EQ(files("study"), files("whole"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// hitos-cli verify: whether a folder of results is whole.
+// hitos-cli verify and recover: whether a folder is whole, and what can be made of what is there.
 
 #include <fmt/core.h>
 
@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/services/run/results_check.hpp"
+#include "hitos/services/study/study_check.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -16,7 +18,7 @@ void tell(const std::vector<std::string>& files, const char* what) {
     for (const std::string& file : files) fmt::print("{}: {}\n", file, what);
 }
 
-void verify(const std::string& folder) {
+void verify_run(const std::string& folder) {
     const ResultsCheck check = check_results(folder);
     tell(check.missing, "missing");
     tell(check.changed, "changed since it was written, or of another run");
@@ -25,16 +27,50 @@ void verify(const std::string& folder) {
     fmt::print("whole: {} files as they were written\n", check.files);
 }
 
+void verify_study(const StudyLayout& layout) {
+    const StudyCheck check = check_study(layout);
+    tell(check.missing, "the run is missing, changed or of another plan");
+    tell(check.tables, "missing, or not of these runs");
+    if (!check.whole()) throw CLI::RuntimeError(1);
+    fmt::print("whole: {} runs, {} of them failed, and their tables\n", check.runs, check.failed);
+}
+
+void verify(const std::string& folder) {
+    const StudyLayout layout = study_in_folder(folder);
+    is_study(layout) ? verify_study(layout) : verify_run(folder);
+}
+
+void recover(const std::string& folder) {
+    const StudyLayout layout = study_in_folder(folder);
+    if (!is_study(layout)) {
+        throw FileError(folder, verbatim("is no folder of a study: it has no study.json; expected "
+                                         "the --out of hitos-cli study"));
+    }
+    const StudyOutcome outcome = recover_study(layout);
+    fmt::print(
+        "tables made anew of {} of {} runs; the others stand in them as failed, and the "
+        "command of the study goes on with them\n",
+        outcome.reused, outcome.records.size());
+}
+
 }  // namespace
 
 void add_verify(CLI::App& program) {
     auto folder = std::make_shared<std::string>();
     CLI::App* command = program.add_subcommand(
-        "verify", "Check a folder of results: files missing, changed or left over");
-    command->footer("Ends with status 0 where all files are as run wrote them, else with 1.");
-    command->add_option("folder", *folder, "Folder that run or Save all results has written")
+        "verify", "Check a folder of a run or a study: files missing, changed or left over");
+    command->footer("Ends with status 0 where all is as it was written, else with 1.");
+    command->add_option("folder", *folder, "Folder that run, study or Save all results has written")
         ->required();
     command->callback([folder] { verify(*folder); });
+}
+
+void add_recover(CLI::App& program) {
+    auto folder = std::make_shared<std::string>();
+    CLI::App* command = program.add_subcommand(
+        "recover", "Make the tables and plots of a study anew of the runs that are there");
+    command->add_option("folder", *folder, "Folder of the study")->required();
+    command->callback([folder] { recover(*folder); });
 }
 
 }  // namespace hitos::cli

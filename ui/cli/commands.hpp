@@ -15,5 +15,6 @@ void add_reproduce(CLI::App& program);
 void add_parameters(CLI::App& program);
 void add_presets(CLI::App& program);
 void add_verify(CLI::App& program);
+void add_recover(CLI::App& program);
 
 }  // namespace hitos::cli

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
     hitos::cli::add_parameters(program);
     hitos::cli::add_presets(program);
     hitos::cli::add_verify(program);
+    hitos::cli::add_recover(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

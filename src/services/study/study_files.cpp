@@ -264,18 +264,24 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
     }
 }
 
+std::vector<std::pair<fs::path, std::string>> tables(const StudyLayout& layout,
+                                                     const StudyPlan& plan,
+                                                     std::span<const StudyRecord> records) {
+    const std::vector<StudyCell> cells = summarize(plan, records);
+    return {{layout.quality_file(), quality_csv(layout, plan, records)},
+            {layout.file("summary.csv"), summary_csv(plan, cells)},
+            {layout.file("summary.md"), summary_markdown(plan, cells)},
+            {layout.file("summary.tex"), summary_latex(plan, cells)},
+            {layout.file("timing.csv"), timing_csv(plan, records)}};
+}
+
 Message write_tables(const StudyLayout& layout, const StudyPlan& plan,
                      std::span<const StudyRecord> records) {
     for (const char* folder : {"maps", "runs"}) remove_leftovers(layout.file(folder));
     remove_leftovers(layout.folder);
 
-    const std::vector<StudyCell> cells = summarize(plan, records);
-    write_file(layout.quality_file(), quality_csv(layout, plan, records));
-    write_file(layout.file("summary.csv"), summary_csv(plan, cells));
-    write_file(layout.file("summary.md"), summary_markdown(plan, cells));
-    write_file(layout.file("summary.tex"), summary_latex(plan, cells));
-    write_file(layout.file("timing.csv"), timing_csv(plan, records));
-    return write_plots(layout, plan, cells);
+    for (const auto& [file, text] : tables(layout, plan, records)) write_file(file, text);
+    return write_plots(layout, plan, summarize(plan, records));
 }
 
 }  // namespace hitos::study

@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "hitos/base/digest.hpp"
 #include "hitos/base/folder_lock.hpp"
@@ -43,6 +45,10 @@ void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t 
 /// or what its picture is drawn of is missing or changed: then the run must be done anew.
 std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPlan& plan,
                                        std::size_t run);
+
+/// The tables of a study, which its records decide to the last byte.
+std::vector<std::pair<std::filesystem::path, std::string>> tables(
+    const StudyLayout& layout, const StudyPlan& plan, std::span<const StudyRecord> records);
 
 /// Writes tables and plots and removes what a killed process left half-written. Gives the reason
 /// why there are no plots, else an empty text.

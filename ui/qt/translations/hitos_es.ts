@@ -1385,6 +1385,10 @@
         <source>cannot be read as a DXF drawing: save it as ASCII DXF, of AutoCAD 2000 or 2004, and try again</source>
         <translation>no se puede leer como dibujo DXF: guárdelo como DXF ASCII, de AutoCAD 2000 o 2004, e inténtelo de nuevo</translation>
     </message>
+    <message>
+        <source>the run is not there</source>
+        <translation>la ejecución no está</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
