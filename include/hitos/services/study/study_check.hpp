@@ -15,7 +15,7 @@ struct StudyCheck {
     std::size_t failed = 0;            ///< whose record says why
     std::vector<std::string> missing;  ///< labels of runs that are not there, changed, or of
                                        ///< another plan
-    std::vector<std::string> tables;  ///< files that are not there or not of these runs
+    std::vector<std::string> tables;   ///< files that are not there or not of these runs
 
     bool whole() const { return missing.empty() && tables.empty(); }
 };
