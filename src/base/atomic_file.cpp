@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "hitos/base/error.hpp"
+#include "sync_folder.hpp"
 
 namespace hitos {
 namespace {
@@ -78,13 +79,6 @@ std::filesystem::path followed(std::filesystem::path path) {
     if (!std::filesystem::is_symlink(path, error)) return path;
     std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
     return error ? path : real;
-}
-
-void sync_folder(const std::filesystem::path& folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;  // the file is in place; a folder that may not be read is no error
-    ::fsync(descriptor);
-    ::close(descriptor);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "sync_folder.hpp"
 
 namespace hitos {
 namespace {
@@ -64,13 +65,6 @@ bool linked(const fs::directory_entry& entry, const fs::path& to) {
 
 bool exchanged(const fs::path& a, const fs::path& b) {
     return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
-}
-
-void sync(const fs::path& folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    ::fsync(descriptor);
-    ::close(descriptor);
 }
 
 /// Files that change their places, all or none.
@@ -201,11 +195,11 @@ bool StagedFolder::exchange_folders() {
     struct stat old {};
     if (::stat(target_.c_str(), &old) != 0) return give_up();
     ::chmod(staging_.c_str(), old.st_mode & 07777U);
-    sync(staging_);
+    sync_folder(staging_);
     std::error_code error;
     const fs::path real = fs::canonical(target_, error);  // a link stays a link
     if (error || !exchanged(staging_, real)) return give_up();
-    sync(real.parent_path());
+    sync_folder(real.parent_path());
     return true;
 }
 
@@ -228,10 +222,10 @@ void StagedFolder::exchange_files() {
     for (const std::string& name : names) {
         if (name != seal_) exchange.add(name);
     }
-    sync(target_);
+    sync_folder(target_);
     exchange.add(seal_);
     exchange.keep();
-    sync(target_);
+    sync_folder(target_);
 }
 
 bool StagedFolder::is_former(const fs::directory_entry& entry) const {
