@@ -1,4 +1,4 @@
-#include <string>
+#include <fmt/format.h>
 
 #include "hitos/services/run/results.hpp"
 #include "source_digest.hpp"
@@ -8,7 +8,7 @@ namespace hitos {
 
 // In a file of its own, which every change of any source compiles anew.
 std::string build_identity() {
-    return std::string(kSourceDigest) + " " + kBuild;
+    return fmt::format("{} {}", kSourceDigest, kBuild);
 }
 
 }  // namespace hitos
