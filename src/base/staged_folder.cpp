@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
 #include "sync_folder.hpp"
 
 namespace hitos {
@@ -67,45 +68,6 @@ bool exchanged(const fs::path& a, const fs::path& b) {
     return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
 }
 
-/// Files that change their places, all or none.
-class Exchange {
-  public:
-    Exchange(const fs::path& from, const fs::path& to) : from_(from), to_(to) {}
-    ~Exchange() {
-        std::for_each(done_.rbegin(), done_.rend(), [this](const auto& name) { turn(name); });
-    }
-    Exchange(const Exchange&) = delete;
-    Exchange& operator=(const Exchange&) = delete;
-
-    /// What is at either place goes to the other one.
-    void add(const std::string& name) {
-        if (!turn(name)) {
-            throw FileError(
-                (to_ / name).string(),
-                message(HITOS_TEXT("Errors", "cannot be put in place: %1"), system_message(errno)));
-        }
-        done_.push_back(name);
-    }
-    void keep() { done_.clear(); }
-
-  private:
-    bool turn(const std::string& name) const {
-        const fs::path a = from_ / name;
-        const fs::path b = to_ / name;
-        if (!is_there(a)) return ::rename(b.c_str(), a.c_str()) == 0;
-        if (!is_there(b)) return ::rename(a.c_str(), b.c_str()) == 0;
-        if (exchanged(a, b)) return true;
-        // Old file systems: by a third name.
-        const fs::path c = from_ / (name + ".former");
-        return ::rename(b.c_str(), c.c_str()) == 0 && ::rename(a.c_str(), b.c_str()) == 0 &&
-               ::rename(c.c_str(), a.c_str()) == 0;
-    }
-
-    const fs::path& from_;
-    const fs::path& to_;
-    std::vector<std::string> done_;
-};
-
 /// A file that goes back to its place unless another one has taken it.
 class PutAside {
   public:
@@ -142,7 +104,8 @@ fs::path made_output_folder(fs::path folder) {
 }
 
 StagedFolder::StagedFolder(fs::path folder, Owned owned, std::string seal)
-    : target_(made_output_folder(std::move(folder))),
+    : made_(!is_there(folder)),
+      target_(made_output_folder(std::move(folder))),
       owned_(std::move(owned)),
       seal_(std::move(seal)),
       lock_(target_),
@@ -162,6 +125,8 @@ StagedFolder::StagedFolder(fs::path folder, Owned owned, std::string seal)
 
 StagedFolder::~StagedFolder() {
     clear();
+    // One that was made for nothing goes; one with anything in it stays.
+    if (made_) ::rmdir(target_.c_str());
 }
 
 void StagedFolder::clear() {
@@ -217,7 +182,7 @@ void StagedFolder::exchange_files() {
     }
     // The former seal may be gone for a moment, the new one is never early. Taken back last.
     const PutAside former_seal(target_ / seal_, staging_ / (".hitos-" + seal_));
-    Exchange exchange(staging_, target_);
+    FileExchange exchange(staging_, target_);
     for (const std::string& name : former) exchange.add(name);
     for (const std::string& name : names) {
         if (name != seal_) exchange.add(name);

@@ -67,7 +67,7 @@ std::optional<LineReader::Line> LineReader::next() {
                 begin_ = at + 1;
                 scanned_ = begin_;
                 if (raw.size() > kLongestLine) {
-                    return Line{{}, ++number_, too_long()};
+                    return Line{{}, ++number_, too_long(), true};
                 }
                 return make_line(raw);
             }
@@ -92,7 +92,7 @@ std::optional<LineReader::Line> LineReader::skip_long_line() {
             found_end = true;
         }
     }
-    return Line{{}, number_, too_long()};
+    return Line{{}, number_, too_long(), true};
 }
 
 std::optional<LineReader::Line> LineReader::last_line() {

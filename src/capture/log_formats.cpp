@@ -67,7 +67,7 @@ void write_tour(TourReader& reader, LogWriter& writer, const std::function<void(
         for (; reading && belongs_before(*reading); reading = reader.next_odometry()) {
             writer.write(*reading);
         }
-        writer.write(*scan);
+        writer.write(*scan, reading ? &*reading : nullptr);
         if (told) told();
     }
     for (; reading; reading = reader.next_odometry()) writer.write(*reading);

@@ -5,41 +5,57 @@
 #include <utility>
 
 namespace hitos {
+namespace {
+
+/// A zero loses its sign, which means nothing and would stand in the file.
+Twist without_minus(Twist twist) {
+    for (double* value : {&twist.v, &twist.v_lateral, &twist.w}) *value += 0.0;
+    return twist;
+}
+
+}  // namespace
 
 void TourWriter::write(const Scan& scan) {
     pending_.push_back({scan.time_s, scan.carries_odometry ? scan.line : 0, prepare(scan)});
 }
 
-void TourWriter::write(const Odometria& given) {
-    Odometria odometry = given;
-    // A zero loses its sign, which means nothing and would stand in the file.
-    for (double* value : {&odometry.twist.v, &odometry.twist.v_lateral, &odometry.twist.w}) {
-        *value += 0.0;
-    }
-    const double begin_s = has_reading_ ? last_.time_s : odometry.time_s;
+void TourWriter::write(const Scan& scan, const Odometria* next) {
+    write(scan);
+    next != nullptr ? put_before(*next) : put_rest();
+}
+
+/// The scans that come before the reading.
+void TourWriter::put_before(const Odometria& reading) {
+    const double begin_s = has_reading_ ? last_.time_s : reading.time_s;
     const Pose begin = pose_odom_robot_;
-    const Pose end = has_reading_
-                         ? compose(begin, displacement(odometry.twist, odometry.time_s - begin_s))
-                         : Pose{};
-    // First the scans before the reading ...
     while (!pending_.empty()) {
         const Pending& scan = pending_.front();
         if (scan.line > 0) {
-            if (scan.line >= odometry.line) break;
+            if (scan.line >= reading.line) break;
             // Its own reading repeated the one before and was left out.
             put_pending(has_reading_ ? std::max(scan.time_s, last_.time_s) : scan.time_s,
                         pose_odom_robot_);
             continue;
         }
-        if (scan.time_s >= odometry.time_s) break;
+        if (scan.time_s >= reading.time_s) break;
         const bool overtaken = has_reading_ && scan.time_s < last_.time_s;
-        put_pending(scan.time_s,
-                    overtaken ? pose_at(scan.time_s, last_, last_begin_s_, begin)
-                    : has_reading_
-                        ? compose(begin, displacement(odometry.twist, scan.time_s - begin_s))
-                        : Pose{});
+        put_pending(scan.time_s, overtaken ? pose_at(scan.time_s, last_, last_begin_s_, begin)
+                                 : has_reading_
+                                     ? compose(begin, displacement(without_minus(reading.twist),
+                                                                   scan.time_s - begin_s))
+                                     : Pose{});
     }
-    // ... then the reading, and the scans at its time.
+}
+
+void TourWriter::write(const Odometria& given) {
+    Odometria odometry = given;
+    odometry.twist = without_minus(given.twist);
+    put_before(odometry);
+    // Then the reading, and the scans at its time.
+    const double begin_s = has_reading_ ? last_.time_s : odometry.time_s;
+    const Pose end = has_reading_ ? compose(pose_odom_robot_,
+                                            displacement(odometry.twist, odometry.time_s - begin_s))
+                                  : Pose{};
     last_ = odometry;
     last_begin_s_ = begin_s;
     pose_odom_robot_ = end;
@@ -77,13 +93,18 @@ void TourWriter::flush() {
     out_.clear();
 }
 
-void TourWriter::finish() {
+/// The scans that no reading follows.
+void TourWriter::put_rest() {
     while (!pending_.empty()) {
         const double time_s = pending_.front().time_s;
         const bool own = pending_.front().line > 0;
         put_pending(own && has_reading_ ? std::max(time_s, last_.time_s) : time_s,
                     pose_odom_robot_);
     }
+}
+
+void TourWriter::finish() {
+    put_rest();
     if (!std::exchange(has_head_, true)) put_head(out_);
     file_.write(out_);
     out_.clear();

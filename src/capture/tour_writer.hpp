@@ -17,6 +17,7 @@ class TourWriter : public LogWriter {
     explicit TourWriter(const std::filesystem::path& path) : file_(path, true) {}
 
     void write(const Scan& scan) final;
+    void write(const Scan& scan, const Odometria* next) final;
     void write(const Odometria& odometry) final;
     void finish() final;
 
@@ -43,6 +44,8 @@ class TourWriter : public LogWriter {
         Prepared prepared;
     };
 
+    void put_before(const Odometria& reading);
+    void put_rest();
     void put_pending(double time_s, const Pose& pose_odom_robot);
     Pose pose_at(double time_s, const Odometria& reading, double begin_s, const Pose& pose) const;
     void flush();

@@ -1,6 +1,9 @@
 #include "joint_state.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "hitos/base/memory_need.hpp"
 
 namespace hitos {
 
@@ -124,7 +127,12 @@ void JointState::transform(const Matrix3& by_pose, std::span<const Turn> landmar
 
 void JointState::grow(Eigen::Index size) {
     if (size <= covariance_.rows()) return;
-    const Eigen::Index capacity = std::max<Eigen::Index>(2 * covariance_.rows(), 32);
+    // By a quarter: the memory goes with the square. Columns stay aligned.
+    constexpr Eigen::Index kAligned = 8;
+    const Eigen::Index wished = std::max({size, covariance_.rows() * 5 / 4, Eigen::Index{32}});
+    const Eigen::Index capacity = (wished + kAligned - 1) / kAligned * kAligned;
+    const auto columns = static_cast<std::size_t>(capacity);
+    require_memory(columns * columns * sizeof(double));
     mean_.conservativeResize(capacity);
     covariance_.conservativeResize(capacity, capacity);
 }

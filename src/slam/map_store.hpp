@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "hitos/base/memory_need.hpp"
 #include "models/landmark_kinds.hpp"
 
 namespace hitos {
@@ -63,6 +64,7 @@ class LandmarkTable {
         LandmarkTable larger;
         larger.capacity_ = std::max(largest + extra, capacity_ + capacity_ / 2 + 8);
         larger.sizes_ = sizes_;
+        require_memory(bytes() + sizes_.size() * larger.capacity_ * kBytesEach);
         larger.values_.resize(sizes_.size() * View::kColumns * larger.capacity_);
         larger.records_.resize(sizes_.size() * larger.capacity_);
         for (std::size_t block = 0; block < sizes_.size(); ++block) {
@@ -78,6 +80,9 @@ class LandmarkTable {
     }
 
   private:
+    static constexpr std::size_t kBytesEach =
+        View::kColumns * sizeof(double) + sizeof(LandmarkRecord);  ///< of a landmark
+
     std::vector<double> values_;
     std::vector<LandmarkRecord> records_;
     std::vector<std::uint32_t> sizes_;

@@ -1,11 +1,38 @@
 // How the window starts: with bad files, from another folder, on a world.
 
+#include <QDir>
+#include <QProcess>
+#include <QTemporaryDir>
+
 #include "app/command_line.hpp"
 #include "gui_fixture.hpp"
 #include "tests.hpp"
 #include "views/plots.hpp"
 
 namespace hitos::window {
+
+void ConfigurationTest::a_request_to_end_ends_it_orderly() {
+    const QTemporaryDir home;
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("XDG_CONFIG_HOME", home.path());
+    program.setProcessEnvironment(environment);
+    program.start(QString(HITOS_BIN_DIR) + "/hitos",
+                  {"--run", Fixture::source_file("data/bigloop.log.gz")});
+    QVERIFY(program.waitForStarted());
+    // From when it listens on; before that it ends at once, which gives another status.
+    int status = 0;
+    for (int wait_ms = 1000; status != 143 && wait_ms < 60000; wait_ms *= 2) {
+        QVERIFY(!program.waitForFinished(wait_ms));
+        program.terminate();
+        QVERIFY(program.waitForFinished(60000));
+        status = program.exitCode();
+        if (program.exitStatus() == QProcess::NormalExit) break;
+        program.start();
+    }
+    QCOMPARE(status, 143);
+    QVERIFY(!QDir(home.path()).isEmpty());  // it has remembered its layout
+}
 
 void ConfigurationTest::a_bad_default_is_told_in_the_window() {
     Fixture f(false);

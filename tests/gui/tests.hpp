@@ -51,6 +51,7 @@ class ConfigurationTest : public QObject {
     void references_go_with_their_log();
     void a_mistake_that_becomes_unused_is_forgotten();
     void a_form_that_could_not_be_applied_keeps_its_values();
+    void a_request_to_end_ends_it_orderly();
     void a_bad_default_is_told_in_the_window();
     void a_default_whose_log_is_lost_is_told_in_the_window();
     void a_bad_file_of_the_command_line_is_told_in_the_window();

@@ -113,7 +113,47 @@ TEST_F(ResultsFolder, IsWholeAfterASecondRequest) {
     EXPECT_EQ(shell(verify()).status, 0);
 }
 
-class Streams : public test::ProgramTest {};
+TEST_F(ResultsFolder, ALogThatCannotBeReadLeavesNoFolder) {
+    const Outcome outcome = shell(cli_ + " run nosuch.log --out " + path("out"));
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.output.find("nosuch.log: there is no such file"), std::string::npos)
+        << outcome.output;
+    EXPECT_EQ(outcome.output.find("world"), std::string::npos) << outcome.output;
+    folder_.put("none.log", "nothing of a log\n");
+    EXPECT_EQ(shell(cli_ + " run " + path("none.log") + " --out " + path("out")).status, 1);
+    EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
+TEST_F(ResultsFolder, AShortageOfMemorySaysWhatToLower) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "sanitizers need more address space than may be limited";
+#endif
+    ASSERT_EQ(shell(run(1)).status, 0);
+    const Outcome outcome =
+        shell("ulimit -v 1200000; " + run(2) + " --set filter.particles=1000000");
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_NE(outcome.output.find("out of memory"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("lower filter.particles"), std::string::npos) << outcome.output;
+    EXPECT_EQ(seed_there(), 1);
+    EXPECT_EQ(shell(verify()).status, 0);
+}
+
+class Streams : public test::ProgramTest {
+  protected:
+    /// The command, into a new folder, stopped while its runs are under way: however slow the
+    /// machine, some delay falls there.
+    Outcome stopped_on_the_way(const std::string& command, const std::string& out,
+                               const std::string& signal) const {
+        Outcome stopped;
+        for (double delay = 0.2; delay < 1000.0; delay *= 1.5) {
+            std::filesystem::remove_all(path(out));
+            stopped = shell(fmt::format("timeout --preserve-status -s {} {} {}{}", signal, delay,
+                                        command, path(out)));
+            if (stopped.output.find("the same command goes on") != std::string::npos) break;
+        }
+        return stopped;
+    }
+};
 
 TEST_F(Streams, AFullOrClosedStandardOutputIsAnError) {
     for (const std::string where : {"> /dev/full", "| true"}) {
@@ -136,13 +176,21 @@ TEST_F(Streams, ASignalLeavesNoTemporaryFile) {
     EXPECT_TRUE(left == "precious" || left.size() > 1'000'000) << left.size();
 }
 
+TEST_F(Streams, AReproductionThatWasAskedToStopGoesOnLater) {
+    const std::string reproduce =
+        cli_ + " reproduce --only 10.28 --runs 2 --world tour.laps=1 --threads 1 --out ";
+    EXPECT_EQ(stopped_on_the_way(reproduce, "half", "INT").status, 130);
+    EXPECT_FALSE(std::filesystem::exists(path("half/reproduction.csv")));
+    ASSERT_EQ(shell(reproduce + path("half")).status, 0);
+    ASSERT_EQ(shell(reproduce + path("whole")).status, 0);
+    EXPECT_EQ(files("half"), files("whole"));
+}
+
 TEST_F(Streams, AStudyThatWasAskedToStopGoesOnLater) {
     const std::string study = fmt::format(
         "{} study {} --config {} --vary filter.particles=5,6 --runs 12 --threads 1 --out ", cli_,
         log_, config_);
-    const Outcome stopped = shell("timeout --preserve-status -s TERM 0.7 " + study + path("study"));
-    EXPECT_EQ(stopped.status, 143) << stopped.output;
-    EXPECT_NE(stopped.output.find("the same command goes on"), std::string::npos) << stopped.output;
+    EXPECT_EQ(stopped_on_the_way(study, "study", "TERM").status, 143);
     ASSERT_EQ(shell(study + path("study")).status, 0);
     ASSERT_EQ(shell(study + path("whole")).status, 0);
     EXPECT_EQ(files("study"), files("whole"));
@@ -150,7 +198,7 @@ TEST_F(Streams, AStudyThatWasAskedToStopGoesOnLater) {
     folder_.put("study/summary.csv", "other");
     const Outcome broken = shell(cli_ + " verify " + path("study"));
     EXPECT_EQ(broken.status, 1);
-    EXPECT_NE(broken.output.find("summary.csv: missing, or not of these runs"), std::string::npos);
+    EXPECT_NE(broken.output.find("summary.csv: missing, changed"), std::string::npos);
     ASSERT_EQ(shell(cli_ + " recover " + path("study")).status, 0);
     EXPECT_EQ(files("study"), files("whole"));
 }

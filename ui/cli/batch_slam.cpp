@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/process.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
-#include "process.hpp"
 #include "study_console.hpp"
 
 namespace hitos::cli {
@@ -108,10 +108,9 @@ int run_program(int argc, char** argv) {
 }  // namespace hitos::cli
 
 int main(int argc, char** argv) {
-    hitos::cli::prepare_process();
+    hitos::prepare_process();
     try {
-        return hitos::cli::finished("BatchSLAM",
-                                    [&] { return hitos::cli::run_program(argc, argv); });
+        return hitos::run_program("BatchSLAM", [&] { return hitos::cli::run_program(argc, argv); });
     } catch (...) {  // not even the error could be told
         return 1;
     }

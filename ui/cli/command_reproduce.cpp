@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/process.hpp"
 #include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/reproduction_maps.hpp"
 #include "hitos/workbench/shipped_data.hpp"
@@ -125,6 +126,7 @@ int reproduce_experiments(const CommandOptions& options, const std::vector<std::
     maps.settings = options.reproduction.settings;
     maps.out = options.reproduction.out;
     maps.logs = options.logs;
+    maps.stop = options.reproduction.stop;
     Teller teller;
     maps.observer = teller.observer();
     const MapReproduction result = reproduce_maps(maps);
@@ -173,12 +175,19 @@ int reproduce(CommandOptions options) {
         if (shown) maps.push_back(word);
         if (!shown || names_figure(word)) options.reproduction.only.push_back(word);
     }
-    int status = 0;
-    if (words.empty() || !options.reproduction.only.empty()) status = reproduce_tables(options);
-    if (words.empty() || !maps.empty()) {
-        status = std::max(status, reproduce_experiments(options, maps));
+    const StopSource stop;
+    options.reproduction.stop = stop.token();
+    try {
+        int status = 0;
+        if (words.empty() || !options.reproduction.only.empty()) status = reproduce_tables(options);
+        if (words.empty() || !maps.empty()) {
+            status = std::max(status, reproduce_experiments(options, maps));
+        }
+        return status;
+    } catch (const StudyStopped& stopped) {
+        fmt::print(stderr, "{}; the same command goes on with the rest\n", stopped.what());
+        return StopByRequest::status();
     }
-    return status;
 }
 
 }  // namespace

@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "damage.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/process.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
@@ -21,7 +23,6 @@
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "options.hpp"
-#include "process.hpp"
 #include "progress_line.hpp"
 
 namespace hitos::cli {
@@ -46,16 +47,7 @@ constexpr int kNotWhole = 2;  // the program's status
 void print_summary(const RunSummary& summary, const std::string& folder) {
     fmt::print("{} scans in {:.1f} s of tour, {} lines and {} corners\n", summary.scans,
                summary.duration_s, summary.lines, summary.corners);
-    if (summary.report.skipped > 0) {
-        fmt::print("{} damaged line{} skipped; line {}: {}\n", summary.report.skipped,
-                   summary.report.skipped == 1 ? " was" : "s were",
-                   summary.report.examples.front().line,
-                   summary.report.examples.front().reason.english());
-    }
-    if (summary.report.stamps_backwards > 0) {
-        fmt::print("{} time stamps lie before the one before them; the log's order was kept\n",
-                   summary.report.stamps_backwards);
-    }
+    fmt::print("{}", damage_text(summary.report));
     if (summary.searches_cut > 0) {
         fmt::print("{} joint associations were cut short; each has the best found until then\n",
                    summary.searches_cut);
@@ -165,11 +157,18 @@ void run(const RunOptions& options) {
     const double seconds = line.seconds();
     line.finish(progress.steps, fmt::format("{} landmarks", progress.lines + progress.corners));
 
-    const RunSummary summary = worker
-                                   .with_run([&](const Algoritmo& finished) {
-                                       return write_results(finished, references, seconds, folder);
-                                   })
-                                   .get();
+    ProgressLine files("files");
+    const WritingObserver told = [&files](const WritingProgress& now) {
+        files.show(now.number - 1,
+                   static_cast<double>(now.number - 1) / static_cast<double>(now.count), now.file);
+    };
+    const RunSummary summary =
+        worker
+            .with_run([&](const Algoritmo& finished) {
+                return write_results(finished, references, seconds, folder, told);
+            })
+            .get();
+    files.finish(summary.files.size());
     print_summary(summary, options.out);
     if (!options.figures.empty()) {
         write_figures(worker.figures_since(0),

@@ -30,7 +30,20 @@ void verify_run(const std::string& folder) {
 void verify_study(const StudyLayout& layout) {
     const StudyCheck check = check_study(layout);
     tell(check.missing, "the run is missing, changed or of another plan");
-    tell(check.tables, "missing, or not of these runs");
+    tell(check.changed, "missing, changed since it was written, or not of these runs");
+    tell(check.left_over, "left over: not of this study");
+    if (check.interrupted) {
+        fmt::print(
+            "its files were being put in place: another process is at it, or hitos-cli recover "
+            "ends it\n");
+    } else if (!check.finished) {
+        fmt::print("not finished: the same command goes on with it\n");
+    }
+    if (check.another) {
+        fmt::print(
+            "another study in this folder is under way or was stopped; when it is complete it "
+            "takes the place of this one\n");
+    }
     if (!check.whole()) throw CLI::RuntimeError(1);
     fmt::print("whole: {} runs, {} of them failed, and their tables\n", check.runs, check.failed);
 }

@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.hpp"
+#include "hitos/base/process.hpp"
 #include "hitos/services/run/results.hpp"
-#include "process.hpp"
 
 namespace {
 
@@ -37,6 +37,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    hitos::cli::prepare_process();
-    return hitos::cli::finished("hitos-cli", [&] { return run(argc, argv); });
+    hitos::prepare_process();
+    return hitos::run_program("hitos-cli", [&] { return run(argc, argv); });
 }

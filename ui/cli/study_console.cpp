@@ -2,16 +2,14 @@
 
 #include <fmt/core.h>
 
-#include <chrono>
 #include <cstdio>
-#include <stop_token>
-#include <thread>
 
+#include "damage.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/process.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 #include "hitos/workbench/study_noise.hpp"
 #include "options.hpp"
-#include "process.hpp"
 #include "progress_line.hpp"
 
 namespace hitos::cli {
@@ -78,21 +76,15 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
                   fmt::format("run {} of {}: {}", progress.running_number, progress.runs,
                               progress.running));
     };
-    std::stop_source stop;
-    how.stop = stop.get_token();
-    const StopByRequest request;
-    const std::jthread watch([&stop](const std::stop_token& end) {
-        while (!end.stop_requested() && !stop.stop_requested()) {
-            if (StopByRequest::wanted()) stop.request_stop();
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        }
-    });
+    const StopSource stop;
+    how.stop = stop.token();
     const StudyOutcome outcome = std::move(run_studies({&study, 1}, how).front());
     if (begun) line.finish(finished);
     if (outcome.stopped) {
         line.say(
             fmt::format("stopped: {} of {} runs are done; the same command goes on with the rest",
                         outcome.computed + outcome.reused - outcome.failed, outcome.plan.runs()));
+        if (outcome.beside) line.say("the study that was in the folder before is still in place");
         return StopByRequest::status();
     }
     if (outcome.computed + outcome.reused == outcome.failed && outcome.failed > 0) {
@@ -123,6 +115,9 @@ int report(const StudyOutcome& outcome, const StudyLayout& layout, bool csv) {
     }
     fmt::print(stderr, "quality of every run: {}; summary, maps and plots beside it\n",
                layout.quality_file().string());
+    if (const StudyRecord* record = most_damaged(outcome.records)) {
+        fmt::print(stderr, "{}", damage_text(record->report));
+    }
     if (outcome.failed == 0) return 0;
     fmt::print(stderr, "{} of {} runs failed; the quality file says why\n", outcome.failed,
                outcome.records.size());

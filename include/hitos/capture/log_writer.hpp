@@ -22,6 +22,9 @@ class LogWriter {
     virtual ~LogWriter() = default;
     /// Throws FormatError where the scan cannot be said in the format (rays on no regular fan).
     virtual void write(const Scan& scan) = 0;
+    /// Likewise of a scan of which is known which reading follows (null: none), so that nothing has
+    /// to be held: however long the log is, and however little odometry it has.
+    virtual void write(const Scan& scan, const Odometria* next) = 0;
     virtual void write(const Odometria& odometry) = 0;
     /// Throws FileError where the file cannot be put in place.
     virtual void finish() = 0;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct ReproductionOptions {
     std::vector<std::string> settings;
     std::filesystem::path out;
     StudyObserver observer;
+    std::stop_token stop;  ///< ends it within a step; what is done stays done
 };
 
 /// How a row came out against what is asked of it.
@@ -80,7 +82,8 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
                                          const std::vector<std::string>& only);
 
 /// Runs what is not yet done, and writes reproduction.csv, reproduction.md and plots/ into the
-/// folder. Nothing written depends on threads or interruptions. Throws what run_studies() throws.
+/// folder. Nothing written depends on threads or interruptions. Throws what run_studies() throws,
+/// and StudyStopped.
 Reproduction reproduce(const ReproductionOptions& options);
 
 /// Runs the same figures under every other reading of readings(), each in readings/NAME of the

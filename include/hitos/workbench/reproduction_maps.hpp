@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct MapReproductionOptions {
     /// Folder of the recorded tours (NAME.log.gz, NAME.gt.tum.gz); empty: these are left out.
     std::filesystem::path logs;
     StudyObserver observer;
+    std::stop_token stop;  ///< ends it within a step; what is done stays done
 };
 
 /// One experiment and what came out of it.
@@ -58,7 +60,7 @@ bool names_experiment(const std::string& word);
 /// Runs what is not yet done of the experiments that are named, and writes into the folder
 /// reproduction-maps.md and .csv, a contact sheet for each (maps/), and where figure 10.95 is among
 /// them time-against-particles.timing.csv, the one file that is not the same every time. Throws
-/// what run_studies() throws.
+/// what run_studies() throws, and StudyStopped.
 MapReproduction reproduce_maps(const MapReproductionOptions& options);
 
 /// `sheets` is the folder of the contact sheets as seen from the document.

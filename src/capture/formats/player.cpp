@@ -143,11 +143,16 @@ bool ConversorPlayer::parse_scan(const RawLine& line, Readings& out) {
     Device device = device_of(header);
     if (laser_ && *laser_ != device) return false;
     Fields fields(header.payload, line.number);
-    LaserSetup& setup = setups_[device];
     if (header.is(4, 1) || header.is(4, 5)) {
-        parse_metadata(fields, header, setup);
+        constexpr std::size_t kMostLasers = 256;  // a damaged index must not fill the memory
+        if (setups_.size() >= kMostLasers && !setups_.contains(device)) {
+            fields.fail(message(HITOS_TEXT("Errors", "found more than %1 lasers"), kMostLasers));
+        }
+        parse_metadata(fields, header, setups_[device]);
         return false;
     }
+    const auto known = setups_.find(device);
+    const LaserSetup setup = known != setups_.end() ? known->second : LaserSetup{};
     out.time_s = time_s;
     out.fan.pose_robot_laser = setup.pose_robot_laser;
     if (device.interface == "ranger") {

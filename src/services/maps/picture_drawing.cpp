@@ -15,9 +15,8 @@
 namespace hitos::drawing {
 namespace {
 
-constexpr int kLongestJpegSide = 65500;  // the limit of libjpeg
-constexpr int kShift = 4;                // OpenCV's fixed point: sixteenths of a pixel
-constexpr double kFarthest = 1e7;        // pixels; OpenCV's integers overflow beyond
+constexpr int kShift = 4;          // OpenCV's fixed point: sixteenths of a pixel
+constexpr double kFarthest = 1e7;  // pixels; OpenCV's integers overflow beyond
 
 // OpenCV's order: blue, green, red.
 const cv::Scalar kRed(0, 0, 255);
@@ -71,7 +70,17 @@ std::string kind_from(const std::filesystem::path& path) {
     return extension.substr(1);
 }
 
+bool is_jpeg(const std::string& word) {
+    return word == "jpg" || word == "jpeg";
+}
+
 }  // namespace
+
+int longest_side(std::string_view kind) {
+    constexpr int kOfJpeg = 65500;   // the limit of libjpeg
+    constexpr int kOfPng = 1000000;  // the limit of libpng, unless it is told another
+    return is_jpeg(lower(kind)) ? kOfJpeg : kOfPng;
+}
 
 void draw_path(cv::Mat& image, const Frame& frame, const std::vector<Point2>& path, int width,
                int radius, PathMarks marks) {
@@ -124,7 +133,7 @@ cv::Size size_of_words(const std::string& words, double size) {
 
 std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<int> compression) {
     const std::string word = lower(kind);
-    const bool jpeg = word == "jpg" || word == "jpeg";
+    const bool jpeg = is_jpeg(word);
     if (!jpeg && word != "png") {
         throw ConfigError(
             "kind",
@@ -132,11 +141,11 @@ std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<i
                                "\"%1\" is no kind of picture; allowed: one of png, jpg, jpeg"),
                     kind));
     }
-    if (jpeg && std::max(image.cols, image.rows) > kLongestJpegSide) {
+    if (jpeg && std::max(image.cols, image.rows) > longest_side(word)) {
         throw Error(message(HITOS_TEXT("Errors",
                                        "JPG holds at most %1 pixels a side and the picture has %2 "
                                        "x %3; write PNG instead"),
-                            kLongestJpegSide, image.cols, image.rows));
+                            longest_side(word), image.cols, image.rows));
     }
     std::vector<int> options;
     if (jpeg) options = {cv::IMWRITE_JPEG_QUALITY, 95};

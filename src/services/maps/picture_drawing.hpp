@@ -19,6 +19,9 @@ namespace hitos::drawing {
 /// Greatest number of pixels of a picture: what OpenCV reads back by default.
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 30;
 
+/// Greatest number of pixels of a side in a file of the kind.
+int longest_side(std::string_view kind);
+
 /// Cells of a picture that become one pixel: black where one is occupied, for a thin wall must not
 /// fade, else the mean of what is known.
 class Block {

@@ -45,17 +45,10 @@ cv::Mat scaled(const Grid::Picture& picture, int scale) {
     return image;
 }
 
-}  // namespace
-
-MapImage map_image(const Grid& grid) {
-    return {grid.picture(), grid.origin(), grid.resolution_m()};
-}
-
-MapImage shrunk(MapImage large, int longest_side) {
+/// side x side pixels become one.
+MapImage joined(MapImage large, int side) {
+    if (side <= 1) return large;
     const Grid::Picture& cells = large.picture;
-    const int longest = std::max(cells.width, cells.height);
-    if (longest <= longest_side) return large;
-    const int side = (longest + longest_side - 1) / longest_side;
     MapImage image;
     image.origin = large.origin;
     image.m_per_pixel = large.m_per_pixel * side;
@@ -80,6 +73,31 @@ MapImage shrunk(MapImage large, int longest_side) {
         }
     }
     return image;
+}
+
+}  // namespace
+
+MapImage map_image(const Grid& grid) {
+    return {grid.picture(), grid.origin(), grid.resolution_m()};
+}
+
+MapImage shrunk(MapImage image, int longest_side) {
+    const int longest = std::max(image.picture.width, image.picture.height);
+    return joined(std::move(image), (longest + longest_side - 1) / longest_side);
+}
+
+MapImage fitted(MapImage image, std::string_view kind) {
+    const std::int64_t width = image.picture.width;
+    const std::int64_t height = image.picture.height;
+    const auto fits = [&](std::int64_t side) {
+        const std::int64_t columns = (width + side - 1) / side;
+        const std::int64_t rows = (height + side - 1) / side;
+        return std::max(columns, rows) <= drawing::longest_side(kind) &&
+               columns * rows <= drawing::kMostPixels;
+    };
+    int side = 1;
+    while (!fits(side)) ++side;
+    return joined(std::move(image), side);
 }
 
 std::string encode_picture(const MapImage& map, const PictureStyle& style, std::string_view kind) {

@@ -1,5 +1,6 @@
 #include "hitos/services/run/algoritmo.hpp"
 
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -86,13 +87,36 @@ bool Algoritmo::step(AssociationRecord* record) {
     extractor_->extract(scan_, observation_);
     std::optional<RegisteredStep> registered;
     if (registration_) registered = registration_->add(scan_, step_controls_);
-    filter_->step(
-        {scan_, step_controls_, observation_, registered ? &*registered : nullptr, record});
+    try {
+        filter_->step(
+            {scan_, step_controls_, observation_, registered ? &*registered : nullptr, record});
+    } catch (const std::bad_alloc& shortage) {
+        throw Error(out_of_memory(shortage.what()));
+    }
     note_scan();
     if (options_.step_grid) draw_scan(registered && registered->key);
     if (registration_) take_correction();
     online_.push_back({scan_.time_s, filter_->best_pose()});
     return true;
+}
+
+/// What can be done about it.
+Message Algoritmo::out_of_memory(const char* reason) const {
+    const FilterParams& filter = configuration_.filter;
+    const int landmarks =
+        filter_->best_count(FeatureKind::line) + filter_->best_count(FeatureKind::corner);
+    if (slam_algorithms().reads(filter.algorithm, "filter.particles")) {
+        return message(HITOS_TEXT("Errors",
+                                  "out of memory at scan %1, with %2 landmarks in each map of %3 "
+                                  "particles: %4; lower filter.particles, or make fewer landmarks "
+                                  "with a higher split_merge.min_length"),
+                       steps() + 1, landmarks, filter.particles, verbatim(reason));
+    }
+    return message(HITOS_TEXT("Errors",
+                              "out of memory at scan %1, with %2 landmarks in the map: %3; make "
+                              "fewer landmarks with a higher split_merge.min_length, or use "
+                              "filter.algorithm = fastslam"),
+                   steps() + 1, landmarks, verbatim(reason));
 }
 
 void Algoritmo::note_scan() {

@@ -11,6 +11,7 @@
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
 #include "results_summary.hpp"
+#include "written_files.hpp"
 
 namespace hitos {
 namespace {

@@ -6,12 +6,13 @@
 #include <system_error>
 
 #include "hitos/base/atomic_file.hpp"
-#include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/slam/filters.hpp"
+#include "report_json.hpp"
 #include "results_summary.hpp"
 #include "run_outputs.hpp"
 #include "version.hpp"
+#include "written_files.hpp"
 
 namespace hitos {
 namespace {
@@ -81,28 +82,24 @@ Message written(const RunOutput& output, const FinishedRun& finished,
     }
 }
 
-std::vector<WrittenFile> files_in(const std::filesystem::path& folder) {
-    std::vector<WrittenFile> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        files.push_back({entry.path().filename().string(), entry.file_size(),
-                         Digest().add_file(entry.path()).text()});
-    }
-    std::ranges::sort(files, {}, &WrittenFile::name);
-    return files;
-}
-
 /// Writes everything but the summary.
-void write_files(const FinishedRun& finished, RunSummary& summary, const StagedFolder& folder) {
-    std::vector<NotWritten> not_written;
+void write_files(const FinishedRun& finished, RunSummary& summary, const StagedFolder& folder,
+                 const WritingObserver& told) {
+    std::vector<const RunOutput*> wanted;
     for (const RunOutput& output : run_outputs()) {
-        if (output.wanted && !output.wanted(finished)) continue;
-        const Message reason = written(output, finished, folder.path());
+        if (!output.wanted || output.wanted(finished)) wanted.push_back(&output);
+    }
+    std::vector<NotWritten> not_written;
+    std::size_t number = 0;
+    for (const RunOutput* output : wanted) {
+        if (told) told({output->files(finished).front(), ++number, wanted.size()});
+        const Message reason = written(*output, finished, folder.path());
         if (reason.empty()) continue;
-        not_written.push_back({output.files(finished).front(),
+        not_written.push_back({output->files(finished).front(),
                                reason.replaced(folder.path().string(), folder.target().string())});
     }
     summary.not_written = std::move(not_written);
-    summary.files = files_in(folder.path());
+    summary.files = written_files(folder.path());
 }
 
 }  // namespace
@@ -147,10 +144,6 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
 }
 
 std::string to_json(const RunSummary& summary, double seconds) {
-    ordered_json skipped = ordered_json::array();
-    for (const ReadReport::Skip& skip : summary.report.examples) {
-        skipped.push_back({{"line", skip.line}, {"reason", skip.reason.english()}});
-    }
     ordered_json json{
         {"hitos_version", version()},
         {"source", summary.source},
@@ -163,12 +156,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
         {"run_seconds", seconds},
         {"scans_per_second", seconds > 0.0 ? static_cast<double>(summary.scans) / seconds : 0.0},
         {"landmarks", {{"lines", summary.lines}, {"corners", summary.corners}}},
-        {"log",
-         {{"odometry_readings", summary.report.odometry},
-          {"duplicate_scans", summary.report.duplicate_scans},
-          {"stamps_backwards", summary.report.stamps_backwards},
-          {"skipped_lines", summary.report.skipped},
-          {"skipped_examples", skipped}}}};
+        {"log", json_of(summary.report)}};
     if (summary.tour_seed) json["tour_seed"] = *summary.tour_seed;
     if (summary.particles > 0) json["particles"] = summary.particles;
     if (summary.searches_cut > 0) json["association_searches_cut"] = summary.searches_cut;
@@ -193,11 +181,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
         json["not_written"].push_back(
             {{"file", missing.file}, {"reason", missing.reason.english()}});
     }
-    json["files"] = ordered_json::array();
-    for (const WrittenFile& file : summary.files) {
-        json["files"].push_back(
-            {{"name", file.name}, {"bytes", file.bytes}, {"xxh3_128", file.digest}});
-    }
+    json["files"] = json_of(summary.files);
     // Text from a damaged log may be no UTF-8: replace what is not instead of failing.
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
@@ -215,13 +199,13 @@ StagedFolder results_folder(const std::filesystem::path& folder) {
 }
 
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
-                         StagedFolder& folder) {
+                         StagedFolder& folder, const WritingObserver& told) {
     RunSummary summary = summarize(run, references);
     FinishedRun finished{run, references, summary, run.best_trajectory(), run.filter().best_map(),
                          {}};
     finished.segments = run.line_extents().of(finished.map, finished.best);
     try {
-        write_files(finished, summary, folder);
+        write_files(finished, summary, folder, told);
         write_file(folder.path() / kSummaryFile, to_json(summary, seconds));
     } catch (const FileError& error) {
         // Nobody knows of the folder in which it really was.
@@ -232,9 +216,9 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
 }
 
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
-                         const std::filesystem::path& folder) {
+                         const std::filesystem::path& folder, const WritingObserver& told) {
     StagedFolder staged = results_folder(folder);
-    return write_results(run, references, seconds, staged);
+    return write_results(run, references, seconds, staged, told);
 }
 
 }  // namespace hitos

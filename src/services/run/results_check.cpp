@@ -4,41 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 #include "results_summary.hpp"
 #include "run_outputs.hpp"
+#include "written_files.hpp"
 
 namespace hitos {
-namespace {
 
 namespace fs = std::filesystem;
-
-bool is_plain_name(const std::string& name) {
-    return !name.empty() && name != "." && name != ".." && fs::path(name).filename() == name;
-}
-
-}  // namespace
-
-std::vector<WrittenFile> files_named(const nlohmann::json& summary, const fs::path& file) {
-    if (!summary.contains("files")) return {};
-    std::vector<WrittenFile> files;
-    for (const nlohmann::json& one : summary.at("files")) {
-        files.push_back({one.at("name"), one.at("bytes"), one.at("xxh3_128")});
-        if (is_plain_name(files.back().name)) continue;
-        throw FormatError(
-            file.string(), 0,
-            message(HITOS_TEXT("Errors", "names the file %1; expected a name without folders"),
-                    files.back().name));
-    }
-    return files;
-}
-
-bool is_unchanged(const WrittenFile& file, const fs::path& folder) {
-    std::error_code error;
-    return fs::file_size(folder / file.name, error) == file.bytes && !error &&
-           Digest().add_file(folder / file.name).text() == file.digest;
-}
 
 ResultsCheck check_results(const fs::path& folder) {
     const fs::path summary = folder / kSummaryFile;

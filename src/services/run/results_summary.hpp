@@ -3,11 +3,10 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <vector>
+#include <system_error>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
-#include "hitos/services/run/results.hpp"
 
 namespace hitos {
 
@@ -18,7 +17,13 @@ inline constexpr const char* kSummaryFile = "summary.json";
 template <class Read>
 auto with_summary(const std::filesystem::path& folder, Read read) {
     const std::filesystem::path file = folder / kSummaryFile;
-    if (!std::filesystem::is_regular_file(file)) {
+    std::error_code problem;
+    const bool there = std::filesystem::is_regular_file(file, problem);
+    if (problem && problem != std::errc::no_such_file_or_directory) {
+        throw FileError(file.string(), message(HITOS_TEXT("Errors", "cannot be read: %1"),
+                                               system_message(problem.value())));
+    }
+    if (!there) {
         throw FileError(
             folder.string(),
             message(HITOS_TEXT("Errors",
@@ -33,12 +38,5 @@ auto with_summary(const std::filesystem::path& folder, Read read) {
             message(HITOS_TEXT("Errors", "is no summary of a run: %1"), error.what()));
     }
 }
-
-/// The files that the summary names; none where it is older than their list.
-std::vector<WrittenFile> files_named(const nlohmann::json& summary,
-                                     const std::filesystem::path& file);
-
-/// Whether it is there as it was written.
-bool is_unchanged(const WrittenFile& file, const std::filesystem::path& folder);
 
 }  // namespace hitos

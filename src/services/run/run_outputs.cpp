@@ -59,9 +59,9 @@ RunOutput essential(const char* file, Write write) {
 }
 
 /// Small grids are enlarged so that a picture can be looked at without tools.
-int picture_scale(const Grid& grid) {
+int picture_scale(const Grid::Picture& picture) {
     constexpr int kWishedPixels = 1200;
-    return std::clamp(kWishedPixels / std::max({grid.columns(), grid.rows(), 1}), 1, 4);
+    return std::clamp(kWishedPixels / std::max({picture.width, picture.height, 1}), 1, 4);
 }
 
 /// The grid as .png and .jpg, with the path over it.
@@ -70,14 +70,15 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
     RunOutput output = named({stem + ".png", stem + ".jpg"});
     output.write = [stem, make_grid, path_of](const FinishedRun& finished, const Folder& folder) {
         const Grid& grid = make_grid(finished);
+        const MapImage image = map_image(grid);
         PictureStyle style;
-        style.scale = picture_scale(grid);
+        style.scale = picture_scale(image.picture);
         style.scale_bar = true;
         for (const StampedPose& stamped : path_of(finished)) {
             style.path.push_back({stamped.pose.x, stamped.pose.y});
         }
-        for (const char* extension : {".png", ".jpg"}) {
-            write_picture(grid, style, folder / (stem + extension));
+        for (const char* kind : {"png", "jpg"}) {
+            write_picture(fitted(image, kind), style, folder / (stem + "." + kind));
         }
         return Message();
     };

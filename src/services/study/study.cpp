@@ -13,18 +13,17 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/base/text_input.hpp"
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "study_files.hpp"
-#include "study_pictures.hpp"
+#include "study_folder.hpp"
 #include "study_run.hpp"
 
 namespace hitos {
 namespace {
 
-namespace fs = std::filesystem;
+using study::StudyFolder;
 
 /// One run of one study, in the order of all.
 struct Task {
@@ -52,9 +51,10 @@ void try_source(const Study& study, const StudyPlan& plan) {
 /// Does all tasks on a number of threads and tells the observer.
 class Crew {
   public:
-    Crew(std::span<const Study> studies, std::span<StudyOutcome> outcomes, std::vector<Task> tasks,
-         const StudyOptions& options)
+    Crew(std::span<const Study> studies, std::span<const StudyFolder> folders,
+         std::span<StudyOutcome> outcomes, std::vector<Task> tasks, const StudyOptions& options)
         : studies_(studies),
+          folders_(folders),
           outcomes_(outcomes),
           tasks_(std::move(tasks)),
           observer_(options.observer),
@@ -112,7 +112,7 @@ class Crew {
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         record.cpu_seconds = thread_seconds() - cpu_start;
         try {
-            study::write_record(studies_[s].layout, plan, run, record);
+            study::write_record(folders_[s].work(), plan, run, record);
         } catch (const Error& error) {
             record.ok = false;
             record.problem = error.message();
@@ -135,7 +135,7 @@ class Crew {
                 tell(place, run.reader().progress().value_or(0.0), nullptr);
             }
         }
-        return study::measure_run(study, plan, number, run, stop_);
+        return study::measure_run(study, folders_[s].work(), plan, number, run, stop_);
     }
 
     /// `part` of the task is done; with its record, all of it.
@@ -165,6 +165,7 @@ class Crew {
     }
 
     std::span<const Study> studies_;
+    std::span<const StudyFolder> folders_;
     std::span<StudyOutcome> outcomes_;
     std::vector<Task> tasks_;
     StudyObserver observer_;
@@ -192,10 +193,6 @@ Message missing_runs(const StudyPlan& plan, const std::vector<std::size_t>& miss
         missing.size() > kNamed ? ", …" : "");
 }
 
-void copy_whole(const fs::path& from, const fs::path& to) {
-    write_file(to, input::read_text(from));
-}
-
 /// Copies what the shard has finished of the plan's runs.
 void gather(const StudyLayout& layout, const StudyLayout& shard, const StudyPlan& plan) {
     for (std::size_t run = 0; run < plan.runs(); ++run) {
@@ -203,16 +200,23 @@ void gather(const StudyLayout& layout, const StudyLayout& shard, const StudyPlan
         if (!record) continue;
         // A failure does not replace another shard's success.
         const auto known = study::read_record(layout, plan, run);
-        if (known && (known->ok || !record->ok)) continue;
-        if (record->ok) {
-            copy_whole(study::map_file(shard, plan, run), study::map_file(layout, plan, run));
-            if (record->picture) {
-                copy_whole(study::grid_file(shard, plan, run), study::grid_file(layout, plan, run));
-                copy_whole(study::path_file(shard, plan, run), study::path_file(layout, plan, run));
-            }
+        if (!known || (!known->ok && record->ok)) {
+            study::copy_run(shard, layout, plan, run, *record);
         }
-        study::write_record(layout, plan, run, *record);
     }
+}
+
+/// Who may work on the study beside this process.
+StudyFolder::Keep keep_of(const StudyOptions& options) {
+    if (!options.locks) return StudyFolder::Keep::not_kept;
+    return options.shard.whole() ? StudyFolder::Keep::alone : StudyFolder::Keep::shared;
+}
+
+void publish(StudyFolder& folder, StudyOutcome& outcome) {
+    const StudyFolder::Problems problems = folder.publish(outcome.records, true);
+    outcome.plot_problem = problems.plots;
+    outcome.picture_problem = problems.pictures;
+    outcome.beside = false;
 }
 
 }  // namespace
@@ -229,26 +233,40 @@ StudyJob job_of(const Study& study, const StudyPlan& plan, std::size_t run) {
     return job;
 }
 
+void check_whole(std::span<const StudyOutcome> outcomes) {
+    std::size_t done = 0;
+    std::size_t runs = 0;
+    for (const StudyOutcome& outcome : outcomes) {
+        done += outcome.computed + outcome.reused - outcome.failed;
+        runs += outcome.plan.runs();
+    }
+    const bool stopped = std::ranges::any_of(outcomes, &StudyOutcome::stopped);
+    if (!stopped) return;
+    throw StudyStopped(
+        message(HITOS_TEXT("Errors", "stopped: %1 of %2 runs are done"), done, runs));
+}
+
 std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const StudyOptions& options) {
     std::vector<StudyOutcome> outcomes;
     for (const Study& study : studies) {
         outcomes.emplace_back().plan = plan_study(study);
         try_source(study, outcomes.back().plan);
     }
-    std::vector<std::unique_ptr<FolderLock>> locks;
-    for (std::size_t s = 0; s < studies.size() && options.locks; ++s) {
-        locks.push_back(study::keep(studies[s].layout, outcomes[s].plan, options.shard.whole()));
-    }
+    std::vector<StudyFolder> folders;
+    folders.reserve(studies.size());
+    for (std::size_t s = 0; s < studies.size(); ++s)
+        folders.emplace_back(studies[s].layout, outcomes[s].plan, keep_of(options));
     std::vector<Task> tasks;
     std::size_t number = 0;
     for (std::size_t s = 0; s < studies.size(); ++s) {
         StudyOutcome& outcome = outcomes[s];
-        study::prepare(studies[s].layout, outcome.plan);
-        if (options.locks && !options.shard.whole()) locks[s]->share();
+        folders[s].begin();
+        outcome.beside = folders[s].is_beside();
+        if (!options.shard.whole()) folders[s].share();
         outcome.records.resize(outcome.plan.runs());
         for (std::size_t run = 0; run < outcome.plan.runs(); ++run, ++number) {
             if (!options.shard.takes(number)) continue;
-            const auto record = study::read_record(studies[s].layout, outcome.plan, run);
+            const auto record = folders[s].done(run);
             if (record && record->ok) {
                 outcome.records[run] = *record;
                 ++outcome.reused;
@@ -259,7 +277,7 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
         }
     }
     const std::size_t to_do = tasks.size();
-    Crew(studies, outcomes, std::move(tasks), options).work(options.threads);
+    Crew(studies, folders, outcomes, std::move(tasks), options).work(options.threads);
     std::size_t done = 0;
     for (const StudyOutcome& outcome : outcomes) done += outcome.computed;
     if (done < to_do) {
@@ -267,21 +285,14 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
         return outcomes;
     }
     if (options.tables && options.shard.whole()) {
-        for (std::size_t s = 0; s < studies.size(); ++s) {
-            StudyOutcome& outcome = outcomes[s];
-            const StudyLayout& layout = studies[s].layout;
-            outcome.plot_problem = study::write_tables(layout, outcome.plan, outcome.records);
-            outcome.picture_problem = study::write_pictures(layout, outcome.plan, outcome.records);
-        }
+        for (std::size_t s = 0; s < studies.size(); ++s) publish(folders[s], outcomes[s]);
     }
     return outcomes;
 }
 
 StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout> shards) {
-    StudyOutcome outcome;
-    outcome.plan = study::read_plan(shards.empty() ? layout : shards.front());
     for (const StudyLayout& shard : shards) {
-        if (study::read_plan(shard) != outcome.plan) {
+        if (!study::same(study::read_plan(shard), study::read_plan(shards.front()))) {
             throw FormatError(study::plan_file(shard).string(), 0,
                               message(HITOS_TEXT("Errors",
                                                  "is of another study than %1: program, "
@@ -289,12 +300,16 @@ StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout>
                                       study::plan_file(shards.front()).string()));
         }
     }
-    const auto lock = study::keep(layout, outcome.plan, true);
-    study::prepare(layout, outcome.plan);
-    for (const StudyLayout& shard : shards) gather(layout, shard, outcome.plan);
+    StudyFolder folder = shards.empty() ? StudyFolder::of_last(layout)
+                                        : StudyFolder(layout, study::read_plan(shards.front()),
+                                                      StudyFolder::Keep::alone);
+    folder.begin();
+    StudyOutcome outcome;
+    outcome.plan = folder.plan();
+    for (const StudyLayout& shard : shards) gather(folder.work(), shard, outcome.plan);
     std::vector<std::size_t> missing;
     for (std::size_t run = 0; run < outcome.plan.runs(); ++run) {
-        auto record = study::read_record(layout, outcome.plan, run);
+        auto record = folder.done(run);
         if (!record) missing.push_back(run);
         if (record && !record->ok) ++outcome.failed;
         outcome.records.push_back(record.value_or(StudyRecord{}));
@@ -303,8 +318,7 @@ StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout>
         throw Error(message("%1: %2", layout.folder.string(), missing_runs(outcome.plan, missing)));
     }
     outcome.reused = outcome.plan.runs() - outcome.failed;
-    outcome.plot_problem = study::write_tables(layout, outcome.plan, outcome.records);
-    outcome.picture_problem = study::write_pictures(layout, outcome.plan, outcome.records);
+    publish(folder, outcome);
     return outcome;
 }
 

@@ -1,17 +1,14 @@
-// The files by which a study remembers what was done: its plan and a record for each run.
+// The files of a study: their names, its plan, and a record for each run.
 #pragma once
 
 #include <filesystem>
-#include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hitos/base/digest.hpp"
-#include "hitos/base/folder_lock.hpp"
-#include "hitos/base/message.hpp"
+#include "hitos/services/run/results.hpp"
 #include "hitos/services/study/study_result.hpp"
 
 namespace hitos::study {
@@ -27,32 +24,48 @@ std::filesystem::path path_file(const StudyLayout& layout, const StudyPlan& plan
 /// What the record of a pictured run states of the two.
 std::string picture_digest(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);
 
-/// Keeps the study for this process, alone or (a shard) together with others that work on the same
-/// plan. Throws FileError where others are at work that may not be there: any others of a whole
-/// study, those on another plan of a shard.
-std::unique_ptr<FolderLock> keep(const StudyLayout& layout, const StudyPlan& plan, bool whole);
+/// The files that the run can have, but for its record.
+std::vector<std::filesystem::path> run_files(const StudyLayout& layout, const StudyPlan& plan,
+                                             std::size_t run);
+/// Whether a file of that name, which begins with the layout's prefix or is its quality file, can
+/// be one of a study's tables, plots and pictures.
+bool is_table(const StudyLayout& layout, const std::string& name);
 
-/// Makes the folders and the plan file. Throws FileError.
-void prepare(const StudyLayout& layout, const StudyPlan& plan);
+/// Whether the file, named within the layout's folder, is of a run, not one of the tables.
+bool is_of_run(const StudyLayout& layout, const std::string& name);
 
-/// Throws FileError, or FormatError where the file is none of Hitos.
+/// What study.json says beside the plan.
+struct PlanState {
+    bool finished = false;           ///< every run is done, and the tables are theirs
+    std::vector<WrittenFile> files;  ///< but for those that hold times; none before the tables
+};
+
+/// The plan as study.json has it.
+std::string plan_text(const StudyPlan& plan, const PlanState& state);
+void write_plan(const StudyLayout& layout, const StudyPlan& plan, const PlanState& state = {});
+/// Throws FileError, or FormatError where the file is none of Hitos, is damaged, or of an
+/// impossible size.
 StudyPlan read_plan(const StudyLayout& layout);
+/// Throws as read_plan().
+PlanState read_plan_state(const StudyLayout& layout);
+/// Whether both are written the same.
+bool same(const StudyPlan& a, const StudyPlan& b);
 
 void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
                   const StudyRecord& record);
 
-/// The run's record; nothing where there is none, where it is of other settings, or where its map
-/// or what its picture is drawn of is missing or changed: then the run must be done anew.
+/// The run's record; nothing where there is none, where it is of other settings, or where it, its
+/// map or what its picture is drawn of is missing or changed: then the run must be done anew.
 std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPlan& plan,
                                        std::size_t run);
 
-/// The tables of a study, which its records decide to the last byte.
-std::vector<std::pair<std::filesystem::path, std::string>> tables(
-    const StudyLayout& layout, const StudyPlan& plan, std::span<const StudyRecord> records);
+/// Copies what one study folder has of the run to another, the record last.
+void copy_run(const StudyLayout& from, const StudyLayout& to, const StudyPlan& plan,
+              std::size_t run, const StudyRecord& record);
 
-/// Writes tables and plots and removes what a killed process left half-written. Gives the reason
-/// why there are no plots, else an empty text.
-Message write_tables(const StudyLayout& layout, const StudyPlan& plan,
-                     std::span<const StudyRecord> records);
+/// JSON that states the digest of the rest of it.
+std::string sealed(nlohmann::ordered_json json);
+/// Whether nothing was changed since sealed() wrote it.
+bool is_sealed(nlohmann::ordered_json json);
 
 }  // namespace hitos::study

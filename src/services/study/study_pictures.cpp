@@ -76,15 +76,9 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
-Message write_pictures(const StudyLayout& layout, const StudyPlan& plan,
+Message write_pictures(const StudyLayout& runs, const StudyLayout& out, const StudyPlan& plan,
                        std::span<const StudyRecord> records) {
-    const fs::path sheet_file = layout.file("contact-sheet.png");
-    const fs::path folder = layout.file("pictures");
-    std::error_code ignored;
-    fs::remove(sheet_file, ignored);
-    for (std::size_t run = 0; run < plan.runs(); ++run) {
-        if (!plan.pictured(run)) fs::remove(folder / (plan.file_stem(run) + ".png"), ignored);
-    }
+    const fs::path folder = out.file("pictures");
     if (plan.pictures == StudyPictures::none) return {};
     make_folder(folder);
     ContactSheet sheet;
@@ -92,7 +86,7 @@ Message write_pictures(const StudyLayout& layout, const StudyPlan& plan,
     sheet.columns = columns_of(plan);
     for (std::size_t run = 0; run < records.size(); ++run) {
         if (!plan.pictured(run)) continue;
-        SheetTile tile = study_tile(layout, plan, run, records[run]);
+        SheetTile tile = study_tile(runs, plan, run, records[run]);
         if (records[run].picture) {
             write_picture(tile.map,
                           {scale_of(tile.map), tile.path, true, PathMarks::cross_and_ring},
@@ -102,7 +96,7 @@ Message write_pictures(const StudyLayout& layout, const StudyPlan& plan,
         sheet.tiles.push_back(std::move(tile));
     }
     try {
-        write_contact_sheet(sheet, sheet_file);
+        write_contact_sheet(sheet, out.file("contact-sheet.png"));
     } catch (const Error& error) {
         return error.message();
     }

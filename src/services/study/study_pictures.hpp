@@ -9,10 +9,9 @@
 
 namespace hitos::study {
 
-/// Draws pictures/ and contact-sheet.png from what the runs have left, and removes those of an
-/// earlier time that are no longer asked for. Gives the reason why there is no sheet, else an empty
-/// text.
-Message write_pictures(const StudyLayout& layout, const StudyPlan& plan,
+/// Draws pictures/ and contact-sheet.png in `out` from what the runs have left in `runs`. Gives the
+/// reason why there is no sheet, else an empty text.
+Message write_pictures(const StudyLayout& runs, const StudyLayout& out, const StudyPlan& plan,
                        std::span<const StudyRecord> records);
 
 }  // namespace hitos::study

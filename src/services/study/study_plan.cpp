@@ -174,11 +174,10 @@ StudyPlan plan_study(const Study& study) {
             message(HITOS_TEXT("Errors", "found %1 parameters; a study varies two at the most"),
                     study.parameters.size()));
     }
-    constexpr int kMostSeeds = 1000000;
-    if (study.seeds < 1 || study.seeds > kMostSeeds) {
+    if (study.seeds < 1 || static_cast<std::size_t>(study.seeds) > StudyPlan::kMostRuns) {
         throw ConfigError("runs",
                           message(HITOS_TEXT("Errors", "found %1 for each value, expected 1 to %2"),
-                                  study.seeds, kMostSeeds));
+                                  study.seeds, StudyPlan::kMostRuns));
     }
     constexpr auto kLastSeed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
     if (study.first_seed > kLastSeed - static_cast<std::uint64_t>(study.seeds)) {
@@ -200,6 +199,13 @@ StudyPlan plan_study(const Study& study) {
             }
         }
     }
+    if (!plan.is_possible()) {
+        throw ConfigError("runs",
+                          message(HITOS_TEXT("Errors",
+                                             "%1 values and %2 runs of each are more than %3 runs; "
+                                             "choose fewer values or runs"),
+                                  plan.cells(), plan.seeds, StudyPlan::kMostRuns));
+    }
     check_effect(study.configuration, plan);
     count_reference(study.reference, plan);
     plan.pictures = study.pictures;
@@ -212,6 +218,15 @@ std::size_t StudyPlan::cells() const {
     std::size_t count = 1;
     for (const Axis& axis : axes) count *= axis.values.size();
     return count;
+}
+
+bool StudyPlan::is_possible() const {
+    std::size_t most = kMostRuns;
+    for (const Axis& axis : axes) {
+        if (axis.values.empty() || axis.values.size() > most) return false;
+        most /= axis.values.size();
+    }
+    return seeds >= 1 && static_cast<std::size_t>(seeds) <= most;
 }
 
 std::vector<std::size_t> StudyPlan::places(std::size_t cell) const {

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 
 #include "hitos/services/maps/gnuplot.hpp"
 #include "hitos/services/study/study_abscissa.hpp"
@@ -32,14 +30,6 @@ constexpr std::array kMeasures = {
 bool asked_for(const Measure& measure, const StudyPlan& plan) {
     if (measure.spread == &StudyCell::landmarks) return true;
     return measure.spread == &StudyCell::error_m && plan.has_reference();
-}
-
-/// Of an earlier study in the same folder that measured more.
-void remove_plots(const StudyLayout& layout, const std::string& stem) {
-    for (const char* extension : {".dat", ".gp", ".png", ".svg"}) {
-        std::error_code ignored;
-        std::filesystem::remove(layout.folder / (stem + extension), ignored);
-    }
 }
 
 std::size_t curves(const StudyPlan& plan) {
@@ -147,10 +137,7 @@ Message write_plots(const StudyLayout& layout, const StudyPlan& plan,
         const bool any = std::any_of(cells.begin(), cells.end(), [&](const StudyCell& cell) {
             return (cell.*measure.spread).has_value();
         });
-        if (!any && !asked_for(measure, plan)) {
-            remove_plots(layout, stem);
-            continue;
-        }
+        if (!any && !asked_for(measure, plan)) continue;
         const std::vector<PlotFile> files{{stem + ".dat", data_text(plan, cells, x, measure)},
                                           {stem + ".gp", script_text(layout, plan, x, measure)}};
         const std::vector<std::string> pictures{stem + ".png", stem + ".svg"};
@@ -161,6 +148,15 @@ Message write_plots(const StudyLayout& layout, const StudyPlan& plan,
         if (problem.empty()) problem = failure;
     }
     return problem;
+}
+
+bool is_plot(const std::string& name) {
+    static constexpr std::array kExtensions{".dat", ".gp", ".png", ".svg"};
+    return std::ranges::any_of(kMeasures, [&](const Measure& measure) {
+        return std::ranges::any_of(kExtensions, [&](const char* extension) {
+            return name == std::string(measure.name) + extension;
+        });
+    });
 }
 
 }  // namespace hitos::study

@@ -16,4 +16,7 @@ namespace hitos::study {
 Message write_plots(const StudyLayout& layout, const StudyPlan& plan,
                     std::span<const StudyCell> cells);
 
+/// Whether write_plots() can write a file of that name.
+bool is_plot(const std::string& name);
+
 }  // namespace hitos::study

@@ -28,15 +28,16 @@ void measure_paths(const Study& study, const Algoritmo& run, StudyRecord& record
 
 }  // namespace
 
-std::optional<StudyRecord> measure_run(const Study& study, const StudyPlan& plan,
-                                       std::size_t number, const Algoritmo& run,
-                                       const std::stop_token& stop) {
+std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& layout,
+                                       const StudyPlan& plan, std::size_t number,
+                                       const Algoritmo& run, const std::stop_token& stop) {
     StudyRecord record;
     const LandmarkMap map = run.filter().best_map();
-    const std::filesystem::path map_path = map_file(study.layout, plan, number);
+    const std::filesystem::path map_path = map_file(layout, plan, number);
     write_map(map, map_path);
     record.map_digest = Digest().add_file(map_path).text();
     record.scans = run.steps();
+    record.report = run.report();
     record.lines = run.filter().best_count(FeatureKind::line);
     record.corners = run.filter().best_count(FeatureKind::corner);
     if (const auto error = map_error(map, study.reference)) {
@@ -56,9 +57,9 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyPlan& plan
         record.blur_m2 = grid_blur_m2(builder.grid());
         if (plan.pictured(number) && !builder.grid().empty()) {
             const MapImage image = shrunk(map_image(builder.grid()), kLongestPicture);
-            write_picture(image.picture, grid_file(study.layout, plan, number));
-            write_trajectory(path, path_file(study.layout, plan, number));
-            record.picture = {picture_digest(study.layout, plan, number), image.origin,
+            write_picture(image.picture, grid_file(layout, plan, number));
+            write_trajectory(path, path_file(layout, plan, number));
+            record.picture = {picture_digest(layout, plan, number), image.origin,
                               image.m_per_pixel};
         }
     }

@@ -11,8 +11,8 @@ namespace hitos::study {
 
 /// Writes the run's map (and grid and path, where it is pictured) and gives its record. Nothing
 /// where the study was stopped before the grid's end.
-std::optional<StudyRecord> measure_run(const Study& study, const StudyPlan& plan,
-                                       std::size_t number, const Algoritmo& run,
-                                       const std::stop_token& stop);
+std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& layout,
+                                       const StudyPlan& plan, std::size_t number,
+                                       const Algoritmo& run, const std::stop_token& stop);
 
 }  // namespace hitos::study

@@ -113,6 +113,28 @@ PrettyTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells
     return table;
 }
 
+/// "line 17: …"; empty where no line was skipped.
+std::string first_damage(const ReadReport& report) {
+    if (report.examples.empty()) return {};
+    const ReadReport::Skip& skip = report.examples.front();
+    return fmt::format("line {}: {}", skip.line, skip.reason.english());
+}
+
+/// Empty where no log is damaged.
+std::string damage_sentence(std::span<const StudyCell> cells) {
+    std::uint64_t skipped = 0;
+    std::uint64_t backwards = 0;
+    for (const StudyCell& cell : cells) {
+        skipped = std::max(skipped, cell.skipped_lines);
+        backwards = std::max(backwards, cell.stamps_backwards);
+    }
+    if (skipped + backwards == 0) return {};
+    return fmt::format(
+        " The log is damaged: {} lines skipped, {} stamps that did not advance (of several logs, "
+        "the most of one).",
+        skipped, backwards);
+}
+
 std::string reference_sentence(const StudyPlan& plan, std::span<const StudyCell> cells) {
     if (!plan.has_reference()) {
         return std::string("Without a reference map.") +
@@ -199,6 +221,8 @@ std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRec
                 continue;
             }
             ++row.finished;
+            row.skipped_lines = std::max(row.skipped_lines, record.report.skipped);
+            row.stamps_backwards = std::max(row.stamps_backwards, record.report.stamps_backwards);
             if (record.error_m) errors.push_back(*record.error_m);
             if (record.aligned_error_m) aligned.push_back(*record.aligned_error_m);
             if (record.trajectory_error_m) paths.push_back(*record.trajectory_error_m);
@@ -221,13 +245,23 @@ std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRec
     return cells;
 }
 
+const StudyRecord* most_damaged(std::span<const StudyRecord> records) {
+    const auto damage = [](const StudyRecord& record) {
+        return std::pair(record.report.skipped, record.report.stamps_backwards);
+    };
+    const auto most = std::ranges::max_element(records, {}, damage);
+    if (most == records.end() || damage(*most) == damage({})) return nullptr;
+    return &*most;
+}
+
 std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
                         std::span<const StudyRecord> records) {
     std::vector<std::string> head = plan.keys();
     for (const char* name :
          {"seed", "status", "error_m", "aligned_error_m", "landmarks", "lines", "corners",
           "reference_found", "reference_landmarks", "scans", "trajectory_error_m",
-          "odometry_error_m", "blur_m2", "map", "problem"}) {
+          "odometry_error_m", "blur_m2", "map", "problem", "skipped_lines", "stamps_backwards",
+          "duplicate_scans", "first_damage"}) {
         head.emplace_back(name);
     }
     std::string text = csv_line(std::move(head));
@@ -244,11 +278,13 @@ std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
                  plan.has_reference() ? fmt::format("{}", record.reference_found) : std::string(),
                  reference_count(plan), fmt::format("{}", record.scans),
                  exact(record.trajectory_error_m), exact(record.odometry_error_m),
-                 exact(record.blur_m2), layout.prefix + "maps/" + plan.file_stem(run) + ".map",
-                 ""});
+                 exact(record.blur_m2), layout.prefix + "maps/" + plan.file_stem(run) + ".map", "",
+                 fmt::format("{}", record.report.skipped),
+                 fmt::format("{}", record.report.stamps_backwards),
+                 fmt::format("{}", record.report.duplicate_scans), first_damage(record.report)});
         } else {
             row.insert(row.end(), {"failed", "", "", "", "", "", "", "", "", "", "", "", "",
-                                   record.problem.english()});
+                                   record.problem.english(), "", "", "", ""});
         }
         text += csv_line(std::move(row));
     }
@@ -297,7 +333,9 @@ std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells)
                              "odometry_error_m",
                              "odometry_error_variance_m2",
                              "blur_m2",
-                             "blur_variance_m4"}) {
+                             "blur_variance_m4",
+                             "skipped_lines",
+                             "stamps_backwards"}) {
         head.emplace_back(name);
     }
     std::string text = csv_line(std::move(head));
@@ -321,6 +359,8 @@ std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells)
             row.push_back(mean(*spread));
             row.push_back(variance(*spread));
         }
+        row.push_back(fmt::format("{}", cell.skipped_lines));
+        row.push_back(fmt::format("{}", cell.stamps_backwards));
         text += csv_line(std::move(row));
     }
     return text;
@@ -337,7 +377,7 @@ std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> c
     for (std::size_t i = 0; i < table.head.size(); ++i) text += "---:|";
     text += "\n";
     for (const std::vector<std::string>& row : table.rows) text += line(row);
-    return text + "\n" + reference_sentence(plan, cells) + "\n";
+    return text + "\n" + reference_sentence(plan, cells) + damage_sentence(cells) + "\n";
 }
 
 std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cells) {
@@ -353,7 +393,8 @@ std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cell
         fmt::format("\\begin{{tabular}}{{{}}}\n\\hline\n", std::string(table.head.size(), 'r'));
     text += line(table.head) + "\\hline\n";
     for (const std::vector<std::string>& row : table.rows) text += line(row);
-    return text + "\\hline\n\\end{tabular}\n% " + reference_sentence(plan, cells) + "\n";
+    return text + "\\hline\n\\end{tabular}\n% " + reference_sentence(plan, cells) +
+           damage_sentence(cells) + "\n";
 }
 
 }  // namespace hitos

@@ -257,10 +257,13 @@ Reproduction run_figures(const ReproductionOptions& options) {
     how.threads = options.threads;
     how.tables = false;
     how.observer = options.observer;
+    how.stop = options.stop;
     how.locks = false;  // its hundreds of studies are kept as one
     fs::create_directories(options.out);
     const FolderLock lock(options.out);
-    Reproduction result = gather(figures, worlds, parts, run_studies(studies, how));
+    std::vector<StudyOutcome> outcomes = run_studies(studies, how);
+    check_whole(outcomes);
+    Reproduction result = gather(figures, worlds, parts, std::move(outcomes));
     result.runs = options.runs;
     result.reading = std::move(reading);
     write_file(options.out / "reproduction.csv", reproduction_csv(result));

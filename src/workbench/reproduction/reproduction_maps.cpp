@@ -226,10 +226,12 @@ MapReproduction reproduce_maps(const MapReproductionOptions& options) {
     how.threads = options.threads;
     how.tables = false;
     how.observer = options.observer;
+    how.stop = options.stop;
     how.locks = false;  // its hundreds of studies are kept as one
     fs::create_directories(options.out);
     const FolderLock lock(options.out);
     std::vector<StudyOutcome> outcomes = run_studies(studies, how);
+    check_whole(outcomes);
     for (const StudyOutcome& outcome : outcomes) {
         result.computed += outcome.computed;
         result.reused += outcome.reused;

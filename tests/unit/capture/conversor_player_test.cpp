@@ -137,6 +137,18 @@ TEST(ConversorPlayer, RangerTakesAnglesFromItsConfiguration) {
     EXPECT_THAT(log.report.examples[0].reason.english(), HasSubstr("angles are unknown"));
 }
 
+TEST(ConversorPlayer, EndlessDevicesDoNotFillTheMemory) {
+    std::string text;
+    for (int i = 0; i < 1000; ++i) {
+        const std::string device = "0.1 1 2 ranger " + std::to_string(i) + " ";
+        text += device + "004 005 -1.5 1.5 0.01 0.0 8.0 0.01 5.0\n";
+    }
+    const Log log = player(text + "0.2 1 2 ranger 7 001 001 0003 1.0 2.0 3.0\n");
+    ASSERT_EQ(log.scans.size(), 1U) << "those that are known go on";
+    EXPECT_EQ(log.report.skipped, 744U);
+    EXPECT_THAT(log.report.examples[0].reason.english(), HasSubstr("more than 256 lasers"));
+}
+
 TEST(ConversorPlayer, TheFirstDeviceOfEachKindIsUsed) {
     const std::string scan = " 001 001 0000" + kTwoRays + "\n";
     const Log log =

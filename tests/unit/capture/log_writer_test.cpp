@@ -170,6 +170,25 @@ TEST(LogWriter, CarmenPosesAreThoseAtTheScansTime) {
     expect_near(poses[22], written[21], 2e-6);
 }
 
+TEST(LogWriter, WhereTheNextReadingIsKnownNothingIsHeld) {
+    const TempDir folder;
+    const Tour tour = tour_with(kHalf, 181);
+    for (const std::string& format : kAll) {
+        const auto held = write_tour(format, folder / ("held-" + format), tour);
+        const auto writer = make_log_writer(format, folder / format);
+        auto reading = tour.odometry.begin();
+        const auto next = [&] { return reading == tour.odometry.end() ? nullptr : &*reading; };
+        for (const Scan& scan : tour.scans) {
+            for (; next() != nullptr && next()->time_s <= scan.time_s; ++reading)
+                writer->write(*reading);
+            writer->write(scan, next());
+        }
+        for (; next() != nullptr; ++reading) writer->write(*reading);
+        writer->finish();
+        EXPECT_EQ(test::content(folder / format), test::content(held)) << format;
+    }
+}
+
 TEST(LogWriter, ScanBeforeEveryReadingAndAfterTheLast) {
     const TempDir folder;
     for (const std::string& format : kAll) {

@@ -87,6 +87,13 @@ TEST(OpenLog, BinaryFile) {
     EXPECT_THAT(error_of(folder.put("f", "\x1f\x8b")), HasSubstr("end early"));
 }
 
+TEST(OpenLog, OneEndlessLine) {
+    const TempDir folder;
+    const std::string line(3U << 20U, 'x');
+    EXPECT_THAT(error_of(folder.put("a.log", line)),
+                HasSubstr("holds nothing but lines longer than 1 MiB"));
+}
+
 TEST(OpenLog, TextOfNoFormat) {
     const TempDir folder;
     EXPECT_THAT(error_of(folder.put("a", "rho: 1.0 theta: 90\n")),

@@ -215,9 +215,17 @@ void ResultActions::write_results_to(const QString& folder) {
                                 references = session_.references()](const Algoritmo& run) {
         QString problem;
         QStringList missing;
+        const WritingObserver told = [this](const WritingProgress& now) {
+            const QString words = tr("Writing results: %1 (%2 of %3)")
+                                      .arg(QString::fromStdString(now.file))
+                                      .arg(now.number)
+                                      .arg(now.count);
+            QMetaObject::invokeMethod(
+                this, [this, words] { emit notice(words); }, Qt::QueuedConnection);
+        };
         try {
             const RunSummary summary =
-                write_results(run, references, seconds, folder.toStdString());
+                write_results(run, references, seconds, folder.toStdString(), told);
             for (const NotWritten& file : summary.not_written)
                 missing += QString::fromStdString(file.file);
         } catch (const std::exception& error) {

@@ -5,6 +5,8 @@
 #include <QApplication>
 #include <QTemporaryDir>
 #include <QThreadPool>
+#include <QTimer>
+#include <chrono>
 #include <exception>
 #include <optional>
 
@@ -14,6 +16,7 @@
 #include "benchmark.hpp"
 #include "command_line.hpp"
 #include "dialogs/study_dialog.hpp"
+#include "hitos/base/process.hpp"
 #include "language.hpp"
 #include "main_window.hpp"
 #include "measure/measurements.hpp"
@@ -26,6 +29,7 @@
 namespace {
 
 using namespace hitos::window;  // the program is nothing but the window
+using hitos::StopByRequest;
 
 void prepare_study(StudyDialog& study, const CommandLine& line) {
     study.form().set_assignment(QString::fromStdString(line.vary));
@@ -99,6 +103,15 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
         window.show();
         if (!line.vary.empty()) prepare_study(window.open_study(), line);
         if (line.run) session.run();
+        const StopByRequest request;
+        QTimer watch;
+        QObject::connect(&watch, &QTimer::timeout, &window, [&window] {
+            if (!StopByRequest::wanted()) return;
+            window.leave();
+            QApplication::exit(StopByRequest::status());
+        });
+        constexpr std::chrono::milliseconds kLook(100);
+        watch.start(kLook);
         code = QApplication::exec();
     }
     return code;
@@ -138,6 +151,7 @@ int run(int argc, char** argv, const CommandLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    hitos::prepare_process();
     CommandLine line;
     if (const auto code = parse(argc, argv, line)) return *code;
     try {

@@ -345,9 +345,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
+    leave();
+    event->accept();
+}
+
+void MainWindow::leave() {
     session_.pause();
     save_state();
-    event->accept();
 }
 
 void MainWindow::save_state() {

@@ -55,6 +55,8 @@ class MainWindow final : public QMainWindow {
     QDockWidget& plots_dock() const { return *dock_; }
     /// Shows the study of one parameter.
     StudyDialog& open_study();
+    /// What closing does: the run pauses, the layout is remembered.
+    void leave();
     /// Null until it was opened.
     StudyDialog* study() const { return study_; }
 

@@ -167,6 +167,11 @@ void StudyDialog::finish(const StudyOutcome& outcome) {
                          .arg(outcome.failed)
                          .arg(first_failure(outcome));
         }
+        if (const StudyRecord* record = most_damaged(outcome.records)) {
+            words << tr("The log is damaged: lines skipped: %1, stamps that did not advance: %2")
+                         .arg(record->report.skipped)
+                         .arg(record->report.stamps_backwards);
+        }
         if (!outcome.plot_problem.empty()) {
             words << tr("No picture files of the plots: %1").arg(words_of(outcome.plot_problem));
         }

@@ -1389,6 +1389,42 @@
         <source>the run is not there</source>
         <translation>la ejecución no está</translation>
     </message>
+    <message>
+        <source>found more than %1 lasers</source>
+        <translation>se han encontrado más de %1 láseres</translation>
+    </message>
+    <message>
+        <source>holds nothing but lines longer than 1 MiB</source>
+        <translation>no contiene más que líneas de más de 1 MiB</translation>
+    </message>
+    <message>
+        <source>out of memory at scan %1, with %2 landmarks in each map of %3 particles: %4; lower filter.particles, or make fewer landmarks with a higher split_merge.min_length</source>
+        <translation>memoria agotada en el barrido %1, con %2 hitos en cada mapa de %3 partículas: %4; baje filter.particles o haga menos hitos con un split_merge.min_length mayor</translation>
+    </message>
+    <message>
+        <source>out of memory at scan %1, with %2 landmarks in the map: %3; make fewer landmarks with a higher split_merge.min_length, or use filter.algorithm = fastslam</source>
+        <translation>memoria agotada en el barrido %1, con %2 hitos en el mapa: %3; haga menos hitos con un split_merge.min_length mayor o use filter.algorithm = fastslam</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>no se puede leer: %1</translation>
+    </message>
+    <message>
+        <source>names the file %1; expected a name within the folder</source>
+        <translation>nombra el archivo %1; se esperaba un nombre dentro de la carpeta</translation>
+    </message>
+    <message>
+        <source>stopped: %1 of %2 runs are done</source>
+        <translation>detenido: hechas %1 de %2 ejecuciones</translation>
+    </message>
+    <message>
+        <source>is no list of files: %1</source>
+        <translation>no es una lista de archivos: %1</translation>
+    </message>
+    <message>
+        <source>%1 values and %2 runs of each are more than %3 runs; choose fewer values or runs</source>
+        <translation>%1 valores y %2 ejecuciones de cada uno son más de %3 ejecuciones; elija menos valores o ejecuciones</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -4054,6 +4090,10 @@
         <source>Save map</source>
         <translation>Guardar mapa</translation>
     </message>
+    <message>
+        <source>Writing results: %1 (%2 of %3)</source>
+        <translation>Escribiendo resultados: %1 (%2 de %3)</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::RunControls</name>
@@ -4624,6 +4664,10 @@
     <message>
         <source>Run to look at:</source>
         <translation>Ejecución que se quiere mirar:</translation>
+    </message>
+    <message>
+        <source>The log is damaged: lines skipped: %1, stamps that did not advance: %2</source>
+        <translation>El registro está dañado: líneas omitidas: %1, marcas de tiempo que no avanzaron: %2</translation>
     </message>
 </context>
 <context>

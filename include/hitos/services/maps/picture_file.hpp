@@ -20,6 +20,9 @@ struct MapImage {
 /// The picture with at most `longest_side` > 0 pixels a side: where it has more, n x n of them
 /// become one, occupied where one of them is.
 MapImage shrunk(MapImage image, int longest_side);
+/// The picture as a file of the kind ("png", "jpg") can hold it: shrunk where it has too many
+/// pixels a side or too many in all.
+MapImage fitted(MapImage image, std::string_view kind);
 /// The grid, a pixel a cell.
 MapImage map_image(const Grid& grid);
 

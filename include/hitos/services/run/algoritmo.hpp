@@ -116,6 +116,7 @@ class Algoritmo {
     /// All that it is now; nothing where the algorithm cannot be copied.
     std::optional<RunCheckpoint> state() const;
     /// Takes the scan into every part of the run that keeps something of it.
+    Message out_of_memory(const char* reason) const;
     void note_scan();
     void draw_scan(bool key);
     /// The end of the source.

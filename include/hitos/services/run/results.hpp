@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -88,6 +89,15 @@ void prepare_output_folder(const std::filesystem::path& folder);
 /// run does not end in vain.
 StagedFolder results_folder(const std::filesystem::path& folder);
 
+/// Which of the files of a run is being written.
+struct WritingProgress {
+    std::string file;        ///< the first of those that are written together
+    std::size_t number = 0;  ///< from 1
+    std::size_t count = 0;
+};
+/// Told before each; the grids of long tours take their time.
+using WritingObserver = std::function<void(const WritingProgress&)>;
+
 /// Writes map.txt, segments.txt, map.dxf, trajectory.tum, trajectory_online.tum, odometry.tum,
 /// grid_best_steps, grid_best
 /// and grid_odometry (each as .png and .jpg), config.cfg and summary.json; distances.csv where
@@ -98,8 +108,8 @@ StagedFolder results_folder(const std::filesystem::path& folder);
 /// configuration come first, and without them the run fails (FileError); of the others each may be
 /// missing, and the summary says why. Returns the summary.
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
-                         StagedFolder& folder);
+                         StagedFolder& folder, const WritingObserver& told = {});
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
-                         const std::filesystem::path& folder);
+                         const std::filesystem::path& folder, const WritingObserver& told = {});
 
 }  // namespace hitos

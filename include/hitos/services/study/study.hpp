@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/error.hpp"
 #include "hitos/base/message.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/maps/map_file.hpp"
@@ -90,7 +91,8 @@ struct StudyOptions {
     StudyObserver observer;
     StudyListener listener;
     /// Whether each study is kept for this process while it runs; shards share theirs. Not where
-    /// the caller keeps the folder of all.
+    /// the caller keeps the folder of all, and wants no tables: another study's runs then make way
+    /// one by one.
     bool locks = true;
     std::stop_token stop;  ///< ends the study within a step; what is done stays done
 };
@@ -103,17 +105,27 @@ struct StudyOutcome {
     std::size_t computed = 0;
     std::size_t reused = 0;
     std::size_t failed = 0;
+    bool beside = false;      ///< another study's results are still in place
     bool stopped = false;     ///< before every run was done: there are no tables and plots
     Message plot_problem;     ///< why there are no plots; empty where there are, and for shards
     Message picture_problem;  ///< likewise of the contact sheet
 };
 
+/// Thrown by what needs whole studies where they were stopped.
+class StudyStopped : public Error {
+  public:
+    using Error::Error;
+};
+/// Throws StudyStopped, which says how many runs are done, where the studies were stopped.
+void check_whole(std::span<const StudyOutcome> outcomes);
+
 /// Runs what is not yet done of every study, spreading all runs over the threads, each run on one
 /// thread. A run's map and record are written when it ends, whole or not at all, so a study that
-/// was stopped in any way goes on where it was. The results do not depend on threads, shards,
-/// stops or order. Failed runs are recorded and tried anew the next time. A whole study ends with
-/// its tables and plots; a shard leaves them to merge_study. Throws what ends everything: see
-/// plan_study, FileError for the output, and what opening the log throws.
+/// was stopped in any way goes on where it was. Where the folder holds another study, its files
+/// stay until this one's are complete, and all of them change places together. The results do not
+/// depend on threads, shards, stops or order. Failed runs are recorded and tried anew the next
+/// time. A whole study ends with its tables and plots; a shard leaves them to merge_study. Throws
+/// what ends everything: see plan_study, FileError for the output, and what opening the log throws.
 std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const StudyOptions& options);
 
 /// Gathers the runs of the shards' folders (none: they are all in `layout` already) and writes

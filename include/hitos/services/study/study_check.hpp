@@ -11,19 +11,27 @@ namespace hitos {
 
 /// What is there of a study.
 struct StudyCheck {
-    std::size_t runs = 0;              ///< of the plan
-    std::size_t failed = 0;            ///< whose record says why
-    std::vector<std::string> missing;  ///< labels of runs that are not there, changed, or of
-                                       ///< another plan
-    std::vector<std::string> tables;   ///< files that are not there or not of these runs
+    std::size_t runs = 0;                ///< of the plan
+    std::size_t failed = 0;              ///< whose record says why
+    std::vector<std::string> missing;    ///< labels of runs that are not there, changed, or of
+                                         ///< another plan
+    std::vector<std::string> changed;    ///< tables and pictures that are not there, or not as they
+                                         ///< were written
+    std::vector<std::string> left_over;  ///< of a study, but not of this one
+    bool finished = false;               ///< the tables are of all runs
+    bool interrupted = false;            ///< while files were put in place; recover_study() ends it
+    bool another = false;  ///< one is under way, or was stopped, that will take this one's place
 
-    bool whole() const { return missing.empty() && tables.empty(); }
+    bool whole() const {
+        return finished && !interrupted && missing.empty() && changed.empty() && left_over.empty();
+    }
 };
 
 /// Whether the folder has a study's plan.
 bool is_study(const StudyLayout& layout);
 
-/// Compares every record with its map, by content, and the tables with the records. Throws
+/// Compares every record with its own digest and its map, the tables with the records, and all
+/// files with the list in study.json, by content. Throws
 /// FileError where there is no plan, FormatError where it is none.
 StudyCheck check_study(const StudyLayout& layout);
 

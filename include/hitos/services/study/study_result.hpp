@@ -11,6 +11,7 @@
 
 #include "hitos/base/geometry.hpp"
 #include "hitos/base/message.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/study/study_values.hpp"
 
 namespace hitos {
@@ -73,6 +74,10 @@ struct StudyPlan {
     /// A cell is one value of each parameter.
     std::size_t cells() const;
     std::size_t runs() const { return cells() * static_cast<std::size_t>(seeds); }
+    /// As many runs as a plan may have.
+    static constexpr std::size_t kMostRuns = 1'000'000;
+    /// Whether it has at least one run and no more than that.
+    bool is_possible() const;
     std::size_t cell_of(std::size_t run) const { return run / static_cast<std::size_t>(seeds); }
     std::uint64_t seed_of(std::size_t run) const {
         return first_seed + run % static_cast<std::size_t>(seeds);
@@ -115,11 +120,16 @@ struct StudyRecord {
     int corners = 0;
     int reference_found = 0;
     std::uint64_t scans = 0;
+    ReadReport report;         ///< of its log, with few examples; not of a run that failed
     double seconds = 0.0;      ///< wall time; these two are not reproducible
     double cpu_seconds = 0.0;  ///< of the run's thread, which other programs hardly lengthen
     std::string map_digest;    ///< of the map file
     std::optional<StudyPicture> picture;
 };
+
+/// The run whose log is the most damaged: lines skipped, or stamps that went backwards; null where
+/// no log is.
+const StudyRecord* most_damaged(std::span<const StudyRecord> records);
 
 /// Mean and spread of a figure over runs.
 struct Spread {
@@ -137,6 +147,8 @@ struct StudyCell {
     std::vector<std::string> texts;
     int finished = 0;
     int failed = 0;
+    std::uint64_t skipped_lines = 0;     ///< of the log, in the run with the most
+    std::uint64_t stamps_backwards = 0;  ///< likewise
     std::optional<Spread> error_m;
     std::optional<Spread> aligned_error_m;
     std::optional<Spread> trajectory_error_m;

@@ -228,6 +228,24 @@ TEST(PictureFile, ShrunkPicturesKeepThinWallsAndTheirPlace) {
     EXPECT_EQ(odd.picture.grey, (std::vector<std::uint8_t>{255, 255, 255, 0, 228, kUnknownGrey}));
 }
 
+TEST(PictureFile, WhatNoJpgCouldHoldIsDrawnCoarser) {
+    MapImage image;
+    image.picture = {70000, 2, std::vector<std::uint8_t>(140000, 255)};
+    image.picture.grey[69999] = 0;
+    EXPECT_EQ(fitted(image, "png").picture.width, 70000);
+    const MapImage coarse = fitted(image, "jpg");
+    EXPECT_EQ(coarse.picture.width, 35000);
+    EXPECT_EQ(coarse.picture.height, 1);
+    EXPECT_EQ(coarse.picture.grey.back(), 0) << "a thin wall stays";
+    EXPECT_EQ(coarse.m_per_pixel, 2 * image.m_per_pixel);
+    const TempFolder folder;
+    write_picture(coarse, {}, folder / "map.jpg");
+    EXPECT_EQ(read_grey_picture(folder / "map.jpg").width, 35000);
+    // Nor any file that is to be read again.
+    image.picture = {40000, 40000, std::vector<std::uint8_t>(1'600'000'000, 255)};
+    EXPECT_EQ(fitted(std::move(image), "png").picture.width, 20000);
+}
+
 TEST(PictureFile, GreyPicturesAreReadBackAsTheyWere) {
     const TempFolder folder;
     const Grid::Picture picture = grid_map().picture();

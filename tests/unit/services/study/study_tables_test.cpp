@@ -91,11 +91,11 @@ TEST(StudyTables, FailedRunsAreListedAndCountedButNotInTheMeans) {
     EXPECT_EQ(quality_csv(study_beside("out/q.csv"), plan, records),
               "split_merge.dmax,seed,status,error_m,aligned_error_m,landmarks,lines,corners,"
               "reference_found,reference_landmarks,scans,trajectory_error_m,odometry_error_m,"
-              "blur_m2,map,problem\n"
-              "0.01,1,ok,0.1,0.05,8,4,4,0,8,100,,,,q-maps/dmax-0.01-s1.map,\n"
-              "0.01,2,ok,0.2,0.1,6,4,2,0,8,100,,,,q-maps/dmax-0.01-s2.map,\n"
-              "0.1,1,failed,,,,,,,,,,,,,\"bad, \"\"quoted\"\" thing\"\n"
-              "0.1,2,ok,0.5,0.25,10,6,4,0,8,100,,,,q-maps/dmax-0.1-s2.map,\n");
+              "blur_m2,map,problem,skipped_lines,stamps_backwards,duplicate_scans,first_damage\n"
+              "0.01,1,ok,0.1,0.05,8,4,4,0,8,100,,,,q-maps/dmax-0.01-s1.map,,0,0,0,\n"
+              "0.01,2,ok,0.2,0.1,6,4,2,0,8,100,,,,q-maps/dmax-0.01-s2.map,,0,0,0,\n"
+              "0.1,1,failed,,,,,,,,,,,,,\"bad, \"\"quoted\"\" thing\",,,,\n"
+              "0.1,2,ok,0.5,0.25,10,6,4,0,8,100,,,,q-maps/dmax-0.1-s2.map,,0,0,0,\n");
     const std::vector<StudyCell> cells = summarize(plan, records);
     ASSERT_EQ(cells.size(), 2U);
     EXPECT_EQ(cells[1].finished, 1);
@@ -110,7 +110,7 @@ TEST(StudyTables, FailedRunsAreListedAndCountedButNotInTheMeans) {
     EXPECT_THAT(summary_latex(plan, cells), HasSubstr("0.1 & 1 of 2 & 0.500 & -- & 0.250"));
     EXPECT_THAT(summary_latex(plan, cells), HasSubstr("variance (m$^2$)"));
     EXPECT_THAT(summary_csv(plan, cells),
-                HasSubstr("\n0.1,1,1,1,0.5,,0.5,0.5,0.25,,10,,6,,4,,8,,,,,,\n"));
+                HasSubstr("\n0.1,1,1,1,0.5,,0.5,0.5,0.25,,10,,6,,4,,8,,,,,,,0,0\n"));
     EXPECT_THAT(timing_csv(plan, records), HasSubstr("\n0.01,1,0.500000,200.0,0.250000\n"));
 }
 
@@ -144,8 +144,9 @@ TEST(StudyTables, WithoutReferencePathsAndBlurStandInItsPlace) {
     };
     const std::vector<StudyRecord> records{measured(0.25, 0.5), measured(0.75, 0.25),
                                            measured(1.5, 0.125), failure("x")};
-    EXPECT_THAT(quality_csv(study_in_folder("out"), plan, records),
-                HasSubstr("\n0.01,1,ok,,,7,5,2,,,100,0.25,2.5,0.5,maps/dmax-0.01-s1.map,\n"));
+    EXPECT_THAT(
+        quality_csv(study_in_folder("out"), plan, records),
+        HasSubstr("\n0.01,1,ok,,,7,5,2,,,100,0.25,2.5,0.5,maps/dmax-0.01-s1.map,,0,0,0,\n"));
     EXPECT_EQ(summary_markdown(plan, summarize(plan, records)),
               "| dmax (m) | runs | ATE (m) | odometry's ATE (m) | blur (m²) | landmarks | lines | "
               "corners |\n|---:|---:|---:|---:|---:|---:|---:|---:|\n"
@@ -154,19 +155,40 @@ TEST(StudyTables, WithoutReferencePathsAndBlurStandInItsPlace) {
               "Without a reference map. ATE: error of the path. Blur: undecided area of the "
               "grid map; lower is crisper.\n");
     EXPECT_THAT(summary_csv(plan, summarize(plan, records)),
-                HasSubstr("\n0.01,2,0,0,,,,,,,7,0,5,0,2,0,,0.5,0.125,2.5,0,0.375,0.03125\n"));
+                HasSubstr("\n0.01,2,0,0,,,,,,,7,0,5,0,2,0,,0.5,0.125,2.5,0,0.375,0.03125,0,0\n"));
     const TempFolder folder;
-    folder.put("error.png", "of an earlier study, which had a reference");
     study::write_plots(study_in_folder(folder.path()), plan, summarize(plan, records));
     EXPECT_THAT(content(folder / "trajectory-error.dat"), HasSubstr("\n0.01 0.5 "));
     EXPECT_THAT(content(folder / "blur.dat"), HasSubstr("\n0.01 0.375 "));
     EXPECT_THAT(content(folder / "landmarks.gp"), Not(HasSubstr("in the reference")));
-    EXPECT_FALSE(std::filesystem::exists(folder / "error.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "error.dat"));
     // A log without a true path has only its grid.
     const std::vector<StudyRecord> blind(4, measured(std::nullopt, 0.5));
     EXPECT_THAT(summary_latex(plan, summarize(plan, blind)), Not(HasSubstr("ATE")));
-    study::write_plots(study_in_folder(folder.path()), plan, summarize(plan, blind));
-    EXPECT_FALSE(std::filesystem::exists(folder / "trajectory-error.dat"));
+    const TempFolder other;
+    study::write_plots(study_in_folder(other.path()), plan, summarize(plan, blind));
+    EXPECT_FALSE(std::filesystem::exists(other / "trajectory-error.dat"));
+}
+
+TEST(StudyTables, DamageOfTheLogStandsInEveryTable) {
+    const StudyPlan plan = plan_of({dmax_axis()}, 2);
+    std::vector<StudyRecord> records(4, run(0.1, 4, 4));
+    EXPECT_EQ(most_damaged(records), nullptr);
+    records[1].report.stamps_backwards = 7;
+    records[2].report.skipped = 3;
+    records[2].report.examples = {{17, verbatim("expected 4 fields, found 2")},
+                                  {19, verbatim("x")}};
+    EXPECT_EQ(most_damaged(records), &records[2]);
+    const std::string quality = quality_csv(study_in_folder("out"), plan, records);
+    EXPECT_THAT(quality, HasSubstr(",,0,7,0,\n"));
+    EXPECT_THAT(quality, HasSubstr(",,3,0,0,\"line 17: expected 4 fields, found 2\"\n"));
+    const std::vector<StudyCell> cells = summarize(plan, records);
+    EXPECT_THAT(summary_csv(plan, cells), HasSubstr(",0,7\n"));
+    EXPECT_THAT(summary_csv(plan, cells), HasSubstr(",3,0\n"));
+    const std::string sentence =
+        "The log is damaged: 3 lines skipped, 7 stamps that did not advance";
+    EXPECT_THAT(summary_markdown(plan, cells), HasSubstr(sentence));
+    EXPECT_THAT(summary_latex(plan, cells), HasSubstr(sentence));
 }
 
 TEST(StudyTables, PlotsDrawOneCurveForEachSecondValue) {

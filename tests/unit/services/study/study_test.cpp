@@ -302,41 +302,10 @@ TEST_F(StudyTest, FilesThatCannotBeReadOrWrittenAreNamed) {
                 HasSubstr("is a folder; expected the path of the quality file"));
     folder_.put("study.json", R"({"format": "else"})");
     EXPECT_THAT(message_of<FormatError>([&] { merge_study(study_in_folder(folder_.path())); }),
-                HasSubstr("study.json: expected format hitos-study 2"));
+                HasSubstr("study.json: expected format hitos-study 3"));
     folder_.put("study.json", "[");
     EXPECT_THAT(message_of<FormatError>([&] { merge_study(study_in_folder(folder_.path())); }),
                 HasSubstr("is no plan of a study"));
-}
-
-TEST_F(StudyTest, IsCheckedRunByRunAndItsTablesMadeAnew) {
-    const StudyLayout layout = study_in_folder(folder_ / "out");
-    EXPECT_FALSE(is_study(layout));
-    EXPECT_THROW(check_study(layout), FileError);
-    run(study("out"));
-    EXPECT_TRUE(is_study(layout));
-    StudyCheck check = check_study(layout);
-    EXPECT_TRUE(check.whole());
-    EXPECT_EQ(check.runs, 12U);
-    EXPECT_EQ(check.failed, 0U);
-    const auto whole = files("out");
-
-    folder_.put("out/summary.md", "of another study");
-    fs::remove(folder_ / "out" / "summary.tex");
-    EXPECT_THAT(check_study(layout).tables, ElementsAre("summary.md", "summary.tex"));
-    EXPECT_EQ(recover_study(layout).reused, 12U);
-    EXPECT_EQ(files("out"), whole);
-
-    folder_.put("out/maps/dmax-0.02-p-2-s3.map", "rho: 1 theta: 2\n");
-    check = check_study(layout);
-    EXPECT_THAT(check.missing, ElementsAre("dmax=0.02 p=2 seed 3"));
-    EXPECT_EQ(check.failed, 0U);
-    const StudyOutcome recovered = recover_study(layout);
-    EXPECT_EQ(recovered.reused, 11U);
-    EXPECT_EQ(recovered.failed, 1U);
-    EXPECT_THAT(content(folder_ / "out" / "quality.csv"), HasSubstr("the run is not there"));
-    EXPECT_TRUE(check_study(layout).tables.empty());
-    run(study("out"));
-    EXPECT_EQ(files("out"), whole);
 }
 
 TEST_F(StudyTest, MergeNamesMissingRunsAndOtherStudies) {

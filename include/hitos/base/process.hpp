@@ -1,9 +1,11 @@
-// What the programs of the command line share as processes: signals and streams.
+// What all programs share as processes: signals and streams.
 #pragma once
 
 #include <functional>
+#include <stop_token>
+#include <thread>
 
-namespace hitos::cli {
+namespace hitos {
 
 /// At a program's start: a pipe that nobody reads and a file that may not grow are errors to be
 /// told, not deaths; SIGINT, SIGTERM and SIGHUP take the temporary files along.
@@ -23,8 +25,20 @@ class StopByRequest {
     static int status();
 };
 
+/// Hands such a request on to what is under way.
+class StopSource {
+  public:
+    StopSource();
+    std::stop_token token() const { return stop_.get_token(); }
+
+  private:
+    StopByRequest request_;
+    std::stop_source stop_;
+    std::jthread watch_;
+};
+
 /// Runs the program and tells its errors on stderr. Gives its status once all that it said has
 /// arrived: what standard output cannot take is an error.
-int finished(const char* program, const std::function<int()>& run);
+int run_program(const char* program, const std::function<int()>& run);
 
-}  // namespace hitos::cli
+}  // namespace hitos

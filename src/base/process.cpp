@@ -1,7 +1,8 @@
-#include "process.hpp"
+#include "hitos/base/process.hpp"
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -11,7 +12,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 
-namespace hitos::cli {
+namespace hitos {
 namespace {
 
 // Shared with a signal handler.
@@ -76,7 +77,16 @@ int StopByRequest::status() {
     return 128 + asked;
 }
 
-int finished(const char* program, const std::function<int()>& run) {
+StopSource::StopSource()
+    : watch_([this](const std::stop_token& end) {
+          constexpr std::chrono::milliseconds kLook(20);
+          while (!end.stop_requested() && !stop_.stop_requested()) {
+              if (StopByRequest::wanted()) stop_.request_stop();
+              std::this_thread::sleep_for(kLook);
+          }
+      }) {}
+
+int run_program(const char* program, const std::function<int()>& run) {
     int status = 1;
     try {
         status = run();
@@ -92,4 +102,4 @@ int finished(const char* program, const std::function<int()>& run) {
     return status == 0 ? 1 : status;
 }
 
-}  // namespace hitos::cli
+}  // namespace hitos

@@ -1,0 +1,76 @@
+#include "written_files.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "hitos/base/digest.hpp"
+#include "hitos/base/error.hpp"
+
+namespace hitos {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether the name stays in its folder, or in folders of that one.
+bool is_inner(const fs::path& name) {
+    if (!name.has_filename() || name.is_absolute()) return false;
+    return std::none_of(name.begin(), name.end(),
+                        [](const fs::path& part) { return part == "." || part == ".."; });
+}
+
+}  // namespace
+
+WrittenFile written_file(const fs::path& folder, const std::string& name) {
+    const fs::path path = folder / name;
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(path, error);
+    if (error) throw FileError(path.string(), system_message(error.value()));
+    return {name, bytes, Digest().add_file(path).text()};
+}
+
+std::vector<WrittenFile> written_files(const fs::path& folder) {
+    std::vector<WrittenFile> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_directory()) continue;
+        files.push_back(written_file(folder, entry.path().lexically_relative(folder).string()));
+    }
+    std::ranges::sort(files, {}, &WrittenFile::name);
+    return files;
+}
+
+bool is_unchanged(const WrittenFile& file, const fs::path& folder) {
+    std::error_code error;
+    return fs::is_regular_file(folder / file.name, error) &&
+           fs::file_size(folder / file.name, error) == file.bytes && !error &&
+           Digest().add_file(folder / file.name).text() == file.digest;
+}
+
+nlohmann::ordered_json json_of(const std::vector<WrittenFile>& files) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const WrittenFile& file : files) {
+        json.push_back({{"name", file.name}, {"bytes", file.bytes}, {"xxh3_128", file.digest}});
+    }
+    return json;
+}
+
+std::vector<WrittenFile> files_named(const nlohmann::json& json, const fs::path& file,
+                                     bool nested) {
+    if (!json.contains("files")) return {};
+    std::vector<WrittenFile> files;
+    for (const nlohmann::json& one : json.at("files")) {
+        files.push_back({one.at("name"), one.at("bytes"), one.at("xxh3_128")});
+        const fs::path name = files.back().name;
+        if (is_inner(name) && (nested || !name.has_parent_path())) continue;
+        throw FormatError(
+            file.string(), 0,
+            nested ? message(HITOS_TEXT("Errors",
+                                        "names the file %1; expected a name within the folder"),
+                             files.back().name)
+                   : message(
+                         HITOS_TEXT("Errors", "names the file %1; expected a name without folders"),
+                         files.back().name));
+    }
+    return files;
+}
+
+}  // namespace hitos

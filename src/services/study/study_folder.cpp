@@ -1,0 +1,352 @@
+#include "study_folder.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <system_error>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
+#include "hitos/base/staged_folder.hpp"
+#include "hitos/base/text_input.hpp"
+#include "run/written_files.hpp"
+#include "study_files.hpp"
+#include "study_pictures.hpp"
+#include "study_plot.hpp"
+
+namespace hitos::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kJournal = "journal.json";
+
+/// A layout's hidden folder, in its own, so that its files can take the places of others in a step.
+StudyLayout hidden(const StudyLayout& layout, const char* word) {
+    return {layout.folder / ("." + plan_file(layout).filename().string() + ".hitos-" + word),
+            layout.prefix, layout.quality};
+}
+
+/// Where what publish() writes of a study in place waits.
+StudyLayout staging_of(const StudyLayout& layout) {
+    return hidden(layout, "new");
+}
+
+std::optional<StudyPlan> plan_in(const StudyLayout& layout) {
+    try {
+        return read_plan(layout);
+    } catch (const Error&) {
+        return std::nullopt;  // none, or none that can be gone on with
+    }
+}
+
+bool holds(const StudyLayout& layout, const StudyPlan& plan) {
+    const std::optional<StudyPlan> there = plan_in(layout);
+    return there && same(*there, plan);
+}
+
+bool is_there(const fs::path& path) {
+    std::error_code ignored;
+    return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
+}
+
+/// Of AtomicFile. Whoever holds the study alone knows that no writer of one is left.
+bool is_leftover(std::string_view name) {
+    return name.starts_with(".hitos-") && name.ends_with(".tmp");
+}
+
+void remove_leftovers(const fs::path& folder) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        std::error_code ignored;
+        if (is_leftover(entry->path().filename().string())) fs::remove_all(entry->path(), ignored);
+    }
+}
+
+std::string relative(const fs::path& file, const StudyLayout& layout) {
+    return file.lexically_relative(layout.folder).string();
+}
+
+/// Whether it tells times, which differ from run to run.
+bool holds_times(const StudyLayout& layout, const std::string& name) {
+    return name == layout.prefix + "timing.csv" ||
+           (name.starts_with(layout.prefix + "runs/") && name.ends_with(".json"));
+}
+
+/// What the folder has of the plan's runs.
+void list_runs(const StudyLayout& layout, const StudyPlan& plan, std::set<std::string>& names) {
+    for (std::size_t run = 0; run < plan.runs(); ++run) {
+        std::vector<fs::path> files = run_files(layout, plan, run);
+        files.push_back(record_file(layout, plan, run));
+        for (const fs::path& file : files) {
+            if (is_there(file)) names.insert(relative(file, layout));
+        }
+    }
+}
+
+/// What a former study has left in the folder, by its list, its plan and the names of tables.
+std::set<std::string> former_files(const StudyLayout& layout, bool with_runs) {
+    std::set<std::string> names;
+    try {
+        for (const WrittenFile& file : read_plan_state(layout).files) {
+            if (with_runs || !is_of_run(layout, file.name)) names.insert(file.name);
+        }
+        if (with_runs) list_runs(layout, read_plan(layout), names);
+    } catch (const Error&) {
+        // One that cannot be read names nothing.
+    }
+    for (const fs::directory_entry& entry : fs::directory_iterator(layout.folder)) {
+        const std::string name = entry.path().filename().string();
+        if (is_table(layout, name) && !entry.is_directory()) names.insert(name);
+    }
+    return names;
+}
+
+/// A folder of somebody's does not make way.
+void check_no_folder(const fs::path& place) {
+    std::error_code ignored;
+    if (!fs::is_directory(place, ignored)) return;
+    throw FileError(
+        place.string(),
+        message(HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name")));
+}
+
+/// Puts in place what the journal in `staging` lists, the plan file last, and takes away what is of
+/// the study before. Going on after an interruption it finds what is still to be done by the
+/// contents.
+void install(const StudyLayout& staging, const StudyLayout& target) {
+    const fs::path journal = staging.folder / kJournal;
+    std::vector<WrittenFile> files;
+    bool with_runs = false;
+    try {
+        const auto json = nlohmann::json::parse(input::read_text(journal));
+        files = files_named(json, journal, true);
+        with_runs = json.at("with_runs");
+    } catch (const nlohmann::json::exception& error) {
+        throw FormatError(journal.string(), 0,
+                          message(HITOS_TEXT("Errors", "is no list of files: %1"), error.what()));
+    }
+    const std::string seal = relative(plan_file(target), target);
+    FileExchange exchange(staging.folder, target.folder);
+    std::set<std::string> former = former_files(target, with_runs);
+    const auto put = [&](const WrittenFile& file) {
+        if (is_unchanged(file, staging.folder)) exchange.add(file.name);
+    };
+    for (const WrittenFile& file : files) {
+        check_no_folder(target.folder / file.name);
+        former.erase(file.name);
+    }
+    for (const WrittenFile& file : files) {
+        if (file.name != seal) put(file);
+    }
+    for (const std::string& name : former) {
+        if (is_there(target.folder / name)) exchange.add(name);
+    }
+    exchange.flush();
+    for (const WrittenFile& file : files) {
+        if (file.name == seal) put(file);
+    }
+    exchange.flush();
+    exchange.keep();
+    fs::remove(journal);
+    std::error_code ignored;
+    fs::remove_all(staging.folder, ignored);
+}
+
+/// Finishes what an interrupted publish() began. Only where nobody else is at work.
+void settle(const StudyLayout& target) {
+    for (const StudyLayout& staging : {staging_of(target), next_study(target)}) {
+        if (is_there(staging.folder / kJournal)) install(staging, target);
+    }
+    std::error_code ignored;
+    fs::remove_all(staging_of(target).folder, ignored);
+}
+
+std::unique_ptr<FolderLock> lock_of(const StudyLayout& target, StudyFolder::Keep keep) {
+    made_output_folder(target.folder);
+    if (keep == StudyFolder::Keep::not_kept) return nullptr;
+    if (keep == StudyFolder::Keep::alone) return std::make_unique<FolderLock>(plan_file(target));
+    return std::make_unique<FolderLock>(plan_file(target), FolderLock::Shared{});
+}
+
+StudyLayout work_place(const StudyLayout& target, const StudyPlan& plan) {
+    const StudyLayout next = next_study(target);
+    if (holds(target, plan)) return target;
+    if (holds(next, plan)) return next;
+    return is_there(plan_file(target)) ? next : target;
+}
+
+void check_others(const StudyLayout& target, const StudyPlan& plan, const FolderLock* lock) {
+    if (lock == nullptr || lock->alone() || holds(target, plan) ||
+        holds(next_study(target), plan)) {
+        return;
+    }
+    throw FileError(plan_file(target).string(),
+                    message(HITOS_TEXT("Errors",
+                                       "is the plan of another study, on which others are at work: "
+                                       "program, configuration, log, values or seeds differ; wait "
+                                       "for them or choose another folder")));
+}
+
+void remove_tables(const StudyLayout& layout) {
+    std::error_code ignored;
+    fs::remove_all(layout.file("pictures"), ignored);
+    std::vector<fs::path> tables;
+    for (const fs::directory_entry& entry : fs::directory_iterator(layout.folder)) {
+        if (is_table(layout, entry.path().filename().string())) tables.push_back(entry.path());
+    }
+    for (const fs::path& table : tables) fs::remove(table, ignored);
+}
+
+void write_tables(const StudyLayout& layout, const StudyPlan& plan,
+                  std::span<const StudyRecord> records) {
+    for (const auto& [file, text] : tables(layout, plan, records)) write_file(file, text);
+}
+
+/// What can be done without: why it could not be done, else an empty text.
+Message attempted(const std::function<Message()>& write) {
+    try {
+        return write();
+    } catch (const std::exception& error) {  // of a library too
+        return message_of(error);
+    }
+}
+
+}  // namespace
+
+std::vector<std::pair<fs::path, std::string>> tables(const StudyLayout& layout,
+                                                     const StudyPlan& plan,
+                                                     std::span<const StudyRecord> records) {
+    const std::vector<StudyCell> cells = summarize(plan, records);
+    return {{layout.quality_file(), quality_csv(layout, plan, records)},
+            {layout.file("summary.csv"), summary_csv(plan, cells)},
+            {layout.file("summary.md"), summary_markdown(plan, cells)},
+            {layout.file("summary.tex"), summary_latex(plan, cells)},
+            {layout.file("timing.csv"), timing_csv(plan, records)}};
+}
+
+StudyLayout next_study(const StudyLayout& layout) {
+    return hidden(layout, "next");
+}
+
+bool is_interrupted(const StudyLayout& layout) {
+    return is_there(staging_of(layout).folder / kJournal) ||
+           is_there(next_study(layout).folder / kJournal);
+}
+
+StudyFolder::StudyFolder(StudyLayout target, StudyPlan plan, StudyLayout work,
+                         std::unique_ptr<FolderLock> lock)
+    : target_(std::move(target)),
+      plan_(std::move(plan)),
+      lock_(std::move(lock)),
+      work_(std::move(work)) {}
+
+StudyFolder::StudyFolder(StudyLayout target, StudyPlan plan, Keep keep)
+    : target_(std::move(target)), plan_(std::move(plan)), lock_(lock_of(target_, keep)) {
+    check_others(target_, plan_, lock_.get());
+    if (lock_ == nullptr || lock_->alone()) settle(target_);
+    work_ = lock_ == nullptr ? target_ : work_place(target_, plan_);
+}
+
+StudyFolder StudyFolder::of_last(const StudyLayout& target) {
+    auto lock = lock_of(target, Keep::alone);
+    settle(target);
+    const StudyLayout next = next_study(target);
+    const StudyLayout work = plan_in(next) ? next : target;
+    return {target, read_plan(work), work, std::move(lock)};
+}
+
+StudyFolder StudyFolder::in_place(const StudyLayout& target) {
+    auto lock = lock_of(target, Keep::alone);
+    settle(target);
+    return {target, read_plan(target), target, std::move(lock)};
+}
+
+void StudyFolder::begin() {
+    if (is_beside() && !holds(work_, plan_)) {
+        std::error_code ignored;
+        fs::remove_all(work_.folder, ignored);  // of a third study, which was never finished
+    }
+    made_output_folder(work_.folder);
+    made_output_folder(work_.file("maps"));
+    made_output_folder(work_.file("runs"));
+    // Destroyed without commit, the probe leaves nothing behind.
+    AtomicFile(target_.quality_file()).write("");
+    write_plan(work_, plan_);
+}
+
+void StudyFolder::share() {
+    if (lock_) lock_->share();
+}
+
+std::optional<StudyRecord> StudyFolder::done(std::size_t run) const {
+    std::optional<StudyRecord> record = read_record(work_, plan_, run);
+    if (record || !is_beside()) return record;
+    record = read_record(target_, plan_, run);
+    if (!record || !record->ok) return std::nullopt;
+    copy_run(target_, work_, plan_, run, *record);
+    return record;
+}
+
+/// All that belongs together once the tables are in `staging`; the runs are there or at `work`.
+std::vector<WrittenFile> StudyFolder::written(const StudyLayout& staging) const {
+    std::vector<WrittenFile> files = written_files(staging.folder);
+    const std::string seal = relative(plan_file(staging), staging);
+    std::erase_if(files, [&](const WrittenFile& file) { return file.name == seal; });
+    if (!is_beside()) {
+        std::set<std::string> runs;
+        list_runs(work_, plan_, runs);
+        for (const std::string& name : runs) files.push_back(written_file(work_.folder, name));
+    }
+    std::ranges::sort(files, {}, &WrittenFile::name);
+    return files;
+}
+
+StudyFolder::Problems StudyFolder::publish(std::span<const StudyRecord> records, bool finished) {
+    for (const char* folder : {"maps", "runs"}) remove_leftovers(work_.file(folder));
+    remove_leftovers(target_.folder);
+    const StudyLayout staging = is_beside() ? work_ : staging_of(target_);
+    try {
+        made_output_folder(staging.folder);
+        remove_tables(staging);  // of an attempt that failed
+        Problems problems;
+        write_tables(staging, plan_, records);
+        problems.plots =
+            attempted([&] { return write_plots(staging, plan_, summarize(plan_, records)); });
+        problems.pictures =
+            attempted([&] { return write_pictures(work_, staging, plan_, records); });
+        std::vector<WrittenFile> files = written(staging);
+        PlanState state{finished, files};
+        std::erase_if(state.files,
+                      [&](const WrittenFile& file) { return holds_times(target_, file.name); });
+        write_plan(staging, plan_, state);
+        files.push_back(written_file(staging.folder, relative(plan_file(staging), staging)));
+        write_file(
+            staging.folder / kJournal,
+            nlohmann::ordered_json{{"with_runs", is_beside()}, {"files", json_of(files)}}.dump(1) +
+                "\n");
+        install(staging, target_);
+        work_ = target_;
+        const auto told = [&](const Message& problem) {
+            return problem.replaced(staging.folder.string(), target_.folder.string());
+        };
+        return {told(problems.plots), told(problems.pictures)};
+    } catch (const std::exception& error) {
+        give_up(staging);
+        const auto* file = dynamic_cast<const FileError*>(&error);
+        if (file == nullptr) throw;
+        // Nobody knows of the folder in which it really was.
+        throw file->replaced(staging.folder.string(), target_.folder.string());
+    }
+}
+
+/// After a failure: runs that were done beside stay for the next time.
+void StudyFolder::give_up(const StudyLayout& staging) const {
+    std::error_code ignored;
+    fs::remove(staging.folder / kJournal, ignored);
+    if (!is_beside()) fs::remove_all(staging.folder, ignored);
+}
+
+}  // namespace hitos::study

@@ -1,0 +1,133 @@
+// A run's record as a file: what was measured, and by what its map and pictures are known.
+#include <system_error>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/text_input.hpp"
+#include "run/report_json.hpp"
+#include "study_files.hpp"
+
+namespace hitos::study {
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kExamples = 3;  // of damaged lines: a study has many runs of one log
+
+std::optional<double> optional_number(const ordered_json& value) {
+    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+ordered_json json_of(const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json();
+}
+
+ordered_json json_of(const std::optional<StudyPicture>& picture) {
+    if (!picture) return {};
+    return {{"files", picture->digest},
+            {"x", picture->origin.x},
+            {"y", picture->origin.y},
+            {"m_per_pixel", picture->m_per_pixel}};
+}
+
+std::optional<StudyPicture> optional_picture(const ordered_json& json) {
+    if (json.is_null()) return std::nullopt;
+    return StudyPicture{json.at("files"), {json.at("x"), json.at("y")}, json.at("m_per_pixel")};
+}
+
+StudyRecord record_of(const ordered_json& json) {
+    StudyRecord record;
+    record.ok = json.at("ok");
+    record.problem = verbatim(json.at("problem"));
+    record.error_m = optional_number(json.at("error_m"));
+    record.aligned_error_m = optional_number(json.at("aligned_error_m"));
+    record.trajectory_error_m = optional_number(json.at("trajectory_error_m"));
+    record.odometry_error_m = optional_number(json.at("odometry_error_m"));
+    record.blur_m2 = optional_number(json.at("blur_m2"));
+    record.lines = json.at("lines");
+    record.corners = json.at("corners");
+    record.reference_found = json.at("reference_found");
+    record.scans = json.at("scans");
+    record.report = read_report(json.at("log"));
+    record.report.scans = record.scans;
+    record.seconds = json.at("seconds");
+    record.cpu_seconds = json.at("cpu_seconds");
+    record.map_digest = json.at("map");
+    record.picture = optional_picture(json.at("picture"));
+    return record;
+}
+
+bool has_map(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
+             const StudyRecord& record) {
+    const fs::path map = map_file(layout, plan, run);
+    std::error_code ignored;
+    return fs::is_regular_file(map, ignored) && Digest().add_file(map).text() == record.map_digest;
+}
+
+bool has_picture(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
+                 const StudyRecord& record) {
+    // A grid without a cell that was seen gives neither.
+    if (!record.picture) return !record.blur_m2;
+    std::error_code ignored;
+    return fs::is_regular_file(grid_file(layout, plan, run), ignored) &&
+           fs::is_regular_file(path_file(layout, plan, run), ignored) &&
+           picture_digest(layout, plan, run) == record.picture->digest;
+}
+
+}  // namespace
+
+void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
+                  const StudyRecord& record) {
+    write_file(record_file(layout, plan, run),
+               sealed({{"run", plan.run_digest(run)},
+                       {"ok", record.ok},
+                       {"problem", record.problem.english()},
+                       {"error_m", json_of(record.error_m)},
+                       {"aligned_error_m", json_of(record.aligned_error_m)},
+                       {"trajectory_error_m", json_of(record.trajectory_error_m)},
+                       {"odometry_error_m", json_of(record.odometry_error_m)},
+                       {"blur_m2", json_of(record.blur_m2)},
+                       {"lines", record.lines},
+                       {"corners", record.corners},
+                       {"reference_found", record.reference_found},
+                       {"scans", record.scans},
+                       {"log", hitos::json_of(record.report, kExamples)},
+                       {"seconds", record.seconds},
+                       {"cpu_seconds", record.cpu_seconds},
+                       {"map", record.map_digest},
+                       {"picture", json_of(record.picture)}}));
+}
+
+std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPlan& plan,
+                                       std::size_t run) {
+    const fs::path path = record_file(layout, plan, run);
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+    try {
+        const ordered_json json =
+            ordered_json::parse(input::read_text(path, input::kLargestSettings));
+        if (json.at("run") != plan.run_digest(run) || !is_sealed(json)) return std::nullopt;
+        const StudyRecord record = record_of(json);
+        if (record.ok && !has_map(layout, plan, run, record)) return std::nullopt;
+        if (record.ok && plan.pictured(run) && !has_picture(layout, plan, run, record)) {
+            return std::nullopt;
+        }
+        return record;
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;  // somebody else's hand was in it; the run is only done anew
+    }
+}
+
+void copy_run(const StudyLayout& from, const StudyLayout& to, const StudyPlan& plan,
+              std::size_t run, const StudyRecord& record) {
+    const std::vector<fs::path> sources = run_files(from, plan, run);
+    const std::vector<fs::path> targets = run_files(to, plan, run);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        std::error_code ignored;
+        if (!fs::is_regular_file(sources[i], ignored)) continue;
+        write_file(targets[i], input::read_text(sources[i]));
+    }
+    write_record(to, plan, run, record);
+}
+
+}  // namespace hitos::study

@@ -1,0 +1,270 @@
+// What is in a study's folder is always of one study, and says so.
+#include "study/study_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <thread>
+
+#include "hitos/base/error.hpp"
+#include "hitos/services/study/study_check.hpp"
+#include "study/study_files.hpp"
+#include "study_fixture.hpp"
+
+namespace hitos {
+namespace {
+
+namespace fs = std::filesystem;
+using test::content;
+using test::message_of;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class StudyFolderTest : public StudyTest {
+  protected:
+    StudyLayout layout() const { return study_in_folder(folder_ / "out"); }
+    fs::path out(const std::string& name) const { return folder_ / "out" / name; }
+    void expect_still_there(const std::map<std::string, std::string>& before) const {
+        for (const auto& [name, text] : before) {
+            EXPECT_TRUE(fs::exists(out(name)) && content(out(name)) == text) << name;
+        }
+    }
+    /// Of other settings, so that no run can be used again.
+    Study other() const {
+        Study other = study("out");
+        other.configuration.extraction.lines.min_length_m = 0.25;
+        other.seeds = 2;
+        return other;
+    }
+    /// Ends the study after a number of runs.
+    static StudyOutcome stopped(const Study& study, std::size_t runs) {
+        std::stop_source stop;
+        StudyOptions options;
+        options.stop = stop.get_token();
+        std::size_t told = 0;
+        options.listener = [&](const StudyPlan&, std::size_t, const StudyRecord&) {
+            if (++told == runs) stop.request_stop();
+        };
+        return run(study, options);
+    }
+    std::vector<std::string> hidden_files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder_ / "out")) {
+            const std::string name = entry.path().filename().string();
+            if (name.starts_with(".")) names.push_back(name);
+        }
+        return names;
+    }
+};
+
+TEST_F(StudyFolderTest, IsCheckedRunByRunAndItsTablesMadeAnew) {
+    EXPECT_FALSE(is_study(layout()));
+    EXPECT_THROW(check_study(layout()), FileError);
+    run(study("out"));
+    EXPECT_TRUE(is_study(layout()));
+    StudyCheck check = check_study(layout());
+    EXPECT_TRUE(check.whole());
+    EXPECT_EQ(check.runs, 12U);
+    EXPECT_EQ(check.failed, 0U);
+    const auto whole = files("out");
+
+    folder_.put("out/summary.md", "of another study");
+    fs::remove(out("summary.tex"));
+    folder_.put("out/landmarks.gp", "changed");
+    folder_.put("out/maps/stranger.map", "");
+    check = check_study(layout());
+    EXPECT_THAT(check.changed, ElementsAre("landmarks.gp", "summary.md", "summary.tex"));
+    EXPECT_THAT(check.left_over, ElementsAre("maps/stranger.map"));
+    fs::remove(out("maps/stranger.map"));
+    EXPECT_EQ(recover_study(layout()).reused, 12U);
+    EXPECT_EQ(files("out"), whole);
+    EXPECT_TRUE(check_study(layout()).whole());
+
+    folder_.put("out/maps/dmax-0.02-p-2-s3.map", "rho: 1 theta: 2\n");
+    check = check_study(layout());
+    EXPECT_THAT(check.missing, ElementsAre("dmax=0.02 p=2 seed 3"));
+    EXPECT_EQ(check.failed, 0U);
+    const StudyOutcome recovered = recover_study(layout());
+    EXPECT_EQ(recovered.reused, 11U);
+    EXPECT_EQ(recovered.failed, 1U);
+    EXPECT_THAT(content(out("quality.csv")), HasSubstr("the run is not there"));
+    check = check_study(layout());
+    EXPECT_THAT(check.changed, IsEmpty());
+    EXPECT_FALSE(check.finished);
+    run(study("out"));
+    EXPECT_EQ(files("out"), whole);
+    EXPECT_THAT(hidden_files(), IsEmpty());
+}
+
+TEST_F(StudyFolderTest, ARecordThatSomebodyChangedIsNone) {
+    run(study("out"));
+    const auto whole = files("out");
+    std::string record = content(out("runs/dmax-0.02-p-2-s3.json"));
+    const std::size_t at = record.find("\"scans\": 31");
+    ASSERT_NE(at, std::string::npos);
+    record.replace(at, 11, "\"scans\": 32");
+    folder_.put("out/runs/dmax-0.02-p-2-s3.json", record);
+    EXPECT_THAT(check_study(layout()).missing, ElementsAre("dmax=0.02 p=2 seed 3"));
+    EXPECT_EQ(run(study("out")).computed, 1U);
+    EXPECT_EQ(files("out"), whole);
+    // Likewise the plan.
+    std::string plan = content(out("study.json"));
+    plan.replace(plan.find("\"seeds\": 3"), 10, "\"seeds\": 2");
+    folder_.put("out/study.json", plan);
+    EXPECT_THAT(message_of<FormatError>([&] { check_study(layout()); }),
+                HasSubstr("study.json: the plan is damaged"));
+}
+
+TEST_F(StudyFolderTest, PlansOfImpossibleSizesAreRefused) {
+    run(study("out"));
+    auto plan = nlohmann::ordered_json::parse(content(out("study.json")));
+    plan.erase("checksum");
+    for (const int seeds : {0, -1, 2'000'000'000, 250'001}) {
+        plan["seeds"] = seeds;
+        folder_.put("out/study.json", study::sealed(plan));
+        EXPECT_THAT(message_of<FormatError>([&] { check_study(layout()); }),
+                    HasSubstr("the plan is damaged"))
+            << seeds;
+    }
+    Study many = study("out");
+    many.seeds = 250'001;
+    EXPECT_THAT(message_of<ConfigError>([&] { plan_study(many); }),
+                HasSubstr("4 values and 250001 runs of each are more than 1000000 runs"));
+}
+
+TEST_F(StudyFolderTest, AnotherStudyStaysUntilTheNewOneIsComplete) {
+    run(study("out"));
+    folder_.put("out/maps/notes.txt", "mine");
+    folder_.put("out/paper.tex", "mine too");
+    auto before = files("out");
+    const StudyOutcome half = stopped(other(), 3);
+    EXPECT_TRUE(half.stopped);
+    EXPECT_TRUE(half.beside);
+    EXPECT_TRUE(check_study(layout()).another);
+    EXPECT_EQ(check_study(layout()).changed, std::vector<std::string>());
+    expect_still_there(before);
+
+    // The first one can still be gone on with, and keeps the other's runs.
+    EXPECT_EQ(run(study("out")).reused, 12U);
+    const StudyOutcome whole = run(other());
+    EXPECT_EQ(whole.reused, 3U);
+    EXPECT_FALSE(whole.beside);
+    EXPECT_THAT(hidden_files(), IsEmpty());
+    const StudyCheck check = check_study(layout());
+    EXPECT_THAT(check.left_over, ElementsAre("maps/notes.txt"));
+    EXPECT_TRUE(check.changed.empty() && check.missing.empty() && check.finished);
+    EXPECT_EQ(content(out("paper.tex")), "mine too");
+    fs::remove(out("maps/notes.txt"));
+    fs::remove(out("paper.tex"));
+    Study alone = other();
+    alone.layout = study_in_folder(folder_ / "alone");
+    run(alone);
+    EXPECT_EQ(files("out"), files("alone"));
+}
+
+TEST_F(StudyFolderTest, ShardsOfAnotherStudyAndTheirMergeLeaveTheOldOneUntilTheEnd) {
+    run(study("out"));
+    const auto before = files("out");
+    StudyOptions shard;
+    shard.shard = {1, 2};
+    run(other(), shard);
+    EXPECT_THAT(message_of<Error>([&] { merge_study(layout()); }),
+                HasSubstr("4 of 8 runs are not there"));
+    expect_still_there(before);
+    shard.shard = {2, 2};
+    run(other(), shard);
+    merge_study(layout());
+    EXPECT_TRUE(check_study(layout()).whole());
+    EXPECT_EQ(check_study(layout()).runs, 8U);
+    EXPECT_THAT(hidden_files(), IsEmpty());
+}
+
+TEST_F(StudyFolderTest, WhatCannotBePutInPlaceLeavesTheOldOne) {
+    run(study("out"));
+    const auto before = files("out");
+    fs::remove(out("summary.tex"));
+    fs::create_directory(out("summary.tex"));
+    folder_.put("out/summary.tex/mine", "");
+    EXPECT_THAT(message_of<FileError>([&] { run(other()); }), HasSubstr("out/summary.tex"));
+    fs::rename(out("summary.tex"), out("folder"));
+    folder_.put("out/summary.tex", before.at("summary.tex"));
+    expect_still_there(before);
+    EXPECT_TRUE(fs::exists(out("folder/mine")));
+    EXPECT_EQ(run(other()).reused, 8U) << "nothing is lost";
+    EXPECT_TRUE(check_study(layout()).whole());
+}
+
+TEST_F(StudyFolderTest, KillsWhilePuttingInPlaceAreMendedByTheNextOne) {
+    run(study("out"));
+    stopped(other(), 8);  // all runs are done
+    fs::copy(folder_ / "out", folder_ / "kept", fs::copy_options::recursive);
+    Study fresh = other();
+    fresh.layout = study_in_folder(folder_ / "fresh");
+    run(fresh);
+    const auto expected = files("fresh");
+
+    std::mt19937 random(20261123);
+    int interrupted = 0;
+    constexpr int kKills = 40;
+    for (int kill = 0; kill < kKills; ++kill) {
+        fs::remove_all(folder_ / "out");
+        fs::copy(folder_ / "kept", folder_ / "out", fs::copy_options::recursive);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            // Only what publishes: the plots take a hundred times as long.
+            try {
+                study::StudyFolder folder = study::StudyFolder::of_last(layout());
+                std::vector<StudyRecord> records;
+                for (std::size_t run = 0; run < folder.plan().runs(); ++run)
+                    records.push_back(*folder.done(run));
+                folder.publish(records, true);
+            } catch (...) {
+                ::_exit(1);
+            }
+            ::_exit(0);
+        }
+        // Once the list is there, the files change places.
+        const fs::path journal = out(".study.json.hitos-next/journal.json");
+        while (!fs::exists(journal) && ::waitpid(child, nullptr, WNOHANG) == 0) {
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % 4000));
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        if (study::is_interrupted(layout())) {
+            ++interrupted;
+            EXPECT_FALSE(check_study(layout()).whole());
+            recover_study(layout());
+        }
+        const StudyCheck check = check_study(layout());
+        EXPECT_THAT(check.changed, IsEmpty());
+        EXPECT_THAT(check.missing, IsEmpty());
+        EXPECT_THAT(check.left_over, IsEmpty());
+        EXPECT_EQ(check.runs, 8U);
+        ASSERT_EQ(files("out"), expected) << kill;
+    }
+    RecordProperty("interrupted", interrupted);
+}
+
+TEST_F(StudyFolderTest, DamageOfTheLogIsInRecordsAndOutlastsAMerge) {
+    folder_.put("small.log", small_log() + "LASER 9 nonsense\n");
+    StudyOptions half;
+    half.shard = {1, 2};
+    run(study("out"), half);
+    half.shard = {2, 2};
+    run(study("out"), half);
+    const StudyOutcome outcome = merge_study(layout());
+    const StudyRecord* record = most_damaged(outcome.records);
+    ASSERT_NE(record, nullptr);
+    EXPECT_EQ(record->report.skipped, 1U);
+    EXPECT_THAT(content(out("quality.csv")), HasSubstr(",1,0,0,\"line 63: "));
+    EXPECT_THAT(content(out("summary.md")), HasSubstr("The log is damaged: 1 lines skipped"));
+}
+
+}  // namespace
+}  // namespace hitos
