@@ -107,8 +107,8 @@ bool StudyDialog::may_replace(const StudyLayout& layout) {
     }
     return prompts_.confirm(
         this, {tr("The folder holds a study"), tr("Write into %1?").arg(text_of(layout.folder)),
-               tr("Runs that are the same are kept and not done again; tables and plots are "
-                  "written anew."),
+               tr("Runs that are the same are kept and not done again. What is there stays until "
+                  "the new study is complete; then its tables and plots take the place of these."),
                tr("Write")});
 }
 

@@ -4558,10 +4558,6 @@
         <translation>¿Escribir en %1?</translation>
     </message>
     <message>
-        <source>Runs that are the same are kept and not done again; tables and plots are written anew.</source>
-        <translation>Las ejecuciones iguales se conservan y no se repiten; tablas y gráficas se escriben de nuevo.</translation>
-    </message>
-    <message>
         <source>Write</source>
         <translation>Escribir</translation>
     </message>
@@ -4668,6 +4664,10 @@
     <message>
         <source>The log is damaged: lines skipped: %1, stamps that did not advance: %2</source>
         <translation>El registro está dañado: líneas omitidas: %1, marcas de tiempo que no avanzaron: %2</translation>
+    </message>
+    <message>
+        <source>Runs that are the same are kept and not done again. What is there stays until the new study is complete; then its tables and plots take the place of these.</source>
+        <translation>Las ejecuciones iguales se conservan y no se repiten. Lo que hay se queda hasta que el estudio nuevo esté completo; entonces sus tablas y gráficas ocupan su lugar.</translation>
     </message>
 </context>
 <context>
