@@ -24,7 +24,8 @@ struct Probe {
     std::vector<std::uint64_t> votes;  ///< of each format of the table
     std::uint64_t claimed = 0;         ///< lines that a format claims
     std::uint64_t text = 0;            ///< lines of text that are no comments
-    std::uint64_t no_text = 0;         ///< lines that are not text, or too long
+    std::uint64_t no_text = 0;         ///< lines that are not text
+    std::uint64_t too_long = 0;        ///< lines longer than kLongestLine
     std::uint64_t bytes = 0;
     std::string first_line;     ///< cut, for messages
     std::string raw_beginning;  ///< the first bytes of the file on disk or of what it unpacks to
@@ -60,7 +61,7 @@ Probe probe(const std::filesystem::path& path) {
         const std::optional<LineReader::Line> line = reader.next();
         if (!line) break;
         if (!line->damage.empty()) {
-            ++result.no_text;
+            ++(line->too_long ? result.too_long : result.no_text);
             ++lines;
             continue;
         }
@@ -124,6 +125,9 @@ Message problem_of(const Probe& found) {
             kind.empty() ? message(HITOS_TEXT("Errors", "it holds control characters")) : kind;
         return found.gzip ? message(HITOS_TEXT("Errors", "is not text once unpacked: %1"), what)
                           : message(HITOS_TEXT("Errors", "is not text: %1"), what);
+    }
+    if (found.too_long > found.text) {
+        return message(HITOS_TEXT("Errors", "holds lines longer than 1 MiB"));
     }
     if (found.text == 0) return message(HITOS_TEXT("Errors", "holds nothing but comments"));
     return message(

@@ -6,6 +6,7 @@
 
 #include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
+#include "json_numbers.hpp"
 #include "results_summary.hpp"
 #include "run_outputs.hpp"
 
@@ -24,7 +25,8 @@ std::vector<WrittenFile> files_named(const nlohmann::json& summary, const fs::pa
     if (!summary.contains("files")) return {};
     std::vector<WrittenFile> files;
     for (const nlohmann::json& one : summary.at("files")) {
-        files.push_back({one.at("name"), one.at("bytes"), one.at("xxh3_128")});
+        files.push_back({one.at("name"), whole_number<std::uintmax_t>(one, "bytes", file.string()),
+                         one.at("xxh3_128")});
         if (is_plain_name(files.back().name)) continue;
         throw FormatError(
             file.string(), 0,

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <vector>
 
 #include "hitos/base/error.hpp"
@@ -18,7 +19,8 @@ inline constexpr const char* kSummaryFile = "summary.json";
 template <class Read>
 auto with_summary(const std::filesystem::path& folder, Read read) {
     const std::filesystem::path file = folder / kSummaryFile;
-    if (!std::filesystem::is_regular_file(file)) {
+    std::error_code ignored;  // what cannot be asked for is none
+    if (!std::filesystem::is_regular_file(file, ignored)) {
         throw FileError(
             folder.string(),
             message(HITOS_TEXT("Errors",

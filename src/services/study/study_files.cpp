@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "json_numbers.hpp"
 #include "study_plot.hpp"
 
 namespace hitos::study {
@@ -163,13 +165,14 @@ StudyPlan read_plan(const StudyLayout& layout) {
             plan.axes.push_back({axis.at("name"), axis.at("keys"), axis.at("units"),
                                  axis.at("values").get<std::vector<StudyValue>>()});
         }
-        plan.first_seed = json.at("first_seed");
-        plan.seeds = json.at("seeds");
+        plan.first_seed = whole_number<std::uint64_t>(json, "first_seed", path.string(), 0,
+                                                      std::numeric_limits<std::int64_t>::max());
+        plan.seeds = whole_number<int>(json, "seeds", path.string());
         plan.source = json.at("source");
         plan.setting = json.at("setting");
         plan.digest = json.at("digest");
-        plan.reference_lines = json.at("reference_lines");
-        plan.reference_corners = json.at("reference_corners");
+        plan.reference_lines = whole_number<int>(json, "reference_lines", path.string());
+        plan.reference_corners = whole_number<int>(json, "reference_corners", path.string());
         plan.grid = json.at("grid");
         plan.pictures = parse_study_pictures(json.at("pictures").get<std::string>(), path.string());
         const bool whole =
@@ -182,6 +185,12 @@ StudyPlan read_plan(const StudyLayout& layout) {
         if (plan.seeds < 1 || !whole) {
             throw FormatError(path.string(), 0,
                               message(HITOS_TEXT("Errors", "the plan is damaged")));
+        }
+        if (plan.is_too_large()) {
+            throw FormatError(
+                path.string(), 0,
+                message(HITOS_TEXT("Errors", "is a plan of more than %1 runs; the plan is damaged"),
+                        StudyPlan::kMostRuns));
         }
         return plan;
     } catch (const nlohmann::json::exception& error) {
@@ -242,10 +251,10 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
         record.trajectory_error_m = optional_number(json.at("trajectory_error_m"));
         record.odometry_error_m = optional_number(json.at("odometry_error_m"));
         record.blur_m2 = optional_number(json.at("blur_m2"));
-        record.lines = json.at("lines");
-        record.corners = json.at("corners");
-        record.reference_found = json.at("reference_found");
-        record.scans = json.at("scans");
+        record.lines = whole_number<int>(json, "lines", path.string());
+        record.corners = whole_number<int>(json, "corners", path.string());
+        record.reference_found = whole_number<int>(json, "reference_found", path.string());
+        record.scans = whole_number<std::uint64_t>(json, "scans", path.string());
         record.seconds = json.at("seconds");
         record.cpu_seconds = json.at("cpu_seconds");
         record.map_digest = json.at("map");
@@ -261,6 +270,8 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
         return record;
     } catch (const nlohmann::json::exception&) {
         return std::nullopt;  // somebody else's hand was in it; the run is only done anew
+    } catch (const FormatError&) {
+        return std::nullopt;  // likewise
     }
 }
 

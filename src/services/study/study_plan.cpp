@@ -174,7 +174,7 @@ StudyPlan plan_study(const Study& study) {
             message(HITOS_TEXT("Errors", "found %1 parameters; a study varies two at the most"),
                     study.parameters.size()));
     }
-    constexpr int kMostSeeds = 1000000;
+    constexpr auto kMostSeeds = static_cast<int>(StudyPlan::kMostRuns);
     if (study.seeds < 1 || study.seeds > kMostSeeds) {
         throw ConfigError("runs",
                           message(HITOS_TEXT("Errors", "found %1 for each value, expected 1 to %2"),
@@ -200,12 +200,22 @@ StudyPlan plan_study(const Study& study) {
             }
         }
     }
+    if (plan.is_too_large()) {
+        throw ConfigError("runs", message(HITOS_TEXT("Errors", "found more than %1 of all values"),
+                                          StudyPlan::kMostRuns));
+    }
     check_effect(study.configuration, plan);
     count_reference(study.reference, plan);
     plan.pictures = study.pictures;
     plan.grid = study.reference.empty() || study.pictures != StudyPictures::none;
     plan.digest = digest_of(study, plan);
     return plan;
+}
+
+bool StudyPlan::is_too_large() const {
+    std::size_t left = kMostRuns / static_cast<std::size_t>(seeds);
+    for (const Axis& axis : axes) left /= axis.values.size();
+    return left == 0;
 }
 
 std::size_t StudyPlan::cells() const {

@@ -45,6 +45,9 @@ StudyPictures parse_study_pictures(std::string_view word, const std::string& opt
 /// The runs of a study: values (of no, one or two parameters) times seeds. Runs are numbered from
 /// 0, values of the first parameter slowest and seeds fastest.
 struct StudyPlan {
+    /// More would take years and are a slip of the pen.
+    static constexpr std::size_t kMostRuns = 1000000;
+
     struct Axis {
         std::string name;
         std::vector<std::string> keys;
@@ -72,6 +75,8 @@ struct StudyPlan {
     }
     /// A cell is one value of each parameter.
     std::size_t cells() const;
+    /// Of a plan with values and seeds: whether it has more than kMostRuns runs, however many.
+    bool is_too_large() const;
     std::size_t runs() const { return cells() * static_cast<std::size_t>(seeds); }
     std::size_t cell_of(std::size_t run) const { return run / static_cast<std::size_t>(seeds); }
     std::uint64_t seed_of(std::size_t run) const {
