@@ -20,6 +20,8 @@ using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* kPlanFormat = "hitos-study 2";
+/// Of one kind, so that those of two kinds can be summed.
+constexpr int kMostLandmarks = std::numeric_limits<int>::max() / 2;
 
 void make_folder(const fs::path& folder) {
     std::error_code error;
@@ -171,8 +173,10 @@ StudyPlan read_plan(const StudyLayout& layout) {
         plan.source = json.at("source");
         plan.setting = json.at("setting");
         plan.digest = json.at("digest");
-        plan.reference_lines = whole_number<int>(json, "reference_lines", path.string());
-        plan.reference_corners = whole_number<int>(json, "reference_corners", path.string());
+        plan.reference_lines =
+            whole_number<int>(json, "reference_lines", path.string(), 0, kMostLandmarks);
+        plan.reference_corners =
+            whole_number<int>(json, "reference_corners", path.string(), 0, kMostLandmarks);
         plan.grid = json.at("grid");
         plan.pictures = parse_study_pictures(json.at("pictures").get<std::string>(), path.string());
         const bool whole =
@@ -251,8 +255,8 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
         record.trajectory_error_m = optional_number(json.at("trajectory_error_m"));
         record.odometry_error_m = optional_number(json.at("odometry_error_m"));
         record.blur_m2 = optional_number(json.at("blur_m2"));
-        record.lines = whole_number<int>(json, "lines", path.string());
-        record.corners = whole_number<int>(json, "corners", path.string());
+        record.lines = whole_number<int>(json, "lines", path.string(), 0, kMostLandmarks);
+        record.corners = whole_number<int>(json, "corners", path.string(), 0, kMostLandmarks);
         record.reference_found = whole_number<int>(json, "reference_found", path.string());
         record.scans = whole_number<std::uint64_t>(json, "scans", path.string());
         record.seconds = json.at("seconds");

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "hitos/base/text_input.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/simulation/world.hpp"
@@ -39,17 +40,17 @@ bool is_set_in_configuration(std::string_view assignment) {
     if (!unless_refused([&] { return set_parameter(configuration, assignment), true; })) {
         return false;
     }
-    for (const ConfigParameter& parameter : parameters()) {
-        if (parameter.type == ConfigParameter::Type::text) continue;
-        require(parameter.allows(parameter.get(configuration)), "a value that is set is allowed");
-        Configuracion other;
-        parameter.set(other, parameter.text(configuration));
-        require(parameter.get(other) == parameter.get(configuration),
-                "a value's text is the value");
-    }
+    const std::string_view key = assignment.substr(0, assignment.find('='));
+    const ConfigParameter& parameter = find_parameter(input::trimmed(key));
+    require(parameter.allows(parameter.get(configuration)), "a value that is set is allowed");
+    Configuracion other;
+    parameter.set(other, parameter.text(configuration));
+    require(parameter.get(other) == parameter.get(configuration), "a value's text is the value");
     // Values that are each allowed can be impossible together; paths need not be UTF-8.
     unless_refused([&] { return check(configuration), true; });
-    unless_refused([&] { return ArchivoConfiguracion::to_text(configuration); });
+    if (parameter.type == ConfigParameter::Type::text) {
+        unless_refused([&] { return ArchivoConfiguracion::to_text(configuration); });
+    }
     return true;
 }
 

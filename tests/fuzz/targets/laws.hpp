@@ -1,6 +1,7 @@
 // What the fuzz targets share: laws that can be broken, files in memory, folders that are reused.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -19,6 +20,10 @@ class BrokenLaw : public std::logic_error {
 
 /// Throws BrokenLaw, which names the law, where it does not hold.
 void require(bool holds, const char* law);
+
+/// Whose turn of so many laws it is, where each costs more than it may for every input: always the
+/// same one for the same input.
+std::uint32_t turn_of(std::string_view input, std::uint32_t laws);
 
 /// What `read` gives; nothing where it refuses with an error of Hitos, which must say something.
 template <class Read>

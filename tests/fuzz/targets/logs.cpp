@@ -9,10 +9,9 @@ namespace hitos::fuzz {
 namespace {
 
 bool check_log_of(std::string_view format, std::string_view input) {
-    const std::filesystem::path& file = file_of(input);
     // Whatever the file is, it is found out or refused.
-    unless_refused([&] { return open_log(file) != nullptr; });
-    return check_log(file, format);
+    unless_refused([&] { return open_log(file_of(input)) != nullptr; });
+    return check_log(input, format);
 }
 
 }  // namespace

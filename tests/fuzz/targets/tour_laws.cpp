@@ -38,12 +38,14 @@ void require_sound(const Scan& scan) {
     require(scan.run_starts.back() < scan.points.size(), "every run has a point");
 }
 
-/// Beyond these no tour goes; what decimals of the formats hold is not asked of greater values.
+/// Neither empty nor beyond where any tour goes; what decimals of the formats hold is not asked of
+/// greater values.
 bool is_of_this_world(const Tour& tour) {
     constexpr double kLastStamp = 1e9;  // s
     constexpr double kFarthest = 1e4;   // m
     constexpr double kFastest = 1e4;    // m/s, rad/s
     constexpr double kWidest = 100.0;   // rad
+    if (tour.scans.empty() && tour.odometry.empty()) return false;
     const auto within = [](double value, double greatest) { return std::abs(value) <= greatest; };
     return std::ranges::all_of(tour.scans,
                                [&](const Scan& scan) {
@@ -178,23 +180,32 @@ void require_sound(const Tour& tour) {
             "damage is told by examples");
 }
 
-bool check_log(const std::filesystem::path& file, std::string_view format) {
+bool check_log(std::string_view input, std::string_view format) {
+    const std::filesystem::path& file = file_of(input);
     const auto reader =
         unless_refused([&] { return std::make_unique<Procesador>(open_log(file, format)); });
     if (!reader) return false;
     const Tour tour = read_tour(**reader);
     require_sound(tour);
-    (*reader)->restart();
-    require(same_readings(tour, read_tour(**reader)), "a log reads twice alike");
-    for (const Order order : {Order::odometry_first, Order::in_turns}) {
-        const Tour other = read_file(file, format, order);
-        require(same_readings(tour, other) && tour.report.skipped == other.report.skipped,
-                "scans and odometry do not depend on the order in which they are read");
+    constexpr std::uint32_t kLaws = 4;
+    switch (turn_of(input, kLaws)) {
+        case 0:
+            (*reader)->restart();
+            require(same_readings(tour, read_tour(**reader)), "a log reads twice alike");
+            break;
+        case 1:
+            for (const Order order : {Order::odometry_first, Order::in_turns}) {
+                const Tour other = read_file(file, format, order);
+                require(same_readings(tour, other) && tour.report.skipped == other.report.skipped,
+                        "scans and odometry do not depend on the order in which they are read");
+            }
+            break;
+        case 2:
+            if (is_of_this_world(tour)) check_normalized_copy(file, format, tour);
+            break;
+        default:
+            if (format != "normalized" && is_of_this_world(tour)) check_copy(file, format, tour);
     }
-    const bool empty = tour.scans.empty() && tour.odometry.empty();
-    if (empty || !is_of_this_world(tour)) return true;
-    check_normalized_copy(file, format, tour);
-    if (format != "normalized") check_copy(file, format, tour);
     return true;
 }
 
