@@ -121,7 +121,7 @@ TEST_P(Corpus, IsReadOrRefusedWhateverIsDamagedInIt) {
 
     test::Mutator mutator(words_of(target));
     Feeder damaged(target);
-    constexpr int kRounds = 6000;
+    constexpr int kRounds = 20000;
     constexpr int kSplicedEvery = 8;
     for (int round = 0; round < kRounds; ++round) {
         const std::string& input = mutator.one_of(corpus);
@@ -130,7 +130,7 @@ TEST_P(Corpus, IsReadOrRefusedWhateverIsDamagedInIt) {
             splice ? spliced(mutator, input, mutator.one_of(corpus)) : mutator.mutate(input);
         ASSERT_NO_FATAL_FAILURE(damaged.feed(bad));
     }
-    constexpr int kLeastOfEach = kRounds / 100;
+    constexpr int kLeastOfEach = kRounds / 200;
     EXPECT_GT(damaged.taken, kLeastOfEach);
     EXPECT_GT(damaged.refused, kLeastOfEach);
 }
