@@ -10,7 +10,7 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
-#include "json_numbers.hpp"
+#include "json_input.hpp"
 #include "results_summary.hpp"
 
 namespace hitos {

@@ -6,7 +6,7 @@
 
 #include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
-#include "json_numbers.hpp"
+#include "json_input.hpp"
 #include "results_summary.hpp"
 #include "run_outputs.hpp"
 

@@ -10,7 +10,7 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
-#include "json_numbers.hpp"
+#include "json_input.hpp"
 #include "study_plot.hpp"
 
 namespace hitos::study {
@@ -157,7 +157,7 @@ StudyPlan read_plan(const StudyLayout& layout) {
     const fs::path path = plan_file(layout);
     const std::string text = input::read_text(path, input::kLargestSettings);
     try {
-        const ordered_json json = ordered_json::parse(text);
+        const ordered_json json = parsed<ordered_json>(text, path.string());
         if (json.at("format") != kPlanFormat) {
             throw FormatError(path.string(), 0,
                               message(HITOS_TEXT("Errors", "expected format %1"), kPlanFormat));
@@ -245,7 +245,7 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
     if (!fs::is_regular_file(path, ignored)) return std::nullopt;
     try {
         const ordered_json json =
-            ordered_json::parse(input::read_text(path, input::kLargestSettings));
+            parsed<ordered_json>(input::read_text(path, input::kLargestSettings), path.string());
         if (json.at("run") != plan.run_digest(run)) return std::nullopt;
         StudyRecord record;
         record.ok = json.at("ok");

@@ -7,6 +7,7 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/log_writer.hpp"
 #include "hitos/capture/procesador.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/run/kept_run.hpp"
 #include "hitos/services/run/results_check.hpp"
@@ -43,6 +44,9 @@ TEST(Findings, AStudyOfAbsurdSizeIsRefusedAtOnce) {
     }
     constexpr int kThousands = 3000;
     EXPECT_THAT(refused_plan("1", kThousands), HasSubstr("more than 1000000 runs"));
+    constexpr std::size_t kDeep = 1000000;
+    EXPECT_THAT(refused_plan(std::string(kDeep, '[') + std::string(kDeep, ']'), 1),
+                HasSubstr("is nested deeper than 64 levels"));
     for (const std::string seeds : {"1e300", "-1", "4294967296", "null"}) {
         EXPECT_THAT(refused_plan(seeds, 1),
                     HasSubstr("seeds is " + (seeds == "1e300" ? "1e+300" : seeds) +
@@ -81,6 +85,14 @@ TEST(Findings, MessagesShowControlCharacters) {
     const std::string assignment("a\0b\x1b[2J=1", 9);
     EXPECT_THAT(message_of<ConfigError>([&] { set_parameter(configuration, assignment); }),
                 HasSubstr("a\\x00b\\x1b[2J"));
+}
+
+TEST(Findings, AConfigurationOfMistakesAloneIsRefusedAtOnce) {
+    std::string text;
+    constexpr int kMistakes = 100000;
+    for (int i = 0; i < kMistakes; ++i) text += "a" + std::to_string(i) + " = 1\n";
+    EXPECT_THAT(message_of<FormatError>([&] { ArchivoConfiguracion::parse(text, "some.cfg"); }),
+                HasSubstr("100 mistakes and perhaps more:"));
 }
 
 TEST(Findings, ALongLineIsCalledLong) {

@@ -622,6 +622,10 @@
         <translation>%1: se encontró %2; se esperaba %3, %4</translation>
     </message>
     <message>
+        <source>%1 mistakes and perhaps more:</source>
+        <translation>%1 errores y quizá más:</translation>
+    </message>
+    <message>
         <source>%1 mistakes:</source>
         <translation>%1 errores:</translation>
     </message>
@@ -928,6 +932,10 @@
     <message>
         <source>is a plan of more than %1 runs; the plan is damaged</source>
         <translation>es un plan de más de %1 ejecuciones; el plan está dañado</translation>
+    </message>
+    <message>
+        <source>is nested deeper than %1 levels</source>
+        <translation>está anidado a más de %1 niveles</translation>
     </message>
     <message>
         <source>the plan is damaged</source>

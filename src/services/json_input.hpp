@@ -1,4 +1,4 @@
-// Whole numbers out of JSON, which a cast would take from any number.
+// JSON that somebody else may have written: how deep it goes, and whole numbers in it.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,19 @@
 #include "hitos/base/error.hpp"
 
 namespace hitos {
+
+/// The JSON of a file's text. Throws FormatError where it is nested deeper than any file of Hitos:
+/// copying what is nested without end needs a stack without end. Throws JSON's own exception where
+/// it is none.
+template <class Json>
+Json parsed(const std::string& text, const std::string& file) {
+    constexpr int kDeepest = 64;
+    return Json::parse(text, [&](int depth, typename Json::parse_event_t, Json&) {
+        if (depth <= kDeepest) return true;
+        throw FormatError(
+            file, 0, message(HITOS_TEXT("Errors", "is nested deeper than %1 levels"), kDeepest));
+    });
+}
 
 /// What `json` has under the name. Throws FormatError naming it and the file where that is no whole
 /// number from `least` (0 at the least) to `greatest`, and JSON's own exception where there is
@@ -27,7 +40,9 @@ Number whole_number(const Json& json, const char* name, const std::string& file,
     throw FormatError(
         file, 0,
         message(HITOS_TEXT("Errors", "%1 is %2; expected a whole number from %3 to %4"), name,
-                value.dump(-1, ' ', false, Json::error_handler_t::replace), least, greatest));
+                // What is nested without end would be said without end.
+                value.is_number() ? value.dump() : std::string(value.type_name()), least,
+                greatest));
 }
 
 }  // namespace hitos
