@@ -2,10 +2,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <iterator>
 #include <system_error>
 
 namespace hitos {
+namespace {
+
+/// What was found in a file may hold what ends a C string or steers a terminal.
+std::string without_control(std::string words) {
+    const auto steers = [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return (byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f;
+    };
+    if (std::ranges::none_of(words, steers)) return words;
+    std::string shown;
+    for (const char c : words) {
+        if (steers(c)) {
+            fmt::format_to(std::back_inserter(shown), "\\x{:02x}", static_cast<unsigned char>(c));
+        } else {
+            shown += c;
+        }
+    }
+    return shown;
+}
+
+}  // namespace
 
 Message verbatim(std::string words) {
     Message message;
@@ -36,7 +59,7 @@ std::string Message::translated(const Translation& translation) const {
             said += text[i];
             continue;
         }
-        said += arguments_[place - 1].translated(translation);
+        said += without_control(arguments_[place - 1].translated(translation));
         ++i;
     }
     return said;

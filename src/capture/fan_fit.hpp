@@ -27,10 +27,11 @@ class FanFitter {
 
     /// Throws FormatError where the points lie on no regular fan, or beyond its greatest range.
     Sweep sweep(const Scan& scan);
+    /// Throws the FormatError of a scan that cannot be written as ranges.
+    [[noreturn]] void fail(const Scan& scan, const Message& problem) const;
 
   private:
     void derive(const Scan& scan);
-    [[noreturn]] void fail(const Scan& scan, const Message& problem) const;
 
     std::string path_;
     Fan derived_;

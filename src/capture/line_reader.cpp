@@ -45,14 +45,14 @@ bool LineReader::fill() {
 LineReader::Line LineReader::make_line(std::string_view raw) {
     ++number_;
     if (!is_text(raw)) {
-        return {
-            {},
-            number_,
-            message(HITOS_TEXT("Errors", "the line is not text (it holds control characters)"))};
+        return {{},
+                number_,
+                message(HITOS_TEXT("Errors", "the line is not text (it holds control characters)")),
+                false};
     }
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (number_ == 1 && raw.starts_with(kByteOrderMark)) raw.remove_prefix(kByteOrderMark.size());
-    return {input::trimmed(raw), number_, {}};
+    return {input::trimmed(raw), number_, {}, false};
 }
 
 std::optional<LineReader::Line> LineReader::next() {
@@ -102,7 +102,7 @@ std::optional<LineReader::Line> LineReader::last_line() {
         // The unfinished line is part of the damage.
         told_damage_ = true;
         begin_ = scanned_ = end_;
-        return Line{{}, number_ + 1, damage};
+        return Line{{}, number_ + 1, damage, false};
     }
     if (begin_ == end_) return std::nullopt;
     const std::string_view raw(buffer_.data() + begin_, end_ - begin_);

@@ -23,7 +23,7 @@ class LineReader {
         std::string_view text;     ///< valid until the next call; empty where damaged
         std::uint64_t number = 0;  ///< 1-based
         Message damage;            ///< what is wrong with the line; empty: nothing
-        bool too_long = false;     ///< that is
+        bool too_long = false;     ///< that is what is wrong
     };
 
     explicit LineReader(const std::filesystem::path& path) : bytes_(path) {}

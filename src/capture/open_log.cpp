@@ -25,7 +25,7 @@ struct Probe {
     std::uint64_t claimed = 0;         ///< lines that a format claims
     std::uint64_t text = 0;            ///< lines of text that are no comments
     std::uint64_t no_text = 0;         ///< lines that are not text
-    std::uint64_t too_long = 0;
+    std::uint64_t too_long = 0;        ///< lines longer than kLongestLine
     std::uint64_t bytes = 0;
     std::string first_line;     ///< cut, for messages
     std::string raw_beginning;  ///< the first bytes of the file on disk or of what it unpacks to
@@ -126,8 +126,8 @@ Message problem_of(const Probe& found) {
         return found.gzip ? message(HITOS_TEXT("Errors", "is not text once unpacked: %1"), what)
                           : message(HITOS_TEXT("Errors", "is not text: %1"), what);
     }
-    if (found.text == 0 && found.too_long > 0) {
-        return message(HITOS_TEXT("Errors", "holds nothing but lines longer than 1 MiB"));
+    if (found.too_long > found.text) {
+        return message(HITOS_TEXT("Errors", "holds lines longer than 1 MiB"));
     }
     if (found.text == 0) return message(HITOS_TEXT("Errors", "holds nothing but comments"));
     return message(

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <optional>
+#include <system_error>
 
 #include "dxf_walls.hpp"
 #include "hitos/base/error.hpp"
@@ -158,7 +159,8 @@ class Reading {
 
     void add_drawing() {
         const std::filesystem::path drawing = path_.parent_path() / drawing_;
-        if (!std::filesystem::exists(drawing)) {
+        std::error_code ignored;  // of a path that cannot be, there is no file either
+        if (!std::filesystem::exists(drawing, ignored)) {
             fail(drawing_at_,
                  message(HITOS_TEXT("Errors", "walls_dxf: %1: no such file"), drawing.string()));
         }

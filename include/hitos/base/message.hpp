@@ -18,8 +18,8 @@ namespace hitos {
 
 /// A sentence and what stands in it. The English text with its places %1 … %9 is the code by which
 /// a translation is found; what goes to those places is told as it is (paths, numbers, keys, what
-/// was found) or is a message itself. Only the functions below make one, so that no sentence is
-/// told that nobody can translate.
+/// was found; control characters as \x1b) or is a message itself. Only the functions below make
+/// one, so that no sentence is told that nobody can translate.
 class Message {
   public:
     /// What a text in English is in another language.

@@ -281,8 +281,9 @@ class LogWriterCarmen final : public TourWriter {
     void put_parameters(std::string& out, const Fan& fan, double time_s);
 
     FanFitter fitter_;
-    std::optional<Fan> told_;  // the fan that the parameters describe
-    Twist twist_;              // of the newest reading
+    std::optional<bool> flaser_;  // of the first scan: a reader takes those of one message alone
+    std::optional<Fan> told_;     // the fan that the parameters describe
+    Twist twist_;                 // of the newest reading
 };
 
 void append_pose(std::string& out, const Pose& pose) {
@@ -327,7 +328,13 @@ TourWriter::Prepared LogWriterCarmen::prepare(const Scan& scan) {
     const Fan& fan = sweep.fan;
     Prepared prepared{fan, {}};
     std::string& out = prepared.text;
-    if (is_implied(fan)) {
+    if (!flaser_) flaser_ = is_implied(fan);
+    if (*flaser_ && !is_implied(fan)) {
+        fitter_.fail(scan, message(HITOS_TEXT("Errors",
+                                              "its rays are none that FLASER says, as which the "
+                                              "scans before it are written")));
+    }
+    if (*flaser_) {
         out += "FLASER ";
     } else {
         out += "ROBOTLASER1 0";
@@ -360,7 +367,7 @@ void LogWriterCarmen::put_parameters(std::string& out, const Fan& fan, double ti
 
 void LogWriterCarmen::put_scan(std::string& out, const Prepared& scan, double time_s,
                                const Pose& pose_odom_robot) {
-    if (is_implied(scan.fan)) {
+    if (*flaser_) {
         put_parameters(out, scan.fan, time_s);
         out += scan.text;
         append_pose(out, pose_odom_robot);

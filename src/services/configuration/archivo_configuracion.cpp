@@ -78,6 +78,7 @@ class Reading {
 
     void read(const toml::table& document) {
         for (const auto& [key, node] : document) {
+            if (is_hopeless()) break;
             const std::string_view group = key.str();
             const auto known = std::ranges::any_of(
                 parameters(), [&](const ConfigParameter& p) { return p.table() == group; });
@@ -88,6 +89,7 @@ class Reading {
                         message(HITOS_TEXT("Errors", "[%1]: no such group"), group));
                 }
                 for (const auto& [name, value] : *table) {
+                    if (is_hopeless()) break;
                     read(fmt::format("{}.{}", group, name.str()), line_of(name.source()), value);
                 }
             } else if (known) {
@@ -100,6 +102,12 @@ class Reading {
         }
         if (mistakes.empty()) check_together();
         std::ranges::stable_sort(mistakes, {}, &Mistake::line);
+    }
+
+    /// Whoever reads so many mistakes needs no more; each costs a search for near keys.
+    bool is_hopeless() const {
+        constexpr std::size_t kMostMistakes = 100;
+        return mistakes.size() >= kMostMistakes;
     }
 
   private:
@@ -137,9 +145,11 @@ class Reading {
 };
 
 /// One mistake as it is; several one below the other, each with its line.
-Message joined(const std::vector<Mistake>& mistakes) {
+Message joined(const std::vector<Mistake>& mistakes, bool perhaps_more) {
     if (mistakes.size() == 1) return mistakes.front().problem;
-    Message list = message(HITOS_TEXT("Errors", "%1 mistakes:"), mistakes.size());
+    Message list = perhaps_more ? message(HITOS_TEXT("Errors", "%1 mistakes and perhaps more:"),
+                                          mistakes.size())
+                                : message(HITOS_TEXT("Errors", "%1 mistakes:"), mistakes.size());
     for (const Mistake& mistake : mistakes) {
         const Message placed = mistake.line == 0 ? mistake.problem
                                                  : message(HITOS_TEXT("Errors", "line %1: %2"),
@@ -269,7 +279,8 @@ Configuracion ArchivoConfiguracion::parse(std::string_view text, const std::stri
                           verbatim(std::string(error.description())));
     }
     if (!reading.mistakes.empty()) {
-        throw FormatError(name, reading.mistakes.front().line, joined(reading.mistakes));
+        throw FormatError(name, reading.mistakes.front().line,
+                          joined(reading.mistakes, reading.is_hopeless()));
     }
     return reading.configuration;
 }

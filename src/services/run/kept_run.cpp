@@ -10,6 +10,7 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
+#include "json_input.hpp"
 #include "results_summary.hpp"
 #include "written_files.hpp"
 
@@ -42,15 +43,17 @@ void expect_unchanged(const json& summary, const std::filesystem::path& folder) 
 
 /// What the summary tells of the run. Returns whether its map has landmarks.
 bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
+    const std::string file = (folder / kSummaryFile).string();
     return with_summary(folder, [&](const json& summary) {
-        run.scans = summary.at("scans").get<std::uint64_t>();
+        run.scans = whole_number<std::uint64_t>(summary, "scans", file);
         run.finished = summary.value("finished", true);
         run.seconds = summary.at("run_seconds").get<double>();
         run.trajectory_error_m = error_in(summary, "trajectory_error", "ate_rmse_m");
         run.map_error_m = error_in(summary, "map_error", "mean_m");
         expect_unchanged(summary, folder);
         const json& counts = summary.at("landmarks");
-        return counts.at("lines").get<int>() + counts.at("corners").get<int>() > 0;
+        return whole_number<int>(counts, "lines", file) > 0 ||
+               whole_number<int>(counts, "corners", file) > 0;
     });
 }
 

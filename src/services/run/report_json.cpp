@@ -1,6 +1,10 @@
 #include "report_json.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <span>
+
+#include "json_input.hpp"
 
 namespace hitos {
 
@@ -19,14 +23,17 @@ ordered_json json_of(const ReadReport& report, std::size_t examples) {
             {"skipped_examples", skipped}};
 }
 
-ReadReport read_report(const ordered_json& json) {
+ReadReport read_report(const ordered_json& json, const std::string& file) {
+    const auto count = [&file](const ordered_json& in, const char* name) {
+        return whole_number<std::uint64_t>(in, name, file);
+    };
     ReadReport report;
-    report.odometry = json.at("odometry_readings");
-    report.duplicate_scans = json.at("duplicate_scans");
-    report.stamps_backwards = json.at("stamps_backwards");
-    report.skipped = json.at("skipped_lines");
+    report.odometry = count(json, "odometry_readings");
+    report.duplicate_scans = count(json, "duplicate_scans");
+    report.stamps_backwards = count(json, "stamps_backwards");
+    report.skipped = count(json, "skipped_lines");
     for (const ordered_json& skip : json.at("skipped_examples")) {
-        report.examples.push_back({skip.at("line"), verbatim(skip.at("reason"))});
+        report.examples.push_back({count(skip, "line"), verbatim(skip.at("reason"))});
     }
     return report;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "hitos/capture/tour_reader.hpp"
 
@@ -11,7 +12,8 @@ namespace hitos {
 nlohmann::ordered_json json_of(const ReadReport& report,
                                std::size_t examples = ReadReport::kExamples);
 
-/// What json_of() has written; the reasons are in English. Throws nlohmann::json::exception.
-ReadReport read_report(const nlohmann::ordered_json& json);
+/// What json_of() has written; the reasons are in English. Throws FormatError of `file` for counts
+/// that are none, and JSON's own exception where something is missing.
+ReadReport read_report(const nlohmann::ordered_json& json, const std::string& file);
 
 }  // namespace hitos

@@ -7,6 +7,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "json_input.hpp"
 
 namespace hitos {
 
@@ -31,7 +32,8 @@ auto with_summary(const std::filesystem::path& folder, Read read) {
                                "Save all results or hitos-cli run --out has written")));
     }
     try {
-        return read(nlohmann::json::parse(input::read_text(file)));
+        return read(
+            parsed<nlohmann::json>(input::read_text(file, input::kLargestSettings), file.string()));
     } catch (const nlohmann::json::exception& error) {
         throw FormatError(
             file.string(), 0,

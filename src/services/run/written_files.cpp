@@ -5,6 +5,7 @@
 
 #include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
+#include "json_input.hpp"
 
 namespace hitos {
 namespace {
@@ -58,7 +59,8 @@ std::vector<WrittenFile> files_named(const nlohmann::json& json, const fs::path&
     if (!json.contains("files")) return {};
     std::vector<WrittenFile> files;
     for (const nlohmann::json& one : json.at("files")) {
-        files.push_back({one.at("name"), one.at("bytes"), one.at("xxh3_128")});
+        files.push_back({one.at("name"), whole_number<std::uintmax_t>(one, "bytes", file.string()),
+                         one.at("xxh3_128")});
         const fs::path name = files.back().name;
         if (is_inner(name) && (nested || !name.has_parent_path())) continue;
         throw FormatError(

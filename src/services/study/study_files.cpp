@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "json_input.hpp"
 #include "run/written_files.hpp"
 #include "study_plot.hpp"
 
@@ -23,14 +25,14 @@ std::string dumped(const ordered_json& json) {
     return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// Whether the lists of values fit the keys.
+/// Whether there are runs, and the lists of values fit the keys.
 bool is_consistent(const StudyPlan& plan) {
-    return std::ranges::all_of(plan.axes, [](const StudyPlan::Axis& axis) {
-        return axis.units.size() == axis.keys.size() &&
-               std::ranges::all_of(axis.values, [&](const StudyValue& value) {
-                   return value.size() == axis.keys.size();
-               });
-    });
+    return plan.seeds >= 1 && std::ranges::all_of(plan.axes, [](const StudyPlan::Axis& axis) {
+               return axis.units.size() == axis.keys.size() && !axis.values.empty() &&
+                      std::ranges::all_of(axis.values, [&](const StudyValue& value) {
+                          return value.size() == axis.keys.size();
+                      });
+           });
 }
 
 StudyPlan plan_of(const ordered_json& json, const fs::path& path) {
@@ -39,13 +41,15 @@ StudyPlan plan_of(const ordered_json& json, const fs::path& path) {
         plan.axes.push_back({axis.at("name"), axis.at("keys"), axis.at("units"),
                              axis.at("values").get<std::vector<StudyValue>>()});
     }
-    plan.first_seed = json.at("first_seed");
-    plan.seeds = json.at("seeds");
+    const std::string file = path.string();
+    plan.first_seed = whole_number<std::uint64_t>(json, "first_seed", file, 0,
+                                                  std::numeric_limits<std::int64_t>::max());
+    plan.seeds = whole_number<int>(json, "seeds", file);
     plan.source = json.at("source");
     plan.setting = json.at("setting");
     plan.digest = json.at("digest");
-    plan.reference_lines = json.at("reference_lines");
-    plan.reference_corners = json.at("reference_corners");
+    plan.reference_lines = whole_number<int>(json, "reference_lines", file, 0, kMostLandmarks);
+    plan.reference_corners = whole_number<int>(json, "reference_corners", file, 0, kMostLandmarks);
     plan.grid = json.at("grid");
     plan.pictures = parse_study_pictures(json.at("pictures").get<std::string>(), path.string());
     return plan;
@@ -57,13 +61,20 @@ auto with_plan(const StudyLayout& layout, Read read) {
     const fs::path path = plan_file(layout);
     const std::string text = input::read_text(path, input::kLargestSettings);
     try {
-        const ordered_json json = ordered_json::parse(text);
+        const auto json = parsed<ordered_json>(text, path.string());
         if (json.at("format") != kPlanFormat) {
             throw FormatError(path.string(), 0,
                               message(HITOS_TEXT("Errors", "expected format %1"), kPlanFormat));
         }
         const StudyPlan plan = plan_of(json, path);
-        if (!plan.is_possible() || !is_consistent(plan) || !is_sealed(json)) {
+        const bool sound = is_consistent(plan);
+        if (sound && !plan.is_possible()) {
+            throw FormatError(
+                path.string(), 0,
+                message(HITOS_TEXT("Errors", "is a plan of more than %1 runs; the plan is damaged"),
+                        StudyPlan::kMostRuns));
+        }
+        if (!sound || !is_sealed(json)) {
             throw FormatError(path.string(), 0,
                               message(HITOS_TEXT("Errors", "the plan is damaged")));
         }

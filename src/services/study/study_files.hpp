@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -12,6 +13,9 @@
 #include "hitos/services/study/study_result.hpp"
 
 namespace hitos::study {
+
+/// Of one kind in a map, so that those of two kinds can be summed.
+constexpr int kMostLandmarks = std::numeric_limits<int>::max() / 2;
 
 std::filesystem::path plan_file(const StudyLayout& layout);
 std::filesystem::path map_file(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);

@@ -2,7 +2,9 @@
 #include <system_error>
 
 #include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "json_input.hpp"
 #include "run/report_json.hpp"
 #include "study_files.hpp"
 
@@ -35,7 +37,7 @@ std::optional<StudyPicture> optional_picture(const ordered_json& json) {
     return StudyPicture{json.at("files"), {json.at("x"), json.at("y")}, json.at("m_per_pixel")};
 }
 
-StudyRecord record_of(const ordered_json& json) {
+StudyRecord record_of(const ordered_json& json, const std::string& file) {
     StudyRecord record;
     record.ok = json.at("ok");
     record.problem = verbatim(json.at("problem"));
@@ -44,11 +46,11 @@ StudyRecord record_of(const ordered_json& json) {
     record.trajectory_error_m = optional_number(json.at("trajectory_error_m"));
     record.odometry_error_m = optional_number(json.at("odometry_error_m"));
     record.blur_m2 = optional_number(json.at("blur_m2"));
-    record.lines = json.at("lines");
-    record.corners = json.at("corners");
-    record.reference_found = json.at("reference_found");
-    record.scans = json.at("scans");
-    record.report = read_report(json.at("log"));
+    record.lines = whole_number<int>(json, "lines", file, 0, kMostLandmarks);
+    record.corners = whole_number<int>(json, "corners", file, 0, kMostLandmarks);
+    record.reference_found = whole_number<int>(json, "reference_found", file);
+    record.scans = whole_number<std::uint64_t>(json, "scans", file);
+    record.report = read_report(json.at("log"), file);
     record.report.scans = record.scans;
     record.seconds = json.at("seconds");
     record.cpu_seconds = json.at("cpu_seconds");
@@ -104,10 +106,11 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) return std::nullopt;
     try {
-        const ordered_json json =
-            ordered_json::parse(input::read_text(path, input::kLargestSettings));
-        if (json.at("run") != plan.run_digest(run) || !is_sealed(json)) return std::nullopt;
-        const StudyRecord record = record_of(json);
+        const auto json =
+            parsed<ordered_json>(input::read_text(path, input::kLargestSettings), path.string());
+        if (json.at("run") != plan.run_digest(run)) return std::nullopt;
+        const StudyRecord record = record_of(json, path.string());
+        if (!is_sealed(json)) return std::nullopt;
         if (record.ok && !has_map(layout, plan, run, record)) return std::nullopt;
         if (record.ok && plan.pictured(run) && !has_picture(layout, plan, run, record)) {
             return std::nullopt;
@@ -115,6 +118,8 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
         return record;
     } catch (const nlohmann::json::exception&) {
         return std::nullopt;  // somebody else's hand was in it; the run is only done anew
+    } catch (const FormatError&) {
+        return std::nullopt;  // likewise
     }
 }
 

@@ -374,6 +374,10 @@
         <translation>el barrido de la línea %1 (tiempo %2) no se puede escribir como distancias: %3; escríbalo en el formato normalizado</translation>
     </message>
     <message>
+        <source>its rays are none that FLASER says, as which the scans before it are written</source>
+        <translation>sus rayos no son los que dice FLASER, como el que se escriben los barridos anteriores</translation>
+    </message>
+    <message>
         <source>two of its points have one bearing</source>
         <translation>dos de sus puntos tienen la misma dirección</translation>
     </message>
@@ -546,6 +550,10 @@
         <translation>no es texto: %1</translation>
     </message>
     <message>
+        <source>holds lines longer than 1 MiB</source>
+        <translation>contiene líneas de más de 1 MiB</translation>
+    </message>
+    <message>
         <source>holds nothing but comments</source>
         <translation>no contiene más que comentarios</translation>
     </message>
@@ -612,6 +620,10 @@
     <message>
         <source>%1: found %2; expected %3, %4</source>
         <translation>%1: se encontró %2; se esperaba %3, %4</translation>
+    </message>
+    <message>
+        <source>%1 mistakes and perhaps more:</source>
+        <translation>%1 errores y quizá más:</translation>
     </message>
     <message>
         <source>%1 mistakes:</source>
@@ -908,6 +920,22 @@
     <message>
         <source>expected format %1</source>
         <translation>se esperaba el formato %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2; expected a whole number from %3 to %4</source>
+        <translation>%1 es %2; se esperaba un número entero de %3 a %4</translation>
+    </message>
+    <message>
+        <source>found more than %1 of all values</source>
+        <translation>se encontraron más de %1 de todos los valores</translation>
+    </message>
+    <message>
+        <source>is a plan of more than %1 runs; the plan is damaged</source>
+        <translation>es un plan de más de %1 ejecuciones; el plan está dañado</translation>
+    </message>
+    <message>
+        <source>is nested deeper than %1 levels</source>
+        <translation>está anidado a más de %1 niveles</translation>
     </message>
     <message>
         <source>the plan is damaged</source>

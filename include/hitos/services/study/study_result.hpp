@@ -74,7 +74,7 @@ struct StudyPlan {
     /// A cell is one value of each parameter.
     std::size_t cells() const;
     std::size_t runs() const { return cells() * static_cast<std::size_t>(seeds); }
-    /// As many runs as a plan may have.
+    /// More would take years and are a slip of the pen.
     static constexpr std::size_t kMostRuns = 1'000'000;
     /// Whether it has at least one run and no more than that.
     bool is_possible() const;

@@ -1,0 +1,48 @@
+// JSON that somebody else may have written: how deep it goes, and whole numbers in it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "hitos/base/error.hpp"
+
+namespace hitos {
+
+/// The JSON of a file's text. Throws FormatError where it is nested deeper than any file of Hitos:
+/// copying what is nested without end needs a stack without end. Throws JSON's own exception where
+/// it is none.
+template <class Json>
+Json parsed(const std::string& text, const std::string& file) {
+    constexpr int kDeepest = 64;
+    return Json::parse(text, [&](int depth, typename Json::parse_event_t, Json&) {
+        if (depth <= kDeepest) return true;
+        throw FormatError(
+            file, 0, message(HITOS_TEXT("Errors", "is nested deeper than %1 levels"), kDeepest));
+    });
+}
+
+/// What `json` has under the name. Throws FormatError naming it and the file where that is no whole
+/// number from `least` (0 at the least) to `greatest`, and JSON's own exception where there is
+/// none.
+template <class Number, class Json>
+Number whole_number(const Json& json, const char* name, const std::string& file, Number least = 0,
+                    Number greatest = std::numeric_limits<Number>::max()) {
+    const Json& value = json.at(name);
+    if (value.is_number_unsigned()) {  // as every number from 0 on is read
+        const auto number = value.template get<std::uint64_t>();
+        if (std::cmp_greater_equal(number, least) && std::cmp_less_equal(number, greatest)) {
+            return static_cast<Number>(number);
+        }
+    }
+    throw FormatError(
+        file, 0,
+        message(HITOS_TEXT("Errors", "%1 is %2; expected a whole number from %3 to %4"), name,
+                // What is nested without end would be said without end.
+                value.is_number() ? value.dump() : std::string(value.type_name()), least,
+                greatest));
+}
+
+}  // namespace hitos

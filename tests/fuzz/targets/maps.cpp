@@ -1,0 +1,128 @@
+// The small texts of maps and paths.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "hitos/services/evaluation/distances.hpp"
+#include "hitos/services/maps/dxf_file.hpp"
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/maps/segment_file.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
+#include "laws.hpp"
+#include "targets.hpp"
+
+namespace hitos::fuzz {
+namespace {
+
+constexpr const char* kName = "input";
+
+bool is_finite(const Point2& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+bool is_normal(const Recta& line) {
+    return std::isfinite(line.rho) && line.rho >= 0.0 && line.theta > -kPi && line.theta <= kPi;
+}
+
+/// Degrees may cost the last bit of an angle.
+bool same(const Recta& a, const Recta& b) {
+    constexpr double kLastBits = 1e-15;
+    return a.rho == b.rho && std::abs(wrap_angle(a.theta - b.theta)) <= kLastBits;
+}
+
+template <class Feature>
+std::vector<Feature> all_of(const LandmarkMap& map) {
+    std::vector<Feature> found;
+    for (const ICaracteristica& landmark : map) {
+        if (const auto* feature = std::get_if<Feature>(&landmark.value)) found.push_back(*feature);
+    }
+    return found;
+}
+
+/// A map of that many lines.
+LandmarkMap lines_of(int count) {
+    return LandmarkMap(static_cast<std::size_t>(count), ICaracteristica{Recta{1.0, 0.0}});
+}
+
+}  // namespace
+
+bool check_map(std::string_view input) {
+    const auto map = unless_refused([&] { return parse_map(input, kName); });
+    if (!map) return false;
+    const std::vector<Recta> lines = all_of<Recta>(*map);
+    const std::vector<Esquina> corners = all_of<Esquina>(*map);
+    require(std::ranges::all_of(lines, is_normal), "lines are read in normal form");
+    require(std::ranges::all_of(corners,
+                                [](const Esquina& c) {
+                                    return is_finite({c.x, c.y});
+                                }),
+            "corners are finite");
+    const LandmarkMap again = parse_map(map_to_text(*map), kName);
+    require(std::ranges::equal(lines, all_of<Recta>(again), same), "lines read back");
+    require(all_of<Esquina>(again) == corners, "corners read back to the last bit");
+    unless_refused([&] { return dxf_text(*map, {}, {}); });  // too far away to be drawn
+    return true;
+}
+
+bool check_segments(std::string_view input) {
+    const auto segments = unless_refused([&] { return parse_segments(input, kName); });
+    if (!segments) return false;
+    int lines = 0;
+    for (const LineExtent& segment : *segments) {
+        require(segment.landmark >= 0, "a segment belongs to a line");
+        require(is_finite(segment.a) && is_finite(segment.b), "segments are finite");
+        lines = std::max(lines, segment.landmark + 1);
+    }
+    constexpr int kMostLines = 1000;
+    if (lines > kMostLines) return true;
+    const auto again = parse_segments(segments_to_text(lines_of(lines), *segments), kName);
+    require(std::ranges::equal(*segments, again,
+                               [](const LineExtent& a, const LineExtent& b) {
+                                   return a.landmark == b.landmark && a.a == b.a && a.b == b.b;
+                               }),
+            "segments read back to the last bit");
+    return true;
+}
+
+bool check_distances(std::string_view input) {
+    const auto distances = unless_refused([&] { return parse_distances(input, kName); });
+    if (!distances) return false;
+    for (const NamedDistance& distance : *distances) {
+        require(is_distance_name(distance.name), "distances have names");
+        require(is_finite(distance.a) && is_finite(distance.b), "distances have finite ends");
+        require(distance.true_m() >= kLeastDistance, "distances have a length");
+    }
+    require(parse_distances(distances_text(*distances), kName) == *distances,
+            "distances read back to the last bit");
+    const LandmarkMap box{{Recta{2.0, 0.0}}, {Recta{2.0, kPi}}, {Recta{1.0, kPi / 2.0}}};
+    const std::vector<MeasuredDistance> measured = measure_distances(box, *distances);
+    require(measured.size() == distances->size(), "every distance is measured");
+    require(!distance_table(measured).empty() && !distances_csv(measured).empty(),
+            "what is measured can be told");
+    return true;
+}
+
+bool check_trajectory(std::string_view input) {
+    const auto path = unless_refused([&] { return parse_trajectory(input, kName); });
+    if (!path) return false;
+    for (const auto& [time_s, pose] : *path) {
+        require(std::isfinite(time_s) && is_finite({pose.x, pose.y}), "poses are finite");
+        require(pose.theta > -kPi && pose.theta <= kPi, "headings are wrapped");
+    }
+    const Trajectory again = parse_trajectory(trajectory_to_text(*path), kName);
+    constexpr double kDecimals = 1e-9;
+    constexpr double kOfQuaternion = 5e-9;
+    require(std::ranges::equal(*path, again,
+                               [](const StampedPose& a, const StampedPose& b) {
+                                   return a.time_s == b.time_s &&
+                                          std::abs(a.pose.x - b.pose.x) <= kDecimals &&
+                                          std::abs(a.pose.y - b.pose.y) <= kDecimals &&
+                                          std::abs(wrap_angle(a.pose.theta - b.pose.theta)) <=
+                                              kOfQuaternion;
+                               }),
+            "a path reads back to nine decimals");
+    return true;
+}
+
+}  // namespace hitos::fuzz

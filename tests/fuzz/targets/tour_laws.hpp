@@ -1,0 +1,31 @@
+// The laws of whatever a log gives.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "hitos/capture/tour_reader.hpp"
+
+namespace hitos::fuzz {
+
+/// Everything that a log gives.
+struct Tour {
+    std::vector<Scan> scans;
+    std::vector<Odometria> odometry;
+    ReadReport report;
+};
+
+/// The order in which the two sequences are asked for.
+enum class Order { scans_first, odometry_first, in_turns };
+
+Tour read_tour(TourReader& reader, Order order = Order::scans_first);
+
+/// Finite values, in order, and a report that agrees with them.
+void require_sound(const Tour& tour);
+
+/// Reads the log and, for some inputs, in every order, again, and through the formats' writers.
+/// Returns whether it is a log of the format.
+bool check_log(std::string_view input, std::string_view format);
+
+}  // namespace hitos::fuzz

@@ -1,0 +1,113 @@
+// Worlds to simulate, and drawings of their walls.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "dxf_walls.hpp"
+#include "hitos/services/maps/dxf_file.hpp"
+#include "hitos/simulation/reference_map.hpp"
+#include "hitos/simulation/world.hpp"
+#include "laws.hpp"
+#include "targets.hpp"
+
+namespace hitos::fuzz {
+namespace {
+
+bool is_finite(const Point2& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+/// Beside every world, so that it can name it.
+constexpr std::string_view kDrawing =
+    "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nWALLS\n10\n0\n20\n0\n11\n4\n21\n0\n0\nENDSEC\n0\nEOF\n";
+
+const std::filesystem::path& world_file() {
+    static const ScratchFolder kFolder;
+    static const std::filesystem::path kDrawingFile = kFolder.put("walls.dxf", kDrawing);
+    static const std::filesystem::path kWorldFile = kFolder.path() / "input.toml";
+    return kWorldFile;
+}
+
+void require_sound(const World& world) {
+    require(!world.walls.empty() && !world.tour.way_points.empty(), "a world has walls and a way");
+    require(std::ranges::all_of(world.walls,
+                                [](const WallSegment& wall) {
+                                    return is_finite(wall.a) && is_finite(wall.b) &&
+                                           wall.a != wall.b;
+                                }),
+            "walls are finite and have two ends");
+    require(std::ranges::all_of(world.tour.way_points,
+                                [](const WayPoint& point) { return is_finite(point.at); }),
+            "way points are finite");
+    require(std::ranges::all_of(world_keys(),
+                                [&](const WorldKey& key) { return key.allows(key.get(world)); }),
+            "a world's values are allowed");
+    // Values that are each allowed can be impossible together.
+    unless_refused([&] { return check(world), true; });
+    for (const ICaracteristica& landmark : reference_map(world)) {
+        const auto* line = std::get_if<Recta>(&landmark.value);
+        const auto* corner = std::get_if<Esquina>(&landmark.value);
+        require(line != nullptr ? std::isfinite(line->rho) && std::isfinite(line->theta)
+                                : is_finite({corner->x, corner->y}),
+                "a world's landmarks are finite");
+    }
+}
+
+using Walls = std::vector<std::vector<Point2>>;
+
+/// The pieces of the walls as a drawing of a map, and that one read again.
+void require_round_trip(const Walls& walls) {
+    constexpr double kGreatest = 1e6;    // m; beyond it decimals are missing
+    constexpr double kTolerance = 1e-6;  // m
+    constexpr std::size_t kMost = 50;
+    LandmarkMap map;
+    std::vector<LineExtent> pieces;
+    for (const std::vector<Point2>& wall : walls) {
+        for (std::size_t i = 1; i < wall.size() && pieces.size() < kMost; ++i) {
+            const Point2& a = wall[i - 1];
+            const Point2& b = wall[i];
+            const double greatest =
+                std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+            if (greatest > kGreatest || std::hypot(b.x - a.x, b.y - a.y) < kTolerance) continue;
+            pieces.push_back({static_cast<int>(map.size()), a, b, 0});
+            map.push_back({line_through(a, b)});
+        }
+    }
+    if (pieces.empty()) return;
+    const Walls again = read_dxf_walls(file_of(dxf_text(map, pieces, {})), {kDxfLines, 1.0});
+    const auto near = [](const Point2& a, const Point2& b) {
+        return std::abs(a.x - b.x) <= kTolerance && std::abs(a.y - b.y) <= kTolerance;
+    };
+    require(std::ranges::equal(pieces, again,
+                               [&](const LineExtent& piece, const std::vector<Point2>& wall) {
+                                   return wall.size() == 2 && near(piece.a, wall[0]) &&
+                                          near(piece.b, wall[1]);
+                               }),
+            "a drawing of a map reads back");
+}
+
+}  // namespace
+
+bool check_world(std::string_view input) {
+    const auto world = unless_refused([&] { return parse_world(input, world_file()); });
+    if (world) require_sound(*world);
+    return world.has_value();
+}
+
+bool check_drawing(std::string_view input) {
+    const std::filesystem::path& file = file_of(input);
+    const auto of_layer = unless_refused([&] { return read_dxf_walls(file, {"WALLS", {}}); });
+    const auto walls = unless_refused([&] { return read_dxf_walls(file); });
+    for (const auto& found : {of_layer, walls}) {
+        if (!found) continue;
+        require(!found->empty(), "a drawing that is read has walls");
+        for (const std::vector<Point2>& wall : *found) {
+            require(wall.size() >= 2, "a wall has two points");
+            require(std::ranges::all_of(wall, is_finite), "walls are finite");
+        }
+    }
+    if (walls) require_round_trip(*walls);
+    return walls.has_value();
+}
+
+}  // namespace hitos::fuzz
