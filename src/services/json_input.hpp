@@ -25,8 +25,8 @@ Json parsed(const std::string& text, const std::string& file) {
 }
 
 /// What `json` has under the name. Throws FormatError naming it and the file where that is no whole
-/// number from `least` (0 at the least) to `greatest`, and JSON's own exception where there is
-/// none.
+/// number from `least` (0 at the least) to `greatest`, and JSON's own exception where it is no
+/// number.
 template <class Number, class Json>
 Number whole_number(const Json& json, const char* name, const std::string& file, Number least = 0,
                     Number greatest = std::numeric_limits<Number>::max()) {
@@ -37,12 +37,12 @@ Number whole_number(const Json& json, const char* name, const std::string& file,
             return static_cast<Number>(number);
         }
     }
+    // What is no number at all is refused in JSON's words.
+    if (!value.is_number() && !value.is_boolean()) static_cast<void>(value.template get<Number>());
     throw FormatError(
         file, 0,
         message(HITOS_TEXT("Errors", "%1 is %2; expected a whole number from %3 to %4"), name,
-                // What is nested without end would be said without end.
-                value.is_number() ? value.dump() : std::string(value.type_name()), least,
-                greatest));
+                value.dump(), least, greatest));
 }
 
 }  // namespace hitos

@@ -47,7 +47,7 @@ TEST(Findings, AStudyOfAbsurdSizeIsRefusedAtOnce) {
     constexpr std::size_t kDeep = 1000000;
     EXPECT_THAT(refused_plan(std::string(kDeep, '[') + std::string(kDeep, ']'), 1),
                 HasSubstr("is nested deeper than 64 levels"));
-    for (const std::string seeds : {"1e300", "-1", "4294967296", "null"}) {
+    for (const std::string seeds : {"1e300", "-1", "4294967296"}) {
         EXPECT_THAT(refused_plan(seeds, 1),
                     HasSubstr("seeds is " + (seeds == "1e300" ? "1e+300" : seeds) +
                               "; expected a whole number"));
