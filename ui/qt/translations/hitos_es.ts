@@ -926,10 +926,6 @@
         <translation>%1 es %2; se esperaba un número entero de %3 a %4</translation>
     </message>
     <message>
-        <source>found more than %1 of all values</source>
-        <translation>se encontraron más de %1 de todos los valores</translation>
-    </message>
-    <message>
         <source>is a plan of more than %1 runs; the plan is damaged</source>
         <translation>es un plan de más de %1 ejecuciones; el plan está dañado</translation>
     </message>
@@ -1420,10 +1416,6 @@
     <message>
         <source>found more than %1 lasers</source>
         <translation>se han encontrado más de %1 láseres</translation>
-    </message>
-    <message>
-        <source>holds nothing but lines longer than 1 MiB</source>
-        <translation>no contiene más que líneas de más de 1 MiB</translation>
     </message>
     <message>
         <source>out of memory at scan %1, with %2 landmarks in each map of %3 particles: %4; lower filter.particles, or make fewer landmarks with a higher split_merge.min_length</source>

@@ -125,7 +125,7 @@ TEST_F(StudyFolderTest, PlansOfImpossibleSizesAreRefused) {
     run(study("out"));
     auto plan = nlohmann::ordered_json::parse(content(out("study.json")));
     plan.erase("checksum");
-    for (const int seeds : {0, -1, 2'000'000'000, 250'001}) {
+    for (const int seeds : {0, 2'000'000'000, 250'001}) {
         plan["seeds"] = seeds;
         folder_.put("out/study.json", study::sealed(plan));
         EXPECT_THAT(message_of<FormatError>([&] { check_study(layout()); }),
