@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <exception>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "sync_folder.hpp"
 
 namespace hitos {
@@ -19,14 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::directory_entry> entries(const fs::path& folder) {
-    std::vector<fs::directory_entry> found;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        found.push_back(*entry);
+/// All entries of a folder: half a list would lose files. Throws FileError, of `shown`.
+std::vector<fs::directory_entry> all_entries(const fs::path& folder, const fs::path& shown) {
+    try {
+        return folder_entries(folder);
+    } catch (const FileError& error) {
+        throw error.replaced(folder.string(), shown.string());
     }
-    return found;
+}
+
+/// What a writer has not finished, or could not remove.
+bool is_unfinished(const std::string& name) {
+    return name.starts_with(".hitos-");
 }
 
 bool is_there(const fs::path& path) {
@@ -40,7 +46,8 @@ bool somebody_is_in(const fs::path& folder) {
     std::error_code error;
     const fs::path real = fs::canonical(folder, error);
     if (error) return true;
-    for (const fs::directory_entry& process : entries("/proc")) {
+    std::error_code ignored;
+    for (const fs::directory_entry& process : folder_entries("/proc", ignored)) {
         const fs::path place = fs::read_symlink(process.path() / "cwd", error);
         if (error) continue;
         const auto [end, rest] =
@@ -72,38 +79,44 @@ class Exchange {
   public:
     Exchange(const fs::path& from, const fs::path& to) : from_(from), to_(to) {}
     ~Exchange() {
-        std::for_each(done_.rbegin(), done_.rend(), [this](const auto& name) { turn(name); });
+        std::for_each(done_.rbegin(), done_.rend(), [](const Places& places) { turn(places); });
     }
     Exchange(const Exchange&) = delete;
     Exchange& operator=(const Exchange&) = delete;
 
     /// What is at either place goes to the other one.
     void add(const std::string& name) {
-        if (!turn(name)) {
-            throw FileError(
-                (to_ / name).string(),
-                message(HITOS_TEXT("Errors", "cannot be put in place: %1"), system_message(errno)));
-        }
-        done_.push_back(name);
+        done_.push_back({from_ / name, to_ / name, from_ / (name + ".former")});
+        if (turn(done_.back())) return;
+        const int error = errno;
+        done_.pop_back();
+        throw FileError(
+            (to_ / name).string(),
+            message(HITOS_TEXT("Errors", "cannot be put in place: %1"), system_message(error)));
     }
     void keep() { done_.clear(); }
 
   private:
-    bool turn(const std::string& name) const {
-        const fs::path a = from_ / name;
-        const fs::path b = to_ / name;
+    /// Made before anything is moved: taking it back must not need memory.
+    struct Places {
+        fs::path a;
+        fs::path b;
+        fs::path third;
+    };
+
+    static bool turn(const Places& places) {
+        const auto& [a, b, third] = places;
         if (!is_there(a)) return ::rename(b.c_str(), a.c_str()) == 0;
         if (!is_there(b)) return ::rename(a.c_str(), b.c_str()) == 0;
         if (exchanged(a, b)) return true;
         // Old file systems: by a third name.
-        const fs::path c = from_ / (name + ".former");
-        return ::rename(b.c_str(), c.c_str()) == 0 && ::rename(a.c_str(), b.c_str()) == 0 &&
-               ::rename(c.c_str(), a.c_str()) == 0;
+        return ::rename(b.c_str(), third.c_str()) == 0 && ::rename(a.c_str(), b.c_str()) == 0 &&
+               ::rename(third.c_str(), a.c_str()) == 0;
     }
 
     const fs::path& from_;
     const fs::path& to_;
-    std::vector<std::string> done_;
+    std::vector<Places> done_;
 };
 
 /// A file that goes back to its place unless another one has taken it.
@@ -161,16 +174,20 @@ StagedFolder::StagedFolder(fs::path folder, Owned owned, std::string seal)
 }
 
 StagedFolder::~StagedFolder() {
-    clear();
+    try {
+        clear();
+    } catch (const std::exception&) {
+        return;  // no memory is left for it: the next one clears
+    }
 }
 
 void StagedFolder::clear() {
     std::error_code ignored;
     if (!fs::is_directory(staging_, ignored)) return;
     // After an exchange these are the former files, and what somebody put beside them meanwhile.
-    for (const fs::directory_entry& entry : entries(staging_)) {
+    for (const fs::directory_entry& entry : folder_entries(staging_, ignored)) {
         const std::string name = entry.path().filename().string();
-        if (is_former(entry) || name.starts_with(".hitos-") || is_there(target_ / name)) continue;
+        if (is_former(entry) || is_unfinished(name) || is_there(target_ / name)) continue;
         fs::rename(entry.path(), target_ / name, ignored);
     }
     fs::remove_all(staging_, ignored);
@@ -186,9 +203,9 @@ bool StagedFolder::exchange_folders() {
         for (const fs::path& link : links) fs::remove(link, ignored);
         return false;
     };
-    for (const fs::directory_entry& entry : entries(target_)) {
+    for (const fs::directory_entry& entry : all_entries(target_, target_)) {
         const fs::path here = staging_ / entry.path().filename();
-        if (is_former(entry) || is_there(here)) continue;
+        if (is_former(entry) || is_unfinished(here.filename().string()) || is_there(here)) continue;
         if (!linked(entry, here)) return give_up();
         links.push_back(here);
     }
@@ -205,11 +222,12 @@ bool StagedFolder::exchange_folders() {
 
 void StagedFolder::exchange_files() {
     std::vector<std::string> names;
-    for (const fs::directory_entry& entry : entries(staging_)) {
-        names.push_back(entry.path().filename().string());
+    for (const fs::directory_entry& entry : all_entries(staging_, target_)) {
+        const std::string name = entry.path().filename().string();
+        if (!is_unfinished(name)) names.push_back(name);
     }
     std::vector<std::string> former;
-    for (const fs::directory_entry& entry : entries(target_)) {
+    for (const fs::directory_entry& entry : all_entries(target_, target_)) {
         const std::string name = entry.path().filename().string();
         if (name != seal_ && is_former(entry) && !is_there(staging_ / name)) {
             former.push_back(name);
@@ -234,7 +252,12 @@ bool StagedFolder::is_former(const fs::directory_entry& entry) const {
 }
 
 void StagedFolder::commit() {
-    for (const fs::directory_entry& entry : entries(staging_)) {
+    for (const fs::directory_entry& entry : all_entries(staging_, target_)) {
+        if (is_unfinished(entry.path().filename().string())) {
+            std::error_code ignored;  // it then comes along, and goes with the next results
+            fs::remove_all(entry.path(), ignored);
+            continue;
+        }
         const fs::path place = target_ / entry.path().filename();
         std::error_code ignored;
         if (!fs::is_directory(place, ignored)) continue;

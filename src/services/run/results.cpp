@@ -8,6 +8,7 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "hitos/slam/filters.hpp"
 #include "results_summary.hpp"
 #include "run_outputs.hpp"
@@ -83,7 +84,8 @@ Message written(const RunOutput& output, const FinishedRun& finished,
 
 std::vector<WrittenFile> files_in(const std::filesystem::path& folder) {
     std::vector<WrittenFile> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    for (const std::filesystem::directory_entry& entry : folder_entries(folder)) {
+        if (!entry.is_regular_file()) continue;  // what gnuplot left and nobody could remove
         files.push_back({entry.path().filename().string(), entry.file_size(),
                          Digest().add_file(entry.path()).text()});
     }
@@ -226,6 +228,10 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     } catch (const FileError& error) {
         // Nobody knows of the folder in which it really was.
         throw error.replaced(folder.path().string(), folder.target().string());
+    } catch (const std::filesystem::filesystem_error& error) {
+        const std::filesystem::path& place = error.path1().empty() ? folder.path() : error.path1();
+        throw FileError(place.string(), system_message(error.code().value()))
+            .replaced(folder.path().string(), folder.target().string());
     }
     folder.commit();
     return summary;

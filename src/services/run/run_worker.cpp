@@ -176,6 +176,26 @@ void RunWorker::post(std::function<void(const Algoritmo&)> task) {
 }
 
 void RunWorker::work(const std::stop_token& stop) {
+    for (bool ended = false; !ended;) {
+        try {
+            work_until(stop);
+            ended = true;
+        } catch (const std::exception& failure) {  // between the steps: the lack of memory
+            const std::scoped_lock lock(mutex_);
+            ++orders_;
+            budget_ = 0;
+            seek_wanted_.reset();
+            snapshot_wanted_ = false;
+            stepping_ = false;
+            busy_ = false;
+            progress_.state = Progress::State::failed;
+            progress_.error = message_of(failure);
+            idle_.notify_all();
+        }
+    }
+}
+
+void RunWorker::work_until(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
         const auto wanted = [this] {

@@ -8,6 +8,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "hitos/base/text_input.hpp"
 #include "study_plot.hpp"
 
@@ -83,15 +84,13 @@ std::string plan_text(const StudyPlan& plan) {
 
 /// Of AtomicFile. Whoever holds the study alone knows that no writer of one is left.
 bool is_leftover(std::string_view name) {
-    return name.starts_with(".hitos-") && name.ends_with(".tmp");
+    return name.starts_with(".hitos-") && (name.ends_with(".tmp") || name.ends_with("-plots"));
 }
 
 void remove_leftovers(const fs::path& folder) {
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        std::error_code ignored;
-        if (is_leftover(entry->path().filename().string())) fs::remove_all(entry->path(), ignored);
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : folder_entries(folder, ignored)) {
+        if (is_leftover(entry.path().filename().string())) fs::remove_all(entry.path(), ignored);
     }
 }
 

@@ -157,6 +157,7 @@ class RunWorker {
     void stop_running();  // likewise
     void post(std::function<void(const Algoritmo&)> task);
     void work(const std::stop_token& stop);
+    void work_until(const std::stop_token& stop);
     void do_step();
     void do_restart();
     /// `orders`: the number of orders when this one was taken.
