@@ -185,11 +185,13 @@ void StagedFolder::clear() {
     std::error_code ignored;
     if (!fs::is_directory(staging_, ignored)) return;
     // After an exchange these are the former files, and what somebody put beside them meanwhile.
-    for (const fs::directory_entry& entry : folder_entries(staging_, ignored)) {
+    std::error_code incomplete;
+    for (const fs::directory_entry& entry : folder_entries(staging_, incomplete)) {
         const std::string name = entry.path().filename().string();
         if (is_former(entry) || is_unfinished(name) || is_there(target_ / name)) continue;
         fs::rename(entry.path(), target_ / name, ignored);
     }
+    if (incomplete) return;  // somebody's file may be among what is not known
     fs::remove_all(staging_, ignored);
 }
 
