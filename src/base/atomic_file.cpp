@@ -81,6 +81,15 @@ std::filesystem::path followed(std::filesystem::path path) {
     return error ? path : real;
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+std::filesystem::path temporary_sibling(const std::filesystem::path& file, int number) {
+    return folder_of(file) /
+           (".hitos-" + std::to_string(::getpid()) + "-" + std::to_string(number) + ".tmp");
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
@@ -95,8 +104,6 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
         throw FileError(target_.string(),
                         message(HITOS_TEXT("Errors", "cannot be written: it names no file")));
     }
-    const std::filesystem::path folder =
-        target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
     struct stat old {};
     const bool replaces = ::stat(target_.c_str(), &old) == 0;
     if (replaces && !S_ISREG(old.st_mode)) {
@@ -106,17 +113,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
             message(HITOS_TEXT("Errors",
                                "cannot be written: it is a device or a pipe; choose a file name")));
     }
-    for (int i = 0; i < kNamesTried && descriptor_ < 0; ++i) {
-        temporary_ =
-            folder / (".hitos-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp");
-        descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor_ < 0 && errno != EEXIST) break;
-    }
-    if (descriptor_ < 0) {
-        temporary_.clear();
-        fail(message(HITOS_TEXT("Errors", "cannot be written")));
-    }
-    noted_ = note_file(temporary_);
+    open_beside();
     if (replaces) ::fchmod(descriptor_, old.st_mode & 07777U);
     if (compress_gz && target_.extension() == ".gz") {
         const int copy = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
@@ -130,6 +127,41 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
         }
     }
     buffer_.reserve(kBufferBytes);
+}
+
+void AtomicFile::open_beside() {
+    // Its name is given by way of /proc.
+    if (::access("/proc/self/fd", X_OK) == 0) {
+        descriptor_ = ::open(folder_of(target_).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+        if (descriptor_ >= 0) return;
+    }
+    for (int i = 0; i < kNamesTried && descriptor_ < 0; ++i) {
+        temporary_ = temporary_sibling(target_, i);
+        descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ < 0 && errno != EEXIST) break;
+    }
+    if (descriptor_ < 0) {
+        temporary_.clear();
+        fail(message(HITOS_TEXT("Errors", "cannot be written")));
+    }
+    noted_ = note_file(temporary_);
+}
+
+/// A file without a name cannot take another one's place: it gets one for that moment.
+void AtomicFile::name_it() {
+    const std::string nameless = "/proc/self/fd/" + std::to_string(descriptor_);
+    bool named = false;
+    for (int i = 0; i < kNamesTried && !named; ++i) {
+        temporary_ = temporary_sibling(target_, i);
+        noted_ = note_file(temporary_);
+        named = ::linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, temporary_.c_str(),
+                         AT_SYMLINK_FOLLOW) == 0;
+        if (named) break;
+        forget_file(noted_);
+        temporary_.clear();
+        if (errno != EEXIST) break;
+    }
+    if (!named) fail(message(HITOS_TEXT("Errors", "cannot be put in place")));
 }
 
 AtomicFile::~AtomicFile() {
@@ -177,6 +209,7 @@ void AtomicFile::commit() {
         }
     }
     if (::fsync(descriptor_) != 0) fail(message(HITOS_TEXT("Errors", "writing fails")));
+    if (temporary_.empty()) name_it();
     if (::close(std::exchange(descriptor_, -1)) != 0) {
         fail(message(HITOS_TEXT("Errors", "writing fails")));
     }
@@ -185,7 +218,7 @@ void AtomicFile::commit() {
     }
     forget_file(noted_);
     temporary_.clear();
-    sync_folder(target_.has_parent_path() ? target_.parent_path() : std::filesystem::path("."));
+    sync_folder(folder_of(target_));
 }
 
 void AtomicFile::fail(const Message& doing) const {

@@ -22,52 +22,47 @@ bool is_there(const fs::path& path) {
     return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
 }
 
-bool moved(const fs::path& from, const fs::path& to) {
-    std::error_code ignored;
-    fs::create_directories(to.parent_path(), ignored);
-    return ::rename(from.c_str(), to.c_str()) == 0;
-}
-
 }  // namespace
 
 FileExchange::FileExchange(fs::path from, fs::path to)
     : from_(std::move(from)), to_(std::move(to)) {}
 
 FileExchange::~FileExchange() {
-    std::for_each(done_.rbegin(), done_.rend(), [this](const auto& name) { turn(name); });
+    std::for_each(done_.rbegin(), done_.rend(), [](const Places& places) { turn(places); });
 }
 
 void FileExchange::add(const std::string& name) {
-    if (!turn(name)) {
-        throw FileError(
-            (to_ / name).string(),
-            message(HITOS_TEXT("Errors", "cannot be put in place: %1"), system_message(errno)));
-    }
-    done_.push_back(name);
+    done_.push_back({from_ / name, to_ / name, from_ / (name + ".former")});
+    std::error_code ignored;
+    for (const fs::path& place : {done_.back().a, done_.back().b})
+        fs::create_directories(place.parent_path(), ignored);
+    if (turn(done_.back())) return;
+    const int reason = errno;
+    done_.pop_back();
+    throw FileError(
+        (to_ / name).string(),
+        message(HITOS_TEXT("Errors", "cannot be put in place: %1"), system_message(reason)));
 }
 
 void FileExchange::flush() const {
     std::set<fs::path> folders{from_, to_};
-    for (const std::string& name : done_) {
-        folders.insert((from_ / name).parent_path());
-        folders.insert((to_ / name).parent_path());
+    for (const Places& places : done_) {
+        folders.insert(places.a.parent_path());
+        folders.insert(places.b.parent_path());
     }
     for (const fs::path& folder : folders) sync_folder(folder);
 }
 
-bool FileExchange::turn(const std::string& name) const {
-    const fs::path a = from_ / name;
-    const fs::path b = to_ / name;
-    if (!is_there(a)) return moved(b, a);
-    if (!is_there(b)) return moved(a, b);
+bool FileExchange::turn(const Places& places) {
+    const auto& [a, b, third] = places;
+    if (!is_there(a)) return ::rename(b.c_str(), a.c_str()) == 0;
+    if (!is_there(b)) return ::rename(a.c_str(), b.c_str()) == 0;
     if (::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0) return true;
     if (errno != EINVAL && errno != ENOSYS) return false;
-    // File systems that know no exchange: by a third name.
-    const fs::path c = from_ / (name + ".former");
-    if (::rename(b.c_str(), c.c_str()) != 0) return false;
-    if (::rename(a.c_str(), b.c_str()) == 0) return ::rename(c.c_str(), a.c_str()) == 0;
+    if (::rename(b.c_str(), third.c_str()) != 0) return false;
+    if (::rename(a.c_str(), b.c_str()) == 0) return ::rename(third.c_str(), a.c_str()) == 0;
     const int reason = errno;
-    ::rename(c.c_str(), b.c_str());
+    ::rename(third.c_str(), b.c_str());
     errno = reason;
     return false;
 }

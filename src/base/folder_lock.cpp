@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <chrono>
 #include <ctime>
+#include <exception>
 #include <string>
 #include <thread>
 
@@ -107,9 +108,14 @@ void FolderLock::refuse(const fs::path& folder) const {
 }
 
 void FolderLock::sign() const {
-    const std::string who = this_process();
-    // For people only: the lock holds without it.
-    if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, who.data(), who.size(), 0) < 0) {
+    // For people only: the lock holds without it, as where the disk or the memory is full.
+    try {
+        const std::string who = this_process();
+        if (::ftruncate(descriptor_, 0) != 0 ||
+            ::pwrite(descriptor_, who.data(), who.size(), 0) < 0) {
+            return;
+        }
+    } catch (const std::exception&) {
         return;
     }
 }

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <ctime>
 #include <exception>
+#include <new>
 
 #include "hitos/base/atomic_file.hpp"
 
@@ -90,6 +91,12 @@ int run_program(const char* program, const std::function<int()>& run) {
     int status = 1;
     try {
         status = run();
+    } catch (const std::bad_alloc&) {
+        // In words that take no memory themselves.
+        std::fprintf(stderr,
+                     "%s: out of memory; fewer particles, coarser cells of the grid or fewer runs "
+                     "at a time take less\n",
+                     program);
     } catch (const std::exception& error) {
         if (std::ferror(stdout) == 0) std::fprintf(stderr, "%s: %s\n", program, error.what());
     }

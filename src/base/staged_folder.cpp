@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <exception>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/file_exchange.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "sync_folder.hpp"
 
 namespace hitos {
@@ -20,14 +22,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::directory_entry> entries(const fs::path& folder) {
-    std::vector<fs::directory_entry> found;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        found.push_back(*entry);
+/// All entries of a folder: half a list would lose files. Throws FileError, of `shown`.
+std::vector<fs::directory_entry> all_entries(const fs::path& folder, const fs::path& shown) {
+    try {
+        return folder_entries(folder);
+    } catch (const FileError& error) {
+        throw error.replaced(folder.string(), shown.string());
     }
-    return found;
+}
+
+/// What a writer has not finished, or could not remove.
+bool is_unfinished(const std::string& name) {
+    return name.starts_with(".hitos-");
 }
 
 bool is_there(const fs::path& path) {
@@ -41,7 +47,8 @@ bool somebody_is_in(const fs::path& folder) {
     std::error_code error;
     const fs::path real = fs::canonical(folder, error);
     if (error) return true;
-    for (const fs::directory_entry& process : entries("/proc")) {
+    std::error_code ignored;
+    for (const fs::directory_entry& process : folder_entries("/proc", ignored)) {
         const fs::path place = fs::read_symlink(process.path() / "cwd", error);
         if (error) continue;
         const auto [end, rest] =
@@ -124,7 +131,11 @@ StagedFolder::StagedFolder(fs::path folder, Owned owned, std::string seal)
 }
 
 StagedFolder::~StagedFolder() {
-    clear();
+    try {
+        clear();
+    } catch (const std::exception&) {
+        return;  // no memory is left for it: the next one clears
+    }
     // One that was made for nothing goes; one with anything in it stays.
     if (made_) ::rmdir(target_.c_str());
 }
@@ -133,11 +144,13 @@ void StagedFolder::clear() {
     std::error_code ignored;
     if (!fs::is_directory(staging_, ignored)) return;
     // After an exchange these are the former files, and what somebody put beside them meanwhile.
-    for (const fs::directory_entry& entry : entries(staging_)) {
+    std::error_code incomplete;
+    for (const fs::directory_entry& entry : folder_entries(staging_, incomplete)) {
         const std::string name = entry.path().filename().string();
-        if (is_former(entry) || name.starts_with(".hitos-") || is_there(target_ / name)) continue;
+        if (is_former(entry) || is_unfinished(name) || is_there(target_ / name)) continue;
         fs::rename(entry.path(), target_ / name, ignored);
     }
+    if (incomplete) return;  // somebody's file may be among what is not known
     fs::remove_all(staging_, ignored);
 }
 
@@ -151,9 +164,9 @@ bool StagedFolder::exchange_folders() {
         for (const fs::path& link : links) fs::remove(link, ignored);
         return false;
     };
-    for (const fs::directory_entry& entry : entries(target_)) {
+    for (const fs::directory_entry& entry : all_entries(target_, target_)) {
         const fs::path here = staging_ / entry.path().filename();
-        if (is_former(entry) || is_there(here)) continue;
+        if (is_former(entry) || is_unfinished(here.filename().string()) || is_there(here)) continue;
         if (!linked(entry, here)) return give_up();
         links.push_back(here);
     }
@@ -170,11 +183,12 @@ bool StagedFolder::exchange_folders() {
 
 void StagedFolder::exchange_files() {
     std::vector<std::string> names;
-    for (const fs::directory_entry& entry : entries(staging_)) {
-        names.push_back(entry.path().filename().string());
+    for (const fs::directory_entry& entry : all_entries(staging_, target_)) {
+        const std::string name = entry.path().filename().string();
+        if (!is_unfinished(name)) names.push_back(name);
     }
     std::vector<std::string> former;
-    for (const fs::directory_entry& entry : entries(target_)) {
+    for (const fs::directory_entry& entry : all_entries(target_, target_)) {
         const std::string name = entry.path().filename().string();
         if (name != seal_ && is_former(entry) && !is_there(staging_ / name)) {
             former.push_back(name);
@@ -199,7 +213,12 @@ bool StagedFolder::is_former(const fs::directory_entry& entry) const {
 }
 
 void StagedFolder::commit() {
-    for (const fs::directory_entry& entry : entries(staging_)) {
+    for (const fs::directory_entry& entry : all_entries(staging_, target_)) {
+        if (is_unfinished(entry.path().filename().string())) {
+            std::error_code ignored;  // it then comes along, and goes with the next results
+            fs::remove_all(entry.path(), ignored);
+            continue;
+        }
         const fs::path place = target_ / entry.path().filename();
         std::error_code ignored;
         if (!fs::is_directory(place, ignored)) continue;

@@ -132,6 +132,7 @@ void run(const RunOptions& options) {
     AlgoritmoOptions run_options;
     run_options.uncertainty = options.uncertainty;
     run_options.grid_of = options.grid_of;
+    run_options.figures = !options.figures.empty();
     RunWorker worker(configuration, std::move(reader), run_options);
     ProgressLine line("scans");
     const StopByRequest request;

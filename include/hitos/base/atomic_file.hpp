@@ -9,9 +9,10 @@
 
 namespace hitos {
 
-/// Collects a file's content in a temporary sibling; commit() flushes it to disk and renames it
-/// over the target. Destroyed without commit, it leaves the target as it was and nothing beside
-/// it. Throws FileError with the system's reason on every failure.
+/// Collects a file's content in a file without a name, or in a temporary sibling where the file
+/// system knows none; commit() flushes it to disk and renames it over the target. Destroyed without
+/// commit, it leaves the target as it was and nothing beside it; without a name not even a kill
+/// does. Throws FileError with the system's reason on every failure.
 class AtomicFile {
   public:
     /// A path ending in .gz is compressed where `compress_gz` is set.
@@ -24,6 +25,8 @@ class AtomicFile {
     void commit();
 
   private:
+    void open_beside();
+    void name_it();
     void flush();
     void discard();
     [[noreturn]] void fail(const Message& doing) const;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -86,8 +87,15 @@ class ConfigError : public Error {
     std::string key_;
 };
 
+inline Message out_of_memory() {
+    return message(HITOS_TEXT("Errors",
+                              "out of memory; fewer particles, coarser cells of the grid or fewer "
+                              "runs at a time take less"));
+}
+
 /// What an error says; what is none of Hitos' has only its own words.
 inline Message message_of(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return out_of_memory();
     const auto* known = dynamic_cast<const Error*>(&error);
     return known != nullptr ? known->message() : verbatim(error.what());
 }

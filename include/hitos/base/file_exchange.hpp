@@ -25,11 +25,18 @@ class FileExchange {
     void keep() { done_.clear(); }
 
   private:
-    bool turn(const std::string& name) const;
+    /// Made before anything is moved: taking it back must not need memory.
+    struct Places {
+        std::filesystem::path a;
+        std::filesystem::path b;
+        std::filesystem::path third;  ///< for file systems that know no exchange
+    };
+
+    static bool turn(const Places& places);
 
     std::filesystem::path from_;
     std::filesystem::path to_;
-    std::vector<std::string> done_;
+    std::vector<Places> done_;
 };
 
 }  // namespace hitos

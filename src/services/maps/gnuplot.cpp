@@ -8,8 +8,9 @@
 
 #include <array>
 #include <cerrno>
+#include <exception>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <system_error>
 
 #include "hitos/base/atomic_file.hpp"
@@ -35,8 +36,12 @@ class Workshop {
         }
     }
     ~Workshop() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
+        try {
+            std::error_code ignored;
+            fs::remove_all(path_, ignored);
+        } catch (const std::exception&) {
+            return;  // no memory is left for it; whoever has the folder next removes it
+        }
     }
     Workshop(const Workshop&) = delete;
     Workshop& operator=(const Workshop&) = delete;
@@ -46,9 +51,11 @@ class Workshop {
     fs::path path_;
 };
 
+/// What can be read of it.
 std::string read_all(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
 }
 
 /// Empty where gnuplot has run the script; else why not.
@@ -94,12 +101,16 @@ Message draw_pictures(const fs::path& folder, std::span<const PlotFile> files,
     Message failure = refusal.empty() ? run_gnuplot(workshop.path(), script) : refusal;
     for (const std::string& picture : pictures) {
         if (failure.empty()) {
-            write_file(folder / picture, read_all(workshop.path() / picture));
-        } else {
-            // One from an earlier time would not show these figures.
-            std::error_code ignored;
-            fs::remove(folder / picture, ignored);
+            try {
+                write_file(folder / picture, input::read_text(workshop.path() / picture));
+                continue;
+            } catch (const FileError& error) {
+                failure = error.replaced(workshop.path().string(), folder.string()).message();
+            }
         }
+        // One from an earlier time would not show these figures.
+        std::error_code ignored;
+        fs::remove(folder / picture, ignored);
     }
     return failure;
 }

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 #include "picture_drawing.hpp"
 
 namespace hitos {
@@ -137,10 +136,8 @@ void write_picture(const Grid::Picture& picture, const fs::path& path) {
 }
 
 Grid::Picture read_grey_picture(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read")));
-    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in),
-                                          std::istreambuf_iterator<char>()};
+    const std::string text = input::read_text(path);
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
     cv::Mat image;
     try {
         image = cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);

@@ -210,6 +210,10 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     } catch (const FileError& error) {
         // Nobody knows of the folder in which it really was.
         throw error.replaced(folder.path().string(), folder.target().string());
+    } catch (const std::filesystem::filesystem_error& error) {
+        const std::filesystem::path& place = error.path1().empty() ? folder.path() : error.path1();
+        throw FileError(place.string(), system_message(error.code().value()))
+            .replaced(folder.path().string(), folder.target().string());
     }
     folder.commit();
     return summary;

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "results_summary.hpp"
 #include "run_outputs.hpp"
 #include "written_files.hpp"
@@ -34,7 +35,7 @@ ResultsCheck check_results(const fs::path& folder) {
             check.changed.push_back(file.name);
         }
     }
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    for (const fs::directory_entry& entry : folder_entries(folder)) {
         const std::string name = entry.path().filename().string();
         if (is_run_output(name) && !std::ranges::count(files, name, &WrittenFile::name)) {
             check.left_over.push_back(name);

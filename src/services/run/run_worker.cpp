@@ -57,6 +57,14 @@ void RunWorker::set_pace(const Pace& pace) {
     wake_.notify_one();
 }
 
+/// Of the last step. A scan that was seen before has its figures.
+const StepFigures& RunWorker::noted_figures() {
+    const bool kept = run_.options().figures || run_.options().go_back;
+    if (!kept) figures_.clear();
+    if (kept && progress_.steps <= figures_.size()) return figures_[progress_.steps - 1];
+    return figures_.emplace_back(figures_of(run_, progress_.step_seconds));
+}
+
 void RunWorker::set_reference(std::optional<Trajectory> reference) {
     const std::scoped_lock lock(mutex_);
     error_.reset();
@@ -176,6 +184,26 @@ void RunWorker::post(std::function<void(const Algoritmo&)> task) {
 }
 
 void RunWorker::work(const std::stop_token& stop) {
+    for (bool ended = false; !ended;) {
+        try {
+            work_until(stop);
+            ended = true;
+        } catch (const std::exception& failure) {  // between the steps: the lack of memory
+            const std::scoped_lock lock(mutex_);
+            ++orders_;
+            budget_ = 0;
+            seek_wanted_.reset();
+            snapshot_wanted_ = false;
+            stepping_ = false;
+            busy_ = false;
+            progress_.state = Progress::State::failed;
+            progress_.error = message_of(failure);
+            idle_.notify_all();
+        }
+    }
+}
+
+void RunWorker::work_until(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
         const auto wanted = [this] {
@@ -301,11 +329,7 @@ void RunWorker::do_step() {
     progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
     note_progress();
     if (more) {
-        // A scan that was seen before has its figures.
-        if (progress_.steps > figures_.size()) {
-            figures_.push_back(figures_of(run_, progress_.step_seconds));
-        }
-        const StepFigures& figures = figures_[progress_.steps - 1];
+        const StepFigures& figures = noted_figures();
         const StopReason reason =
             rules_.met(figures, error_ ? error_->at(figures.online) : std::nullopt);
         if (reason != StopReason::none) {

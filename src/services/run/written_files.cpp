@@ -5,6 +5,7 @@
 
 #include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "json_input.hpp"
 
 namespace hitos {
@@ -19,6 +20,18 @@ bool is_inner(const fs::path& name) {
                         [](const fs::path& part) { return part == "." || part == ".."; });
 }
 
+void add_files(const fs::path& folder, const fs::path& inner, std::vector<WrittenFile>& files) {
+    for (const fs::directory_entry& entry : folder_entries(folder / inner)) {
+        const fs::path name = inner / entry.path().filename();
+        if (entry.path().filename().string().starts_with(".hitos-")) continue;  // not finished
+        if (entry.is_directory()) {
+            add_files(folder, name, files);
+        } else {
+            files.push_back(written_file(folder, name.string()));
+        }
+    }
+}
+
 }  // namespace
 
 WrittenFile written_file(const fs::path& folder, const std::string& name) {
@@ -31,10 +44,7 @@ WrittenFile written_file(const fs::path& folder, const std::string& name) {
 
 std::vector<WrittenFile> written_files(const fs::path& folder) {
     std::vector<WrittenFile> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_directory()) continue;
-        files.push_back(written_file(folder, entry.path().lexically_relative(folder).string()));
-    }
+    add_files(folder, {}, files);
     std::ranges::sort(files, {}, &WrittenFile::name);
     return files;
 }

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <thread>
 
@@ -105,6 +106,8 @@ class Crew {
             record = *std::move(computed);
         } catch (const Error& error) {
             record.problem = error.message();
+        } catch (const std::bad_alloc&) {
+            record.problem = out_of_memory();
         } catch (const std::exception& error) {
             record.problem = message(HITOS_TEXT("Errors", "internal error: %1"), error.what());
         }

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "hitos/base/text_input.hpp"
 #include "run/written_files.hpp"
 #include "study_files.hpp"
@@ -54,11 +55,9 @@ std::vector<std::string> changed_files(const StudyLayout& layout, const StudyPla
 /// The names in a folder of the study, as study.json would list them.
 std::vector<std::string> names_in(const StudyLayout& layout, const char* folder) {
     std::vector<std::string> names;
-    std::error_code error;
-    const std::filesystem::path path = layout.file(folder);
-    for (std::filesystem::directory_iterator entry(path, error), end; !error && entry != end;
-         entry.increment(error)) {
-        names.push_back(layout.prefix + folder + "/" + entry->path().filename().string());
+    std::error_code none;
+    for (const auto& entry : folder_entries(layout.file(folder), none)) {
+        names.push_back(layout.prefix + folder + "/" + entry.path().filename().string());
     }
     return names;
 }
@@ -79,7 +78,7 @@ std::vector<std::string> left_over_files(const StudyLayout& layout, const StudyP
         std::ranges::copy(names_in(layout, folder), std::back_inserter(found));
     }
     // Before a study is finished nothing says which tables it has.
-    for (const auto& entry : std::filesystem::directory_iterator(layout.folder)) {
+    for (const auto& entry : folder_entries(layout.folder)) {
         const std::string name = entry.path().filename().string();
         if (state.finished && study::is_table(layout, name)) found.push_back(name);
     }

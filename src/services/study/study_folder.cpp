@@ -8,6 +8,7 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/file_exchange.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "hitos/base/staged_folder.hpp"
 #include "hitos/base/text_input.hpp"
 #include "run/written_files.hpp"
@@ -51,17 +52,15 @@ bool is_there(const fs::path& path) {
     return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
 }
 
-/// Of AtomicFile. Whoever holds the study alone knows that no writer of one is left.
+/// Of AtomicFile and gnuplot. Whoever holds the study alone knows that no writer of one is left.
 bool is_leftover(std::string_view name) {
-    return name.starts_with(".hitos-") && name.ends_with(".tmp");
+    return name.starts_with(".hitos-") && (name.ends_with(".tmp") || name.ends_with("-plots"));
 }
 
 void remove_leftovers(const fs::path& folder) {
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        std::error_code ignored;
-        if (is_leftover(entry->path().filename().string())) fs::remove_all(entry->path(), ignored);
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : folder_entries(folder, ignored)) {
+        if (is_leftover(entry.path().filename().string())) fs::remove_all(entry.path(), ignored);
     }
 }
 
@@ -97,7 +96,7 @@ std::set<std::string> former_files(const StudyLayout& layout, bool with_runs) {
     } catch (const Error&) {
         // One that cannot be read names nothing.
     }
-    for (const fs::directory_entry& entry : fs::directory_iterator(layout.folder)) {
+    for (const fs::directory_entry& entry : folder_entries(layout.folder)) {
         const std::string name = entry.path().filename().string();
         if (is_table(layout, name) && !entry.is_directory()) names.insert(name);
     }
@@ -194,7 +193,7 @@ void remove_tables(const StudyLayout& layout) {
     std::error_code ignored;
     fs::remove_all(layout.file("pictures"), ignored);
     std::vector<fs::path> tables;
-    for (const fs::directory_entry& entry : fs::directory_iterator(layout.folder)) {
+    for (const fs::directory_entry& entry : folder_entries(layout.folder)) {
         if (is_table(layout, entry.path().filename().string())) tables.push_back(entry.path());
     }
     for (const fs::path& table : tables) fs::remove(table, ignored);

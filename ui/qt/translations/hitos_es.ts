@@ -914,6 +914,10 @@
         <translation>no se puede crear esta carpeta de salida: %1</translation>
     </message>
     <message>
+        <source>out of memory; fewer particles, coarser cells of the grid or fewer runs at a time take less</source>
+        <translation>no queda memoria; menos partículas, celdas de la rejilla más gruesas o menos ejecuciones a la vez piden menos</translation>
+    </message>
+    <message>
         <source>cannot be read to its end</source>
         <translation>no se puede leer hasta el final</translation>
     </message>

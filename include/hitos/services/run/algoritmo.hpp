@@ -31,6 +31,8 @@ struct AlgoritmoOptions {
     std::optional<std::size_t> grid_of = std::nullopt;
     /// Remember the tour, so that the run can go back.
     bool go_back = false;
+    /// Keep the figures of every step (RunWorker does), some 300 bytes each; else of the last one.
+    bool figures = true;
 };
 
 /// All that a run is after a scan; immutable.

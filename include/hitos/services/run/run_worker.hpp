@@ -134,7 +134,8 @@ class RunWorker {
     std::shared_ptr<const Snapshot> latest_snapshot() const;
 
     /// The figures of every step from number `first` (0 is the first scan) on. After a restart
-    /// they begin anew; going back forgets none.
+    /// they begin anew; going back forgets none. Those of the last step alone where the options
+    /// keep none.
     std::vector<StepFigures> figures_since(std::uint64_t first) const;
 
     /// As Algoritmo::weighed(), from the nearest checkpoint: while the run rests it takes no longer
@@ -157,12 +158,14 @@ class RunWorker {
     void stop_running();  // likewise
     void post(std::function<void(const Algoritmo&)> task);
     void work(const std::stop_token& stop);
+    void work_until(const std::stop_token& stop);
     void do_step();
     void do_restart();
     /// `orders`: the number of orders when this one was taken.
     void do_seek(std::uint64_t steps, std::uint64_t orders);
     void publish_snapshot(const SnapshotParts& parts, bool rests);
     void note_progress();
+    const StepFigures& noted_figures();
     bool waits_for_pace() const;  // with the mutex held
     /// Whether nobody wants to see where the run is: it is soon where it was sent to.
     bool passes_by() const;  // likewise

@@ -1,0 +1,243 @@
+// Every file operation of a command fails in turn, as files do: no space, no more quota, an error
+// of the disk, no permission, half a write. HITOS_FAULTS=all does all of them; else a part, spread
+// evenly.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+#include "commands.hpp"
+
+namespace hitos::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One operation, as the library of faults reports it.
+struct Operation {
+    std::string word;  ///< "space", "other", "hit"
+    long number = 0;
+    std::string what;
+    std::string path;
+
+    bool needs_space() const { return word == "space"; }
+    /// Whether it is part of removing something: that then stays.
+    bool removes() const {
+        const bool looks = what == "openat" || what == "fdopendir" || what == "readdir" ||
+                           what == "opendir" || what == "lstat" || what == "fstat";
+        return what == "unlink" || what == "unlinkat" || what == "remove" || what == "rmdir" ||
+               (looks && path.find(".hitos-") != std::string::npos);
+    }
+};
+
+std::optional<Operation> operation_in(const std::string& line) {
+    std::istringstream text(line);
+    Operation operation;
+    if (!(text >> operation.word >> operation.number >> operation.what)) return std::nullopt;
+    std::getline(text >> std::ws, operation.path);
+    if (operation.path.ends_with(' ')) operation.path.pop_back();
+    return operation;
+}
+
+/// What the errors of a disk are, for an operation that needs space and for any other.
+constexpr std::array kNoSpace{ENOSPC, EDQUOT, EIO};
+constexpr std::array kNoLook{EIO, EACCES};
+constexpr std::array kNoLock{EIO, ENOLCK};  // EACCES says that another process has the lock
+
+struct Fault {
+    Operation operation;
+    int error = 0;
+    std::string word;  ///< "lasting", "cut" or empty
+
+    std::string order() const {
+        return fmt::format("HITOS_FAULT_FILE={}:{}{}{}", operation.number, error,
+                           word.empty() ? "" : ":", word);
+    }
+};
+
+std::vector<Fault> faults_of(const std::vector<Operation>& operations) {
+    std::vector<Fault> faults;
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+        const Operation& operation = operations[i];
+        if (!operation.needs_space()) {
+            const auto& errors = operation.what == "fcntl" ? kNoLock : kNoLook;
+            faults.push_back({operation, errors[i % errors.size()], ""});
+            continue;
+        }
+        faults.push_back({operation, kNoSpace[i % kNoSpace.size()], ""});
+        faults.push_back({operation, ENOSPC, "lasting"});
+        if (operation.what == "write") faults.push_back({operation, ENOSPC, "cut"});
+    }
+    const char* wish = std::getenv("HITOS_FAULTS");  // NOLINT(concurrency-mt-unsafe)
+    if (wish != nullptr && std::string_view(wish) == "all") return faults;
+    constexpr std::size_t kFewEnough = 24;
+    const std::size_t every = std::max<std::size_t>(faults.size() / kFewEnough, 1);
+    std::vector<Fault> some;
+    for (std::size_t i = 0; i < faults.size(); i += every) some.push_back(faults[i]);
+    return some;
+}
+
+/// The name by which a person knows the file: not that of the hidden ones.
+std::string shown(const std::string& path) {
+    fs::path known;
+    for (const fs::path& part : fs::path(path)) {
+        const std::string name = part.string();
+        const std::size_t hidden = name.find(".hitos-");
+        if (hidden == 0 || name.starts_with('#')) break;  // "#123 (deleted)": without a name
+        known /= hidden == std::string::npos ? name : name.substr(1, hidden - 1);
+    }
+    return known.string();
+}
+
+class FileFaults : public ::testing::TestWithParam<std::string> {
+  protected:
+    Words watching(const std::string& order) const {
+        return {"LD_PRELOAD=" HITOS_FAULTS_LIBRARY, order,
+                "HITOS_FAULT_BELOW=" + place_.work().string(),
+                "HITOS_FAULT_REPORT=" + place_.report_file()};
+    }
+    void expect_each_fault_harmless(const Command& command, const std::string& start);
+    void expect_harmless(const Command& command, const Fault& fault);
+    void expect_of_one_time(const Content& found, const Outcome& outcome, const Command& command);
+
+    Workplace place_;
+    Content before_;
+    Content after_;
+};
+
+/// The files that a command puts in place together: a folder of results, or each file for itself.
+std::string together(const std::string& name) {
+    return name.starts_with("out/") ? "out/" : name;
+}
+
+/// Everything is as before or as after, and what belongs together is of one time.
+void FileFaults::expect_of_one_time(const Content& found, const Outcome& outcome,
+                                    const Command& command) {
+    std::map<std::string, std::array<bool, 2>> of;  // each as before, as after
+    const auto same = [](const Content& a, const Content& b, const std::string& name) {
+        const auto one = a.find(name);
+        const auto other = b.find(name);
+        if (one == a.end() || other == b.end()) return one == a.end() && other == b.end();
+        return one->second == other->second;
+    };
+    for (const Content* content : std::array<const Content*, 3>{&before_, &after_, &found}) {
+        for (const auto& [name, bytes] : *content) {
+            if (is_temporary(name)) continue;
+            auto& [old, fresh] =
+                of.try_emplace(together(name), std::array{true, true}).first->second;
+            // That a folder has been made is no result yet.
+            if (name.ends_with('/') && found.contains(name)) continue;
+            old = old && same(found, before_, name);
+            fresh = fresh && same(found, after_, name);
+        }
+    }
+    for (const auto& [name, times] : of) {
+        if (times[0] || times[1]) continue;
+        // A picture that could not be written is told, and the summary says so too.
+        const bool told = command.name == "run" && outcome.status == 0 &&
+                          outcome.output.find("warning: not written: ") != std::string::npos;
+        EXPECT_TRUE(told) << name << " is neither as before nor as after\n"
+                          << difference(after_, found);
+        const Outcome verdict = place_.run({"verify", place_.path("out")});
+        EXPECT_EQ(verdict.status, 0) << verdict.output;
+    }
+}
+
+void FileFaults::expect_harmless(const Command& command, const Fault& fault) {
+    const Outcome outcome = place_.run(command.words, watching(fault.order()));
+    const std::vector<std::string> report = place_.take_report();
+    const std::optional<Operation> hit =
+        report.empty() ? std::nullopt : operation_in(report.front());
+    if (!hit) return;  // the threads took another turn
+    SCOPED_TRACE(fmt::format("{} ({} of {}), status {}, said:\n{}", fault.order(), hit->what,
+                             hit->path, outcome.status, outcome.output));
+    EXPECT_LT(outcome.status, 3) << "it has not ended by itself";
+    EXPECT_EQ(outcome.output.find("terminate called"), std::string::npos);
+
+    const Content left = place_.content();
+    const Content found = finished_files(left);
+    if (!command.resumes) expect_of_one_time(found, outcome, command);
+    const bool told = outcome.output.find("warning: not written: ") != std::string::npos ||
+                      outcome.output.find("no plots: ") != std::string::npos ||
+                      outcome.output.find("no contact sheet: ") != std::string::npos;
+    if (outcome.status != 0) {
+        // A full disk is told of the file that is essential, or of all; a list of files that is not
+        // whole, of their folder.
+        const fs::path file = fault.word.empty() ? shown(hit->path) : place_.work().string();
+        const auto says = [&outcome](const std::string& words) {
+            return outcome.output.find(words) != std::string::npos;
+        };
+        EXPECT_TRUE(says(file.string()) || says(file.parent_path().string() + ": "))
+            << "the file is not named";
+    } else if (!told) {
+        EXPECT_EQ(difference(after_, found), "") << "what is missing is not told";
+    }
+    if (!hit->removes() && left.size() != found.size()) {
+        ADD_FAILURE() << "temporary files are left:\n" << difference(found, left);
+    }
+    if (left == before_ || left == after_) return;  // known to give what it should
+    const Outcome again = place_.run(command.words);
+    EXPECT_EQ(again.status, 0) << again.output;
+    EXPECT_EQ(difference(after_, place_.content()), "") << "after the same command again";
+}
+
+void FileFaults::expect_each_fault_harmless(const Command& command, const std::string& start) {
+    before_ = place_.content();
+    ASSERT_EQ(place_.run(command.words, watching("HITOS_FAULT_FILE=0:0")).status, 0);
+    after_ = place_.content();
+    std::vector<Operation> operations;
+    for (const std::string& line : place_.take_report()) {
+        const std::optional<Operation> operation = operation_in(line);
+        if (operation && (operation->word == "space" || operation->word == "other")) {
+            operations.push_back(*operation);
+        }
+    }
+    ASSERT_GT(operations.size(), 10U);
+    ASSERT_EQ(place_.run(command.words).status, 0);
+    ASSERT_EQ(difference(after_, place_.content()), "") << "it does not give the same twice";
+    const std::vector<Fault> faults = faults_of(operations);
+    for (const Fault& fault : faults) {
+        place_.restore(start);
+        expect_harmless(command, fault);
+        if (HasFatalFailure()) return;
+    }
+    std::cout << fmt::format("{}: {} file operations, {} faults\n", command.name, operations.size(),
+                             faults.size());
+}
+
+TEST_P(FileFaults, LeaveTheOldResultsOrTheNewOnes) {
+    const Command command = command_named(GetParam(), place_);
+    const Outcome first = place_.run(command.before);
+    ASSERT_EQ(first.status, 0) << first.output;
+    place_.keep("before");
+    expect_each_fault_harmless(command, "before");
+}
+
+TEST_P(FileFaults, LeaveNothingOrAllWhereNothingWas) {
+    place_.keep("empty");
+    expect_each_fault_harmless(command_named(GetParam(), place_), "empty");
+}
+
+/// Where there is a folder of others among the results, the files change places one by one.
+class FaultsOneByOne : public FileFaults {};
+
+TEST_P(FaultsOneByOne, AreTakenBack) {
+    const Command command = command_named(GetParam(), place_);
+    ASSERT_EQ(place_.run(command.before).status, 0);
+    fs::create_directory(place_.path("out/others"));
+    place_.keep("before");
+    expect_each_fault_harmless(command, "before");
+}
+
+INSTANTIATE_TEST_SUITE_P(, FaultsOneByOne, ::testing::Values("run"),
+                         [](const auto& command) { return command.param; });
+
+INSTANTIATE_TEST_SUITE_P(, FileFaults, ::testing::Values("run", "convert", "simulate", "study"),
+                         [](const auto& command) { return command.param; });
+
+}  // namespace
+}  // namespace hitos::test

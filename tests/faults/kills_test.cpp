@@ -1,0 +1,117 @@
+// Commands that are killed at a random moment of their work: what is there then is whole, and the
+// same command again gives what it would have given. HITOS_KILLS=200 kills so often, in equal parts
+// over the commands; without it the gate kills each a few times.
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <iostream>
+#include <random>
+#include <string_view>
+#include <thread>
+
+#include "commands.hpp"
+
+namespace hitos::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+constexpr int kCommands = 5;
+
+/// What commands put in place as a whole.
+constexpr std::array<std::string_view, 6> kParts{"out/",     "made.log", "made.tum",
+                                                 "made.map", "made.png", "tour.txt.gz"};
+
+int kills_of_each() {
+    const char* wish = std::getenv("HITOS_KILLS");  // NOLINT(concurrency-mt-unsafe)
+    constexpr int kInTheGate = 30;
+    return (wish != nullptr ? std::atoi(wish) : kInTheGate) / kCommands;
+}
+
+class Kills : public ::testing::TestWithParam<std::string> {
+  protected:
+    void expect_whole(const Command& command, const Content& found) const;
+
+    Workplace place_;
+    Content before_;
+    Content after_;
+};
+
+/// What is in its place is of before or of after, file by file, and a folder of results all of one
+/// time.
+void Kills::expect_whole(const Command& command, const Content& found) const {
+    if (command.resumes) {
+        for (const auto& [name, bytes] : found) {
+            const auto old = before_.find(name);
+            const auto fresh = after_.find(name);
+            const bool known = (old != before_.end() && old->second == bytes) ||
+                               (fresh != after_.end() && fresh->second == bytes);
+            // Tables and pages show what there was when they were made; that they are whole texts
+            // is seen by the command that goes on.
+            EXPECT_TRUE(known || bytes.ends_with('\n')) << name << " is half a file";
+        }
+        return;
+    }
+    for (const std::string_view part : kParts) {
+        const auto of = [part](const Content& content) {
+            Content some = content;
+            std::erase_if(some, [part](const auto& one) { return !one.first.starts_with(part); });
+            return some;
+        };
+        EXPECT_TRUE(of(found) == of(before_) || of(found) == of(after_))
+            << part << " is neither as before nor as after:\n"
+            << difference(of(before_), of(found));
+    }
+}
+
+TEST_P(Kills, LeaveWholeResultsAndTheSameCommandGivesTheRest) {
+    const Command command = command_named(GetParam(), place_);
+    ASSERT_EQ(place_.run(command.before).status, 0);
+    place_.keep("before");
+    before_ = place_.content();
+    // How long it takes here and now: the moments are parts of that.
+    const auto start = Clock::now();
+    ASSERT_EQ(place_.run(command.words).status, 0);
+    Seconds duration = Clock::now() - start;
+    after_ = place_.content();
+
+    std::mt19937 random(2013);
+    std::uniform_real_distribution<double> any(0.0, 1.0);
+    const int kills = kills_of_each();
+    int at_work = 0;
+    for (int kill = 0; kill < kills; ++kill) {
+        SCOPED_TRACE(fmt::format("kill {} of {}", kill + 1, command.name));
+        place_.restore("before");
+        const auto begin = Clock::now();
+        const auto process = place_.start(command.words);
+        std::this_thread::sleep_for(any(random) * duration);
+        process->kill();
+        const Outcome outcome = process->ended();
+        if (outcome.status == 0) {
+            duration = Clock::now() - begin;  // the machine has become faster
+        } else {
+            ++at_work;
+        }
+        expect_whole(command, finished_files(place_.content()));
+        const Outcome again = place_.run(command.words);
+        ASSERT_EQ(again.status, 0) << again.output;
+        EXPECT_EQ(difference(after_, place_.content()), "") << "after the same command again";
+        if (command.name == "run" || command.name == "study") {
+            const std::string folder = place_.path(command.name == "run" ? "out" : "study");
+            const Outcome verdict = place_.run({"verify", folder});
+            EXPECT_EQ(verdict.status, 0) << verdict.output;
+        }
+        if (HasFailure()) return;
+    }
+    std::cout << fmt::format("{}: {} kills, {} of them at work, over {:.2f} s\n", command.name,
+                             kills, at_work, duration.count());
+}
+
+INSTANTIATE_TEST_SUITE_P(, Kills,
+                         ::testing::Values("run", "convert", "simulate", "study", "reproduce"),
+                         [](const auto& command) { return command.param; });
+
+}  // namespace
+}  // namespace hitos::test

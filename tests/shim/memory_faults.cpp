@@ -1,0 +1,82 @@
+// Memory that is refused: HITOS_FAULT_MEMORY=NUMBER:BYTES[:lasting], the allocation of that number
+// since main has begun, of those of so many bytes at least; with "lasting" those after it too.
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+
+#include "report.hpp"
+
+extern "C" {
+// The C library's own, by the names under which it keeps them.
+void* __libc_malloc(std::size_t bytes);
+void* __libc_calloc(std::size_t count, std::size_t bytes);
+void* __libc_realloc(void* old, std::size_t bytes);
+void* __libc_memalign(std::size_t alignment, std::size_t bytes);
+}
+
+namespace hitos::faults {
+namespace {
+
+Order order;
+std::atomic<long> allocations = 0;
+
+[[gnu::constructor]] void take_order() {
+    order = order_from("HITOS_FAULT_MEMORY");
+}
+
+[[gnu::destructor]] void tell_count() {
+    if (order.given && order.number == 0) report("memory", allocations, "allocations", "");
+}
+
+/// Counts the allocation; whether it is refused.
+bool refused(std::size_t bytes) {
+    if (!order.given || !in_main() || bytes < static_cast<std::size_t>(order.detail)) return false;
+    const long number = ++allocations;
+    if (order.number == 0 || number < order.number) return false;
+    if (number > order.number && !order.lasting) return false;
+    if (number == order.number) {
+        std::array<char, 32> size{};
+        const int length = std::snprintf(size.data(), size.size(), "%zu", bytes);
+        report("hit", number, "allocation", {size.data(), static_cast<std::size_t>(length)});
+    }
+    errno = ENOMEM;
+    return true;
+}
+
+}  // namespace
+}  // namespace hitos::faults
+
+using hitos::faults::refused;
+
+extern "C" {
+
+void* malloc(std::size_t bytes) noexcept {
+    return refused(bytes) ? nullptr : __libc_malloc(bytes);
+}
+
+void* calloc(std::size_t count, std::size_t bytes) noexcept {
+    return refused(count * bytes) ? nullptr : __libc_calloc(count, bytes);
+}
+
+void* realloc(void* old, std::size_t bytes) noexcept {
+    return refused(bytes) ? nullptr : __libc_realloc(old, bytes);
+}
+
+void* memalign(std::size_t alignment, std::size_t bytes) noexcept {
+    return refused(bytes) ? nullptr : __libc_memalign(alignment, bytes);
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t bytes) noexcept {
+    return memalign(alignment, bytes);
+}
+
+int posix_memalign(void** out, std::size_t alignment, std::size_t bytes) noexcept {
+    void* const block = memalign(alignment, bytes);
+    if (block == nullptr) return ENOMEM;
+    *out = block;
+    return 0;
+}
+}
