@@ -65,6 +65,10 @@ fs::path hidden_beside(const fs::path& folder, const char* word) {
     if (real.has_filename() && ::access(parent.c_str(), W_OK) == 0 && !is_mount_point(real)) {
         return parent / ("." + real.filename().string() + ending);
     }
+    // A file cannot have it in itself.
+    if (!fs::is_directory(real, error)) {
+        return parent / ("." + real.filename().string() + ending);
+    }
     return real / ending;
 }
 
@@ -87,6 +91,7 @@ bool FolderLock::take(const fs::path& folder, short kind) {
                                    "you may write to"),
                         file_.string(), system_message(errno)));
         }
+        ::fchmod(descriptor_, 0666);  // whoever may write here may take it over
         const bool held = hold(kind);
         // Its holder before may have removed it between the two.
         if (held && !same_file(descriptor_, file_)) {
@@ -129,10 +134,14 @@ FolderLock::FolderLock(const fs::path& folder, Shared) : file_(hidden_beside(fol
     constexpr int kTries = 400;
     constexpr std::chrono::milliseconds kPause(50);
     alone_ = take(folder, F_WRLCK);
-    // Who came first has it alone for a moment.
-    for (int i = 0; !alone_ && (::close(descriptor_), !take(folder, F_RDLCK)); ++i) {
+    // Who came first has it alone for a moment, or is at the end of its work.
+    for (int i = 0; !alone_; ++i) {
+        ::close(descriptor_);
+        if (take(folder, F_RDLCK)) break;
         if (i == kTries) refuse(folder);
         std::this_thread::sleep_for(kPause);
+        ::close(descriptor_);
+        alone_ = take(folder, F_WRLCK);
     }
     sign();
 }

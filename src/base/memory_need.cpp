@@ -9,8 +9,8 @@ namespace hitos {
 
 MemoryShortage::MemoryShortage(std::size_t bytes)
     : bytes_(bytes),
-      words_(fmt::format("{} MB of memory are needed and this machine has {} MB",
-                         bytes / 1'000'000, machine_memory() / 1'000'000)) {}
+      words_(fmt::format("{} MB of memory are needed and this machine has {} MB", bytes / 1'000'000,
+                         machine_memory() / 1'000'000)) {}
 
 std::size_t machine_memory() {
     struct sysinfo info {};

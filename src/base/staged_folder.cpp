@@ -119,6 +119,13 @@ StagedFolder::StagedFolder(fs::path folder, Owned owned, std::string seal)
       staging_(hidden_beside(target_, "new")) {
     clear();  // whoever left it is no more: the lock was free
     std::error_code error;
+    if (is_there(staging_)) {
+        throw FileError(target_.string(),
+                        message(HITOS_TEXT("Errors",
+                                           "cannot be written: %1, which a process has left, "
+                                           "cannot be removed; remove it by hand"),
+                                staging_.string()));
+    }
     if (::access(target_.c_str(), W_OK) != 0) error = {errno, std::generic_category()};
     if (error || !fs::create_directory(staging_, error)) {
         throw FileError(target_.string(),

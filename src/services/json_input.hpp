@@ -24,6 +24,15 @@ Json parsed(const std::string& text, const std::string& file) {
     });
 }
 
+/// What is no UTF-8 becomes U+FFFD, as wherever JSON is written.
+inline std::string in_utf8(const std::string& text) {
+    using nlohmann::json;
+    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+}
+inline bool is_utf8(const std::string& text) {
+    return in_utf8(text) == text;
+}
+
 /// What `json` has under the name. Throws FormatError naming it and the file where that is no whole
 /// number from `least` (0 at the least) to `greatest`, and JSON's own exception where it is no
 /// number.

@@ -14,6 +14,7 @@
 
 #include "commands.hpp"
 #include "damage.hpp"
+#include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
@@ -108,6 +109,7 @@ void check_figures_file(const std::filesystem::path& file) {
         throw FileError(file, verbatim("cannot be written: there is no folder " + folder.string() +
                                        "; create it first"));
     }
+    if (!file.empty()) AtomicFile(file).write("");  // not committed, it leaves nothing behind
 }
 
 void run(const RunOptions& options) {
@@ -118,7 +120,6 @@ void run(const RunOptions& options) {
         configuration.source.format = checked_log_format(options.format, "--format");
     }
     check_particle(options.grid_of, configuration);
-    check_figures_file(options.figures);
     References references;
     if (!options.reference.empty()) references.map = read_map(options.reference);
     if (!options.reference_trajectory.empty()) {
@@ -126,6 +127,7 @@ void run(const RunOptions& options) {
     }
     if (!options.distances.empty()) references.distances = read_distances(options.distances);
     StagedFolder folder = results_folder(options.out);
+    check_figures_file(options.figures);  // which may be in that folder
 
     std::unique_ptr<TourReader> reader = open_tour(configuration);
     add_truth(references, reader->truth());
@@ -171,12 +173,19 @@ void run(const RunOptions& options) {
             .get();
     files.finish(summary.files.size());
     print_summary(summary, options.out);
-    if (!options.figures.empty()) {
-        write_figures(worker.figures_since(0),
-                      references.trajectory ? &*references.trajectory : nullptr, options.figures);
+    bool whole = summary.not_written.empty();
+    try {
+        if (!options.figures.empty()) {
+            write_figures(worker.figures_since(0),
+                          references.trajectory ? &*references.trajectory : nullptr,
+                          options.figures);
+        }
+    } catch (const Error& error) {
+        fmt::print("warning: not written: {}\n", error.what());
+        whole = false;
     }
     if (stopped) throw CLI::RuntimeError(StopByRequest::status());
-    if (options.strict && !summary.not_written.empty()) throw CLI::RuntimeError(kNotWhole);
+    if (options.strict && !whole) throw CLI::RuntimeError(kNotWhole);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,13 @@
 
 namespace hitos::cli {
 namespace {
+
+constexpr int kSomeMissing = 2;
+
+/// A study has a folder of its own, or lies beside its quality file, as BatchSLAM's.
+StudyLayout study_at(const std::string& place) {
+    return std::filesystem::is_regular_file(place) ? study_beside(place) : study_in_folder(place);
+}
 
 void tell(const std::vector<std::string>& files, const char* what) {
     for (const std::string& file : files) fmt::print("{}: {}\n", file, what);
@@ -49,21 +57,24 @@ void verify_study(const StudyLayout& layout) {
 }
 
 void verify(const std::string& folder) {
-    const StudyLayout layout = study_in_folder(folder);
+    const StudyLayout layout = study_at(folder);
     is_study(layout) ? verify_study(layout) : verify_run(folder);
 }
 
 void recover(const std::string& folder) {
-    const StudyLayout layout = study_in_folder(folder);
+    const StudyLayout layout = study_at(folder);
     if (!is_study(layout)) {
         throw FileError(folder, verbatim("is no folder of a study: it has no study.json; expected "
                                          "the --out of hitos-cli study"));
     }
     const StudyOutcome outcome = recover_study(layout);
-    fmt::print(
-        "tables made anew of {} of {} runs; the others stand in them as failed, and the "
-        "command of the study goes on with them\n",
-        outcome.reused, outcome.records.size());
+    for (const Message& problem : {outcome.plot_problem, outcome.picture_problem}) {
+        if (!problem.empty()) fmt::print(stderr, "not drawn: {}\n", problem.english());
+    }
+    fmt::print("tables made anew of {} of {} runs\n", outcome.reused, outcome.records.size());
+    if (outcome.failed == 0) return;
+    fmt::print("the others stand in them as failed; the command of the study goes on with them\n");
+    throw CLI::RuntimeError(kSomeMissing);
 }
 
 }  // namespace
@@ -73,7 +84,10 @@ void add_verify(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "verify", "Check a folder of a run or a study: files missing, changed or left over");
     command->footer("Ends with status 0 where all is as it was written, else with 1.");
-    command->add_option("folder", *folder, "Folder that run, study or Save all results has written")
+    command
+        ->add_option(
+            "folder", *folder,
+            "Folder that run, study or Save all results has written, or BatchSLAM's quality file")
         ->required();
     command->callback([folder] { verify(*folder); });
 }
@@ -82,7 +96,8 @@ void add_recover(CLI::App& program) {
     auto folder = std::make_shared<std::string>();
     CLI::App* command = program.add_subcommand(
         "recover", "Make the tables and plots of a study anew of the runs that are there");
-    command->add_option("folder", *folder, "Folder of the study")->required();
+    command->add_option("folder", *folder, "Folder of the study, or BatchSLAM's quality file")
+        ->required();
     command->callback([folder] { recover(*folder); });
 }
 

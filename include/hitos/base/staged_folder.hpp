@@ -14,7 +14,7 @@ std::filesystem::path made_output_folder(std::filesystem::path folder);
 
 /// A folder's new content, written beside it. Until commit() the folder is what it was; after it,
 /// it has the new files and none that an earlier content left, beside everything of other people's.
-/// Destroyed without commit it leaves nothing behind, no folder either that it has made; what a killed process left is cleared by the
+/// Destroyed without commit it leaves nothing behind, nor the folder if it has made it; what a killed process left is cleared by the
 /// next one. It holds the folder's lock for as long as it lives.
 class StagedFolder {
   public:

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 #include <system_error>
+#include <utility>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
@@ -192,9 +196,50 @@ void prepare_output_folder(const std::filesystem::path& folder) {
     AtomicFile(folder / ".hitos-probe").write("");
 }
 
+namespace {
+
+/// The files of the run whose results are in the folder: those that its summary names, or (of a
+/// version that named none) all that a run may write. Without a summary none: whatever their names,
+/// they are somebody's.
+class FormerFiles {
+  public:
+    explicit FormerFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    bool operator()(const std::string& name) {
+        if (name == kSummaryFile) return true;
+        if (!known_) read();
+        return by_name_ ? is_run_output(name) : known_->contains(name);
+    }
+
+  private:
+    void read() {
+        known_.emplace();
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(folder_ / kSummaryFile, ignored)) return;
+        try {
+            const auto files = with_summary(folder_, [this](const nlohmann::json& json) {
+                return files_named(json, folder_ / kSummaryFile);
+            });
+            for (const WrittenFile& file : files) known_->insert(file.name);
+            by_name_ = files.empty();
+        } catch (const Error&) {
+            by_name_ = true;
+        }
+    }
+
+    std::filesystem::path folder_;
+    std::optional<std::set<std::string>> known_;
+    bool by_name_ = false;
+};
+
+}  // namespace
+
 StagedFolder results_folder(const std::filesystem::path& folder) {
+    // Asked first before anything changes places, and then not read again.
     return {folder,
-            [](const std::string& name) { return name == kSummaryFile || is_run_output(name); },
+            [former = std::make_shared<FormerFiles>(folder)](const std::string& name) {
+                return (*former)(name);
+            },
             kSummaryFile};
 }
 

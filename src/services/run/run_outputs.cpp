@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -14,18 +13,12 @@
 #include "hitos/services/maps/picture_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
 #include "hitos/services/run/grid_builder.hpp"
+#include "json_input.hpp"
 
 namespace hitos {
 namespace {
 
 using Folder = std::filesystem::path;
-
-/// A log's name may be of any bytes, the text of a configuration may not: what is no UTF-8 becomes
-/// U+FFFD, as in the summary.
-std::string in_utf8(const std::string& text) {
-    using nlohmann::json;
-    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
-}
 
 const std::string kParticleGrid = "grid_particle_";
 
@@ -205,6 +198,7 @@ std::vector<RunOutput> make_outputs() {
         essential("config.cfg",
                   [](const Run& r, const Folder& file) {
                       Configuracion configuration = r.run.configuration();
+                      // A log's name may be of any bytes, the text of a configuration may not.
                       configuration.source.file = in_utf8(configuration.source.file);
                       ArchivoConfiguracion::write(configuration, file);
                   }),

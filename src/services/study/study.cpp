@@ -17,8 +17,10 @@
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/open_source.hpp"
+#include "json_input.hpp"
 #include "study_files.hpp"
 #include "study_folder.hpp"
+#include "study_inputs.hpp"
 #include "study_run.hpp"
 
 namespace hitos {
@@ -53,9 +55,11 @@ void try_source(const Study& study, const StudyPlan& plan) {
 class Crew {
   public:
     Crew(std::span<const Study> studies, std::span<const StudyFolder> folders,
-         std::span<StudyOutcome> outcomes, std::vector<Task> tasks, const StudyOptions& options)
+         std::span<const study::StudyInputs> inputs, std::span<StudyOutcome> outcomes,
+         std::vector<Task> tasks, const StudyOptions& options)
         : studies_(studies),
           folders_(folders),
+          inputs_(inputs),
           outcomes_(outcomes),
           tasks_(std::move(tasks)),
           observer_(options.observer),
@@ -105,15 +109,20 @@ class Crew {
             if (!computed) return;
             record = *std::move(computed);
         } catch (const Error& error) {
-            record.problem = error.message();
+            record.problem = error.message().replaced(folders_[s].work().folder.string(),
+                                                      studies_[s].layout.folder.string());
         } catch (const std::bad_alloc&) {
             record.problem = out_of_memory();
         } catch (const std::exception& error) {
             record.problem = message(HITOS_TEXT("Errors", "internal error: %1"), error.what());
         }
+        if (!is_utf8(record.problem.english())) {
+            record.problem = verbatim(in_utf8(record.problem.english()));
+        }
         record.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         record.cpu_seconds = thread_seconds() - cpu_start;
+        inputs_[s].check();
         try {
             study::write_record(folders_[s].work(), plan, run, record);
         } catch (const Error& error) {
@@ -169,6 +178,7 @@ class Crew {
 
     std::span<const Study> studies_;
     std::span<const StudyFolder> folders_;
+    std::span<const study::StudyInputs> inputs_;
     std::span<StudyOutcome> outcomes_;
     std::vector<Task> tasks_;
     StudyObserver observer_;
@@ -197,15 +207,15 @@ Message missing_runs(const StudyPlan& plan, const std::vector<std::size_t>& miss
 }
 
 /// Copies what the shard has finished of the plan's runs.
-void gather(const StudyLayout& layout, const StudyLayout& shard, const StudyPlan& plan) {
-    for (std::size_t run = 0; run < plan.runs(); ++run) {
-        const auto record = study::read_record(shard, plan, run);
+void gather(StudyFolder& folder, const StudyLayout& shard) {
+    for (std::size_t run = 0; run < folder.plan().runs(); ++run) {
+        const auto record = study::read_record(shard, folder.plan(), run);
         if (!record) continue;
         // A failure does not replace another shard's success.
-        const auto known = study::read_record(layout, plan, run);
-        if (!known || (!known->ok && record->ok)) {
-            study::copy_run(shard, layout, plan, run, *record);
-        }
+        const auto known = study::read_record(folder.work(), folder.plan(), run);
+        if (known && (known->ok || !record->ok)) continue;
+        folder.reopen();
+        study::copy_run(shard, folder.work(), folder.plan(), run, *record);
     }
 }
 
@@ -216,6 +226,9 @@ StudyFolder::Keep keep_of(const StudyOptions& options) {
 }
 
 void publish(StudyFolder& folder, StudyOutcome& outcome) {
+    // A study without a single result does not take another one's place.
+    const bool nothing = std::ranges::none_of(outcome.records, &StudyRecord::ok);
+    if (folder.is_beside() && nothing) return;
     const StudyFolder::Problems problems = folder.publish(outcome.records, true);
     outcome.plot_problem = problems.plots;
     outcome.picture_problem = problems.pictures;
@@ -251,8 +264,12 @@ void check_whole(std::span<const StudyOutcome> outcomes) {
 
 std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const StudyOptions& options) {
     std::vector<StudyOutcome> outcomes;
+    std::vector<study::StudyInputs> inputs;
     for (const Study& study : studies) {
+        study::StudyInputs files(study);
         outcomes.emplace_back().plan = plan_study(study);
+        files.check();  // what the digest is of
+        inputs.push_back(std::move(files));
         try_source(study, outcomes.back().plan);
     }
     std::vector<StudyFolder> folders;
@@ -278,9 +295,10 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
                 tasks.push_back({s, run});
             }
         }
+        if (!tasks.empty() && tasks.back().study == s) folders[s].reopen();
     }
     const std::size_t to_do = tasks.size();
-    Crew(studies, folders, outcomes, std::move(tasks), options).work(options.threads);
+    Crew(studies, folders, inputs, outcomes, std::move(tasks), options).work(options.threads);
     std::size_t done = 0;
     for (const StudyOutcome& outcome : outcomes) done += outcome.computed;
     if (done < to_do) {
@@ -309,7 +327,7 @@ StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout>
     folder.begin();
     StudyOutcome outcome;
     outcome.plan = folder.plan();
-    for (const StudyLayout& shard : shards) gather(folder.work(), shard, outcome.plan);
+    for (const StudyLayout& shard : shards) gather(folder, shard);
     std::vector<std::size_t> missing;
     for (std::size_t run = 0; run < outcome.plan.runs(); ++run) {
         auto record = folder.done(run);

@@ -47,6 +47,15 @@ bool holds(const StudyLayout& layout, const StudyPlan& plan) {
     return there && same(*there, plan);
 }
 
+/// Likewise, but a file that cannot be read is none of another study.
+bool is_same_plan(const StudyLayout& layout, const StudyPlan& plan) {
+    try {
+        return same(read_plan(layout), plan);
+    } catch (const FormatError&) {
+        return false;
+    }
+}
+
 bool is_there(const fs::path& path) {
     std::error_code ignored;
     return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
@@ -88,19 +97,29 @@ void list_runs(const StudyLayout& layout, const StudyPlan& plan, std::set<std::s
 /// What a former study has left in the folder, by its list, its plan and the names of tables.
 std::set<std::string> former_files(const StudyLayout& layout, bool with_runs) {
     std::set<std::string> names;
+    if (!is_there(plan_file(layout))) return names;  // whatever their names, they are somebody's
     try {
         for (const WrittenFile& file : read_plan_state(layout).files) {
             if (with_runs || !is_of_run(layout, file.name)) names.insert(file.name);
         }
+        if (!names.empty()) names.insert(layout.prefix + "timing.csv");
         if (with_runs) list_runs(layout, read_plan(layout), names);
-    } catch (const Error&) {
-        // One that cannot be read names nothing.
+        return names;
+    } catch (const FormatError&) {
+        names.clear();  // of an older version, or damaged: by the names of tables
     }
     for (const fs::directory_entry& entry : folder_entries(layout.folder)) {
         const std::string name = entry.path().filename().string();
         if (is_table(layout, name) && !entry.is_directory()) names.insert(name);
     }
     return names;
+}
+
+FormatError lost(const StudyLayout& layout, const WrittenFile& file) {
+    return {(layout.folder / file.name).string(), 0,
+            message(HITOS_TEXT("Errors",
+                               "was changed or lost while the study was put in place; start the "
+                               "same command again"))};
 }
 
 /// A folder of somebody's does not make way.
@@ -145,6 +164,9 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
     }
     exchange.flush();
     for (const WrittenFile& file : files) {
+        if (file.name != seal && !is_unchanged(file, target.folder)) throw lost(target, file);
+    }
+    for (const WrittenFile& file : files) {
         if (file.name == seal) put(file);
     }
     exchange.flush();
@@ -156,10 +178,15 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
 
 /// Finishes what an interrupted publish() began. Only where nobody else is at work.
 void settle(const StudyLayout& target) {
-    for (const StudyLayout& staging : {staging_of(target), next_study(target)}) {
-        if (is_there(staging.folder / kJournal)) install(staging, target);
-    }
     std::error_code ignored;
+    for (const StudyLayout& staging : {staging_of(target), next_study(target)}) {
+        try {
+            if (is_there(staging.folder / kJournal)) install(staging, target);
+        } catch (const FormatError&) {
+            // What it lists is not there as it was: then it is as if it had not begun.
+            fs::remove(staging.folder / kJournal, ignored);
+        }
+    }
     fs::remove_all(staging_of(target).folder, ignored);
 }
 
@@ -168,6 +195,19 @@ std::unique_ptr<FolderLock> lock_of(const StudyLayout& target, StudyFolder::Keep
     if (keep == StudyFolder::Keep::not_kept) return nullptr;
     if (keep == StudyFolder::Keep::alone) return std::make_unique<FolderLock>(plan_file(target));
     return std::make_unique<FolderLock>(plan_file(target), FolderLock::Shared{});
+}
+
+/// Whether somebody began to work on `a` after the last one on `b`.
+bool is_newer(const StudyLayout& a, const StudyLayout& b) {
+    std::error_code ignored;
+    return fs::last_write_time(plan_file(a), ignored) > fs::last_write_time(plan_file(b), ignored);
+}
+
+/// No folder is made for a study that is not there.
+void check_there(const StudyLayout& target) {
+    if (!is_there(plan_file(target)) && !is_there(plan_file(next_study(target)))) {
+        read_plan(target);  // throws
+    }
 }
 
 StudyLayout work_place(const StudyLayout& target, const StudyPlan& plan) {
@@ -250,30 +290,43 @@ StudyFolder::StudyFolder(StudyLayout target, StudyPlan plan, Keep keep)
 }
 
 StudyFolder StudyFolder::of_last(const StudyLayout& target) {
+    check_there(target);
     auto lock = lock_of(target, Keep::alone);
     settle(target);
     const StudyLayout next = next_study(target);
-    const StudyLayout work = plan_in(next) ? next : target;
+    const bool beside = plan_in(next) && (!plan_in(target) || is_newer(next, target));
+    const StudyLayout work = beside ? next : target;
     return {target, read_plan(work), work, std::move(lock)};
 }
 
 StudyFolder StudyFolder::in_place(const StudyLayout& target) {
+    check_there(target);
     auto lock = lock_of(target, Keep::alone);
     settle(target);
     return {target, read_plan(target), target, std::move(lock)};
 }
 
 void StudyFolder::begin() {
-    if (is_beside() && !holds(work_, plan_)) {
-        std::error_code ignored;
-        fs::remove_all(work_.folder, ignored);  // of a third study, which was never finished
+    std::error_code ignored;
+    const bool known = is_there(plan_file(work_)) && is_same_plan(work_, plan_);
+    if (is_beside() && !known) fs::remove_all(work_.folder, ignored);  // of a third study
+    try {
+        made_output_folder(work_.folder);
+        made_output_folder(work_.file("maps"));
+        made_output_folder(work_.file("runs"));
+        // Destroyed without commit, the probe leaves nothing behind.
+        AtomicFile(target_.quality_file()).write("");
+        if (!known) write_plan(work_, plan_);
+    } catch (const FileError& error) {
+        throw error.replaced(work_.folder.string(), target_.folder.string());
     }
-    made_output_folder(work_.folder);
-    made_output_folder(work_.file("maps"));
-    made_output_folder(work_.file("runs"));
-    // Destroyed without commit, the probe leaves nothing behind.
-    AtomicFile(target_.quality_file()).write("");
-    write_plan(work_, plan_);
+    fs::last_write_time(plan_file(work_), fs::file_time_type::clock::now(), ignored);
+}
+
+void StudyFolder::reopen() {
+    PlanState state = read_plan_state(work_);
+    if (!std::exchange(state.finished, false)) return;
+    write_plan(work_, plan_, state);
 }
 
 void StudyFolder::share() {
@@ -305,11 +358,11 @@ std::vector<WrittenFile> StudyFolder::written(const StudyLayout& staging) const 
 
 StudyFolder::Problems StudyFolder::publish(std::span<const StudyRecord> records, bool finished) {
     for (const char* folder : {"maps", "runs"}) remove_leftovers(work_.file(folder));
-    remove_leftovers(target_.folder);
     const StudyLayout staging = is_beside() ? work_ : staging_of(target_);
     try {
         made_output_folder(staging.folder);
         remove_tables(staging);  // of an attempt that failed
+        remove_leftovers(staging.folder);
         Problems problems;
         write_tables(staging, plan_, records);
         problems.plots =

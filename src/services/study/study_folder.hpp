@@ -45,8 +45,8 @@ class StudyFolder {
     /// at work who may not be there: any others of a whole study, those on another plan of a shard.
     StudyFolder(StudyLayout target, StudyPlan plan, Keep keep);
 
-    /// The study that is there, to be put in order: of the plan that was worked on last. Throws
-    /// FormatError where there is none.
+    /// The study that is there, to be put in order: the one that was worked on last. Throws
+    /// FileError or FormatError where there is none.
     static StudyFolder of_last(const StudyLayout& target);
     /// The study that is in place, whatever is under way beside it.
     static StudyFolder in_place(const StudyLayout& target);
@@ -57,8 +57,11 @@ class StudyFolder {
     /// Whether another study's results are still in place.
     bool is_beside() const { return work_.folder != target_.folder; }
 
-    /// Makes what runs need. Until publish() the plan file says that the study is not finished.
+    /// Makes what runs need.
     void begin();
+    /// To be called before a run is done anew: until publish() the plan file says that the study is
+    /// not finished.
+    void reopen();
     /// Lets other shards in.
     void share();
 

@@ -11,7 +11,9 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/services/study/study.hpp"
+#include "json_input.hpp"
 #include "study_files.hpp"
+#include "study_inputs.hpp"
 
 namespace hitos {
 namespace {
@@ -68,6 +70,12 @@ StudyPlan::Axis axis_of(const StudyParameter& parameter, const Configuracion& co
                         value.size(), parameter.keys.size()));
         }
         StudyValue texts = canonical(parameter.keys, value);
+        if (!std::ranges::all_of(texts, is_utf8)) {
+            throw ConfigError(
+                parameter.name,
+                message(HITOS_TEXT("Errors", "the value %1 is no UTF-8 text; rename the file"),
+                        in_utf8(fmt::format("{}", fmt::join(texts, ", ")))));
+        }
         if (std::find(axis.values.begin(), axis.values.end(), texts) != axis.values.end()) {
             throw ConfigError(parameter.name,
                               message(HITOS_TEXT("Errors", "the value %1 is given twice"),
@@ -124,18 +132,8 @@ std::string digest_of(const Study& study, const StudyPlan& plan) {
     digest.add(map_to_text(study.reference));
     if (study.reference_trajectory) digest.add(trajectory_to_text(*study.reference_trajectory));
     if (plan.grid) digest.add("grid");
-    std::vector<std::string> logs{study.configuration.source.file};
-    for (const StudyPlan::Axis& axis : plan.axes) {
-        const auto key = std::find(axis.keys.begin(), axis.keys.end(), "source.file");
-        if (key == axis.keys.end()) continue;
-        const auto component = static_cast<std::size_t>(key - axis.keys.begin());
-        logs.clear();
-        for (const StudyValue& value : axis.values) logs.push_back(value[component]);
-    }
-    for (const std::string& log : logs) {
-        const std::vector<fs::path> files =
-            study.inputs ? study.inputs(log) : std::vector<fs::path>{log};
-        for (const fs::path& file : files) {
+    for (const std::vector<fs::path>& log : study::input_files(study)) {
+        for (const fs::path& file : log) {
             std::error_code ignored;
             const fs::file_type type = fs::status(file, ignored).type();
             // What cannot even be asked about is read or refused, never taken for nothing.

@@ -14,6 +14,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/staged_folder.hpp"
 #include "hitos/base/folder_lock.hpp"
 #include "hitos/simulation/reference_map.hpp"
 #include "hitos/simulation/simulated_tour_reader.hpp"
@@ -259,7 +260,7 @@ Reproduction run_figures(const ReproductionOptions& options) {
     how.observer = options.observer;
     how.stop = options.stop;
     how.locks = false;  // its hundreds of studies are kept as one
-    fs::create_directories(options.out);
+    made_output_folder(options.out);
     const FolderLock lock(options.out);
     std::vector<StudyOutcome> outcomes = run_studies(studies, how);
     check_whole(outcomes);

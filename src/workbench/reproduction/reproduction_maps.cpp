@@ -11,6 +11,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/staged_folder.hpp"
 #include "hitos/base/folder_lock.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/services/run/grid_builder.hpp"
@@ -228,7 +229,7 @@ MapReproduction reproduce_maps(const MapReproductionOptions& options) {
     how.observer = options.observer;
     how.stop = options.stop;
     how.locks = false;  // its hundreds of studies are kept as one
-    fs::create_directories(options.out);
+    made_output_folder(options.out);
     const FolderLock lock(options.out);
     std::vector<StudyOutcome> outcomes = run_studies(studies, how);
     check_whole(outcomes);

@@ -121,7 +121,11 @@ TEST_P(Corpus, IsReadOrRefusedWhateverIsDamagedInIt) {
 
     test::Mutator mutator(words_of(target));
     Feeder damaged(target);
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    constexpr int kRounds = 2000;  // as they take ten times as long; libFuzzer does the rest
+#else
     constexpr int kRounds = 20000;
+#endif
     constexpr int kSplicedEvery = 8;
     for (int round = 0; round < kRounds; ++round) {
         const std::string& input = mutator.one_of(corpus);

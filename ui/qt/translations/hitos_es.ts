@@ -1449,6 +1449,22 @@
         <source>%1 values and %2 runs of each are more than %3 runs; choose fewer values or runs</source>
         <translation>%1 valores y %2 ejecuciones de cada uno son más de %3 ejecuciones; elija menos valores o ejecuciones</translation>
     </message>
+    <message>
+        <source>cannot be written: %1, which a process has left, cannot be removed; remove it by hand</source>
+        <translation>no se puede escribir: no se puede eliminar %1, que dejó un proceso; elimínelo a mano</translation>
+    </message>
+    <message>
+        <source>was changed or lost while the study was put in place; start the same command again</source>
+        <translation>se cambió o se perdió mientras se colocaba el estudio; inicie otra vez la misma orden</translation>
+    </message>
+    <message>
+        <source>has changed while the study was at work; start it again when the file is complete</source>
+        <translation>ha cambiado mientras el estudio trabajaba; inícielo otra vez cuando el archivo esté completo</translation>
+    </message>
+    <message>
+        <source>the value %1 is no UTF-8 text; rename the file</source>
+        <translation>el valor %1 no es texto UTF-8; cambie el nombre del archivo</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
