@@ -49,4 +49,13 @@ std::vector<fs::directory_entry> folder_entries(const fs::path& folder) {
                                              system_message(error.value())));
 }
 
+void remove_leftovers(const fs::path& folder) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : folder_entries(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        const bool unfinished = name.ends_with(".tmp") || name.ends_with("-plots");
+        if (name.starts_with(".hitos-") && unfinished) fs::remove_all(entry.path(), ignored);
+    }
+}
+
 }  // namespace hitos

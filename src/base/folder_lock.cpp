@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <climits>
 #include <ctime>
 #include <exception>
 #include <string>
@@ -62,7 +63,9 @@ fs::path hidden_beside(const fs::path& folder, const char* word) {
     if (!real.has_filename()) real = real.parent_path();  // "results/"
     const std::string ending = std::string(".hitos-") + word;
     const fs::path parent = real.parent_path();
-    if (real.has_filename() && ::access(parent.c_str(), W_OK) == 0 && !is_mount_point(real)) {
+    const bool short_enough = real.filename().native().size() + ending.size() + 1 <= NAME_MAX;
+    if (real.has_filename() && short_enough && ::access(parent.c_str(), W_OK) == 0 &&
+        !is_mount_point(real)) {
         return parent / ("." + real.filename().string() + ending);
     }
     // A file cannot have it in itself.

@@ -154,7 +154,8 @@ void StagedFolder::clear() {
     std::error_code incomplete;
     for (const fs::directory_entry& entry : folder_entries(staging_, incomplete)) {
         const std::string name = entry.path().filename().string();
-        if (is_former(entry) || is_unfinished(name) || is_there(target_ / name)) continue;
+        const bool own = !entry.is_directory(ignored) && owned_.any(name);
+        if (own || is_unfinished(name) || is_there(target_ / name)) continue;
         fs::rename(entry.path(), target_ / name, ignored);
     }
     if (incomplete) return;  // somebody's file may be among what is not known
@@ -216,7 +217,7 @@ void StagedFolder::exchange_files() {
 
 bool StagedFolder::is_former(const fs::directory_entry& entry) const {
     std::error_code ignored;
-    return !entry.is_directory(ignored) && owned_(entry.path().filename().string());
+    return !entry.is_directory(ignored) && owned_.former(entry.path().filename().string());
 }
 
 void StagedFolder::commit() {

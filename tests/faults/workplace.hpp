@@ -71,6 +71,8 @@ bool is_temporary(const std::string& path);
 
 /// Without temporary files.
 Content finished_files(Content content);
+/// Without the runs of a study that wait for its end, beside another one's results.
+Content without_waiting(Content content);
 
 /// The names whose bytes differ, for people.
 std::string difference(const Content& a, const Content& b);

@@ -42,8 +42,10 @@ TEST_F(ResultsFolder, IsVerified) {
         EXPECT_NE(broken.output.find(line), std::string::npos) << broken.output;
     }
     EXPECT_GT(shell(cli_ + " verify " + path("nowhere")).status, 0);
-    // The next run makes it whole again.
+    // The next run makes it whole again, but for what it cannot know to be nobody's.
     ASSERT_EQ(shell(run(2)).status, 0);
+    EXPECT_EQ(shell(verify()).output, "distances.csv: left over: not of this run\n");
+    std::filesystem::remove(path("out/distances.csv"));
     EXPECT_EQ(shell(verify()).status, 0);
 }
 
@@ -124,6 +126,46 @@ TEST_F(ResultsFolder, ALogThatCannotBeReadLeavesNoFolder) {
     EXPECT_FALSE(std::filesystem::exists(path("out")));
 }
 
+TEST_F(ResultsFolder, WhatIsReadIsNotWritten) {
+    folder_.put("tour.log", content(log_));
+    const std::string log = path("tour.log");
+    const std::string before = content(log);
+    std::filesystem::create_directory(path("out"));
+    std::filesystem::create_symlink(log, path("link.log"));
+    for (const std::string& command :
+         {"run " + log + " --out " + path("out") + " --figures " + log,
+          "convert " + log + " --to carmen --out " + log,
+          "convert " + log + " --to carmen --out " + path("link.log"),
+          "convert " + path("link.log") + " --to carmen --out " + path("out/../tour.log")}) {
+        const Outcome refused = shell(cli_ + " " + command);
+        EXPECT_EQ(refused.status, 1) << command;
+        EXPECT_NE(refused.output.find("is read by this very command"), std::string::npos)
+            << refused.output;
+        EXPECT_TRUE(content(log) == before) << command;
+    }
+    const Outcome twice =
+        shell(cli_ + " simulate bigloop --out " + path("s") + " --truth " + path("s"));
+    EXPECT_NE(twice.output.find("is to be written twice"), std::string::npos) << twice.output;
+    const Outcome figures = shell(run(1) + " --figures " + path("out/map.txt"));
+    EXPECT_NE(figures.output.find("is the name of one of the results"), std::string::npos)
+        << figures.output;
+}
+
+TEST_F(ResultsFolder, ALogThatChangesMeanwhileGivesNoResults) {
+    ASSERT_EQ(shell(run(1)).status, 0);
+    folder_.put("tour.log.gz", content(log_));
+    // It is another file from when the run has begun, however late it ends.
+    const Outcome outcome = shell(
+        fmt::format("{0} run {1} --config {2} --set filter.particles=3000 --out {3} & sleep 0.5; "
+                    "cp {1} {1}.new; mv {1}.new {1}; wait $!; echo status $?",
+                    cli_, path("tour.log.gz"), config_, path("out")));
+    EXPECT_NE(outcome.output.find("status 1"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("has changed while it was being worked on"), std::string::npos)
+        << outcome.output;
+    EXPECT_EQ(seed_there(), 1);
+    EXPECT_EQ(shell(verify()).status, 0);
+}
+
 TEST_F(ResultsFolder, AShortageOfMemorySaysWhatToLower) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "sanitizers need more address space than may be limited";
@@ -145,10 +187,10 @@ class Streams : public test::ProgramTest {
     Outcome stopped_on_the_way(const std::string& command, const std::string& out,
                                const std::string& signal) const {
         Outcome stopped;
-        for (double delay = 0.2; delay < 1000.0; delay *= 1.5) {
+        for (int delay_ms = 200; delay_ms < 1'000'000; delay_ms += delay_ms / 2) {
             std::filesystem::remove_all(path(out));
-            stopped = shell(fmt::format("timeout --preserve-status -s {} {} {}{}", signal, delay,
-                                        command, path(out)));
+            stopped = shell(fmt::format("timeout --preserve-status -s {} {:.3f} {}{}", signal,
+                                        0.001 * delay_ms, command, path(out)));
             if (stopped.output.find("the same command goes on") != std::string::npos) break;
         }
         return stopped;

@@ -11,10 +11,12 @@
 
 extern "C" {
 // The C library's own, by the names under which it keeps them.
+// NOLINTBEGIN(readability-identifier-naming)
 void* __libc_malloc(std::size_t bytes);
 void* __libc_calloc(std::size_t count, std::size_t bytes);
 void* __libc_realloc(void* old, std::size_t bytes);
 void* __libc_memalign(std::size_t alignment, std::size_t bytes);
+// NOLINTEND(readability-identifier-naming)
 }
 
 namespace hitos::faults {

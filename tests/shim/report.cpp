@@ -79,6 +79,7 @@ std::string_view name_of(int descriptor, char* room, std::size_t size) {
 extern "C" {
 
 /// Stands before the C library's own, so that what counts begins with main.
+// NOLINTNEXTLINE(readability-identifier-naming)
 int __libc_start_main(int (*main)(int, char**, char**), int count, char** arguments, void (*init)(),
                       void (*fini)(), void (*rtld_fini)(), void* stack_end) {
     using Start = int (*)(int (*)(int, char**, char**), int, char**, void (*)(), void (*)(),

@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/input_files.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/results.hpp"
@@ -48,6 +50,10 @@ int batch(const BatchOptions& options) {
                                                   "; expected the path of the log to study"));
     }
     if (options.referencia != kNoReference) study.reference = read_map(options.referencia);
+    const std::filesystem::path quality = options.salida;
+    std::vector<std::filesystem::path> inputs{options.config, options.referencia};
+    inputs.emplace_back(study.configuration.source.file);
+    check_apart({&quality, 1}, inputs);
     study.layout = study_beside(options.salida);
     apply(options.runs, study);
     return conduct(study, options.runs, {});

@@ -2,11 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "commands.hpp"
+#include "damage.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/input_files.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/procesador.hpp"
@@ -30,6 +33,9 @@ struct ConvertOptions {
 void convert(const ConvertOptions& options) {
     const std::string target = checked_target_format(options.to, "--to");
     const std::string format = checked_log_format(options.format, "--format");
+    const std::filesystem::path out = options.out;
+    const std::filesystem::path log = options.log;
+    check_apart({&out, 1}, {&log, 1});
     const std::unique_ptr<TourReader> reader = make_noisy_reader(
         std::make_unique<Procesador>(open_log(options.log, format)), options.noise,
         parse_noise_kind(options.noise_kind, "--odometry-noise-kind"), options.seed);
@@ -44,8 +50,7 @@ void convert(const ConvertOptions& options) {
     writer->finish();
     line.finish(report.scans);
     fmt::print("{}: {} scans, {} odometry readings", options.out, report.scans, report.odometry);
-    if (report.skipped > 0) fmt::print(", {} damaged lines left out", report.skipped);
-    fmt::print("\n");
+    fmt::print("\n{}", damage_text(report));
 }
 
 }  // namespace

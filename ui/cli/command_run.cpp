@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "damage.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/input_files.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/results.hpp"
@@ -112,6 +114,31 @@ void check_figures_file(const std::filesystem::path& file) {
     if (!file.empty()) AtomicFile(file).write("");  // not committed, it leaves nothing behind
 }
 
+/// What is written is none of what is read, and the figures are none of the results.
+void check_outputs(const RunOptions& options, std::vector<std::filesystem::path> inputs) {
+    using Path = std::filesystem::path;
+    for (const std::string& file :
+         {options.reference, options.reference_trajectory, options.distances}) {
+        inputs.emplace_back(file);
+    }
+    const Path figures = options.figures;
+    check_apart({&figures, 1}, inputs);
+    std::error_code ignored;
+    for (const Path& file : inputs) {
+        if (!file.empty() && is_results_file(file.filename()) &&
+            std::filesystem::equivalent(file.parent_path().empty() ? "." : file.parent_path(),
+                                        options.out, ignored)) {
+            check_apart({&file, 1}, inputs);  // throws
+        }
+    }
+    if (is_results_file(figures.filename()) &&
+        std::filesystem::weakly_canonical(figures, ignored).parent_path() ==
+            std::filesystem::weakly_canonical(Path(options.out) / "x", ignored).parent_path()) {
+        throw FileError(options.figures, verbatim("is the name of one of the results; choose "
+                                                  "another one for the figures"));
+    }
+}
+
 void run(const RunOptions& options) {
     const std::string source = source_named(options.log);
     Configuracion configuration = load(options.configuration, source);
@@ -126,9 +153,12 @@ void run(const RunOptions& options) {
         references.trajectory = read_trajectory(options.reference_trajectory);
     }
     if (!options.distances.empty()) references.distances = read_distances(options.distances);
+    const std::vector<std::filesystem::path> tour = tour_files(source);
+    check_outputs(options, tour);
     StagedFolder folder = results_folder(options.out);
     check_figures_file(options.figures);  // which may be in that folder
 
+    const InputFiles inputs(tour);
     std::unique_ptr<TourReader> reader = open_tour(configuration);
     add_truth(references, reader->truth());
     AlgoritmoOptions run_options;
@@ -161,7 +191,8 @@ void run(const RunOptions& options) {
     line.finish(progress.steps, fmt::format("{} landmarks", progress.lines + progress.corners));
 
     ProgressLine files("files");
-    const WritingObserver told = [&files](const WritingProgress& now) {
+    const WritingObserver told = [&](const WritingProgress& now) {
+        inputs.check();  // it is read once more for the grids
         files.show(now.number - 1,
                    static_cast<double>(now.number - 1) / static_cast<double>(now.count), now.file);
     };

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,11 +10,13 @@
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/input_files.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/simulation/reference_map.hpp"
 #include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "hitos/workbench/tour_picture.hpp"
 #include "options.hpp"
@@ -64,6 +67,9 @@ void simulate(const SimulateOptions& options) {
     SimulatedTourReader reader(tour);
     // The log's place is tried first and the log put there last, so that an error in any other file
     // leaves no log behind that looks like a whole result.
+    const std::vector<std::filesystem::path> outputs{options.out, options.truth, options.reference,
+                                                     options.picture};
+    check_apart(outputs, tour_files(find_world(options.world)));
     const auto writer = options.out.empty() ? nullptr : make_log_writer(format, options.out);
     if (!options.picture.empty()) write_tour_picture(*tour, options.picture);
     if (!options.truth.empty()) write_trajectory(reader.truth()->path, options.truth);

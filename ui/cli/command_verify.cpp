@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "commands.hpp"
@@ -33,6 +34,7 @@ void verify_run(const std::string& folder) {
     tell(check.left_over, "left over: not of this run");
     if (!check.whole()) throw CLI::RuntimeError(1);
     fmt::print("whole: {} files as they were written\n", check.files);
+    if (!check.finished) fmt::print("of a run that was stopped before the end of its tour\n");
 }
 
 void verify_study(const StudyLayout& layout) {
@@ -58,7 +60,14 @@ void verify_study(const StudyLayout& layout) {
 
 void verify(const std::string& folder) {
     const StudyLayout layout = study_at(folder);
-    is_study(layout) ? verify_study(layout) : verify_run(folder);
+    const bool study = is_study(layout);
+    std::error_code ignored;
+    // Both may share a folder.
+    if (!study ||
+        std::filesystem::exists(std::filesystem::path(folder) / "summary.json", ignored)) {
+        verify_run(folder);
+    }
+    if (study) verify_study(layout);
 }
 
 void recover(const std::string& folder) {

@@ -28,6 +28,12 @@ constexpr int kSomeFailed = 2;
     throw Error(verbatim("no run succeeded"));
 }
 
+void tell_damage(const StudyOutcome& outcome) {
+    if (const StudyRecord* record = most_damaged(outcome.records)) {
+        fmt::print(stderr, "{}", damage_text(record->report));
+    }
+}
+
 }  // namespace
 
 void add_study_options(CLI::App& command, StudyRunOptions& options) {
@@ -90,6 +96,7 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
     if (outcome.computed + outcome.reused == outcome.failed && outcome.failed > 0) {
         all_failed(outcome);
     }
+    if (!shard.whole()) tell_damage(outcome);
     if (shard.whole()) return report(outcome, study.layout, options.csv);
     fmt::print(
         "shard {} of {}: {} runs done, {} found done, {} failed; put the shards together "
@@ -115,9 +122,7 @@ int report(const StudyOutcome& outcome, const StudyLayout& layout, bool csv) {
     }
     fmt::print(stderr, "quality of every run: {}; summary, maps and plots beside it\n",
                layout.quality_file().string());
-    if (const StudyRecord* record = most_damaged(outcome.records)) {
-        fmt::print(stderr, "{}", damage_text(record->report));
-    }
+    tell_damage(outcome);
     if (outcome.failed == 0) return 0;
     fmt::print(stderr, "{} of {} runs failed; the quality file says why\n", outcome.failed,
                outcome.records.size());

@@ -14,4 +14,8 @@ std::vector<std::filesystem::directory_entry> folder_entries(const std::filesyst
 /// All of it. Throws FileError.
 std::vector<std::filesystem::directory_entry> folder_entries(const std::filesystem::path& folder);
 
+/// Removes from the folder what killed processes have not finished, of AtomicFile and of gnuplot.
+/// Only where nobody can be at work.
+void remove_leftovers(const std::filesystem::path& folder);
+
 }  // namespace hitos

@@ -14,13 +14,17 @@ std::filesystem::path made_output_folder(std::filesystem::path folder);
 
 /// A folder's new content, written beside it. Until commit() the folder is what it was; after it,
 /// it has the new files and none that an earlier content left, beside everything of other people's.
-/// Destroyed without commit it leaves nothing behind, nor the folder if it has made it; what a killed process left is cleared by the
-/// next one. It holds the folder's lock for as long as it lives.
+/// Destroyed without commit it leaves nothing behind, nor the folder if it has made it; what a
+/// killed process left is cleared by the next one. It holds the folder's lock for as long as it
+/// lives.
 class StagedFolder {
   public:
-    /// Whether a file of that name in the folder is of such a content, so that a new one takes its
-    /// place or removes it.
-    using Owned = std::function<bool(const std::string& name)>;
+    /// Which files are of such a content. A new one takes the place of the former ones; whatever
+    /// has another's name is somebody's, and stays.
+    struct Owned {
+        std::function<bool(const std::string& name)> former;  ///< in the folder as it is
+        std::function<bool(const std::string& name)> any;     ///< of any such content, by name
+    };
 
     /// Makes the folder (and its parents). `seal`: the file that says that the others are whole.
     /// Throws FileError where the folder cannot be made or written to, or is held by another

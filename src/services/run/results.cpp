@@ -234,12 +234,17 @@ class FormerFiles {
 
 }  // namespace
 
+bool is_results_file(const std::string& name) {
+    return name == kSummaryFile || is_run_output(name);
+}
+
 StagedFolder results_folder(const std::filesystem::path& folder) {
     // Asked first before anything changes places, and then not read again.
     return {folder,
-            [former = std::make_shared<FormerFiles>(folder)](const std::string& name) {
-                return (*former)(name);
-            },
+            {[former = std::make_shared<FormerFiles>(folder)](const std::string& name) {
+                 return (*former)(name);
+             },
+             is_results_file},
             kSummaryFile};
 }
 

@@ -27,6 +27,8 @@ ResultsCheck check_results(const fs::path& folder) {
     }
     ResultsCheck check;
     check.files = files.size();
+    check.finished = with_summary(
+        folder, [](const nlohmann::json& json) { return json.value("finished", true); });
     for (const WrittenFile& file : files) {
         std::error_code ignored;
         if (!fs::is_regular_file(folder / file.name, ignored)) {

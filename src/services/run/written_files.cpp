@@ -21,7 +21,8 @@ bool is_inner(const fs::path& name) {
 }
 
 void add_files(const fs::path& folder, const fs::path& inner, std::vector<WrittenFile>& files) {
-    for (const fs::directory_entry& entry : folder_entries(folder / inner)) {
+    for (const fs::directory_entry& entry :
+         folder_entries(inner.empty() ? folder : folder / inner)) {
         const fs::path name = inner / entry.path().filename();
         if (entry.path().filename().string().starts_with(".hitos-")) continue;  // not finished
         if (entry.is_directory()) {

@@ -14,6 +14,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/input_files.hpp"
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/open_source.hpp"
@@ -55,7 +56,7 @@ void try_source(const Study& study, const StudyPlan& plan) {
 class Crew {
   public:
     Crew(std::span<const Study> studies, std::span<const StudyFolder> folders,
-         std::span<const study::StudyInputs> inputs, std::span<StudyOutcome> outcomes,
+         std::span<const InputFiles> inputs, std::span<StudyOutcome> outcomes,
          std::vector<Task> tasks, const StudyOptions& options)
         : studies_(studies),
           folders_(folders),
@@ -178,7 +179,7 @@ class Crew {
 
     std::span<const Study> studies_;
     std::span<const StudyFolder> folders_;
-    std::span<const study::StudyInputs> inputs_;
+    std::span<const InputFiles> inputs_;
     std::span<StudyOutcome> outcomes_;
     std::vector<Task> tasks_;
     StudyObserver observer_;
@@ -228,7 +229,10 @@ StudyFolder::Keep keep_of(const StudyOptions& options) {
 void publish(StudyFolder& folder, StudyOutcome& outcome) {
     // A study without a single result does not take another one's place.
     const bool nothing = std::ranges::none_of(outcome.records, &StudyRecord::ok);
-    if (folder.is_beside() && nothing) return;
+    if (folder.is_beside() && nothing) {
+        folder.discard();
+        return;
+    }
     const StudyFolder::Problems problems = folder.publish(outcome.records, true);
     outcome.plot_problem = problems.plots;
     outcome.picture_problem = problems.pictures;
@@ -264,9 +268,9 @@ void check_whole(std::span<const StudyOutcome> outcomes) {
 
 std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const StudyOptions& options) {
     std::vector<StudyOutcome> outcomes;
-    std::vector<study::StudyInputs> inputs;
+    std::vector<InputFiles> inputs;
     for (const Study& study : studies) {
-        study::StudyInputs files(study);
+        InputFiles files(study::all_input_files(study));
         outcomes.emplace_back().plan = plan_study(study);
         files.check();  // what the digest is of
         inputs.push_back(std::move(files));

@@ -61,18 +61,6 @@ bool is_there(const fs::path& path) {
     return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
 }
 
-/// Of AtomicFile and gnuplot. Whoever holds the study alone knows that no writer of one is left.
-bool is_leftover(std::string_view name) {
-    return name.starts_with(".hitos-") && (name.ends_with(".tmp") || name.ends_with("-plots"));
-}
-
-void remove_leftovers(const fs::path& folder) {
-    std::error_code ignored;
-    for (const fs::directory_entry& entry : folder_entries(folder, ignored)) {
-        if (is_leftover(entry.path().filename().string())) fs::remove_all(entry.path(), ignored);
-    }
-}
-
 std::string relative(const fs::path& file, const StudyLayout& layout) {
     return file.lexically_relative(layout.folder).string();
 }
@@ -171,8 +159,10 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
     }
     exchange.flush();
     exchange.keep();
-    fs::remove(journal);
     std::error_code ignored;
+    // The former plan first: without the journal it would pass for a study that waits.
+    fs::remove(plan_file(staging), ignored);
+    fs::remove(journal, ignored);
     fs::remove_all(staging.folder, ignored);
 }
 
@@ -188,6 +178,8 @@ void settle(const StudyLayout& target) {
         }
     }
     fs::remove_all(staging_of(target).folder, ignored);
+    const StudyLayout next = next_study(target);
+    if (!is_there(plan_file(next))) fs::remove_all(next.folder, ignored);
 }
 
 std::unique_ptr<FolderLock> lock_of(const StudyLayout& target, StudyFolder::Keep keep) {
@@ -211,10 +203,9 @@ void check_there(const StudyLayout& target) {
 }
 
 StudyLayout work_place(const StudyLayout& target, const StudyPlan& plan) {
-    const StudyLayout next = next_study(target);
     if (holds(target, plan)) return target;
-    if (holds(next, plan)) return next;
-    return is_there(plan_file(target)) ? next : target;
+    if (is_there(plan_file(target)) || holds(next_study(target), plan)) return next_study(target);
+    return target;
 }
 
 void check_others(const StudyLayout& target, const StudyPlan& plan, const FolderLock* lock) {
@@ -306,27 +297,36 @@ StudyFolder StudyFolder::in_place(const StudyLayout& target) {
     return {target, read_plan(target), target, std::move(lock)};
 }
 
+/// Nobody knows of the folder in which the work is really done.
+void StudyFolder::named(const std::function<void()>& work) const {
+    try {
+        work();
+    } catch (const FileError& error) {
+        throw error.replaced(work_.folder.string(), target_.folder.string());
+    }
+}
+
 void StudyFolder::begin() {
     std::error_code ignored;
-    const bool known = is_there(plan_file(work_)) && is_same_plan(work_, plan_);
+    bool known = false;
+    named([&] { known = is_there(plan_file(work_)) && is_same_plan(work_, plan_); });
     if (is_beside() && !known) fs::remove_all(work_.folder, ignored);  // of a third study
-    try {
+    named([&] {
         made_output_folder(work_.folder);
         made_output_folder(work_.file("maps"));
         made_output_folder(work_.file("runs"));
         // Destroyed without commit, the probe leaves nothing behind.
         AtomicFile(target_.quality_file()).write("");
         if (!known) write_plan(work_, plan_);
-    } catch (const FileError& error) {
-        throw error.replaced(work_.folder.string(), target_.folder.string());
-    }
+    });
     fs::last_write_time(plan_file(work_), fs::file_time_type::clock::now(), ignored);
 }
 
 void StudyFolder::reopen() {
-    PlanState state = read_plan_state(work_);
-    if (!std::exchange(state.finished, false)) return;
-    write_plan(work_, plan_, state);
+    named([&] {
+        PlanState state = read_plan_state(work_);
+        if (std::exchange(state.finished, false)) write_plan(work_, plan_, state);
+    });
 }
 
 void StudyFolder::share() {
@@ -334,12 +334,21 @@ void StudyFolder::share() {
 }
 
 std::optional<StudyRecord> StudyFolder::done(std::size_t run) const {
-    std::optional<StudyRecord> record = read_record(work_, plan_, run);
-    if (record || !is_beside()) return record;
-    record = read_record(target_, plan_, run);
-    if (!record || !record->ok) return std::nullopt;
-    copy_run(target_, work_, plan_, run, *record);
+    std::optional<StudyRecord> record;
+    named([&] {
+        record = read_record(work_, plan_, run);
+        if (record || !is_beside()) return;
+        record = read_record(target_, plan_, run);
+        if (record && !record->ok) record.reset();
+        if (record && !plan_.pictured(run)) record->picture.reset();
+        if (record) copy_run(target_, work_, plan_, run, *record);
+    });
     return record;
+}
+
+void StudyFolder::discard() const {
+    std::error_code ignored;
+    if (is_beside()) fs::remove_all(work_.folder, ignored);
 }
 
 /// All that belongs together once the tables are in `staging`; the runs are there or at `work`.

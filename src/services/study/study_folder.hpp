@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -69,6 +70,9 @@ class StudyFolder {
     /// taken over.
     std::optional<StudyRecord> done(std::size_t run) const;
 
+    /// Gives up what was done beside another study.
+    void discard() const;
+
     struct Problems {
         Message plots;     ///< why there are none; empty where there are
         Message pictures;  ///< likewise of the contact sheet
@@ -81,6 +85,7 @@ class StudyFolder {
   private:
     StudyFolder(StudyLayout target, StudyPlan plan, StudyLayout work,
                 std::unique_ptr<FolderLock> lock);
+    void named(const std::function<void()>& work) const;
     std::vector<WrittenFile> written(const StudyLayout& staging) const;
     void give_up(const StudyLayout& staging) const;
 

@@ -134,10 +134,13 @@ std::string digest_of(const Study& study, const StudyPlan& plan) {
     if (plan.grid) digest.add("grid");
     for (const std::vector<fs::path>& log : study::input_files(study)) {
         for (const fs::path& file : log) {
-            std::error_code ignored;
-            const fs::file_type type = fs::status(file, ignored).type();
-            // What cannot even be asked about is read or refused, never taken for nothing.
-            const bool known = type == fs::file_type::regular || type == fs::file_type::none;
+            std::error_code error;
+            const fs::file_type type = fs::status(file, error).type();
+            // What cannot even be asked about is read or refused, never taken for nothing; but what
+            // is no name is no file.
+            const bool unknown =
+                type == fs::file_type::none && error != std::errc::filename_too_long;
+            const bool known = type == fs::file_type::regular || unknown;
             if (known) digest.add_file(file);
             digest.add("end of file");
         }
@@ -318,7 +321,11 @@ StudyLayout study_beside(const fs::path& quality_file) {
                                "is a folder; expected the path of the quality file to write")));
     }
     const fs::path folder = quality_file.has_parent_path() ? quality_file.parent_path() : ".";
-    return {folder, quality_file.stem().string() + "-", quality_file.filename().string()};
+    // A number is no ending: p0.5 and p0.6 are two studies.
+    const std::string ending = quality_file.extension().string();
+    const bool number = ending.find_first_not_of(".0123456789") == std::string::npos;
+    const fs::path name = number ? quality_file.filename() : quality_file.stem();
+    return {folder, name.string() + "-", quality_file.filename().string()};
 }
 
 }  // namespace hitos

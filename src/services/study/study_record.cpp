@@ -129,7 +129,8 @@ void copy_run(const StudyLayout& from, const StudyLayout& to, const StudyPlan& p
     const std::vector<fs::path> targets = run_files(to, plan, run);
     for (std::size_t i = 0; i < sources.size(); ++i) {
         std::error_code ignored;
-        if (!fs::is_regular_file(sources[i], ignored)) continue;
+        const bool wanted = i == 0 || record.picture.has_value();  // the map is the first
+        if (!wanted || !fs::is_regular_file(sources[i], ignored)) continue;
         write_file(targets[i], input::read_text(sources[i]));
     }
     write_record(to, plan, run, record);

@@ -14,8 +14,9 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/base/staged_folder.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "hitos/base/folder_lock.hpp"
+#include "hitos/base/staged_folder.hpp"
 #include "hitos/simulation/reference_map.hpp"
 #include "hitos/simulation/simulated_tour_reader.hpp"
 #include "hitos/workbench/recorded_tour.hpp"
@@ -262,9 +263,10 @@ Reproduction run_figures(const ReproductionOptions& options) {
     how.locks = false;  // its hundreds of studies are kept as one
     made_output_folder(options.out);
     const FolderLock lock(options.out);
+    for (const char* folder : {".", "plots"}) remove_leftovers(options.out / folder);
     std::vector<StudyOutcome> outcomes = run_studies(studies, how);
     check_whole(outcomes);
-    Reproduction result = gather(figures, worlds, parts, std::move(outcomes));
+    Reproduction result = gather(figures, worlds, parts, outcomes);
     result.runs = options.runs;
     result.reading = std::move(reading);
     write_file(options.out / "reproduction.csv", reproduction_csv(result));

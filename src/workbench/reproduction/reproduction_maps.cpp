@@ -11,8 +11,9 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/base/staged_folder.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "hitos/base/folder_lock.hpp"
+#include "hitos/base/staged_folder.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/services/run/grid_builder.hpp"
 #include "hitos/services/run/open_source.hpp"
@@ -231,6 +232,7 @@ MapReproduction reproduce_maps(const MapReproductionOptions& options) {
     how.locks = false;  // its hundreds of studies are kept as one
     made_output_folder(options.out);
     const FolderLock lock(options.out);
+    for (const char* folder : {".", "maps"}) remove_leftovers(options.out / folder);
     std::vector<StudyOutcome> outcomes = run_studies(studies, how);
     check_whole(outcomes);
     for (const StudyOutcome& outcome : outcomes) {

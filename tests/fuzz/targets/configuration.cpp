@@ -30,9 +30,9 @@ void require_sound(const Configuracion& configuration) {
 }
 
 const World& small_world() {
-    static const World kWorld = parse_world(
+    static const World some_world = parse_world(
         "walls = [[[0, 0], [4, 0], [4, 3]]]\n[tour]\nway_points = [[1, 1], [2, 1]]\n", kName);
-    return kWorld;
+    return some_world;
 }
 
 bool is_set_in_configuration(std::string_view assignment) {

@@ -15,18 +15,18 @@ namespace {
 
 /// The files of a run that a window reads beside the summary.
 const ScratchFolder& folder_of_a_run() {
-    static const ScratchFolder kFolder;
-    static const bool kFilled = [] {
+    static const ScratchFolder scratch;
+    static const bool filled = [] {
         constexpr std::string_view kPath = "0 0 0 0 0 0 0 1\n0.2 0.1 0 0 0 0 0 1\n";
-        kFolder.put("config.cfg", "[filter]\nparticles = 10\n");
-        kFolder.put("map.txt", "rho: 1 theta: 90\nx: 1 y: 1\n");
-        kFolder.put("segments.txt", "-1 1 1 1 1\n");
-        kFolder.put("trajectory.tum", kPath);
-        kFolder.put("odometry.tum", kPath);
+        scratch.put("config.cfg", "[filter]\nparticles = 10\n");
+        scratch.put("map.txt", "rho: 1 theta: 90\nx: 1 y: 1\n");
+        scratch.put("segments.txt", "-1 1 1 1 1\n");
+        scratch.put("trajectory.tum", kPath);
+        scratch.put("odometry.tum", kPath);
         return true;
     }();
-    static_cast<void>(kFilled);
-    return kFolder;
+    static_cast<void>(filled);
+    return scratch;
 }
 
 bool is_finite(const std::optional<double>& value) {

@@ -91,10 +91,10 @@ void require_sound(const StudyParameter& parameter) {
 }  // namespace
 
 bool check_study_plan(std::string_view input) {
-    static const ScratchFolder kFolder;
-    static const ScratchFolder kCopy;
-    const StudyLayout layout = study_in_folder(kFolder.path());
-    kFolder.put("study.json", with_seal(input));
+    static const ScratchFolder scratch;
+    static const ScratchFolder copied;
+    const StudyLayout layout = study_in_folder(scratch.path());
+    scratch.put("study.json", with_seal(input));
     const auto plan = unless_refused([&] { return study::read_plan(layout); });
     if (!plan) return false;
     constexpr std::size_t kMostRuns = 1000000;
@@ -102,7 +102,7 @@ bool check_study_plan(std::string_view input) {
     require(plan->label(plan->runs() - 1) != plan->label(0) || plan->runs() == 1,
             "runs have labels of their own");
     require(!plan->file_stem(0).empty() && !plan->run_digest(0).empty(), "runs have files");
-    const StudyLayout copy = study_in_folder(kCopy.path());
+    const StudyLayout copy = study_in_folder(copied.path());
     study::write_plan(copy, *plan);
     require(study::read_plan(copy) == *plan, "a plan reads back");
     constexpr std::size_t kFewRuns = 20;
@@ -114,11 +114,11 @@ bool check_study_plan(std::string_view input) {
 }
 
 bool check_study_record(std::string_view input) {
-    static const StudyOfOneRun kStudy;
-    const std::optional<StudyRecord> record = kStudy.read(with_seal(input));
+    static const StudyOfOneRun study_of_one;
+    const std::optional<StudyRecord> record = study_of_one.read(with_seal(input));
     if (!record) return false;
     require_sound(*record);
-    const std::optional<StudyRecord> again = kStudy.read_back(*record);
+    const std::optional<StudyRecord> again = study_of_one.read_back(*record);
     require(again && equal(*record, *again), "a record reads back");
     return true;
 }

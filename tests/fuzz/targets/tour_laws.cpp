@@ -78,9 +78,9 @@ bool same_readings(const Tour& a, const Tour& b) {
 std::optional<std::filesystem::path> written(const std::filesystem::path& file,
                                              std::string_view source_format,
                                              const std::string& target_format) {
-    static const ScratchFolder kFolder;
+    static const ScratchFolder scratch;
     return unless_refused([&] {
-        std::filesystem::path target = kFolder.path() / (target_format + ".log");
+        std::filesystem::path target = scratch.path() / (target_format + ".log");
         Procesador reader(open_log(file, source_format));
         const auto writer = make_log_writer(target_format, target);
         write_tour(reader, *writer);

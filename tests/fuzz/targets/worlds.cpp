@@ -22,10 +22,10 @@ constexpr std::string_view kDrawing =
     "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nWALLS\n10\n0\n20\n0\n11\n4\n21\n0\n0\nENDSEC\n0\nEOF\n";
 
 const std::filesystem::path& world_file() {
-    static const ScratchFolder kFolder;
-    static const std::filesystem::path kDrawingFile = kFolder.put("walls.dxf", kDrawing);
-    static const std::filesystem::path kWorldFile = kFolder.path() / "input.toml";
-    return kWorldFile;
+    static const ScratchFolder scratch;
+    static const std::filesystem::path drawing_file = scratch.put("walls.dxf", kDrawing);
+    static const std::filesystem::path input_file = scratch.path() / "input.toml";
+    return input_file;
 }
 
 void require_sound(const World& world) {

@@ -28,7 +28,8 @@ using ::testing::HasSubstr;
 const std::set<std::string> kOwned{"a", "b", "c", "seal"};
 
 StagedFolder staged_in(const fs::path& folder) {
-    return {folder, [](const std::string& name) { return kOwned.contains(name); }, "seal"};
+    const auto owned = [](const std::string& name) { return kOwned.contains(name); };
+    return {folder, {owned, owned}, "seal"};
 }
 
 std::set<std::string> names_in(const fs::path& folder) {

@@ -1458,12 +1458,24 @@
         <translation>se cambió o se perdió mientras se colocaba el estudio; inicie otra vez la misma orden</translation>
     </message>
     <message>
-        <source>has changed while the study was at work; start it again when the file is complete</source>
-        <translation>ha cambiado mientras el estudio trabajaba; inícielo otra vez cuando el archivo esté completo</translation>
-    </message>
-    <message>
         <source>the value %1 is no UTF-8 text; rename the file</source>
         <translation>el valor %1 no es texto UTF-8; cambie el nombre del archivo</translation>
+    </message>
+    <message>
+        <source>is read by this very command; choose another name for what it writes</source>
+        <translation>lo lee esta misma orden; elija otro nombre para lo que escribe</translation>
+    </message>
+    <message>
+        <source>is to be written twice; choose another name for one of the two</source>
+        <translation>se escribiría dos veces; elija otro nombre para uno de los dos</translation>
+    </message>
+    <message>
+        <source>has changed while it was being worked on; start again when the file is complete</source>
+        <translation>ha cambiado mientras se trabajaba con él; empiece otra vez cuando el archivo esté completo</translation>
+    </message>
+    <message>
+        <source>has no run of its study that can be read; nothing was changed: look whether maps and runs are there</source>
+        <translation>no tiene ninguna ejecución de su estudio que se pueda leer; no se ha cambiado nada: compruebe que maps y runs están ahí</translation>
     </message>
 </context>
 <context>

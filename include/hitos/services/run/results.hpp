@@ -84,6 +84,9 @@ std::string to_json(const RunSummary& summary, double seconds);
 /// FileError.
 void prepare_output_folder(const std::filesystem::path& folder);
 
+/// Whether a run may write a file of that name.
+bool is_results_file(const std::string& name);
+
 /// The folder of one run's results, kept for it: what is written there takes the place of an
 /// earlier run's all at once, and other people's files in it stay. Throws FileError, so that a long
 /// run does not end in vain.

@@ -10,6 +10,7 @@ namespace hitos {
 /// What is not as the summary states it; all empty where the folder is whole.
 struct ResultsCheck {
     std::size_t files = 0;               ///< that the summary names
+    bool finished = true;                ///< the tour; else the run was stopped before its end
     std::vector<std::string> missing;    ///< named, not there
     std::vector<std::string> changed;    ///< of another size or content
     std::vector<std::string> left_over;  ///< of a run, but not of this one

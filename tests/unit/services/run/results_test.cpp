@@ -112,10 +112,16 @@ TEST_F(ResultsTest, FilesOfAnEarlierRunThatThisOneHasNotAreRemoved) {
         out_.put(name, "old");
     }
     out_.put("map.txt", "old");
+    out_.put("summary.json", "{}");  // of a version that listed no files
     out_.put("notes.txt", "mine");
-    const RunSummary summary = write_results(run, {}, 1.0, out_.path());
+    write_results(run, {}, 1.0, out_.path());
     std::set<std::string> expected = kAlways;
     expected.insert("notes.txt");
+    EXPECT_EQ(names(), expected);
+    // What a summary with a list does not name is somebody's, whatever its name.
+    out_.put("distances.csv", "mine");
+    expected.insert("distances.csv");
+    const RunSummary summary = write_results(run, {}, 1.0, out_.path());
     EXPECT_EQ(names(), expected);
     EXPECT_NE(content(out_ / "map.txt"), "old");
     EXPECT_TRUE(summary.not_written.empty());
@@ -125,6 +131,8 @@ TEST_F(ResultsTest, FilesOfAnEarlierRunThatThisOneHasNotAreRemoved) {
 TEST_F(ResultsTest, TheGridOfAParticleIsThatOfItsOwnPath) {
     const Algoritmo run = run_of("fastslam", {.step_grid = true, .grid_of = 3});
     out_.put("grid_particle_5.png", "old");
+    out_.put("summary.json", R"({"files": [{"name": "grid_particle_5.png", "bytes": 3,)"
+                             R"("xxh3_128": ""}]})");
     write_results(run, {}, 1.0, out_.path());
     std::set<std::string> expected = kAlways;
     expected.insert({"grid_particle_3.png", "grid_particle_3.jpg"});
@@ -161,6 +169,7 @@ TEST_F(ResultsTest, WhatWasAskedForIsWrittenAndWhatCouldNotBeDrawnIsTold) {
     references.trajectory = Trajectory{StampedPose{1e6, {}}};  // of another time
     references.distances = {{"room", {-1.0, 0.0}, {19.0, 0.0}}};
     out_.put("paths.png", "old");
+    out_.put("summary.json", "{}");
     const RunSummary summary = write_results(run, references, 1.0, out_.path());
     ASSERT_FALSE(summary.not_written.empty());
     EXPECT_THAT(summary.not_written.front().reason.english(),
