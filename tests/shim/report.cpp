@@ -18,9 +18,19 @@ namespace {
 std::atomic<bool> main_has_begun = false;
 int (*real_main)(int, char**, char**) = nullptr;
 
+/// GDAL, by which OpenCV reads and writes pictures, ends the program where it is refused memory as
+/// it starts. That is not what is tried here.
+void start_gdal() {
+    using Register = void (*)();
+    if (std::getenv("HITOS_FAULT_MEMORY") == nullptr) return;  // NOLINT(concurrency-mt-unsafe)
+    void* const found = ::dlsym(RTLD_DEFAULT, "GDALAllRegister");
+    if (found != nullptr) reinterpret_cast<Register>(found)();
+}
+
 int begin_main(int count, char** arguments, char** environment) {
     // Programs that this one starts are left alone.
     ::unsetenv("LD_PRELOAD");
+    start_gdal();
     main_has_begun = true;
     return real_main(count, arguments, environment);
 }
