@@ -133,10 +133,11 @@ TEST_F(ResultsFolder, WhatIsReadIsNotWritten) {
     std::filesystem::create_directory(path("out"));
     std::filesystem::create_symlink(log, path("link.log"));
     for (const std::string& command :
-         {"run " + log + " --out " + path("out") + " --figures " + log,
-          "convert " + log + " --to carmen --out " + log,
-          "convert " + log + " --to carmen --out " + path("link.log"),
-          "convert " + path("link.log") + " --to carmen --out " + path("out/../tour.log")}) {
+         {fmt::format("run {0} --out {1} --figures {0}", log, path("out")),
+          fmt::format("convert {0} --to carmen --out {0}", log),
+          fmt::format("convert {} --to carmen --out {}", log, path("link.log")),
+          fmt::format("convert {} --to carmen --out {}", path("link.log"),
+                      path("out/../tour.log"))}) {
         const Outcome refused = shell(cli_ + " " + command);
         EXPECT_EQ(refused.status, 1) << command;
         EXPECT_NE(refused.output.find("is read by this very command"), std::string::npos)

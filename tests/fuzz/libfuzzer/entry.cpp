@@ -73,6 +73,7 @@ class Counting {
 }  // namespace
 }  // namespace hitos::fuzz
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using Clock = std::chrono::steady_clock;
     static hitos::fuzz::Counting counting;

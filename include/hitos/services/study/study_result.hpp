@@ -30,7 +30,8 @@ struct StudyLayout {
 /// A folder of its own.
 StudyLayout study_in_folder(const std::filesystem::path& folder);
 /// The quality file has this path, and everything else lies beside it under names that begin with
-/// its own (without an ending such as .csv). Throws FileError for a path that names a folder or no file.
+/// its own (without an ending such as .csv). Throws FileError for a path that names a folder or no
+/// file.
 StudyLayout study_beside(const std::filesystem::path& quality_file);
 
 /// Which runs' grid maps are kept as pictures.
