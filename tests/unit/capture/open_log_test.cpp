@@ -90,8 +90,7 @@ TEST(OpenLog, BinaryFile) {
 TEST(OpenLog, OneEndlessLine) {
     const TempDir folder;
     const std::string line(3U << 20U, 'x');
-    EXPECT_THAT(error_of(folder.put("a.log", line)),
-                HasSubstr("holds lines longer than 1 MiB"));
+    EXPECT_THAT(error_of(folder.put("a.log", line)), HasSubstr("holds lines longer than 1 MiB"));
 }
 
 TEST(OpenLog, TextOfNoFormat) {
