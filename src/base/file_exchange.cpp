@@ -13,7 +13,6 @@
 #include "sync_folder.hpp"
 
 namespace hitos {
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -22,7 +21,13 @@ bool is_there(const fs::path& path) {
     return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
 }
 
-}  // namespace
+void check_no_folder(const fs::path& place) {
+    std::error_code ignored;
+    if (!fs::is_directory(place, ignored)) return;
+    throw FileError(
+        place.string(),
+        message(HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name")));
+}
 
 FileExchange::FileExchange(fs::path from, fs::path to)
     : from_(std::move(from)), to_(std::move(to)) {}

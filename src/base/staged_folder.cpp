@@ -36,11 +36,6 @@ bool is_unfinished(const std::string& name) {
     return name.starts_with(".hitos-");
 }
 
-bool is_there(const fs::path& path) {
-    std::error_code ignored;
-    return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
-}
-
 /// Whether a process of this machine that one may look at works in the folder: it would find
 /// itself in the old one.
 bool somebody_is_in(const fs::path& folder) {
@@ -227,12 +222,7 @@ void StagedFolder::commit() {
             fs::remove_all(entry.path(), ignored);
             continue;
         }
-        const fs::path place = target_ / entry.path().filename();
-        std::error_code ignored;
-        if (!fs::is_directory(place, ignored)) continue;
-        throw FileError(
-            place.string(),
-            message(HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name")));
+        check_no_folder(target_ / entry.path().filename());
     }
     if (!exchange_folders()) exchange_files();
     clear();

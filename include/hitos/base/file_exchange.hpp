@@ -7,6 +7,12 @@
 
 namespace hitos {
 
+/// Whether anything has that name, a link that leads nowhere too; also where it cannot be asked.
+bool is_there(const std::filesystem::path& path);
+
+/// A folder of somebody's does not make way for a file: throws FileError where one is at the place.
+void check_no_folder(const std::filesystem::path& place);
+
 /// Files that change their places between two folders, all or none: destroyed without keep(), it
 /// takes everything back. The folders are of one file system.
 class FileExchange {

@@ -11,6 +11,7 @@
 #include "hitos/base/folder_entries.hpp"
 #include "hitos/base/staged_folder.hpp"
 #include "hitos/base/text_input.hpp"
+#include "json_input.hpp"
 #include "run/written_files.hpp"
 #include "study_files.hpp"
 #include "study_pictures.hpp"
@@ -54,11 +55,6 @@ bool is_same_plan(const StudyLayout& layout, const StudyPlan& plan) {
     } catch (const FormatError&) {
         return false;
     }
-}
-
-bool is_there(const fs::path& path) {
-    std::error_code ignored;
-    return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
 }
 
 std::string relative(const fs::path& file, const StudyLayout& layout) {
@@ -110,15 +106,6 @@ FormatError lost(const StudyLayout& layout, const WrittenFile& file) {
                                "same command again"))};
 }
 
-/// A folder of somebody's does not make way.
-void check_no_folder(const fs::path& place) {
-    std::error_code ignored;
-    if (!fs::is_directory(place, ignored)) return;
-    throw FileError(
-        place.string(),
-        message(HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name")));
-}
-
 /// Puts in place what the journal in `staging` lists, the plan file last, and takes away what is of
 /// the study before. Going on after an interruption it finds what is still to be done by the
 /// contents.
@@ -127,7 +114,7 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
     std::vector<WrittenFile> files;
     bool with_runs = false;
     try {
-        const auto json = nlohmann::json::parse(input::read_text(journal));
+        const auto json = parsed<nlohmann::json>(input::read_text(journal), journal.string());
         files = files_named(json, journal, true);
         with_runs = json.at("with_runs");
     } catch (const nlohmann::json::exception& error) {
