@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/folder_entries.hpp"
@@ -16,8 +17,9 @@ namespace fs = std::filesystem;
 
 ResultsCheck check_results(const fs::path& folder) {
     const fs::path summary = folder / kSummaryFile;
-    const std::vector<WrittenFile> files = with_summary(
-        folder, [&](const nlohmann::json& json) { return files_named(json, summary); });
+    const auto [files, finished] = with_summary(folder, [&](const nlohmann::json& json) {
+        return std::pair(files_named(json, summary), json.value("finished", true));
+    });
     if (files.empty()) {
         throw FormatError(
             summary.string(), 0,
@@ -27,8 +29,7 @@ ResultsCheck check_results(const fs::path& folder) {
     }
     ResultsCheck check;
     check.files = files.size();
-    check.finished = with_summary(
-        folder, [](const nlohmann::json& json) { return json.value("finished", true); });
+    check.finished = finished;
     for (const WrittenFile& file : files) {
         std::error_code ignored;
         if (!fs::is_regular_file(folder / file.name, ignored)) {
