@@ -1,5 +1,6 @@
 #include "skipped_lines.hpp"
 
+#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFileInfo>
