@@ -1,5 +1,6 @@
-# The program of tests/bench/speed. It is also built inside a release that is older than it: configured
-# there with CMAKE_PROJECT_INCLUDE=speed.cmake and HITOS_BASELINE=ON, and added after everything else.
+# The program of tests/bench/speed. It is also built inside a release that is older than it:
+# configured there with CMAKE_PROJECT_INCLUDE=speed.cmake and HITOS_BASELINE=ON, and added after
+# everything else.
 if(NOT COMMAND hitos_program)
   cmake_language(EVAL CODE "cmake_language(DEFER CALL include [[${CMAKE_CURRENT_LIST_FILE}]])")
   return()
@@ -21,3 +22,21 @@ target_compile_definitions(bench_speed PRIVATE
   HITOS_SOURCE_DIR="${speed_root}" HITOS_SHARED_DIR="${HITOS_SHARED_DIR}"
   $<$<BOOL:${HITOS_BASELINE}>:HITOS_BASELINE>)
 target_link_libraries(bench_speed PRIVATE hitos::services hitos::simulation fmt::fmt)
+if(HITOS_BASELINE)
+  # Headers that stand elsewhere now than they did in the release.
+  foreach(moved
+      base/geometry=capture/geometry
+      base/random_stream=features/random_stream
+      services/configuration/archivo_configuracion=services/archivo_configuracion
+      services/maps/map_file=services/map_file
+      services/maps/picture_file=services/picture_file
+      services/maps/trajectory_file=services/trajectory_file
+      services/run/grid=services/grid)
+    string(REPLACE "=" ";" moved ${moved})
+    list(GET moved 0 now)
+    list(GET moved 1 then)
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/moved/hitos/${now}.hpp
+      CONTENT "#include \"hitos/${then}.hpp\"\n")
+  endforeach()
+  target_include_directories(bench_speed PRIVATE ${CMAKE_BINARY_DIR}/moved)
+endif()

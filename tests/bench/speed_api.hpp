@@ -1,32 +1,21 @@
 // What the bench of speed calls of Hitos, the same for this build and for the release that it is
-// compared with, whose interface was another (HITOS_BASELINE).
+// compared with, whose interface was another (HITOS_BASELINE; speed.cmake forwards moved headers).
 #pragma once
-
-#ifdef HITOS_BASELINE
-#include "hitos/capture/geometry.hpp"
-#include "hitos/features/random_stream.hpp"
-#include "hitos/services/archivo_configuracion.hpp"
-#include "hitos/services/grid.hpp"
-#include "hitos/services/map_file.hpp"
-#include "hitos/services/picture_file.hpp"
-#include "hitos/services/trajectory_file.hpp"
-#else
-#include "hitos/base/geometry.hpp"
-#include "hitos/base/random_stream.hpp"
-#include "hitos/services/configuration/archivo_configuracion.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/picture_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
-#include "hitos/services/run/grid.hpp"
-#endif
 
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "hitos/base/geometry.hpp"
+#include "hitos/base/random_stream.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/procesador.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/maps/picture_file.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/run/grid.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 #include "hitos/simulation/simulated_tour.hpp"
 #include "hitos/slam/filters.hpp"

@@ -29,6 +29,7 @@ std::atomic<std::int64_t> peak = 0;
 #include <cerrno>
 
 // What glibc's own malloc does under another name.
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -36,6 +37,7 @@ void* __libc_realloc(void* block, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* block);
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace {
 

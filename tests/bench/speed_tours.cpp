@@ -137,9 +137,6 @@ void measure_tour(const Tour& tour, const Options& options) {
         print("allocations_per_scan", static_cast<double>(memory.allocations - before) / scans,
               "1");
         print("peak_bytes_per_particle", static_cast<double>(memory.peak_bytes) / particles, "B");
-        rusage usage{};
-        getrusage(RUSAGE_SELF, &usage);
-        print("peak_resident", static_cast<double>(usage.ru_maxrss) / 1024.0, "MiB");
         return;
     }
     const Cost cost = cheapest(options.seconds, prepare, work);
@@ -148,6 +145,9 @@ void measure_tour(const Tour& tour, const Options& options) {
     print("features_per_scan", static_cast<double>(features) / scans, "1");
     print("landmarks", landmarks(*filter), "1");
     print("scans", scans, "1");
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    print("peak_resident", static_cast<double>(usage.ru_maxrss) / 1024.0, "MiB");
 }
 
 }  // namespace speed
