@@ -79,17 +79,21 @@ bool ByteStream::refill() {
     std::memmove(input_.data(), input_.data() + input_begin_, input_end_ - input_begin_);
     input_end_ -= input_begin_;
     input_begin_ = 0;
+    const std::size_t got = take({input_.data() + input_end_, input_.size() - input_end_});
+    input_end_ += got;
+    return got > 0;
+}
+
+std::size_t ByteStream::take(std::span<char> out) {
     for (;;) {
-        const ssize_t got =
-            ::read(descriptor_, input_.data() + input_end_, input_.size() - input_end_);
+        const ssize_t got = ::read(descriptor_, out.data(), out.size());
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) {
             throw FileError(path_.string(), message(HITOS_TEXT("Errors", "reading fails: %1"),
                                                     system_message(errno)));
         }
-        input_end_ += static_cast<std::size_t>(got);
         taken_ += static_cast<std::uint64_t>(got);
-        return got > 0;
+        return static_cast<std::size_t>(got);
     }
 }
 
@@ -101,9 +105,11 @@ double ByteStream::progress() const {
 std::size_t ByteStream::read(std::span<char> out) {
     if (ended_ || out.empty()) return 0;
     if (inflater_) return read_inflated(out);
-    if (input_begin_ == input_end_ && !refill()) {
-        ended_ = true;
-        return 0;
+    if (input_begin_ == input_end_) {
+        // Plain text goes where it is wanted; the buffer held the first bytes alone.
+        const std::size_t got = take(out.first(std::min(out.size(), kInputBytes)));
+        ended_ = got == 0;
+        return got;
     }
     const std::size_t count = std::min(out.size(), input_end_ - input_begin_);
     std::memcpy(out.data(), input_.data() + input_begin_, count);

@@ -36,6 +36,8 @@ class ByteStream {
   private:
     struct Inflater;
     bool refill();
+    /// What the medium gives at once, 0 at the end.
+    std::size_t take(std::span<char> out);
     std::size_t read_inflated(std::span<char> out);
     bool next_member();
 

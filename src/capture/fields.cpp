@@ -1,5 +1,6 @@
 #include "fields.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "hitos/base/error.hpp"
@@ -29,6 +30,25 @@ std::size_t Fields::remaining() const {
     return count;
 }
 
+double Fields::odd_number(const char* name) {
+    const std::string_view field = word(name);
+    const std::optional<double> value = parse_double(field);
+    if (!value) fail(name, field, HITOS_TEXT("Errors", "a number"));
+    if (!(std::abs(*value) <= kGreatestValue)) {
+        fail(name, field, HITOS_TEXT("Errors", "a finite number below 1e12"));
+    }
+    return *value;
+}
+
+double Fields::odd_reading(const char* name) {
+    const std::string_view field = word(name);
+    const std::optional<double> value = parse_double(field);
+    if (!value) fail(name, field, HITOS_TEXT("Errors", "a number"));
+    // No sensor measures so far; what is not finite is no point.
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    return std::abs(*value) > kGreatestValue ? std::copysign(kFar, *value) : *value;
+}
+
 std::uint32_t Fields::count(const char* name, std::int64_t least) {
     const std::string_view field = word(name);
     const std::optional<std::int64_t> value = parse_integer(field);
@@ -41,7 +61,7 @@ std::uint32_t Fields::count(const char* name, std::int64_t least) {
 }
 
 void Fields::expect_end(const char* after) const {
-    if (rest_.empty()) return;
+    if (at_end()) return;
     fail(message(HITOS_TEXT("Errors", "found %1 after %2, expected the end of the line"),
                  shown(peek()), marked(after)));
 }

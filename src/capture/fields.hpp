@@ -1,11 +1,10 @@
 // The blank-separated fields of one line, and the numbers in them.
 #pragma once
 
+#include <array>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +12,7 @@
 
 #include "hitos/base/message.hpp"
 #include "hitos/capture/fuente.hpp"
+#include "plain_decimal.hpp"
 
 namespace hitos {
 
@@ -22,9 +22,11 @@ inline constexpr double kGreatestValue = 1e12;
 
 /// A whole field as a floating-point number, "nan" and "inf" included; independent of the locale.
 inline std::optional<double> parse_double(std::string_view field) {
-    if (field.size() > 1 && field.front() == '+' && field[1] != '-') field.remove_prefix(1);
-    double value = 0.0;
     const char* end = field.data() + field.size();
+    const plain::Decimal plain = plain::decimal(field.data(), end);
+    if (plain.length > 0 && plain.length == field.size()) return plain.value;
+    double value = 0.0;
+    if (field.size() > 1 && field.front() == '+' && field[1] != '-') field.remove_prefix(1);
     const auto [stop, error] = std::from_chars(field.data(), end, value);
     if (error != std::errc{} || stop != end) return std::nullopt;
     return value;
@@ -45,47 +47,62 @@ inline std::optional<std::int64_t> parse_integer(std::string_view field) {
 /// was found and what was expected.
 class Fields {
   public:
-    explicit Fields(std::string_view text, std::uint64_t line = 0) : rest_(text), line_(line) {
-        skip_blanks();
-    }
+    explicit Fields(std::string_view text, std::uint64_t line = 0)
+        : at_(behind_blanks(text.data(), text.data() + text.size())),
+          end_(text.data() + text.size()),
+          line_(line) {}
     explicit Fields(const RawLine& line) : Fields(line.text, line.number) {}
 
-    bool at_end() const { return rest_.empty(); }
+    bool at_end() const { return at_ == end_; }
     /// How many fields are left; walks over them.
     std::size_t remaining() const;
-    std::string_view peek() const { return rest_.substr(0, word_length()); }
+    std::string_view peek() const { return {at_, word_length()}; }
     /// The line from the next field on.
-    std::string_view rest() const { return rest_; }
+    std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
     std::string_view word(const char* name) {
-        if (rest_.empty()) fail_missing(name);
+        if (at_end()) fail_missing(name);
         return take();
     }
     /// The next field, or nothing (empty) at the end.
     std::string_view take() {
-        const std::string_view field = rest_.substr(0, word_length());
-        rest_.remove_prefix(field.size());
-        skip_blanks();
+        const std::string_view field = peek();
+        pass(field.size());
         return field;
     }
     /// A finite number of believable size.
     double number(const char* name) {
-        const std::string_view field = word(name);
-        const std::optional<double> value = parse_double(field);
-        if (!value) fail(name, field, HITOS_TEXT("Errors", "a number"));
-        if (!(std::abs(*value) <= kGreatestValue)) {
-            fail(name, field, HITOS_TEXT("Errors", "a finite number below 1e12"));
-        }
-        return *value;
+        const plain::Decimal plain = plain::decimal(at_, end_);
+        if (plain.length == 0) return odd_number(name);
+        pass(plain.length);
+        return plain.value;
     }
     /// A number that may be anything, NaN and infinities included.
     double reading(const char* name) {
-        const std::string_view field = word(name);
-        const std::optional<double> value = parse_double(field);
-        if (!value) fail(name, field, HITOS_TEXT("Errors", "a number"));
-        // No sensor measures so far; what is not finite is no point.
-        constexpr double kFar = std::numeric_limits<double>::infinity();
-        return std::abs(*value) > kGreatestValue ? std::copysign(kFar, *value) : *value;
+        const plain::Decimal plain = plain::decimal(at_, end_);
+        if (plain.length == 0) return odd_reading(name);
+        pass(plain.length);
+        return plain.value;
+    }
+    /// `count` times one reading of each name; `take` gets the place of the name and the value.
+    template <std::size_t N, class Take>
+    void readings(std::uint32_t count, const std::array<const char*, N>& names, Take take) {
+        // In a local, since for all the compiler knows others see the member.
+        const char* at = at_;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            for (std::size_t name = 0; name < N; ++name) {
+                const plain::Decimal plain = plain::decimal(at, end_);
+                if (plain.length > 0) {
+                    at = behind_blanks(at + plain.length, end_);
+                    take(name, plain.value);
+                } else {
+                    at_ = at;
+                    take(name, odd_reading(names[name]));
+                    at = at_;
+                }
+            }
+        }
+        at_ = at;
     }
     std::int64_t integer(const char* name) {
         const std::string_view field = word(name);
@@ -101,20 +118,23 @@ class Fields {
     [[noreturn]] void fail(const Message& problem) const;
 
   private:
-    static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+    double odd_number(const char* name);
+    double odd_reading(const char* name);
+
     std::size_t word_length() const {
-        std::size_t length = 0;
-        while (length < rest_.size() && !is_blank(rest_[length])) ++length;
-        return length;
+        const char* stop = at_;
+        while (stop != end_ && !plain::is_blank(*stop)) ++stop;
+        return static_cast<std::size_t>(stop - at_);
     }
-    void skip_blanks() {
-        std::size_t blanks = 0;
-        while (blanks < rest_.size() && is_blank(rest_[blanks])) ++blanks;
-        rest_.remove_prefix(blanks);
+    void pass(std::size_t length) { at_ = behind_blanks(at_ + length, end_); }
+    static const char* behind_blanks(const char* at, const char* end) {
+        while (at != end && plain::is_blank(*at)) ++at;
+        return at;
     }
     [[noreturn]] void fail_missing(const char* name) const;
 
-    std::string_view rest_;
+    const char* at_;  // the next field
+    const char* end_;
     std::uint64_t line_ = 0;
 };
 

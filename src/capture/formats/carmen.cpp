@@ -119,7 +119,7 @@ bool skip_remissions(Fields& fields, bool with_pose) {
         fields.fail(message(HITOS_TEXT("Errors", "num_remissions: found %1, but %2 fields follow"),
                             remissions, left - 1));
     }
-    for (std::uint32_t i = 0; i < remissions; ++i) fields.reading("remission");
+    fields.readings(remissions, std::array{"remission"}, [](std::size_t, double) {});
     return true;
 }
 
@@ -179,7 +179,8 @@ void ConversorCarmen::parse_parameter(Fields fields) {
 
 CarmenMessage ConversorCarmen::parse_flaser(Fields fields, Readings& out) {
     const std::uint32_t count = fields.count("num_readings");
-    for (std::uint32_t i = 0; i < count; ++i) out.ranges_m.push_back(fields.reading("range"));
+    fields.readings(count, std::array{"range"},
+                    [&out](std::size_t, double value) { out.ranges_m.push_back(value); });
     CarmenMessage message;
     take_pose(fields, "x", "y", "theta");
     message.pose_odom_robot = take_pose(fields, "odom_x", "odom_y", "odom_theta");
@@ -199,7 +200,8 @@ CarmenMessage ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readin
     fields.number("accuracy");
     fields.number("remission_mode");
     const std::uint32_t count = fields.count("num_readings");
-    for (std::uint32_t i = 0; i < count; ++i) out.ranges_m.push_back(fields.reading("range"));
+    fields.readings(count, std::array{"range"},
+                    [&out](std::size_t, double value) { out.ranges_m.push_back(value); });
 
     const bool has_block = skip_remissions(fields, with_pose);
     CarmenMessage message;

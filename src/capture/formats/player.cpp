@@ -1,5 +1,6 @@
 // Player/Stage writelog [T A.1], in the variants of Player 1.5 to 3.1. Written with more decimals
 // than Player prints.
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -220,10 +221,10 @@ void ConversorPlayer::parse_laser(Fields fields, const PlayerHeader& header, Rea
     }
     if (states_range) out.fan.max_range_m = fields.number("max_range");
     out.fan.count = fields.count("count");
-    for (std::uint32_t i = 0; i < out.fan.count; ++i) {
-        out.ranges_m.push_back(fields.reading("range"));
-        fields.reading("intensity");
-    }
+    fields.readings(out.fan.count, std::array{"range", "intensity"},
+                    [&out](std::size_t name, double value) {
+                        if (name == 0) out.ranges_m.push_back(value);
+                    });
     fields.expect_end(HITOS_TEXT("Errors", "the readings that the count announces"));
 }
 
@@ -253,9 +254,8 @@ void ConversorPlayer::parse_ranger(Fields fields, const LaserSetup& setup, Readi
     out.fan = *setup.fan;
     out.fan.pose_robot_laser = setup.pose_robot_laser;
     out.fan.count = fields.count("count");
-    for (std::uint32_t i = 0; i < out.fan.count; ++i) {
-        out.ranges_m.push_back(fields.reading("range"));
-    }
+    fields.readings(out.fan.count, std::array{"range"},
+                    [&out](std::size_t, double value) { out.ranges_m.push_back(value); });
     fields.expect_end(HITOS_TEXT("Errors", "the ranges that the count announces"));
 }
 
