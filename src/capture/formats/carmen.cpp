@@ -105,6 +105,16 @@ Fan stated_fan(double start_rad, double view_rad, double resolution_rad, std::ui
     return fan;
 }
 
+/// The ranges of a line; checked and passed over where there is no `out`.
+void take_ranges(Fields& fields, std::uint32_t count, RangeConversor::Readings* out) {
+    if (out == nullptr) {
+        fields.readings(count, std::array{"range"}, [](std::size_t, double) {});
+        return;
+    }
+    fields.readings(count, std::array{"range"},
+                    [out](std::size_t, double value) { out->ranges_m.push_back(value); });
+}
+
 /// Passes over the block of remissions and says whether there is one. Lines from before CARMEN
 /// knew remission have none: then the next field is a coordinate or a stamp, written with a point.
 bool skip_remissions(Fields& fields, bool with_pose) {
@@ -138,8 +148,8 @@ class ConversorCarmen final : public RangeConversor {
 
   private:
     void parse_parameter(Fields fields);
-    CarmenMessage parse_flaser(Fields fields, Readings& out);
-    CarmenMessage parse_laser(Fields fields, bool with_pose, Readings& out);
+    CarmenMessage parse_flaser(Fields fields, Readings* out);
+    CarmenMessage parse_laser(Fields fields, bool with_pose, Readings* out);
     Pose steady_mount(const Pose& mount);
 
     double stated_max_m_ = 0.0;
@@ -147,7 +157,6 @@ class ConversorCarmen final : public RangeConversor {
     Pose pose_robot_laser_;           // from parameters
     std::optional<Pose> last_mount_;  // from ROBOTLASER1 lines
     std::string scan_message_;        // the one in use: the first that gave a scan
-    Readings checked_;                // readings that only odometry() passes over
 };
 
 bool ConversorCarmen::parse_scan(const RawLine& line, Readings& out) {
@@ -159,7 +168,7 @@ bool ConversorCarmen::parse_scan(const RawLine& line, Readings& out) {
     }
     const bool flaser = name == "FLASER";
     const CarmenMessage message =
-        flaser ? parse_flaser(fields, out) : parse_laser(fields, name == "ROBOTLASER1", out);
+        flaser ? parse_flaser(fields, &out) : parse_laser(fields, name == "ROBOTLASER1", &out);
     out.time_s = message.time_s;
     out.carries_odometry = message.pose_odom_robot.has_value();
     // Raw and robot lasers are one scan logged twice, where both are logged.
@@ -177,21 +186,22 @@ void ConversorCarmen::parse_parameter(Fields fields) {
     if (name == "robot_frontlaser_angular_offset") pose_robot_laser_.theta = wrap_angle(value);
 }
 
-CarmenMessage ConversorCarmen::parse_flaser(Fields fields, Readings& out) {
+CarmenMessage ConversorCarmen::parse_flaser(Fields fields, Readings* out) {
     const std::uint32_t count = fields.count("num_readings");
-    fields.readings(count, std::array{"range"},
-                    [&out](std::size_t, double value) { out.ranges_m.push_back(value); });
+    take_ranges(fields, count, out);
     CarmenMessage message;
     take_pose(fields, "x", "y", "theta");
     message.pose_odom_robot = take_pose(fields, "odom_x", "odom_y", "odom_theta");
     message.time_s = take_tail(fields);
-    out.fan = implied_fan(count, resolution_deg_);
-    out.fan.max_range_m = stated_max_m_;
-    out.fan.pose_robot_laser = pose_robot_laser_;
+    if (out != nullptr) {
+        out->fan = implied_fan(count, resolution_deg_);
+        out->fan.max_range_m = stated_max_m_;
+        out->fan.pose_robot_laser = pose_robot_laser_;
+    }
     return message;
 }
 
-CarmenMessage ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readings& out) {
+CarmenMessage ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readings* out) {
     fields.number("laser_type");
     const double start_rad = fields.number("start_angle");
     const double view_rad = fields.number("field_of_view");
@@ -200,8 +210,7 @@ CarmenMessage ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readin
     fields.number("accuracy");
     fields.number("remission_mode");
     const std::uint32_t count = fields.count("num_readings");
-    fields.readings(count, std::array{"range"},
-                    [&out](std::size_t, double value) { out.ranges_m.push_back(value); });
+    take_ranges(fields, count, out);
 
     const bool has_block = skip_remissions(fields, with_pose);
     CarmenMessage message;
@@ -224,9 +233,11 @@ CarmenMessage ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readin
         mount = steady_mount(between(robot, laser));
     }
     message.time_s = take_tail(fields);
-    out.fan = stated_fan(start_rad, view_rad, resolution_rad, count);
-    out.fan.max_range_m = max_range_m;
-    out.fan.pose_robot_laser = mount;
+    if (out != nullptr) {
+        out->fan = stated_fan(start_rad, view_rad, resolution_rad, count);
+        out->fan.max_range_m = max_range_m;
+        out->fan.pose_robot_laser = mount;
+    }
     return message;
 }
 
@@ -256,9 +267,8 @@ std::optional<OdometryRecord> ConversorCarmen::odometry(const RawLine& line) {
         message.time_s = take_tail(fields);
     } else {
         // The whole line is checked, so that a damaged one is out of both sequences.
-        checked_.clear();
         message =
-            name == "FLASER" ? parse_flaser(fields, checked_) : parse_laser(fields, true, checked_);
+            name == "FLASER" ? parse_flaser(fields, nullptr) : parse_laser(fields, true, nullptr);
     }
     OdometryRecord record;
     record.time_s = message.time_s;
