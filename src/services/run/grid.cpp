@@ -12,11 +12,6 @@ namespace {
 /// that moving them to the storage's origin is exact and never changes their cell.
 constexpr double kFarthestCell = 0x1p32;
 constexpr double kStepsPerCell = 0x1p20;
-/// Least margin of new storage on a side that grew, where that does not make more of it than four
-/// times what is needed and kSmallStorage cells.
-constexpr std::int64_t kLeastMargin = 64;
-constexpr std::int64_t kSmallStorage = std::int64_t{1} << 16;
-
 /// Fixed-point 1 of the numbers that a ray is followed with.
 constexpr std::int64_t kOne = std::int64_t{1} << 32;
 
@@ -32,71 +27,46 @@ std::int64_t cell_of(double coordinate) {
     return static_cast<std::int64_t>(std::floor(coordinate));
 }
 
-/// One axis of a ray in cells of the storage, and how far apart neighbours along it lie there.
+/// The cell of a coordinate of the storage, which is not negative.
+std::int64_t stored_cell_of(double coordinate) {
+    return static_cast<std::int64_t>(coordinate);
+}
+
+/// std::llround() without a call, of what is not negative and below 2^53.
+std::int64_t rounded(double value) {
+    const auto whole = static_cast<std::int64_t>(value);
+    return value - static_cast<double>(whole) >= 0.5 ? whole + 1 : whole;
+}
+
+/// One axis of a ray in cells of the storage, and how far apart neighbours along it lie: cells in
+/// their tile, and tiles.
 struct Axis {
     double from = 0.0;
     double to = 0.0;
     std::int64_t stride = 1;
+    std::int64_t tile_stride = 1;
 };
 
 /// How far the start lies from the border behind it, in the direction of the ray.
 double way_in_cell(const Axis& axis) {
-    const double above = axis.from - std::floor(axis.from);
+    const double above = axis.from - static_cast<double>(stored_cell_of(axis.from));
     return axis.to < axis.from ? 1.0 - above : above;
 }
 
-/// Frees every cell that a ray passes, from its first to its last (Amanatides and Woo, 1987). The
-/// walk goes from border to border along the longer axis `a`; a fixed-point number tells how far
-/// the ray has come along `b` since the border behind it.
-class RayEraser {
-  public:
-    RayEraser(float* cells, float miss, float lowest)
-        : cells_(cells), miss_(miss), lowest_(lowest) {}
-
-    void erase(const Axis& a, const Axis& b) const {
-        const std::int64_t a_first = cell_of(a.from);
-        const std::int64_t b_first = cell_of(b.from);
-        const std::int64_t borders = std::abs(cell_of(a.to) - a_first);
-        std::int64_t b_left = std::abs(cell_of(b.to) - b_first);
-        const std::int64_t a_step = a.to < a.from ? -a.stride : a.stride;
-        const std::int64_t b_step = b.to < b.from ? -b.stride : b.stride;
-
-        const double length = std::abs(a.to - a.from);
-        const double slope = length > 0.0 ? std::abs(b.to - b.from) / length : 0.0;
-        const auto slope_fixed = std::llround(slope * static_cast<double>(kOne));
-        // At least one unit below the border backwards, since a cell holds its lower border.
-        std::int64_t way = std::llround((way_in_cell(b) + slope * (1.0 - way_in_cell(a))) *
-                                        static_cast<double>(kOne)) -
-                           (b.to < b.from ? 1 : 0);
-        float* cell = cells_ + a_first * a.stride + b_first * b.stride;
-        // In locals, since for all the compiler knows a cell could be a member.
-        const float miss = miss_;
-        const float lowest = lowest_;
-        const auto erase_cell = [&cell, miss, lowest] { *cell = std::max(*cell + miss, lowest); };
-        erase_cell();
-        for (std::int64_t i = 0; i < borders; ++i) {
-            if (way >= kOne) {
-                way -= kOne;
-                if (b_left > 0) {
-                    --b_left;
-                    cell += b_step;
-                    erase_cell();
-                }
-            }
-            way += slope_fixed;
-            cell += a_step;
-            erase_cell();
-        }
-        for (; b_left > 0; --b_left) {
-            cell += b_step;
-            erase_cell();
-        }
+/// The walk of a ray along one axis.
+struct Steps {
+    explicit Steps(const Axis& axis)
+        : step(axis.to < axis.from ? -axis.stride : axis.stride),
+          tile_step(axis.to < axis.from ? -axis.tile_stride : axis.tile_stride),
+          left(std::abs(stored_cell_of(axis.to) - stored_cell_of(axis.from))) {
+        const std::int64_t in_tile = stored_cell_of(axis.from) % kTileSide;
+        in_this_tile = axis.to < axis.from ? in_tile : kTileSide - 1 - in_tile;
     }
 
-  private:
-    float* cells_;
-    float miss_;
-    float lowest_;
+    std::int64_t step;
+    std::int64_t tile_step;
+    std::int64_t left;          ///< steps to the ray's end
+    std::int64_t in_this_tile;  ///< steps to the last cell of the tile
 };
 
 CellArea with_cell(const CellArea& box, double u, double v) {
@@ -111,12 +81,98 @@ bool too_great(const CellArea& box) {
     return columns > kMostGridCells || rows > kMostGridCells / columns;
 }
 
-/// Of a box that is not too great.
-std::int64_t cells_of(const CellArea& box) {
-    return (box.end_column - box.first_column) * (box.end_row - box.first_row);
+std::int64_t tile_of(std::int64_t cell) {
+    return cell >= 0 ? cell / kTileSide : -((-cell + kTileSide - 1) / kTileSide);
 }
 
 }  // namespace
+
+/// Frees every cell that a ray passes, from its first to its last (Amanatides and Woo, 1987). The
+/// walk goes from border to border along the longer axis `a`; a fixed-point number tells how far
+/// the ray has come along `b` since the border behind it.
+class Grid::RayEraser {
+  public:
+    RayEraser(Tile* tiles, float miss, float lowest)
+        : tiles_(tiles), miss_(miss), lowest_(lowest) {}
+
+    void erase(const Axis& a, const Axis& b) const {
+        Steps along_a(a);
+        Steps along_b(b);
+        const double length = std::abs(a.to - a.from);
+        const double slope = length > 0.0 ? std::abs(b.to - b.from) / length : 0.0;
+        const auto slope_fixed = rounded(slope * static_cast<double>(kOne));
+        // At least one unit below the border backwards, since a cell holds its lower border.
+        std::int64_t way =
+            rounded((way_in_cell(b) + slope * (1.0 - way_in_cell(a))) * static_cast<double>(kOne)) -
+            (b.to < b.from ? 1 : 0);
+        const std::int64_t a_first = stored_cell_of(a.from);
+        const std::int64_t b_first = stored_cell_of(b.from);
+        Tile* tile =
+            tiles_ + a_first / kTileSide * a.tile_stride + b_first / kTileSide * b.tile_stride;
+        float* cell =
+            cells_of(*tile) + a_first % kTileSide * a.stride + b_first % kTileSide * b.stride;
+        // In locals, since for all the compiler knows a cell could be a member.
+        const float miss = miss_;
+        const float lowest = lowest_;
+        const auto erase_cell = [&cell, miss, lowest] { *cell = std::max(*cell + miss, lowest); };
+        const auto into_next_tile = [&cell, &tile](Steps& along) {
+            const std::ptrdiff_t last = cell - tile->data();
+            tile += along.tile_step;
+            cell = cells_of(*tile) + (last - (kTileSide - 1) * along.step);
+            along.in_this_tile = kTileSide - 1;
+        };
+        const auto erase_along_b = [&] {
+            --along_b.left;
+            if (along_b.in_this_tile > 0) {
+                --along_b.in_this_tile;
+                cell += along_b.step;
+            } else {
+                into_next_tile(along_b);
+            }
+            erase_cell();
+        };
+        const auto pass_border_of_b = [&] {
+            if (way >= kOne) {
+                way -= kOne;
+                if (along_b.left > 0) erase_along_b();
+            }
+            way += slope_fixed;
+        };
+        erase_cell();
+        for (;;) {
+            const std::int64_t here = std::min(along_a.left, along_a.in_this_tile);
+            for (std::int64_t i = 0; i < here; ++i) {
+                pass_border_of_b();
+                cell += along_a.step;
+                erase_cell();
+            }
+            along_a.left -= here;
+            if (along_a.left == 0) break;
+            pass_border_of_b();
+            into_next_tile(along_a);
+            --along_a.left;
+            erase_cell();
+        }
+        while (along_b.left > 0) erase_along_b();
+    }
+
+    static float* cells_of(Tile& tile) {
+        if (tile.empty()) [[unlikely]] {
+            make_room(tile);
+        }
+        return tile.data();
+    }
+
+  private:
+    // Not within the walk, whose registers it would take.
+    [[gnu::noinline]] static void make_room(Tile& tile) {
+        tile.assign(std::size_t{kTileSide} * kTileSide, 0.0F);
+    }
+
+    Tile* tiles_;
+    float miss_;
+    float lowest_;
+};
 
 CellArea united(const CellArea& a, const CellArea& b) {
     if (a.empty()) return b;
@@ -138,27 +194,25 @@ void Grid::add(const Scan& scan, const Pose& pose_world_robot) {
     if (in_reach(laser_u, laser_v)) collect_rays(scan, pose_world_robot, laser);
     if (rays_.empty() || !keep_rays_that_fit(laser_u, laser_v)) return;
 
-    last_change_ = with_cell({}, laser_u, laser_v);
-    for (const Ray& ray : rays_) last_change_ = with_cell(last_change_, ray.u, ray.v);
+    last_change_ = extent(laser_u, laser_v);
     // From here on coordinates are those of the storage.
     const double base_u = static_cast<double>(first_column_) - static_cast<double>(column_offset_);
     const double base_v = static_cast<double>(first_row_) - static_cast<double>(row_offset_);
     const double from_u = laser_u - base_u;
     const double from_v = laser_v - base_v;
-    const auto stride = static_cast<std::int64_t>(stride_);
     hits_.clear();
     for (Ray& ray : rays_) {
         ray.u -= base_u;
         ray.v -= base_v;
         if (!ray.hit) continue;
-        const auto cell = static_cast<std::size_t>(cell_of(ray.v) * stride + cell_of(ray.u));
-        hits_.push_back({cell, cells_[cell]});
+        float* const cell = cell_at(ray.u, ray.v);
+        hits_.push_back({cell, *cell});
     }
     const auto limit = static_cast<float>(params_.log_odds_limit);
-    const RayEraser eraser(cells_.data(), static_cast<float>(params_.log_odds_miss), -limit);
+    const RayEraser eraser(tiles_.data(), static_cast<float>(params_.log_odds_miss), -limit);
     for (const Ray& ray : rays_) {
-        const Axis u{from_u, ray.u, 1};
-        const Axis v{from_v, ray.v, stride};
+        const Axis u{from_u, ray.u, 1, 1};
+        const Axis v{from_v, ray.v, kTileSide, static_cast<std::int64_t>(tile_columns_)};
         if (std::abs(ray.u - from_u) >= std::abs(ray.v - from_v)) {
             eraser.erase(u, v);
         } else {
@@ -166,9 +220,9 @@ void Grid::add(const Scan& scan, const Pose& pose_world_robot) {
         }
     }
     // What was hit gets back what it held before any ray of this scan passed it.
-    for (const Hit& hit : hits_) cells_[hit.cell] = hit.before;
+    for (const Hit& hit : hits_) *hit.cell = hit.before;
     const auto gain = static_cast<float>(params_.log_odds_hit);
-    for (const Hit& hit : hits_) cells_[hit.cell] = std::min(cells_[hit.cell] + gain, limit);
+    for (const Hit& hit : hits_) *hit.cell = std::min(*hit.cell + gain, limit);
 }
 
 /// Fills `rays_` with the rays whose ends are finite and in reach.
@@ -197,13 +251,25 @@ void Grid::collect_rays(const Scan& scan, const Pose& pose_world_robot,
     }
 }
 
+/// The cells of the laser and of the rays' ends.
+CellArea Grid::extent(double laser_u, double laser_v) const {
+    Ray least{laser_u, laser_v};
+    Ray greatest = least;
+    for (const Ray& ray : rays_) {
+        least.u = std::min(least.u, ray.u);
+        least.v = std::min(least.v, ray.v);
+        greatest.u = std::max(greatest.u, ray.u);
+        greatest.v = std::max(greatest.v, ray.v);
+    }
+    return with_cell(with_cell({}, least.u, least.v), greatest.u, greatest.v);
+}
+
 /// Makes room for the rays; where the grid would be too great, for those that fit, in their order.
 /// False where not even the laser fits; the grid is then as before.
 bool Grid::keep_rays_that_fit(double laser_u, double laser_v) {
     CellArea box = with_cell(area(), laser_u, laser_v);
     if (too_great(box)) return false;
-    CellArea all = box;
-    for (const Ray& ray : rays_) all = with_cell(all, ray.u, ray.v);
+    CellArea all = united(box, extent(laser_u, laser_v));
     if (too_great(all)) {
         std::erase_if(rays_, [&](const Ray& ray) {
             const CellArea with = with_cell(box, ray.u, ray.v);
@@ -222,54 +288,64 @@ CellArea Grid::area() const {
     return {first_column_, first_row_, first_column_ + columns_, first_row_ + rows_};
 }
 
-/// Makes `box`, which holds the bounds, the new bounds. Storage grows by a quarter on each side
-/// that needs it, so that the cost of growing stays in proportion to the area.
+/// Makes `box`, which holds the bounds, the new bounds. The table of tiles grows by a quarter on
+/// each side that needs it, so that the cost of growing stays in proportion to the area.
 void Grid::hold(const CellArea& box) {
-    const CellArea old = area();
-    CellArea storage{first_column_ - static_cast<std::int64_t>(column_offset_),
-                     first_row_ - static_cast<std::int64_t>(row_offset_), 0, 0};
-    storage.end_column = storage.first_column + static_cast<std::int64_t>(stride_);
-    storage.end_row =
-        storage.first_row + (stride_ == 0 ? 0 : static_cast<std::int64_t>(cells_.size() / stride_));
-    const bool fits = !empty() && box.first_column >= storage.first_column &&
-                      box.first_row >= storage.first_row && box.end_column <= storage.end_column &&
-                      box.end_row <= storage.end_row;
-    if (!fits) {
-        std::int64_t margin_columns =
-            std::max(kLeastMargin, (box.end_column - box.first_column) / 4);
-        std::int64_t margin_rows = std::max(kLeastMargin, (box.end_row - box.first_row) / 4);
-        CellArea greater;
-        do {
-            greater = box;
-            if (empty() || box.first_column < old.first_column) {
-                greater.first_column -= margin_columns;
-            }
-            if (empty() || box.end_column > old.end_column) greater.end_column += margin_columns;
-            if (empty() || box.first_row < old.first_row) greater.first_row -= margin_rows;
-            if (empty() || box.end_row > old.end_row) greater.end_row += margin_rows;
-            margin_columns /= 2;
-            margin_rows /= 2;
-        } while (too_great(greater) || cells_of(greater) > 4 * cells_of(box) + kSmallStorage);
-
-        const auto new_stride = static_cast<std::size_t>(greater.end_column - greater.first_column);
-        const auto new_rows = static_cast<std::size_t>(greater.end_row - greater.first_row);
-        std::vector<float> cells(new_stride * new_rows, 0.0F);
-        const auto column_shift = static_cast<std::size_t>(first_column_ - greater.first_column);
-        const auto row_shift = static_cast<std::size_t>(first_row_ - greater.first_row);
-        for (std::size_t row = 0; row < static_cast<std::size_t>(rows_); ++row) {
-            std::copy_n(cells_.data() + (row + row_offset_) * stride_ + column_offset_, columns_,
-                        cells.data() + (row + row_shift) * new_stride + column_shift);
+    const std::int64_t old_column =
+        tile_of(first_column_ - static_cast<std::int64_t>(column_offset_));
+    const std::int64_t old_row = tile_of(first_row_ - static_cast<std::int64_t>(row_offset_));
+    const CellArea old{old_column, old_row, old_column + static_cast<std::int64_t>(tile_columns_),
+                       old_row + static_cast<std::int64_t>(tile_rows_)};
+    CellArea table{tile_of(box.first_column), tile_of(box.first_row),
+                   tile_of(box.end_column - 1) + 1, tile_of(box.end_row - 1) + 1};
+    if (empty() || united(old, table) != old) {
+        if (!empty()) {
+            const std::int64_t more_columns = 1 + (table.end_column - table.first_column) / 4;
+            const std::int64_t more_rows = 1 + (table.end_row - table.first_row) / 4;
+            if (table.first_column < old.first_column) table.first_column -= more_columns;
+            if (table.end_column > old.end_column) table.end_column += more_columns;
+            if (table.first_row < old.first_row) table.first_row -= more_rows;
+            if (table.end_row > old.end_row) table.end_row += more_rows;
+            table = united(old, table);
         }
-        cells_ = std::move(cells);
-        stride_ = new_stride;
-        storage = greater;
+        const auto columns = static_cast<std::size_t>(table.end_column - table.first_column);
+        const auto rows = static_cast<std::size_t>(table.end_row - table.first_row);
+        std::vector<Tile> tiles(columns * rows);
+        const auto place = tiles.begin() +
+                           (old.first_row - table.first_row) * static_cast<std::int64_t>(columns) +
+                           (old.first_column - table.first_column);
+        for (std::size_t row = 0; row < tile_rows_; ++row) {
+            const auto from = tiles_.begin() + static_cast<std::ptrdiff_t>(row * tile_columns_);
+            std::move(from, from + static_cast<std::ptrdiff_t>(tile_columns_),
+                      place + static_cast<std::ptrdiff_t>(row * columns));
+        }
+        tiles_ = std::move(tiles);
+        tile_columns_ = columns;
+        tile_rows_ = rows;
+    } else {
+        table = old;
     }
     first_column_ = box.first_column;
     first_row_ = box.first_row;
     columns_ = static_cast<int>(box.end_column - box.first_column);
     rows_ = static_cast<int>(box.end_row - box.first_row);
-    column_offset_ = static_cast<std::size_t>(box.first_column - storage.first_column);
-    row_offset_ = static_cast<std::size_t>(box.first_row - storage.first_row);
+    column_offset_ = static_cast<std::size_t>(box.first_column - table.first_column * kTileSide);
+    row_offset_ = static_cast<std::size_t>(box.first_row - table.first_row * kTileSide);
+}
+
+/// Of coordinates in the storage.
+float* Grid::cell_at(double u, double v) {
+    const std::int64_t column = stored_cell_of(u);
+    const std::int64_t row = stored_cell_of(v);
+    Tile& tile = tiles_[static_cast<std::size_t>(row / kTileSide) * tile_columns_ +
+                        static_cast<std::size_t>(column / kTileSide)];
+    return RayEraser::cells_of(tile) + row % kTileSide * kTileSide + column % kTileSide;
+}
+
+std::size_t Grid::bytes() const {
+    std::size_t sum = tiles_.size() * sizeof(Tile);
+    for (const Tile& tile : tiles_) sum += tile.size() * sizeof(float);
+    return sum;
 }
 
 void Grid::clear() {
@@ -293,13 +369,22 @@ Grid::Picture Grid::picture() const {
     float last = 0.0F;  // most cells equal their neighbour: the exponential is worth remembering
     std::uint8_t grey = grey_of(last);
     for (int row = rows_ - 1; row >= 0; --row) {
-        for (int column = 0; column < columns_; ++column) {
-            const float value = log_odds(column, row);
-            if (value != last) {
-                last = value;
-                grey = grey_of(value);
+        const std::size_t y = static_cast<std::size_t>(row) + row_offset_;
+        const std::size_t end = static_cast<std::size_t>(columns_) + column_offset_;
+        for (std::size_t x = column_offset_; x < end;) {
+            constexpr std::size_t kSide = kTileSide;
+            const std::size_t count = std::min(kSide - x % kSide, end - x);
+            const Tile& tile = tiles_[y / kSide * tile_columns_ + x / kSide];
+            if (tile.empty()) picture.grey.insert(picture.grey.end(), count, kUnknownGrey);
+            for (std::size_t i = 0; !tile.empty() && i < count; ++i) {
+                const float value = tile[y % kSide * kSide + x % kSide + i];
+                if (value != last) {
+                    last = value;
+                    grey = grey_of(value);
+                }
+                picture.grey.push_back(grey);
             }
-            picture.grey.push_back(grey);
+            x += count;
         }
     }
     return picture;

@@ -1,6 +1,7 @@
 // Occupancy grids in log-odds [T 2.5.4].
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -40,6 +41,9 @@ std::uint8_t grey_of(float log_odds);
 /// Greatest number of cells of a grid; what would need more is left out.
 inline constexpr std::int64_t kMostGridCells = std::int64_t{1} << 28;
 
+/// Side of the tiles that grids and their pictures are held in, in cells.
+inline constexpr int kTileSide = 64;
+
 /// A grid that grows as needed and is no greater than what was drawn. Cell (column, row) covers
 /// [origin + column * resolution, origin + (column + 1) * resolution) in x, likewise rows in y;
 /// the world's origin lies on a corner of cells.
@@ -57,7 +61,7 @@ class Grid {
 
     bool empty() const { return columns_ == 0; }
     /// Memory that its cells take.
-    std::size_t bytes() const { return cells_.size() * sizeof(float); }
+    std::size_t bytes() const;
     int columns() const { return columns_; }
     int rows() const { return rows_; }
     Point2 origin() const;  ///< world coordinates of the lower left corner [m]
@@ -66,8 +70,11 @@ class Grid {
     const CellArea& last_change() const { return last_change_; }
     double resolution_m() const { return params_.resolution_m; }
     float log_odds(int column, int row) const {
-        return cells_[(static_cast<std::size_t>(row) + row_offset_) * stride_ +
-                      static_cast<std::size_t>(column) + column_offset_];
+        constexpr std::size_t kSide = kTileSide;
+        const std::size_t x = static_cast<std::size_t>(column) + column_offset_;
+        const std::size_t y = static_cast<std::size_t>(row) + row_offset_;
+        const Tile& tile = tiles_[y / kSide * tile_columns_ + x / kSide];
+        return tile.empty() ? 0.0F : tile[y % kSide * kSide + x % kSide];
     }
     bool known(int column, int row) const { return log_odds(column, row) != 0.0F; }
 
@@ -88,18 +95,25 @@ class Grid {
         bool hit = false;
     };
     struct Hit {
-        std::size_t cell = 0;
+        float* cell = nullptr;
         float before = 0.0F;
     };
+    /// kTileSide x kTileSide cells, row by row from the lower left one; empty where nothing is
+    /// known.
+    using Tile = std::vector<float>;
+    class RayEraser;
 
     void collect_rays(const Scan& scan, const Pose& pose_world_robot, const Pose& pose_world_laser);
+    CellArea extent(double laser_u, double laser_v) const;
     bool keep_rays_that_fit(double laser_u, double laser_v);
     void hold(const CellArea& box);
+    float* cell_at(double u, double v);
 
     GridParams params_;
-    std::vector<float> cells_;  // row-major from the lower left; more than the bounds, to grow into
-    std::size_t stride_ = 0;    // cells of one row of the storage
-    std::size_t column_offset_ = 0;  // of the bounds in the storage
+    std::vector<Tile> tiles_;  // row-major from the lower left; more than the bounds, to grow into
+    std::size_t tile_columns_ = 0;
+    std::size_t tile_rows_ = 0;
+    std::size_t column_offset_ = 0;  // of the bounds from the first tile's cell
     std::size_t row_offset_ = 0;
     int columns_ = 0;
     int rows_ = 0;

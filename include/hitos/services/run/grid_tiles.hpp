@@ -11,9 +11,6 @@
 
 namespace hitos {
 
-/// Side of a tile in cells.
-inline constexpr int kTileSide = 64;
-
 /// The greys of kTileSide x kTileSide cells, row by row from the LOWER left one.
 struct GridTile {
     std::array<std::uint8_t, std::size_t{kTileSide} * kTileSide> grey;
