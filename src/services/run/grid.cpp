@@ -75,14 +75,19 @@ CellArea with_cell(const CellArea& box, double u, double v) {
     return united(box, {column, row, column + 1, row + 1});
 }
 
+std::int64_t tile_of(std::int64_t cell) {
+    return cell >= 0 ? cell / kTileSide : -((-cell + kTileSide - 1) / kTileSide);
+}
+
+/// Tiles count too: a ray alone has one for every 64 cells.
 bool too_great(const CellArea& box) {
     const std::int64_t columns = box.end_column - box.first_column;
     const std::int64_t rows = box.end_row - box.first_row;
-    return columns > kMostGridCells || rows > kMostGridCells / columns;
-}
-
-std::int64_t tile_of(std::int64_t cell) {
-    return cell >= 0 ? cell / kTileSide : -((-cell + kTileSide - 1) / kTileSide);
+    if (columns > kMostGridCells || rows > kMostGridCells / columns) return true;
+    const std::int64_t tile_columns = tile_of(box.end_column - 1) + 1 - tile_of(box.first_column);
+    const std::int64_t tile_rows = tile_of(box.end_row - 1) + 1 - tile_of(box.first_row);
+    constexpr std::int64_t kMostTiles = 2 * kMostGridCells / (std::int64_t{kTileSide} * kTileSide);
+    return tile_columns > kMostTiles || tile_rows > kMostTiles / tile_columns;
 }
 
 }  // namespace
@@ -311,13 +316,13 @@ void Grid::hold(const CellArea& box) {
         const auto columns = static_cast<std::size_t>(table.end_column - table.first_column);
         const auto rows = static_cast<std::size_t>(table.end_row - table.first_row);
         std::vector<Tile> tiles(columns * rows);
-        const auto place = tiles.begin() +
-                           (old.first_row - table.first_row) * static_cast<std::int64_t>(columns) +
-                           (old.first_column - table.first_column);
         for (std::size_t row = 0; row < tile_rows_; ++row) {
             const auto from = tiles_.begin() + static_cast<std::ptrdiff_t>(row * tile_columns_);
-            std::move(from, from + static_cast<std::ptrdiff_t>(tile_columns_),
-                      place + static_cast<std::ptrdiff_t>(row * columns));
+            const std::int64_t to =
+                (old.first_row - table.first_row + static_cast<std::int64_t>(row)) *
+                    static_cast<std::int64_t>(columns) +
+                old.first_column - table.first_column;
+            std::move(from, from + static_cast<std::ptrdiff_t>(tile_columns_), tiles.begin() + to);
         }
         tiles_ = std::move(tiles);
         tile_columns_ = columns;

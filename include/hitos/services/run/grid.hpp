@@ -38,7 +38,8 @@ inline constexpr std::uint8_t kUnknownGrey = 205;
 /// where nothing is known (log-odds 0).
 std::uint8_t grey_of(float log_odds);
 
-/// Greatest number of cells of a grid; what would need more is left out.
+/// Greatest number of cells of a grid; what would need more, or tiles of more than twice as many,
+/// is left out.
 inline constexpr std::int64_t kMostGridCells = std::int64_t{1} << 28;
 
 /// Side of the tiles that grids and their pictures are held in, in cells.

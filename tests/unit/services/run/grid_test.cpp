@@ -243,6 +243,10 @@ TEST(Grid, LeavesOutWhatWouldTakeTooManyCells) {
     // Not even the laser fits.
     grid.add(scan_of({{1.0, 0.0}, {2.0, 0.0}}), {0.5, 1e5, 0.0});
     EXPECT_EQ(grid.rows(), 5);
+    // Ten million cells in a row are few, but need tiles of 640 million.
+    Grid strip(unit_cells());
+    strip.add(scan_of({{1e7, 0.0}, {3.0, 0.0}}), {0.5, 0.5, 0.0});
+    EXPECT_EQ(strip.columns(), 4);
 }
 
 TEST(Grid, WorksFarFromTheOrigin) {
