@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "hitos/base/elementary.hpp"
+
 namespace hitos {
 
 /// What a stream is for; streams of different purposes never overlap.
@@ -21,8 +23,20 @@ enum class RandomPurpose : std::uint32_t {
     association = 6
 };
 
+struct NormalPair {
+    double one;
+    double other;
+};
+
+/// Two independent standard normal draws of two uniform ones in (0, 1) (Box and Muller, 1958).
+HITOS_INLINE NormalPair normal_pair(double u0, double u1) {
+    const double radius = std::sqrt(-2.0 * elementary::log(u0));
+    const auto [sine, cosine] = elementary::sine_cosine(2.0 * std::numbers::pi * u1);
+    return {radius * cosine, radius * sine};
+}
+
 /// Philox4x32-10 (Salmon et al., SC11) keyed by seed and addressed by purpose, step and index.
-/// Reproducible on every machine up to the last bit of the C library's log, sin and cos.
+/// Reproducible on every machine.
 class RandomStream {
   public:
     RandomStream(std::uint64_t seed, RandomPurpose purpose, std::uint64_t step, std::uint32_t index)
@@ -34,11 +48,11 @@ class RandomStream {
     /// Uniform in (0, 1), 2^-33 away from both ends at the least.
     double uniform() { return (static_cast<double>(next()) + 0.5) * 0x1p-32; }
 
-    /// Two independent standard normal draws (Box and Muller, 1958).
+    /// Two independent standard normal draws.
     std::array<double, 2> normal_pair() {
-        const double radius = std::sqrt(-2.0 * std::log(uniform()));
-        const double angle = 2.0 * std::numbers::pi * uniform();
-        return {radius * std::cos(angle), radius * std::sin(angle)};
+        const double u0 = uniform();
+        const auto [one, other] = hitos::normal_pair(u0, uniform());
+        return {one, other};
     }
 
     /// 32 random bits.
@@ -50,6 +64,10 @@ class RandomStream {
         }
         return block_[used_++];
     }
+
+    /// For those who draw from many streams at once.
+    const r123::Philox4x32::ctr_type& counter() const { return counter_; }
+    const r123::Philox4x32::key_type& key() const { return key_; }
 
   private:
     r123::Philox4x32::key_type key_;
