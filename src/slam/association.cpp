@@ -21,10 +21,11 @@ void Associator::note_limits(AssociationRecord& record) const {
 }
 
 SeenFeature Associator::seen(const Measurement& measured) const {
-    if (params_.method != AssociationMethod::maximum_likelihood) return {measured, rule_.gate()};
+    const auto [sine, cosine] = elementary::sine_cosine(measured.z(1));
+    if (!by_likelihood()) return {measured, rule_.gate(), {}, cosine, sine};
     // det Q >= det R, so ln likelihood <= -ln 2 pi - ln(det R) / 2 - d^2 / 2.
     const double greatest = -std::log(2.0 * kPi) - 0.5 * std::log(measured.r.determinant());
-    return {measured, 2.0 * (greatest - log_p0_)};
+    return {measured, 2.0 * (greatest - log_p0_), {}, cosine, sine};
 }
 
 }  // namespace hitos

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -48,10 +47,11 @@ class BestTwo {
     double second_log_ = kNothing;
 };
 
-/// An observation as mark_near() of the columns takes it.
+/// An observation as near_from() of the columns takes it.
 inline PreparedObservation prepare(const SeenFeature& seen, const Pose& pose) {
-    const double angle_world = seen.measured.z(1) + pose.theta;
-    return {seen, std::cos(angle_world), std::sin(angle_world)};
+    const auto [sine, cosine] = elementary::sine_cosine(pose.theta);
+    const NearQuery query = turned(near_query({seen, seen.cosine, seen.sine}), cosine, sine);
+    return {seen, query.cos_world, query.sin_world};
 }
 
 /// What is the same in every filter: the gate of [T 5.3] and what is ambiguous [T 5.4.2, SPEC 5].
@@ -147,6 +147,18 @@ class Associator {
     void for_each_candidate(const typename S::Columns& landmarks, const Pose& pose,
                             const PreparedObservation& observed, const Body& body,
                             const Watch& watch = {}) const;
+    /// Whether a landmark cannot be what was observed: no likelier than p0, or outside the gate.
+    bool outside(const Likelihood& close) const {
+        return by_likelihood() ? !(close.log_likelihood > log_p0_)
+                               : !(close.mahalanobis_squared <= rule_.gate());
+    }
+    void offer(BestTwo& candidates, std::uint32_t landmark, const Likelihood& close) const {
+        candidates.offer(landmark,
+                         by_likelihood() ? close.log_likelihood : -close.mahalanobis_squared,
+                         close.log_likelihood);
+    }
+    /// The decision where nothing but the candidates matters.
+    Decision resolve(const BestTwo& candidates) const;
     /// For an observation that fits no landmark.
     Decision fits_none() const {
         return {Association::Outcome::created, Association::Reason::fits_none, 0, log_p0_};
@@ -158,7 +170,7 @@ class Associator {
     void note_limits(AssociationRecord& record) const;
 
   private:
-    Decision resolve(const BestTwo& candidates) const;
+    bool by_likelihood() const { return params_.method == AssociationMethod::maximum_likelihood; }
     /// Whether all that the observation is ambiguous between are stretches of one bounded line,
     /// which it joins.
     template <Sensor S>
@@ -200,36 +212,28 @@ template <Sensor S, class Body, class Watch>
 void Associator::for_each_candidate(const typename S::Columns& landmarks, const Pose& pose,
                                     const PreparedObservation& observed, const Body& body,
                                     const Watch& watch) const {
-    constexpr std::size_t kChunk = 64;
-    const EKF<S> ekf(observed.seen.measured.r);
-    const bool by_likelihood = params_.method == AssociationMethod::maximum_likelihood;
-    const double gate = rule_.gate();
-    std::array<unsigned char, kChunk> near{};
-    for (std::size_t begin = 0; begin < landmarks.size(); begin += kChunk) {
-        const std::size_t end = std::min(begin + kChunk, landmarks.size());
-        landmarks.mark_near(begin, end, pose, observed, near.data());
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto compare = [&] {
-                return landmarks.innovation(i, observed.seen.measured.z, pose);
-            };
-            if (near[i - begin] == 0 || !beside<S>(landmarks, i, pose, observed.seen.reach)) {
-                if constexpr (Watch::kWatches) {
-                    const Innovation apart = compare();
-                    watch.note(i, apart.nu, ekf.likelihood(apart, landmarks.covariance(i)),
-                               near[i - begin] == 0 ? Standing::far : Standing::elsewhere);
-                }
-                continue;
-            }
-            const Innovation innovation = compare();
-            const Likelihood close = ekf.likelihood(innovation, landmarks.covariance(i));
-            const bool outside =
-                by_likelihood ? close.log_likelihood <= log_p0_ : close.mahalanobis_squared > gate;
+    constexpr std::size_t kLeaf = S::Columns::kLeaf;
+    const LanePose from = lane_of(pose);
+    const LaneObservation seen = lane_of(observed.seen.measured);
+    for (std::size_t first = 0; first < landmarks.leaves(); first += S::Columns::kAtOnce) {
+        const std::uint64_t near = landmarks.near_from(first, pose, observed);
+        if (!Watch::kWatches && near == 0) continue;
+        const std::size_t end = std::min((first + S::Columns::kAtOnce) * kLeaf, landmarks.size());
+        for (std::size_t i = first * kLeaf; i < end; ++i) {
+            const bool far = ((near >> (i - first * kLeaf)) & 1U) == 0;
+            const bool elsewhere = !far && !beside<S>(landmarks, i, pose, observed.seen.reach);
+            if (!Watch::kWatches && (far || elsewhere)) continue;
+            const LaneInnovation innovation = S::innovation(landmarks.lane(i), from, seen);
+            const Likelihood close = likelihood_of(innovation);
+            const bool no = far || elsewhere || outside(close);
             if constexpr (Watch::kWatches) {
-                watch.note(i, innovation.nu, close,
-                           outside ? Standing::outside : Standing::candidate);
+                const Standing standing = far         ? Standing::far
+                                          : elsewhere ? Standing::elsewhere
+                                          : no        ? Standing::outside
+                                                      : Standing::candidate;
+                watch.note(i, {innovation.nu0, innovation.nu1}, close, standing);
             }
-            if (outside) continue;
-            body(static_cast<std::uint32_t>(i), close);
+            if (!no) body(static_cast<std::uint32_t>(i), close);
         }
     }
 }
@@ -286,14 +290,11 @@ template <Sensor S, class Watch>
 Decision Associator::decide(const typename S::Columns& landmarks, const Pose& pose,
                             const PreparedObservation& observed, RandomStream* random,
                             const Watch& watch) const {
-    const bool by_likelihood = params_.method == AssociationMethod::maximum_likelihood;
     BestTwo candidates;
     for_each_candidate<S>(
         landmarks, pose, observed,
         [&](std::uint32_t landmark, const Likelihood& close) {
-            candidates.offer(landmark,
-                             by_likelihood ? close.log_likelihood : -close.mahalanobis_squared,
-                             close.log_likelihood);
+            offer(candidates, landmark, close);
         },
         watch);
     if (candidates.none() || !rule_.ambiguous(candidates, log_p0_)) return resolve(candidates);

@@ -1,6 +1,7 @@
 #include "filtro_particulas.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -9,21 +10,6 @@
 
 namespace hitos {
 namespace {
-
-/// What of a step concerns its updates.
-struct UpdateContext {
-    std::uint32_t scan = 0;
-    bool extents = false;  ///< whether anything asks for the landmarks' extents
-    LandmarkParams params;
-};
-
-/// Whether two features of one scan lie beside each other along the first: then both may be pieces
-/// of one wall, while of two that overlap one stands before the other.
-template <Sensor S>
-bool parted(const SeenFeature& a, const SeenFeature& b) {
-    const auto line = S::inverse({}, a.measured.z);
-    return S::placed(a.reach, {}, line).gap(S::placed(b.reach, {}, line)) > 0.0;
-}
 
 /// Of a pose from another, the short way round.
 Eigen::Vector3d away_from(const Pose& origin, const Pose& pose) {
@@ -40,41 +26,6 @@ Pose mean_of(const std::vector<WeightedPose>& hypotheses, const Pose& origin) {
     return {origin.x + mean(0), origin.y + mean(1), wrap_angle(origin.theta + mean(2))};
 }
 
-template <Sensor S>
-void apply(Decision& decision, typename S::Columns& landmarks, const Pose& pose,
-           const SeenFeature& seen, const UpdateContext& context) {
-    if (decision.outcome == Association::Outcome::ignored) return;
-    const EKF<S> ekf(seen.measured.r);
-    const Vector2& z = seen.measured.z;
-    if (decision.outcome == Association::Outcome::created) {
-        const std::size_t index = landmarks.append();
-        const LandmarkEstimate<S> first = ekf.first(pose, z);
-        landmarks.set(index, first);
-        if (context.extents) {
-            landmarks.set_extent(index, S::placed(seen.reach, pose, first.mean));
-        }
-        landmarks.record(index) = {1, context.scan, context.scan,
-                                   static_cast<float>(context.params.hit)};
-        decision.landmark = static_cast<std::uint32_t>(index);
-        return;
-    }
-    const std::size_t index = decision.landmark;
-    auto estimate = landmarks.get(index);
-    const auto before = estimate.mean;
-    ekf.update(estimate, landmarks.innovation(index, z, pose));
-    landmarks.set(index, estimate);
-    if (context.extents) {
-        landmarks.set_extent(index, S::carried(landmarks.extent(index), before, estimate.mean)
-                                        .joined(S::placed(seen.reach, pose, estimate.mean)));
-    }
-    LandmarkRecord& record = landmarks.record(index);
-    ++record.observations;
-    decision.unseen = context.scan - record.last_seen;
-    record.last_seen = context.scan;
-    record.existence = static_cast<float>(
-        std::min(static_cast<double>(record.existence) + context.params.hit, context.params.limit));
-}
-
 }  // namespace
 
 FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t seed, int threads)
@@ -88,44 +39,31 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
       resampling_(resampling_methods().find(params.resampling.method).make(params.resampling)),
       registered_(motion_models().find(params.motion.model).registered),
       heeds_extents_(registered_ || params.association.segments || params.landmarks.vanish),
+      one_by_one_(params.association.method != AssociationMethod::joint_compatibility &&
+                  !params.association.segments && !params.association.hypotheses),
       reviews_(params.association.segments || params.landmarks.vanish ||
                params.landmarks.probation > 1),
       for_each_(threads),
       particles_(static_cast<std::size_t>(params.particles)) {
-    // All particles start as copies of one: same pose, same empty map.
-    const MapStore::Handle empty = maps_.create();
     for (std::size_t i = 0; i < particles_.size(); ++i) {
-        particles_[i].map = empty;
+        particles_[i].map = maps_.create();
         particles_[i].weight_before = 1.0 / static_cast<double>(particles_.size());
         particles_[i].from = static_cast<std::uint32_t>(i);
-        if (i > 0) maps_.share(empty);
     }
     statistics_.neff = static_cast<double>(particles_.size());
 }
 
 void FiltroParticulas::step(const SlamInput& input) {
     statistics_.resampled = statistics_.best_changed = false;
+    copies_.clear();
     propose(input);
     observe(input.observation);
     if (params_.landmarks.vanish) free_space_.set(input.scan);
     if (input.record != nullptr) begin_record(*input.record);
     if (!seen_.empty() || reviews_) {
-        detach_maps();
-        for_each_(particles_.size(), seen_.size() * (maps_.size(particles_[best_].map) + 8),
-                  [&](std::size_t i) {
-                      const auto decisions =
-                          std::span(decisions_).subspan(i * seen_.size(), seen_.size());
-                      std::span<RecordedFeature> recorded;
-                      if (input.record == nullptr) {
-                          associate(i, decisions, Unwatched());
-                      } else {
-                          associate(i, decisions, Watched(input.record->hypotheses[i]));
-                          recorded = input.record->hypotheses[i];
-                      }
-                      update(particles_[i], decisions);
-                      weigh(particles_[i], decisions);
-                      if (reviews_) review(particles_[i], decisions, recorded);
-                  });
+        const std::size_t work = seen_.size() * (maps_.size(particles_[best_].map) + 8);
+        for_each_block(particles_.size(), work,
+                       [&](const Block& block) { step_block(block, input.record); });
     }
     if (!seen_.empty()) choose_best();  // else nothing is weighed or resampled
     statistics_.searches_cut = searches_cut_;
@@ -136,16 +74,38 @@ void FiltroParticulas::step(const SlamInput& input) {
     ++steps_;
 }
 
+void FiltroParticulas::begin_work(std::size_t particles, std::size_t work_each) {
+    workers_.resize(std::max(workers_.size(), for_each_.blocks(particles, work_each)));
+    const bool alone = !for_each_.parallel(particles, work_each);
+    for (MapStore::Worker& worker : workers_) {
+        for (LeafCache& cache : worker) cache.alone = alone;
+    }
+}
+
 void FiltroParticulas::propose(const SlamInput& input) {
     proposal_->begin(input, steps_ == 0);
-    for_each_(particles_.size(), 10, [&](std::size_t i) {
-        Particula& particle = particles_[i];
-        RandomStream random(seed_, RandomPurpose::motion, steps_, static_cast<std::uint32_t>(i));
-        const ParticleMap map(maps_, particle.map);
-        const ProposedPose drawn = proposal_->draw({particle.pose, map}, random);
-        particle.pose = drawn.pose;
-        particle.log_weight += drawn.log_weight;
-    });
+    static_assert(ParticleLoop::kBlock <= NormalRow::kMost);
+    for_each_(particles_.size(), 10,
+              [&](std::size_t /*number*/, std::size_t begin, std::size_t end) {
+                  const RandomRow row{seed_, RandomPurpose::motion, steps_,
+                                      static_cast<std::uint32_t>(begin)};
+                  std::array<Pose, ParticleLoop::kBlock> poses;
+                  for (std::size_t i = begin; i < end; ++i)
+                      poses.at(i - begin) = particles_[i].pose;
+                  if (proposal_->draw_row(std::span(poses).first(end - begin), row)) {
+                      for (std::size_t i = begin; i < end; ++i)
+                          particles_[i].pose = poses.at(i - begin);
+                      return;
+                  }
+                  for (std::size_t i = begin; i < end; ++i) {
+                      Particula& particle = particles_[i];
+                      RandomStream random = row.stream(i - begin);
+                      const ParticleMap map(maps_, particle.map);
+                      const ProposedPose drawn = proposal_->draw({particle.pose, map}, random);
+                      particle.pose = drawn.pose;
+                      particle.log_weight += drawn.log_weight;
+                  }
+              });
 }
 
 void FiltroParticulas::observe(const Observation& observation) {
@@ -164,100 +124,6 @@ void FiltroParticulas::observe(const Observation& observation) {
         }
     });
     decisions_.resize(seen_.size() * particles_.size());
-}
-
-void FiltroParticulas::detach_maps() {
-    copies_.clear();
-    for (Particula& particle : particles_) {
-        const MapStore::Handle source = maps_.detach(particle.map);
-        if (source != particle.map) copies_.emplace_back(source, particle.map);
-    }
-    for_each_kind([&]<class S>() { maps_.reserve_more<S>(seen_.of<S>().size()); });
-    for_each_(copies_.size(), 20,
-              [&](std::size_t i) { maps_.copy(copies_[i].first, copies_[i].second); });
-}
-
-template <class Watch>
-void FiltroParticulas::associate(std::size_t place, std::span<Decision> decisions,
-                                 const Watch& watch) {
-    const Particula& particle = particles_[place];
-    if (params_.association.method == AssociationMethod::joint_compatibility) {
-        associate_together(particle, decisions, watch);
-        return;
-    }
-    RandomStream random(seed_, RandomPurpose::association, steps_,
-                        static_cast<std::uint32_t>(place));
-    RandomStream* const drawn = params_.association.hypotheses ? &random : nullptr;
-    for_each_kind([&]<class S>() {
-        const auto landmarks = maps_.landmarks<S>(particle.map);
-        std::size_t next = seen_.first<S>();
-        for (const SeenFeature& seen : seen_.of<S>()) {
-            decisions[next] = associator_.decide<S>(
-                landmarks, particle.pose, prepare(seen, particle.pose), drawn, watch.feature(next));
-            ++next;
-        }
-        if (params_.association.exclusive) exclude<S>(decisions);
-    });
-}
-
-template <Sensor S>
-void FiltroParticulas::exclude(std::span<Decision> decisions) const {
-    const std::size_t first = seen_.first<S>();
-    const std::span<const SeenFeature> seen = seen_.of<S>();
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        for (std::size_t j = i + 1; j < seen.size(); ++j) {
-            Decision& a = decisions[first + i];
-            Decision& b = decisions[first + j];
-            if (a.outcome != Association::Outcome::matched ||
-                b.outcome != Association::Outcome::matched || a.landmark != b.landmark) {
-                continue;
-            }
-            if (params_.association.segments && parted<S>(seen[i], seen[j])) continue;
-            Decision& loser = b.log_likelihood > a.log_likelihood ? a : b;
-            loser = associator_.kept_out(loser.log_likelihood, Association::Reason::taken);
-        }
-    }
-}
-
-template <class Watch>
-void FiltroParticulas::associate_together(const Particula& particle, std::span<Decision> decisions,
-                                          const Watch& watch) {
-    // A search of each thread's own: what it keeps from call to call is memory, never a result.
-    thread_local JointAssociation joint;
-    joint.begin(params_.association.joint_probability);
-    for_each_kind([&]<class S>() {
-        const auto landmarks = maps_.landmarks<S>(particle.map);
-        std::size_t next = seen_.first<S>();
-        for (const SeenFeature& seen : seen_.of<S>()) {
-            joint.add<S>(associator_, landmarks, particle.pose, prepare(seen, particle.pose),
-                         watch.feature(next++));
-        }
-    });
-    if (!joint.decide(associator_, decisions)) ++searches_cut_;
-}
-
-void FiltroParticulas::update(Particula& particle, std::span<Decision> decisions) {
-    using Outcome = Association::Outcome;
-    const UpdateContext context{static_cast<std::uint32_t>(steps_), heeds_extents_,
-                                params_.landmarks};
-    for_each_kind([&]<class S>() {
-        auto landmarks = maps_.landmarks<S>(particle.map);
-        std::size_t next = seen_.first<S>();
-        for (const SeenFeature& seen : seen_.of<S>()) {
-            Decision& decision = decisions[next];
-            if (decision.outcome == Outcome::created) {
-                const auto twin = twins_.of(
-                    next, [&](std::size_t i) { return decisions[i].outcome == Outcome::created; });
-                if (twin) {
-                    decision.outcome = Outcome::matched;
-                    decision.reason = Association::Reason::twin;
-                    decision.landmark = decisions[*twin].landmark;
-                }
-            }
-            ++next;
-            apply<S>(decision, landmarks, particle.pose, seen, context);
-        }
-    });
 }
 
 void FiltroParticulas::weigh(Particula& particle, std::span<const Decision> decisions) {
@@ -294,31 +160,40 @@ void FiltroParticulas::resample() {
     RandomStream random(seed_, RandomPurpose::resampling, steps_, 0);
     resampling_->select(weights_, random, selected_);
 
-    resampled_.clear();
-    std::size_t new_best = 0;
+    resampled_.resize(particles_.size());
+    vacant_.clear();
     std::size_t next_source = 0;
-    for (std::size_t m = 0; m < selected_.size(); ++m) {
-        const std::size_t source = selected_[m];
-        for (; next_source < source; ++next_source) {  // passed over: gone
-            maps_.release(particles_[next_source].map);
+    for (std::size_t m = 0; m <= selected_.size(); ++m) {  // those that are passed over are gone
+        const std::size_t source = m < selected_.size() ? selected_[m] : particles_.size();
+        for (; next_source < source; ++next_source) {
+            vacant_.push_back(particles_[next_source].map);
             history_.release(particles_[next_source].history);
         }
-        if (m > 0 && selected_[m - 1] == source) {
-            maps_.share(particles_[source].map);
-            history_.share(particles_[source].history);
-        } else {
-            if (source == best_) new_best = m;
-            next_source = source + 1;
-        }
-        resampled_.push_back(particles_[source]);
-        resampled_.back().log_weight = 0.0;
+        next_source = source + 1;
+        // One that is drawn again keeps its place.
+        while (m + 1 < selected_.size() && selected_[m + 1] == source) ++m;
     }
-    for (; next_source < particles_.size(); ++next_source) {
-        maps_.release(particles_[next_source].map);
-        history_.release(particles_[next_source].history);
+    std::size_t new_best = 0;
+    for (std::size_t m = 0; m < selected_.size(); ++m) {
+        const std::size_t source = selected_[m];
+        resampled_[m] = particles_[source];
+        resampled_[m].log_weight = 0.0;
+        if (m > 0 && selected_[m - 1] == source) {
+            history_.share(particles_[source].history);
+            resampled_[m].map = vacant_.back();
+            vacant_.pop_back();
+            copies_.emplace_back(particles_[source].map, resampled_[m].map);
+        } else if (source == best_) {
+            new_best = m;
+        }
     }
     particles_.swap(resampled_);
     best_ = new_best;
+    for_each_block(copies_.size(), 20, [&](const Block& block) {
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+            maps_.copy(copies_[i].first, copies_[i].second, block.worker);
+        }
+    });
 }
 
 std::vector<WeightedPose> FiltroParticulas::hypotheses() const {

@@ -21,7 +21,7 @@
 
 namespace hitos {
 
-/// One hypothesis: pose, weight, and handles of a map and a pose history.
+/// One hypothesis: pose, weight, and handles of its own map and of a pose history.
 struct Particula {
     Pose pose;
     double log_weight = 0.0;
@@ -58,14 +58,25 @@ class FiltroParticulas final : public SlamFilter {
     Matrix3 pose_covariance() const override;
     Pose mean_pose() const override;
 
-    /// For tests and benchmarks: blocks of memory held by maps and nodes held by histories.
-    std::size_t map_blocks() const { return maps_.blocks(); }
+    /// For tests and benchmarks: leaves of the maps and nodes held by histories.
+    std::size_t map_leaves() const { return maps_.leaves(); }
     std::size_t history_nodes() const { return history_.size(); }
 
   private:
+    /// Particles whose places follow each other, on one worker.
+    struct Block {
+        std::size_t begin;
+        std::size_t end;
+        MapStore::Worker& worker;
+    };
+    /// What a block works with, of each thread its own: memory, never a result.
+    struct BlockMemory;
+    static BlockMemory& block_memory();
+
     // A step, in the order of [T tables 3.2, 6.3].
     void propose(const SlamInput& input);
     void observe(const Observation& observation);
+    void step_block(const Block& block, AssociationRecord* record);
     /// `watch` is Unwatched or Watched.
     template <class Watch>
     void associate(std::size_t place, std::span<Decision> decisions, const Watch& watch);
@@ -73,22 +84,48 @@ class FiltroParticulas final : public SlamFilter {
     template <class Watch>
     void associate_together(const Particula& particle, std::span<Decision> decisions,
                             const Watch& watch);
+    /// The same as associate() for a whole block, where every observation is decided alone.
+    void associate_block(const Block& block, BlockMemory& memory);
+    template <Sensor S>
+    void find_near(const Block& block, BlockMemory& memory) const;
+    template <Sensor S>
+    void decide_block(const Block& block, std::size_t observation, BlockMemory& memory);
     /// Of two observations that claim one landmark leaves the likelier one to it.
     template <Sensor S>
     void exclude(std::span<Decision> decisions) const;
-    void update(Particula& particle, std::span<Decision> decisions);
+    void update_block(const Block& block, BlockMemory& memory);
+    template <Sensor S>
+    void update_block(const Block& block, std::size_t observation, BlockMemory& memory);
+    /// Makes the landmark of an observation that is new; false where it is that of its twin.
+    template <Sensor S>
+    bool create(typename S::Columns& landmarks, const Pose& pose, std::size_t observation,
+                std::span<Decision> decisions) const;
+    void note_seen(LandmarkRecord& record, Decision& decision) const;
     /// Makes one landmark of bounded lines that have grown to meet; takes those out of the map that
     /// should be there and are not, and those that were not confirmed in time.
     /// What was `recorded` of the observations, if anything, follows.
-    void review(const Particula& particle, std::span<Decision> decisions,
+    void review(const Particula& particle, MapStore::Worker& worker, std::span<Decision> decisions,
                 std::span<RecordedFeature> recorded);
     static void weigh(Particula& particle, std::span<const Decision> decisions);
     void choose_best();
     void resample();
 
     // What a step needs besides.
-    /// Gives every particle a map of its own with room for what is seen.
-    void detach_maps();
+    /// Decisions of a particle.
+    std::span<Decision> decisions_of(std::size_t place) {
+        return std::span(decisions_).subspan(place * seen_.size(), seen_.size());
+    }
+    /// Makes ready as many workers as blocks of `particles`, for work of that size.
+    void begin_work(std::size_t particles, std::size_t work_each);
+    /// Calls body(Block) for each block of as many particles.
+    template <class Body>
+    void for_each_block(std::size_t particles, std::size_t work_each, const Body& body) {
+        begin_work(particles, work_each);
+        for_each_(particles, work_each,
+                  [&](std::size_t number, std::size_t begin, std::size_t end) {
+                      body(Block{begin, end, workers_[number]});
+                  });
+    }
     void note_associations();
     /// Makes associations_ of what was noted: places in the map that is told.
     void publish_associations();
@@ -115,7 +152,8 @@ class FiltroParticulas final : public SlamFilter {
     std::unique_ptr<ResamplingMethod> resampling_;
     bool registered_;  // the motion model follows registration, whose corrections move all
     bool heeds_extents_;
-    bool reviews_;  // whether landmarks may go
+    bool one_by_one_;  // whether every observation is decided alone, by nothing but its candidates
+    bool reviews_;     // whether landmarks may go
     ParticleLoop for_each_;
 
     std::vector<Particula> particles_;
@@ -138,7 +176,9 @@ class FiltroParticulas final : public SlamFilter {
     std::vector<double> weights_;
     std::vector<std::uint32_t> selected_;
     std::vector<Particula> resampled_;
+    std::vector<MapStore::Handle> vacant_;  // maps of particles that are gone
     std::vector<std::pair<MapStore::Handle, MapStore::Handle>> copies_;
+    std::vector<MapStore::Worker> workers_;  // of every block
 };
 
 /// "fastslam".

@@ -34,26 +34,28 @@ void follow(std::span<RecordedFeature> recorded, const NewPlaces& places) {
 
 }  // namespace
 
-void FiltroParticulas::review(const Particula& particle, std::span<Decision> decisions,
-                              std::span<RecordedFeature> recorded) {
+void FiltroParticulas::review(const Particula& particle, MapStore::Worker& worker,
+                              std::span<Decision> decisions, std::span<RecordedFeature> recorded) {
     const LandmarkParams& params = params_.landmarks;
     const auto now = static_cast<std::uint32_t>(steps_);
     const Pose laser = free_space_.laser(particle.pose);
     thread_local NewPlaces places;
     for_each_kind([&]<class S>() {
-        auto landmarks = maps_.landmarks<S>(particle.map);
+        auto landmarks = maps_.landmarks<S>(particle.map, worker);
         const auto goes = [&](std::size_t i) {
-            LandmarkRecord& record = landmarks.record(i);
+            const LandmarkRecord record = std::as_const(landmarks).record(i);
             if (!confirmed(record) &&
                 now - record.first_seen >= static_cast<std::uint32_t>(params.probation_scans)) {
                 return true;
             }
             if (!params.vanish || record.last_seen == now) return false;
-            if (free_space_.sight(laser, landmarks.mean(i), landmarks.extent(i)) ==
+            if (free_space_.sight(laser, landmarks.mean(i), landmarks.extent(i)) !=
                 Sight::missing) {
-                record.existence += static_cast<float>(params.miss);
+                return record.existence < 0.0F;
             }
-            return record.existence < 0.0F;
+            LandmarkRecord& missed = landmarks.record(i);
+            missed.existence += static_cast<float>(params.miss);
+            return missed.existence < 0.0F;
         };
         const std::span own = decisions.subspan(seen_.first<S>(), seen_.of<S>().size());
         const auto all_follow = [&] {
@@ -80,6 +82,8 @@ std::unique_ptr<SlamFilter> FiltroParticulas::clone() const {
     auto copy = std::make_unique<FiltroParticulas>(params_, seed_, threads_);
     copy->particles_ = particles_;
     copy->maps_ = maps_;
+    copy->workers_ = workers_;
+    copy->copies_ = copies_;
     copy->history_ = history_;
     copy->best_ = best_;
     copy->steps_ = steps_;
@@ -98,25 +102,28 @@ void FiltroParticulas::correct(const PathCorrection& correction) {
     if (!registered_) return;  // its path is its own
     check(correction, steps_);
     std::vector<PoseHistory::Node> leaves;
-    std::vector<MapStore::Handle> maps;
     for (Particula& particle : particles_) {
         particle.pose = compose(correction.by_scan.back(), particle.pose);
         leaves.push_back(particle.history);
-        maps.push_back(particle.map);
     }
     history_.move(leaves, correction.by_scan);
     const MapStore::Handle best = particles_[best_].map;
     std::array<NewPlaces, LandmarkKinds::kSize> best_places;
-    std::ranges::sort(maps);  // those that particles share once
-    maps.erase(std::unique(maps.begin(), maps.end()), maps.end());
     const std::size_t landmarks_each = maps_.size(best) + 8;
-    for_each_(maps.size(), landmarks_each * landmarks_each, [&](std::size_t i) {
-        for_each_kind([&]<class S>() {
-            auto landmarks = maps_.landmarks<S>(maps[i]);
-            NewPlaces places = correct_landmarks<S>(landmarks, correction.by_scan);
-            if (maps[i] == best) best_places[LandmarkKinds::place<S>()] = std::move(places);
-        });
+    // Maps that resampling has just copied are corrected once, and copied again.
+    std::vector<bool> copied(maps_.maps(), false);
+    for (const auto& [from, to] : copies_) copied[to] = true;
+    for_each_block(particles_.size(), landmarks_each * landmarks_each, [&](const Block& block) {
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+            if (copied[particles_[i].map]) continue;
+            for_each_kind([&]<class S>() {
+                auto landmarks = maps_.landmarks<S>(particles_[i].map, block.worker);
+                NewPlaces places = correct_landmarks<S>(landmarks, correction.by_scan);
+                if (i == best_) best_places[LandmarkKinds::place<S>()] = std::move(places);
+            });
+        }
     });
+    for (const auto& [from, to] : copies_) maps_.copy(from, to);
     for_each_kind([&]<class S>() {
         const NewPlaces& places = best_places[LandmarkKinds::place<S>()];
         for (Association& association : noted_) {

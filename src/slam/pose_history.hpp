@@ -22,36 +22,39 @@ class PoseHistory {
     /// new node, which the caller holds.
     Node append(Node parent, const Pose& pose) {
         if (free_.empty()) {
-            nodes_.push_back({pose, parent, 1});
-            return static_cast<Node>(nodes_.size() - 1);
+            poses_.push_back(pose);
+            parents_.push_back(parent);
+            references_.push_back(1);
+            return static_cast<Node>(poses_.size() - 1);
         }
         const Node node = free_.back();
         free_.pop_back();
-        nodes_[node] = {pose, parent, 1};
+        poses_[node] = pose;
+        parents_[node] = parent;
+        references_[node] = 1;
         return node;
     }
 
     void share(Node node) {
-        if (node != kNone) ++nodes_[node].references;
+        if (node != kNone) ++references_[node];
     }
 
     void release(Node node) {
-        while (node != kNone && --nodes_[node].references == 0) {
+        while (node != kNone && --references_[node] == 0) {
             free_.push_back(node);
-            node = nodes_[node].parent;
+            node = parents_[node];
         }
     }
 
     /// Moves all poses that these nodes, all of the newest scan, have behind them and their own:
     /// each by the motion of its scan.
     void move(std::span<const Node> newest, std::span<const Pose> by_scan) {
-        std::vector<bool> moved(nodes_.size(), false);
+        std::vector<bool> moved(poses_.size(), false);
         for (Node node : newest) {
             for (std::size_t scan = by_scan.size(); node != kNone && !moved[node];) {
-                Entry& entry = nodes_[node];
-                entry.pose = compose(by_scan[--scan], entry.pose);
+                poses_[node] = compose(by_scan[--scan], poses_[node]);
                 moved[node] = true;
-                node = entry.parent;
+                node = parents_[node];
             }
         }
     }
@@ -59,7 +62,7 @@ class PoseHistory {
     /// Poses from the first to `node`.
     std::vector<Pose> path(Node node) const {
         std::vector<Pose> poses;
-        for (; node != kNone; node = nodes_[node].parent) poses.push_back(nodes_[node].pose);
+        for (; node != kNone; node = parents_[node]) poses.push_back(poses_[node]);
         std::reverse(poses.begin(), poses.end());
         return poses;
     }
@@ -68,7 +71,7 @@ class PoseHistory {
     std::vector<HistoryBranch> branches(std::span<const Node> leaves) const {
         constexpr std::size_t kNoBranch = SIZE_MAX;
         std::vector<HistoryBranch> branches;
-        std::vector<std::size_t> branch_of(nodes_.size(), kNoBranch);
+        std::vector<std::size_t> branch_of(poses_.size(), kNoBranch);
         std::vector<Node> level;  // nodes of one scan
         std::vector<Node> before;
         const auto open = [&](Node node, std::vector<Node>& nodes) {
@@ -85,16 +88,16 @@ class PoseHistory {
             before.clear();
             for (const Node node : level) {
                 const std::size_t branch = branch_of[node];
-                branches[branch].poses.push_back(nodes_[node].pose);
-                const Node parent = nodes_[node].parent;
+                branches[branch].poses.push_back(poses_[node]);
+                const Node parent = parents_[node];
                 if (parent == kNone) continue;
-                if (nodes_[parent].references == 1) {
+                if (references_[parent] == 1) {
                     branch_of[parent] = branch;
                     before.push_back(parent);
                     continue;
                 }
                 if (branch_of[parent] == kNoBranch) open(parent, before);
-                branches[branch].poses.push_back(nodes_[parent].pose);
+                branches[branch].poses.push_back(poses_[parent]);
                 branches[branch_of[parent]].particles += branches[branch].particles;
             }
         }
@@ -104,18 +107,17 @@ class PoseHistory {
     }
 
     std::size_t bytes() const {
-        return nodes_.size() * sizeof(Entry) + free_.size() * sizeof(Node);
+        return poses_.size() * (sizeof(Pose) + sizeof(Node) + sizeof(std::uint32_t)) +
+               free_.size() * sizeof(Node);
     }
     /// Nodes in use.
-    std::size_t size() const { return nodes_.size() - free_.size(); }
+    std::size_t size() const { return poses_.size() - free_.size(); }
 
   private:
-    struct Entry {
-        Pose pose;
-        Node parent;
-        std::uint32_t references;
-    };
-    std::vector<Entry> nodes_;
+    // Of every node. Counts apart from the rest: resampling runs through them in no order.
+    std::vector<Pose> poses_;
+    std::vector<Node> parents_;
+    std::vector<std::uint32_t> references_;
     std::vector<Node> free_;
 };
 

@@ -3,8 +3,9 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 
-#include "hitos/base/random_stream.hpp"
+#include "hitos/base/random_row.hpp"
 #include "hitos/base/registry.hpp"
 #include "hitos/slam/params.hpp"
 #include "hitos/slam/slam_filter.hpp"
@@ -39,6 +40,12 @@ class Proposal {
 
     /// Draws for one particle; called from several threads at a time.
     virtual ProposedPose draw(const Hypothesis& before, RandomStream& random) const = 0;
+
+    /// The same for at most NormalRow::kMost particles at once, each with its stream, where neither
+    /// maps nor weights play a part. False, and the poses as they were, where that is not so.
+    virtual bool draw_row(std::span<Pose> /*poses*/, const RandomRow& /*row*/) const {
+        return false;
+    }
 };
 
 /// A proposal as parameters name it.

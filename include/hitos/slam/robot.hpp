@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "hitos/base/random_stream.hpp"
+#include "hitos/base/random_row.hpp"
 #include "hitos/base/registry.hpp"
 #include "hitos/features/control.hpp"
 #include "hitos/slam/params.hpp"
@@ -38,6 +38,13 @@ class Robot {
     /// at all where the model says that the robot did not move.
     virtual Pose sample(const Pose& pose, const MotionIncrement& increment,
                         RandomStream& random) const = 0;
+
+    /// The same for at most NormalRow::kMost poses at once, each with its stream; false, and the
+    /// poses as they were, where the model has no faster way.
+    virtual bool sample_row(std::span<Pose> /*poses*/, const MotionIncrement& /*increment*/,
+                            const RandomRow& /*row*/) const {
+        return false;
+    }
 
     /// d(mean)/d(x, y, theta) [P eq 13], as it is where mean() carries the pose on by a
     /// displacement in the robot's own frame; another mean needs another Jacobian.

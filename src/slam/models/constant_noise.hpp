@@ -2,10 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "hitos/base/geometry.hpp"
-#include "hitos/base/random_stream.hpp"
+#include "hitos/base/random_row.hpp"
+#include "hitos/base/vectorised.hpp"
 #include "hitos/slam/params.hpp"
+#include "pose_lanes.hpp"
 
 namespace hitos {
 
@@ -24,9 +27,33 @@ class ConstantNoise {
         return {pose.x + sigma_(0) * n0, pose.y + sigma_(1) * n1,
                 wrap_angle(pose.theta + sigma_(2) * n2)};
     }
+    /// Carries the poses on by the step and adds noise to them.
+    void add_row(std::span<Pose> poses, const Pose& step, const RandomRow& row) const {
+        NormalRow normals;
+        draw_normals(row, poses.size(), normals);
+        PoseLanes lanes;
+        lanes.load(poses);
+        vectorised([&]()
+                       HITOS_INLINED { add(lanes, poses.size(), lane_of(step), sigma_, normals); });
+        lanes.store(poses);
+    }
     Eigen::Matrix3d covariance() const { return sigma_.cwiseAbs2().asDiagonal(); }
 
   private:
+    HITOS_INLINE static void add(PoseLanes& lanes, std::size_t count, LanePose step,
+                                 const Eigen::Vector3d& sigma, const NormalRow& normals) {
+        const double sx = sigma(0);
+        const double sy = sigma(1);
+        const double st = sigma(2);
+        HITOS_LANES
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto [sine, cosine] = elementary::sine_cosine(lanes.theta[i]);
+            lanes.x[i] += cosine * step.x - sine * step.y + sx * normals.n0[i];
+            lanes.y[i] += sine * step.x + cosine * step.y + sy * normals.n1[i];
+            lanes.theta[i] = elementary::wrap(lanes.theta[i] + step.theta + st * normals.n2[i]);
+        }
+    }
+
     Eigen::Vector3d sigma_;
 };
 

@@ -9,12 +9,6 @@
 
 namespace hitos {
 
-/// ln N(nu; 0, Q) [T table 3.1, line 6] and the squared Mahalanobis distance of nu [P eq 2].
-struct Likelihood {
-    double log_likelihood;
-    double mahalanobis_squared;
-};
-
 inline Likelihood likelihood_of(const Vector2& nu, const Matrix2& q) {
     const double det = q.determinant();
     // nu' adj(Q) nu / det: with Q^-1 the filter's innermost line would be slower and of other bits.

@@ -18,6 +18,12 @@ class RobotWithOdometry final : public Robot {
         const Pose after = mean(pose, increment);
         return increment.moved() ? noise_.added_to(after, random) : after;
     }
+    bool sample_row(std::span<Pose> poses, const MotionIncrement& increment,
+                    const RandomRow& row) const override {
+        if (!increment.moved()) return false;
+        noise_.add_row(poses, increment.pose_start_end, row);
+        return true;
+    }
     Eigen::Matrix3d noise_covariance(const Pose& /*pose*/,
                                      const MotionIncrement& increment) const override {
         if (!increment.moved()) return Eigen::Matrix3d::Zero();

@@ -10,6 +10,7 @@
 
 #include "hitos/features/caracteristica.hpp"
 #include "hitos/features/extractor.hpp"
+#include "lanes.hpp"
 
 namespace hitos {
 
@@ -61,6 +62,8 @@ struct SeenFeature {
     Measurement measured;
     double slack = 0.0;  ///< squared Mahalanobis distance from which no landmark can be it
     SeenReach reach = {};
+    double cosine = 1.0;  ///< of its angle
+    double sine = 0.0;
 };
 
 /// Where on a landmark something was seen: of a line the places along it [m], from its foot
@@ -115,6 +118,18 @@ struct PreparedObservation {
     double sin_world = 0.0;
 };
 
+inline LanePose lane_of(const Pose& pose) {
+    return {pose.x, pose.y, pose.theta};
+}
+inline LaneObservation lane_of(const Measurement& measured) {
+    return {measured.z(0), measured.z(1), measured.r(0, 0), measured.r(0, 1), measured.r(1, 1)};
+}
+inline NearQuery near_query(const PreparedObservation& observed) {
+    const Matrix2& r = observed.seen.measured.r;
+    return {observed.seen.measured.z(0), observed.cos_world, observed.sin_world, r(0, 0), r(1, 1),
+            observed.seen.slack};
+}
+
 /// A kind of landmark of two dimensions: its observation model, what an Observation holds of it,
 /// and the columns in which FastSLAM's maps keep it. A new kind is one such type and an entry in
 /// LandmarkKinds.
@@ -151,6 +166,7 @@ concept Sensor = requires(const Pose& pose, const Vector2& z, const typename S::
     { S::normalize(writable) } -> std::same_as<double>;
     { S::from_state(z) } -> std::same_as<typename S::Landmark>;
     { S::to_state(landmark) } -> std::convertible_to<Vector2>;
+    typename S::Lane;
     typename S::Columns;
 };
 

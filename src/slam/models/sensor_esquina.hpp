@@ -13,10 +13,33 @@ namespace hitos {
 
 class CornerColumns;
 
+/// What the filter reckons with of a corner.
+struct CornerLane {
+    static constexpr std::size_t kSize = 5;
+    double x;
+    double y;
+    LaneCovariance p;
+
+    static CornerLane of(const Esquina& mean, const LaneCovariance& covariance) {
+        return {mean.x, mean.y, covariance};
+    }
+    HITOS_INLINE static CornerLane load(const double* from, std::size_t stride) {
+        return {from[0], from[stride], {from[2 * stride], from[3 * stride], from[4 * stride]}};
+    }
+    HITOS_INLINE void store(double* to, std::size_t stride) const {
+        to[0] = x;
+        to[stride] = y;
+        to[2 * stride] = p.p00;
+        to[3 * stride] = p.p01;
+        to[4 * stride] = p.p11;
+    }
+};
+
 /// Corners: z = (range [m], bearing [rad]) [T eq 7.21]. A corner nearer than 1 mm to the robot
 /// counts as 1 mm away: its bearing means nothing.
 struct SensorEsquina {
     using Landmark = Esquina;
+    using Lane = CornerLane;
     using Columns = CornerColumns;
     static constexpr FeatureKind kKind = FeatureKind::corner;
     static constexpr double kNearest = 1e-3;
@@ -65,6 +88,47 @@ struct SensorEsquina {
     static Innovation innovation(const Vector2& z, const Pose& pose, const Esquina& landmark) {
         const Vector2 h = predict(pose, landmark);
         return {{z(0) - h(0), wrap_angle(z(1) - h(1))}, jacobian(pose, landmark)};
+    }
+
+    /// The same in lanes.
+    HITOS_INLINE static LaneInnovation innovation(const CornerLane& corner, const LanePose& pose,
+                                                  const LaneObservation& seen) {
+        const double dx = corner.x - pose.x;
+        const double dy = corner.y - pose.y;
+        const double range = std::sqrt(dx * dx + dy * dy);
+        const double held = range < kNearest ? kNearest : range;
+        const double inverse = 1.0 / held;
+        const double h00 = dx * inverse;
+        const double h01 = dy * inverse;
+        const double turn = elementary::wrap(seen.z1 - (elementary::angle_of(dy, dx) - pose.theta));
+        return innovation_of(seen.z0 - range, turn, h00, h01, -h01 * inverse, h00 * inverse,
+                             corner.p, seen);
+    }
+    /// The corner seen again.
+    HITOS_INLINE static CornerLane updated(CornerLane corner, const LanePose& pose,
+                                           const LaneObservation& seen) {
+        correct(corner.x, corner.y, corner.p, innovation(corner, pose, seen));
+        return corner;
+    }
+    /// As SensorRecta's, both sides of the tests by the range so that nothing is divided.
+    HITOS_INLINE static double margin(const CornerLane& corner, const LanePose& pose,
+                                      const NearQuery& seen) {
+        constexpr double kNearest2 = kNearest * kNearest;
+        const LaneCovariance& p = corner.p;
+        const double dx = corner.x - pose.x;
+        const double dy = corner.y - pose.y;
+        const double range2 = dx * dx + dy * dy;
+        const double held2 = range2 < kNearest2 ? kNearest2 : range2;
+        const double nu = seen.z0 - std::sqrt(range2);
+        const double q00 = dx * dx * p.p00 + 2.0 * dx * dy * p.p01 + dy * dy * p.p11;
+        const double q11 = dy * dy * p.p00 - 2.0 * dx * dy * p.p01 + dx * dx * p.p11;
+        const double cross = dy * seen.cos_world - dx * seen.sin_world;
+        const double dot = dx * seen.cos_world + dy * seen.sin_world;
+        // Behind the ray the angle is over pi/2: its square is above 1, the greatest of the sine.
+        const double sine2 = dot < 0.0 ? range2 : cross * cross;
+        const double by_range = seen.slack * (q00 + seen.r00 * held2) - nu * nu * held2;
+        const double by_angle = seen.slack * (q11 + seen.r11 * held2 * held2) - sine2 * held2;
+        return by_angle > 0.0 ? by_range : -1.0;
     }
 
     static JointInnovation joint_innovation(const Vector2& z, const Pose& pose,
@@ -154,45 +218,6 @@ class CornerColumns : public LandmarkColumns<SensorEsquina, 0> {
 
     Extent extent(std::size_t /*i*/) const { return {}; }
     void set_extent(std::size_t /*i*/, const Extent& /*extent*/) {}
-    Innovation innovation(std::size_t i, const Vector2& z, const Pose& pose) const {
-        return SensorEsquina::innovation(z, pose, mean(i));
-    }
-
-    /// As LineColumns'.
-    void mark_near(std::size_t begin, std::size_t end, const Pose& pose,
-                   const PreparedObservation& observed, unsigned char* near) const {
-        const double* x = column(kState0);
-        const double* y = column(kState1);
-        const double* p00 = column(kP00);
-        const double* p01 = column(kP01);
-        const double* p11 = column(kP11);
-        const double cw = observed.cos_world;
-        const double sw = observed.sin_world;
-        const double z0 = observed.seen.measured.z(0);
-        const double r0 = observed.seen.measured.r(0, 0);
-        const double r1 = observed.seen.measured.r(1, 1);
-        const double slack = observed.seen.slack;
-        constexpr double kNearest2 = SensorEsquina::kNearest * SensorEsquina::kNearest;
-        for (std::size_t i = begin; i < end; ++i) {
-            const double dx = x[i] - pose.x;
-            const double dy = y[i] - pose.y;
-            const double range2 = dx * dx + dy * dy;
-            const double clamped2 = std::max(range2, kNearest2);
-            const double nu = z0 - std::sqrt(range2);
-            const double q00 =
-                (dx * dx * p00[i] + 2.0 * dx * dy * p01[i] + dy * dy * p11[i]) / clamped2 + r0;
-            const double q11 = (dy * dy * p00[i] - 2.0 * dx * dy * p01[i] + dx * dx * p11[i]) /
-                                   (clamped2 * clamped2) +
-                               r1;
-            const double cross = dy * cw - dx * sw;
-            const double dot = dx * cw + dy * sw;
-            // Behind the ray the angle is over pi/2: its square is above 1, the greatest of the
-            // sine.
-            const double sine2 = dot < 0.0 ? range2 : cross * cross;
-            near[i - begin] = static_cast<unsigned char>((nu * nu < slack * q00) &
-                                                         (sine2 < slack * q11 * clamped2));
-        }
-    }
 };
 
 static_assert(Sensor<SensorEsquina>);

@@ -13,10 +13,43 @@ namespace hitos {
 
 class LineColumns;
 
+/// What the filter reckons with of a line. Cosine and sine of theta are kept beside it: it asks for
+/// them at every step, and they change only when the landmark does.
+struct LineLane {
+    static constexpr std::size_t kSize = 7;
+    double rho;
+    double theta;
+    LaneCovariance p;
+    double cosine;
+    double sine;
+
+    static LineLane of(const Recta& mean, const LaneCovariance& covariance) {
+        const auto [sine, cosine] = elementary::sine_cosine(mean.theta);
+        return {mean.rho, mean.theta, covariance, cosine, sine};
+    }
+    HITOS_INLINE static LineLane load(const double* from, std::size_t stride) {
+        return {from[0],
+                from[stride],
+                {from[2 * stride], from[3 * stride], from[4 * stride]},
+                from[5 * stride],
+                from[6 * stride]};
+    }
+    HITOS_INLINE void store(double* to, std::size_t stride) const {
+        to[0] = rho;
+        to[stride] = theta;
+        to[2 * stride] = p.p00;
+        to[3 * stride] = p.p01;
+        to[4 * stride] = p.p11;
+        to[5 * stride] = cosine;
+        to[6 * stride] = sine;
+    }
+};
+
 /// Lines: z = (rho' [m], theta' [rad]) in the robot frame,
 /// h = (rho - x cos theta - y sin theta, theta - theta_r) [T eq 7.25].
 struct SensorRecta {
     using Landmark = Recta;
+    using Lane = LineLane;
     using Columns = LineColumns;
     static constexpr FeatureKind kKind = FeatureKind::line;
 
@@ -55,12 +88,8 @@ struct SensorRecta {
     /// (rho, theta) -> (-rho, theta + pi), and its Jacobian's first row with it: a wall seen from
     /// its other side is the same line.
     static Innovation innovation(const Vector2& z, const Pose& pose, const Recta& landmark) {
-        return innovation(z, pose, landmark, std::cos(landmark.theta), std::sin(landmark.theta));
-    }
-
-    /// The same with the cosine and sine of the landmark's theta at hand.
-    static Innovation innovation(const Vector2& z, const Pose& pose, const Recta& landmark,
-                                 double c, double s) {
+        const double c = std::cos(landmark.theta);
+        const double s = std::sin(landmark.theta);
         const double h_rho = landmark.rho - pose.x * c - pose.y * s;
         const double lever = pose.x * s - pose.y * c;
         const double turn = wrap_angle(z(1) - landmark.theta + pose.theta);
@@ -73,6 +102,50 @@ struct SensorRecta {
             result.jacobian << 1.0, lever, 0.0, 1.0;
         }
         return result;
+    }
+
+    /// The same in lanes.
+    HITOS_INLINE static LaneInnovation innovation(const LineLane& line, const LanePose& pose,
+                                                  const LaneObservation& seen) {
+        const double h_rho = line.rho - pose.x * line.cosine - pose.y * line.sine;
+        const double lever = pose.x * line.sine - pose.y * line.cosine;
+        const double turn = elementary::wrap(seen.z1 - line.theta + pose.theta);
+        const double half = turn < 0.0 ? -kPi : kPi;
+        const bool flipped = (turn > kPi / 2.0) | (turn < -kPi / 2.0);
+        const double side = flipped ? -1.0 : 1.0;
+        return innovation_of(seen.z0 - side * h_rho, flipped ? turn - half : turn, side,
+                             side * lever, 0.0, 1.0, line.p, seen);
+    }
+    /// The line seen again.
+    HITOS_INLINE static LineLane updated(LineLane line, const LanePose& pose,
+                                         const LaneObservation& seen) {
+        correct(line.rho, line.theta, line.p, innovation(line, pose, seen));
+        const bool turned = line.rho < 0.0;
+        line.rho = turned ? -line.rho : line.rho;
+        line.p.p01 = turned ? -line.p.p01 : line.p.p01;
+        line.theta = elementary::wrap(turned ? line.theta + kPi : line.theta);
+        const auto [sine, cosine] = elementary::sine_cosine(line.theta);
+        line.cosine = cosine;
+        line.sine = sine;
+        return line;
+    }
+    /// Quick rejection: above 0 where the line may be what was observed. The squared Mahalanobis
+    /// distance of both components is at least that of either alone, nu_i^2 / Q_ii, and
+    /// |sin a| <= |a|; so a landmark that fails here cannot pass the exact test.
+    HITOS_INLINE static double margin(const LineLane& line, const LanePose& pose,
+                                      const NearQuery& seen) {
+        const double sin_turn = line.sine * seen.cos_world - line.cosine * seen.sin_world;
+        const double cos_turn = line.cosine * seen.cos_world + line.sine * seen.sin_world;
+        const double h_rho = line.rho - pose.x * line.cosine - pose.y * line.sine;
+        const double nu = seen.z0 - std::copysign(1.0, cos_turn) * h_rho;
+        const double lever = pose.x * line.sine - pose.y * line.cosine;
+        const double q00 = line.p.p00 + lever * (2.0 * line.p.p01 + lever * line.p.p11) + seen.r00;
+        const double q11 = line.p.p11 + seen.r11;
+        const double by_rho = seen.slack * q00 - nu * nu;
+        const double by_angle = seen.slack * q11 - sin_turn * sin_turn;
+        // At a right angle rounding may choose the other side than the exact test: let it through.
+        const double rho = cos_turn * cos_turn < 1e-18 ? 1.0 : by_rho;
+        return by_angle > 0.0 ? rho : -1.0;  // of what is no number neither is above 0
     }
 
     /// Where the prediction is flipped the first row of the pose's Jacobian turns its sign too.
@@ -233,66 +306,22 @@ struct SensorRecta {
     }
 };
 
-/// Lines of one map. Cosine and sine of theta are kept beside it: the filter asks for them at every
-/// step, and they change only when the landmark does. So is the extent, where the filter heeds it.
+/// Lines of one map, with their extents, where the filter heeds them.
 class LineColumns : public LandmarkColumns<SensorRecta, 5> {
   public:
-    static constexpr int kCosine = kExtra;
-    static constexpr int kSine = kExtra + 1;
     static constexpr int kLow = kExtra + 2;
     static constexpr int kHigh = kExtra + 3;
     static constexpr int kSide = kExtra + 4;
     using LandmarkColumns::LandmarkColumns;
 
-    void set(std::size_t i, const LandmarkEstimate<SensorRecta>& estimate) {
-        LandmarkColumns::set(i, estimate);
-        column(kCosine)[i] = std::cos(estimate.mean.theta);
-        column(kSine)[i] = std::sin(estimate.mean.theta);
-    }
     Extent extent(std::size_t i) const {
-        return {column(kLow)[i], column(kHigh)[i], column(kSide)[i]};
+        return {value(kLow, i), value(kHigh, i), value(kSide, i)};
     }
     void set_extent(std::size_t i, const Extent& extent) {
-        column(kLow)[i] = extent.low;
-        column(kHigh)[i] = extent.high;
-        column(kSide)[i] = extent.side;
-    }
-    Innovation innovation(std::size_t i, const Vector2& z, const Pose& pose) const {
-        return SensorRecta::innovation(z, pose, mean(i), column(kCosine)[i], column(kSine)[i]);
-    }
-
-    /// Quick rejection: near[i - begin] is 0 where landmark i cannot be what was observed. The
-    /// squared Mahalanobis distance of both components is at least that of either alone,
-    /// nu_i^2 / Q_ii, and |sin a| <= |a|; so a landmark that fails here cannot pass the exact test.
-    /// A loop without branches over columns: the compiler vectorises it.
-    void mark_near(std::size_t begin, std::size_t end, const Pose& pose,
-                   const PreparedObservation& observed, unsigned char* near) const {
-        const double* rho = column(kState0);
-        const double* cosine = column(kCosine);
-        const double* sine = column(kSine);
-        const double* p00 = column(kP00);
-        const double* p01 = column(kP01);
-        const double* p11 = column(kP11);
-        const double cw = observed.cos_world;
-        const double sw = observed.sin_world;
-        const double z0 = observed.seen.measured.z(0);
-        const double r0 = observed.seen.measured.r(0, 0);
-        const double r1 = observed.seen.measured.r(1, 1);
-        const double slack = observed.seen.slack;
-        for (std::size_t i = begin; i < end; ++i) {
-            const double sin_turn = sine[i] * cw - cosine[i] * sw;
-            const double cos_turn = cosine[i] * cw + sine[i] * sw;
-            const double h_rho = rho[i] - pose.x * cosine[i] - pose.y * sine[i];
-            const double nu = cos_turn < 0.0 ? z0 + h_rho : z0 - h_rho;
-            const double lever = pose.x * sine[i] - pose.y * cosine[i];
-            const double q00 = p00[i] + lever * (2.0 * p01[i] + lever * p11[i]) + r0;
-            const double q11 = p11[i] + r1;
-            // At a right angle rounding may choose the other side than the exact test: let it
-            // through.
-            const bool rho_near = (nu * nu < slack * q00) | (cos_turn * cos_turn < 1e-18);
-            near[i - begin] =
-                static_cast<unsigned char>(rho_near & (sin_turn * sin_turn < slack * q11));
-        }
+        Leaf& leaf = own_leaf_of(i);
+        leaf.column(kLow)[i % kLeaf] = extent.low;
+        leaf.column(kHigh)[i % kLeaf] = extent.high;
+        leaf.column(kSide)[i % kLeaf] = extent.side;
     }
 };
 

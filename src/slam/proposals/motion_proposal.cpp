@@ -18,6 +18,9 @@ class MotionProposal final : public Proposal {
         return {first_ ? robot_->mean(before.pose, increment_)
                        : robot_->sample(before.pose, increment_, random)};
     }
+    bool draw_row(std::span<Pose> poses, const RandomRow& row) const override {
+        return !first_ && robot_->sample_row(poses, increment_, row);
+    }
 
   private:
     std::unique_ptr<Robot> robot_;

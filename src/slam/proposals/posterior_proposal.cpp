@@ -104,7 +104,7 @@ class PosteriorProposal final : public Proposal {
     template <Sensor S>
     void learn(PosePosterior& posterior, const typename S::Columns& landmarks,
                const Measurement& measured, const SeenReach& reach) const {
-        constexpr std::size_t kChunk = 64;
+        constexpr std::size_t kWord = S::Columns::kLeaf * S::Columns::kAtOnce;
         const bool by_likelihood =
             params_.association.method == AssociationMethod::maximum_likelihood;
         const Pose pose = posterior.pose();
@@ -114,15 +114,14 @@ class PosteriorProposal final : public Proposal {
         loose.measured.r.diagonal() += S::greatest_variances(p);
         const PreparedObservation prepared = prepare(loose, pose);
         const double unsure = 2.0 * std::sqrt(p(0, 0) + p(1, 1));
-        std::array<unsigned char, kChunk> near{};
+        std::uint64_t near = 0;
         BestTwo candidates;
         Found found;
         for (std::size_t i = 0; i < landmarks.size(); ++i) {
-            if (i % kChunk == 0) {
-                landmarks.mark_near(i, std::min(i + kChunk, landmarks.size()), pose, prepared,
-                                    near.data());
+            if (i % kWord == 0) {
+                near = landmarks.near_from(i / S::Columns::kLeaf, pose, prepared);
             }
-            if (near[i % kChunk] == 0 ||
+            if (((near >> (i % kWord)) & 1U) == 0 ||
                 !associator_.beside<S>(landmarks, i, pose, reach, unsure)) {
                 continue;
             }

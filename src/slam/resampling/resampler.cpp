@@ -4,9 +4,23 @@
 #include <cmath>
 #include <limits>
 
+#include "hitos/base/vectorised.hpp"
 #include "methods.hpp"
 
 namespace hitos {
+namespace {
+
+/// e^(log - greatest); 0 of what is not finite.
+HITOS_INLINE void exponentials(const double* logs, double greatest, std::size_t count,
+                               double* weights) {
+    HITOS_LANES
+    for (std::size_t i = 0; i < count; ++i) {
+        const double below = logs[i] - greatest;
+        weights[i] = below <= 0.0 ? elementary::exp(below) : 0.0;
+    }
+}
+
+}  // namespace
 
 void normalize_log_weights(std::span<const double> log_weights, std::vector<double>& weights) {
     weights.resize(log_weights.size());
@@ -14,11 +28,11 @@ void normalize_log_weights(std::span<const double> log_weights, std::vector<doub
     for (const double value : log_weights) {
         if (std::isfinite(value)) greatest = std::max(greatest, value);
     }
+    vectorised([&]() HITOS_INLINED {
+        exponentials(log_weights.data(), greatest, weights.size(), weights.data());
+    });
     double sum = 0.0;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        weights[i] = std::isfinite(log_weights[i]) ? std::exp(log_weights[i] - greatest) : 0.0;
-        sum += weights[i];
-    }
+    for (const double weight : weights) sum += weight;
     if (!(sum > 0.0)) {
         std::fill(weights.begin(), weights.end(), 1.0);
         sum = static_cast<double>(weights.size());

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "map_store.hpp"
+#include "own_landmarks.hpp"
 
 namespace hitos {
 namespace {
@@ -100,10 +101,8 @@ void compare_with_oracle(int landmarks, bool crowded) {
         r << var0, both, both, var1;
         const Pose pose{draws.value(), draws.value(), draws.angle()};
 
-        LandmarkTable<S> table;
-        table.add_block();
-        table.reserve_more(static_cast<std::size_t>(landmarks));
-        typename S::Columns columns = table[0];
+        OwnLandmarks<S> own;
+        typename S::Columns columns = own.columns();
         for (int i = 0; i < landmarks; ++i) add_landmark<S>(columns, i, crowded, round, draws);
         // Mostly an observation of one of them, with an error.
         Vector2 z{std::abs(draws.value()), draws.angle()};
@@ -116,9 +115,7 @@ void compare_with_oracle(int landmarks, bool crowded) {
         }
         const Associator associator(params);
         const SeenFeature seen = associator.seen({z, r});
-        const PreparedObservation prepared{seen, std::cos(z(1) + pose.theta),
-                                           std::sin(z(1) + pose.theta)};
-        const Decision fast = associator.decide<S>(columns, pose, prepared);
+        const Decision fast = associator.decide<S>(columns, pose, prepare(seen, pose));
         const Decision slow = slow_decision<S>(columns, params, r, pose, z);
         ++outcomes[static_cast<std::size_t>(slow.outcome)];
         ASSERT_EQ(fast.outcome, slow.outcome) << "round " << round;
@@ -195,10 +192,8 @@ TEST(AssociationRule, IsAmbiguousFromTheRatioOnAndAboveALeastLikelihood) {
 TEST(Association, AHighP0MakesEverythingNew) {
     AssociationParams params;
     params.p0 = 1000.0;  // above the greatest likelihood there is
-    LandmarkTable<SensorRecta> table;
-    table.add_block();
-    table.reserve_more(1);
-    LineColumns lines = table[0];
+    OwnLandmarks<SensorRecta> own;
+    LineColumns lines = own.columns();
     lines.set(lines.append(), {{2.0, 0.0}, Matrix2::Zero()});
     const Associator associator(params);
     const SeenFeature seen = associator.seen({{2.0, 0.0}, Matrix2::Identity()});

@@ -183,7 +183,6 @@ TEST(Hypotheses, AreDrawnByTheirLikelihoodsAndWeighTheirSum) {
     const Associator associator(params);
     MapStore maps;
     const MapStore::Handle handle = maps.create();
-    maps.reserve_more<SensorRecta>(3);
     auto lines = maps.landmarks<SensorRecta>(handle);
     const Matrix2 covariance = Vector2(0.01, 0.001).asDiagonal();
     for (const double rho : {3.0, 3.4, 9.0}) {

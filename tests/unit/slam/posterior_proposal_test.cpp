@@ -39,7 +39,6 @@ class MapOfWalls {
   public:
     explicit MapOfWalls(double var_rho, double var_theta) {
         handle_ = maps_.create();
-        maps_.reserve_more<SensorRecta>(3);
         auto lines = maps_.landmarks<SensorRecta>(handle_);
         for (const Recta& wall : {Recta{5.0, 0.0}, Recta{4.0, kPi / 2.0}, Recta{6.0, kPi}}) {
             Matrix2 covariance;
@@ -188,7 +187,6 @@ TEST(PosteriorProposal, AnAmbiguousObservationTellsThePoseNothing) {
     step.seen.lines[0].recta = {4.6, 0.0};  // wall at 5 or at 6 (seen from behind: another angle)
     MapStore maps;
     const auto handle = maps.create();
-    maps.reserve_more<SensorRecta>(2);
     auto lines = maps.landmarks<SensorRecta>(handle);
     const Matrix2 covariance = Vector2(1e-3, 1e-4).asDiagonal();
     lines.set(lines.append(), {{5.5, 0.0}, covariance});

@@ -1,0 +1,120 @@
+// The working memory of a block of particles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "filtro_particulas.hpp"
+#include "hitos/base/vectorised.hpp"
+#include "models/landmark_kinds.hpp"
+
+namespace hitos {
+
+/// Landmarks of a kind with the particles that they are of, side by side.
+template <class S>
+struct LaneBatch {
+    using Lane = typename S::Lane;
+    static constexpr std::size_t kLanes = ParticleLoop::kBlock;
+    using Row = std::array<double, kLanes>;
+
+    alignas(64) std::array<double, Lane::kSize * kLanes> landmarks;
+    alignas(64) std::array<double, Lane::kSize * kLanes> updated;
+    alignas(64) Row x;
+    alignas(64) Row y;
+    alignas(64) Row theta;
+    alignas(64) Row log_likelihoods;
+    alignas(64) Row distances;  ///< squared Mahalanobis
+
+    /// Lane k gets the landmark that begins at `from` in a leaf.
+    void load(std::size_t k, const double* from, const Pose& pose) {
+        constexpr std::size_t kLeaf = S::Columns::kLeaf;
+        for (std::size_t c = 0; c < Lane::kSize; ++c) landmarks[c * kLanes + k] = from[c * kLeaf];
+        x[k] = pose.x;
+        y[k] = pose.y;
+        theta[k] = pose.theta;
+    }
+    void store(std::size_t k, double* to) const {
+        constexpr std::size_t kLeaf = S::Columns::kLeaf;
+        for (std::size_t c = 0; c < Lane::kSize; ++c) to[c * kLeaf] = updated[c * kLanes + k];
+    }
+    /// What was loaded.
+    typename S::Landmark before(std::size_t k) const {
+        return S::from_state({landmarks[k], landmarks[kLanes + k]});
+    }
+
+    void compare(std::size_t count, const LaneObservation& seen) {
+        vectorised([&]() HITOS_INLINED {
+            compare(landmarks.data(), x.data(), y.data(), theta.data(), seen, count,
+                    log_likelihoods.data(), distances.data());
+        });
+    }
+    void update(std::size_t count, const LaneObservation& seen) {
+        vectorised([&]() HITOS_INLINED {
+            update(landmarks.data(), x.data(), y.data(), theta.data(), seen, count, updated.data());
+        });
+    }
+
+  private:
+    // Everything by value: what loops load through references they do not make vectors of.
+    HITOS_INLINE static void compare(const double* from, const double* px, const double* py,
+                                     const double* pt, LaneObservation seen, std::size_t count,
+                                     double* logs, double* squares) {
+        HITOS_LANES
+        for (std::size_t k = 0; k < count; ++k) {
+            const Likelihood close = likelihood_of(
+                S::innovation(Lane::load(from + k, kLanes), LanePose{px[k], py[k], pt[k]}, seen));
+            logs[k] = close.log_likelihood;
+            squares[k] = close.mahalanobis_squared;
+        }
+    }
+    HITOS_INLINE static void update(const double* from, const double* px, const double* py,
+                                    const double* pt, LaneObservation seen, std::size_t count,
+                                    double* to) {
+        HITOS_LANES
+        for (std::size_t k = 0; k < count; ++k) {
+            S::updated(Lane::load(from + k, kLanes), LanePose{px[k], py[k], pt[k]}, seen)
+                .store(to + k, kLanes);
+        }
+    }
+};
+
+/// What an observation may be: a landmark of a particle, counted from the block's first.
+struct BlockCandidate {
+    const double* values;  ///< its first in its leaf
+    std::uint32_t particle;
+    std::uint32_t landmark;
+};
+
+struct FiltroParticulas::BlockMemory {
+    using Row = std::array<double, ParticleLoop::kBlock>;
+    alignas(64) Row heading{};
+    alignas(64) Row cosine{};  ///< of the heading
+    alignas(64) Row sine{};
+    std::vector<NearQuery> queries;  ///< of the observations of a kind, in the robot's frame
+    std::vector<std::uint64_t> near;
+    std::vector<std::vector<BlockCandidate>> candidates;  ///< of every observation
+    LandmarkKinds::Tuple<LaneBatch> batches;
+
+    template <class S>
+    LaneBatch<S>& batch() {
+        return std::get<LaneBatch<S>>(batches);
+    }
+    /// Reckons cosine and sine.
+    void turn() {
+        vectorised([&]() HITOS_INLINED { turn(heading.data(), cosine.data(), sine.data()); });
+    }
+
+  private:
+    HITOS_INLINE static void turn(const double* angles, double* cosines, double* sines) {
+        HITOS_LANES
+        for (std::size_t k = 0; k < ParticleLoop::kBlock; ++k) {
+            const elementary::SineCosine of = elementary::sine_cosine(angles[k]);
+            cosines[k] = of.cosine;
+            sines[k] = of.sine;
+        }
+    }
+};
+
+}  // namespace hitos
