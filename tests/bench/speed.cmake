@@ -17,7 +17,7 @@ hitos_program(bench_speed
   ${speed_folder}/speed_tours.cpp)
 set_target_properties(bench_speed PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bench)
 # Both builds read the configurations, worlds and logs of this one.
-cmake_path(SET speed_root NORMALIZE ${speed_folder}/../..)
+get_filename_component(speed_root ${speed_folder}/../.. ABSOLUTE)
 target_compile_definitions(bench_speed PRIVATE
   HITOS_SOURCE_DIR="${speed_root}" HITOS_SHARED_DIR="${HITOS_SHARED_DIR}"
   $<$<BOOL:${HITOS_BASELINE}>:HITOS_BASELINE>)
