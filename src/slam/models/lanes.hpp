@@ -2,6 +2,7 @@
 // compilers make vector instructions of. One by one they give the same bits.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 
 #include "hitos/base/elementary.hpp"
@@ -57,11 +58,20 @@ struct LaneInnovation {
     double q11;
 };
 
-/// P of two components.
+/// P of two components, which stand behind the two of the state in columns.
 struct LaneCovariance {
     double p00;
     double p01;
     double p11;
+
+    HITOS_INLINE static LaneCovariance load(const double* from, std::size_t stride) {
+        return {from[2 * stride], from[3 * stride], from[4 * stride]};
+    }
+    HITOS_INLINE void store(double* to, std::size_t stride) const {
+        to[2 * stride] = p00;
+        to[3 * stride] = p01;
+        to[4 * stride] = p11;
+    }
 };
 
 HITOS_INLINE LaneInnovation innovation_of(double nu0, double nu1, double h00, double h01,

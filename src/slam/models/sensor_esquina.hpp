@@ -24,14 +24,12 @@ struct CornerLane {
         return {mean.x, mean.y, covariance};
     }
     HITOS_INLINE static CornerLane load(const double* from, std::size_t stride) {
-        return {from[0], from[stride], {from[2 * stride], from[3 * stride], from[4 * stride]}};
+        return {from[0], from[stride], LaneCovariance::load(from, stride)};
     }
     HITOS_INLINE void store(double* to, std::size_t stride) const {
         to[0] = x;
         to[stride] = y;
-        to[2 * stride] = p.p00;
-        to[3 * stride] = p.p01;
-        to[4 * stride] = p.p11;
+        p.store(to, stride);
     }
 };
 

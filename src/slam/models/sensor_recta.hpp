@@ -28,18 +28,13 @@ struct LineLane {
         return {mean.rho, mean.theta, covariance, cosine, sine};
     }
     HITOS_INLINE static LineLane load(const double* from, std::size_t stride) {
-        return {from[0],
-                from[stride],
-                {from[2 * stride], from[3 * stride], from[4 * stride]},
-                from[5 * stride],
+        return {from[0], from[stride], LaneCovariance::load(from, stride), from[5 * stride],
                 from[6 * stride]};
     }
     HITOS_INLINE void store(double* to, std::size_t stride) const {
         to[0] = rho;
         to[stride] = theta;
-        to[2 * stride] = p.p00;
-        to[3 * stride] = p.p01;
-        to[4 * stride] = p.p11;
+        p.store(to, stride);
         to[5 * stride] = cosine;
         to[6 * stride] = sine;
     }
