@@ -42,27 +42,28 @@ double from_first_ray(const Point2& point, double min_angle_rad) {
 }  // namespace
 
 SimulatedLaser::SimulatedLaser(std::vector<WallSegment> walls, const Fan& fan)
-    : walls_(std::move(walls)), fan_(fan) {}
+    : walls_(std::move(walls)),
+      fan_(fan),
+      step_rad_(fan.count > 1 ? fan.step_rad() : 1.0),
+      directions_(ray_directions(fan, 0.0, step_rad_)) {}
 
 void SimulatedLaser::cast(const Pose& pose_world_robot, std::vector<RayHit>& out) const {
     out.assign(fan_.count, RayHit{});
     const Pose pose_world_laser = compose(pose_world_robot, fan_.pose_robot_laser);
     const Pose pose_laser_world = inverse(pose_world_laser);
     const Point2 laser{pose_world_laser.x, pose_world_laser.y};
-    const double step = fan_.count > 1 ? fan_.step_rad() : 1.0;
     for (std::size_t i = 0; i < walls_.size(); ++i) {
         if (distance(walls_[i], laser) > fan_.max_range_m) continue;
         const Point2 a = transform(pose_laser_world, walls_[i].a);
         const Point2 b = transform(pose_laser_world, walls_[i].b);
         const auto offer = [&](double first, double last) {
             // One ray more on each side: the bearings are rounded, range_to() decides.
-            const double low = std::max(0.0, std::ceil(first / step) - 1.0);
-            const double high = std::min(fan_.count - 1.0, std::floor(last / step) + 1.0);
+            const double low = std::max(0.0, std::ceil(first / step_rad_) - 1.0);
+            const double high = std::min(fan_.count - 1.0, std::floor(last / step_rad_) + 1.0);
             if (high < low) return;
             const auto end = static_cast<std::size_t>(high) + 1;
             for (auto k = static_cast<std::size_t>(low); k < end; ++k) {
-                const double angle = fan_.min_angle_rad + static_cast<double>(k) * step;
-                const double range = range_to(a, b, std::cos(angle), std::sin(angle));
+                const double range = range_to(a, b, directions_[k].x, directions_[k].y);
                 RayHit& hit = out[k];
                 if (range < hit.range_m && range <= fan_.max_range_m) {
                     hit = {range, static_cast<int>(i)};
@@ -87,6 +88,16 @@ void SimulatedLaser::cast(const Pose& pose_world_robot, std::vector<RayHit>& out
             offer(0.0, kTurn);  // through the laser itself, where no angle says anything
         }
     }
+}
+
+std::vector<Point2> ray_directions(const Fan& fan, double turned_rad, double step_rad) {
+    std::vector<Point2> directions;
+    directions.reserve(fan.count);
+    for (std::uint32_t ray = 0; ray < fan.count; ++ray) {
+        const double angle = turned_rad + fan.min_angle_rad + ray * step_rad;
+        directions.push_back({std::cos(angle), std::sin(angle)});
+    }
+    return directions;
 }
 
 Fan fan_of(const LaserParams& laser) {

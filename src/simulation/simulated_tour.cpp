@@ -29,6 +29,8 @@ SimulatedTour::SimulatedTour(World world)
     : world_(seeded(std::move(world))),
       path_(drive(world_)),
       laser_(world_.walls, fan_of(world_.laser)),
+      directions_(ray_directions(laser_.fan(), laser_.fan().pose_robot_laser.theta,
+                                 laser_.fan().step_rad())),
       raster_(world_.raster.cell_m > 0.0
                   ? std::make_shared<RasterLaser>(world_.walls, world_.raster, fan_of(world_.laser))
                   : nullptr),
@@ -49,7 +51,6 @@ Scan SimulatedTour::scan(std::uint64_t k) const {
     }
     const Fan& fan = laser_.fan();
     const Pose& mount = fan.pose_robot_laser;
-    const double step = fan.step_rad();
 
     Scan scan;
     scan.time_s = scan_time(k);
@@ -69,9 +70,8 @@ Scan SimulatedTour::scan(std::uint64_t k) const {
         }
         if (!run_open) scan.run_starts.push_back(static_cast<std::uint32_t>(scan.points.size()));
         run_open = true;
-        const double angle = mount.theta + fan.min_angle_rad + ray * step;
-        scan.points.push_back(
-            {mount.x + range * std::cos(angle), mount.y + range * std::sin(angle)});
+        const Point2& direction = directions_[ray];
+        scan.points.push_back({mount.x + range * direction.x, mount.y + range * direction.y});
         scan.rays.push_back(ray);
     }
     return scan;

@@ -28,7 +28,12 @@ class SimulatedLaser {
   private:
     std::vector<WallSegment> walls_;
     Fan fan_;
+    double step_rad_;
+    std::vector<Point2> directions_;  ///< of the rays, in the laser's frame
 };
+
+/// Cosine and sine of every ray of a laser that is turned so far: they are the same in every scan.
+std::vector<Point2> ray_directions(const Fan& fan, double turned_rad, double step_rad);
 
 /// The fan of the world's laser.
 Fan fan_of(const LaserParams& laser);

@@ -45,6 +45,7 @@ class SimulatedTour {
     World world_;
     DrivenPath path_;
     SimulatedLaser laser_;
+    std::vector<Point2> directions_;             // of the rays, in the robot's frame
     std::shared_ptr<const RasterLaser> raster_;  // sees in its place where there is one
     std::uint64_t scans_ = 0;
     std::uint64_t readings_ = 0;
