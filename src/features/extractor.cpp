@@ -56,7 +56,7 @@ void find_corners(Observation& seen, double corner_distance_m, double corner_ang
 }
 
 LineFinder::LineFinder(const ExtractionParams& params, std::uint64_t seed)
-    : method_(line_methods().find(params.method).make(params, seed)),
+    : method_(line_methods().find(params.method).make(params, draws_at_random(params) ? seed : 0)),
       covariance_(params.covariance),
       point_sigma_m_(params.point_sigma_m),
       common_sigma_m_(params.common_sigma_m) {}
@@ -121,6 +121,10 @@ std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params, std::u
     return std::make_unique<ExPuntos>(std::move(lines), params.corner_distance_m,
                                       params.corner_angle_rad, params.corner_lines,
                                       params.detect == Detection::both);
+}
+
+bool draws_at_random(const ExtractionParams& params) {
+    return line_methods().find(params.method).random;
 }
 
 }  // namespace hitos

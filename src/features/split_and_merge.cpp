@@ -79,6 +79,7 @@ LineMethodEntry split_and_merge_method() {
     entry.purpose = "divides runs of points at the farthest one";
     entry.reads = {"split_merge.dmax", "split_merge.fit", "split_merge.gap",
                    "split_merge.gap_per_range"};
+    entry.random = false;
     entry.make = [](const ExtractionParams& params, std::uint64_t /*seed*/) {
         return std::make_unique<SplitAndMerge>(params.lines, params.split_merge);
     };

@@ -10,13 +10,18 @@ namespace hitos {
 void set_study_source(Study& study, double level, OdometryNoiseKind kind) {
     static_cast<void>(OdometryNoise(level, kind, 0));  // throws for an impossible level
     study.inputs = tour_files;
+    study.source.open = [](const SourceParams& source, std::uint64_t seed) {
+        return open_tour(source, seed);
+    };
+    study.source.seeded = [](const SourceParams& source) {
+        return is_world_file(source.file) && source.tour_seed == 0;
+    };
     if (level == 0.0) {
-        study.source = [](const StudyJob& job) { return open_tour(job.configuration); };
         return;
     }
     study.setting = fmt::format("odometry noise {} {}",
                                 kOdometryNoiseKinds.at(static_cast<std::size_t>(kind)).word, level);
-    study.source = [level, kind](const StudyJob& job) {
+    study.source.change = [level, kind](std::unique_ptr<TourReader> tour, const StudyJob& job) {
         const SourceParams& source = job.configuration.source;
         std::uint64_t seed = job.seed;
         if (is_world_file(source.file)) {
@@ -25,7 +30,7 @@ void set_study_source(Study& study, double level, OdometryNoiseKind kind) {
             constexpr std::uint64_t kOther = 0x9e3779b97f4a7c15;
             seed = (source.tour_seed != 0 ? source.tour_seed : job.seed) ^ kOther;
         }
-        return make_noisy_reader(open_tour(job.configuration), level, kind, seed);
+        return make_noisy_reader(std::move(tour), level, kind, seed);
     };
 }
 

@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "hitos/capture/log_format.hpp"
+#include "hitos/capture/recorded_tour.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/simulation/noisy_reader.hpp"
 #include "hitos/simulation/simulated_tour_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
-#include "hitos/workbench/recorded_tour.hpp"
 #include "unit/capture/test_files.hpp"
 #include "unit/simulation/worlds.hpp"
 
@@ -124,9 +124,7 @@ TEST_P(EveryReader, ObeysTheGreatestRangeWithAndWithoutNoise) {
 TEST_P(EveryReader, CanBeRecordedAndReadAgain) {
     const auto reader = open();
     const Log plain = read_all(*reader);
-    reader->restart();
-    auto tour = std::make_shared<const RecordedTour>(*reader);
-    RecordedReader recorded(reader->name(), reader->format(), [&] { return tour; });
+    RecordedReader recorded(record_tour(*reader, [](std::size_t) { return true; }));
     for (int round = 0; round < 2; ++round) {
         const Log log = read_all(recorded);
         EXPECT_EQ(log.scans, plain.scans);

@@ -38,6 +38,7 @@ struct ReadOptions {
     double max_range_m = 0.0;
     /// Use the logged v, w where there are some, instead of the twists that reproduce the poses.
     bool logged_velocities = false;
+    friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 
 /// What a simulated tour is read from.

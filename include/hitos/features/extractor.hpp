@@ -57,6 +57,7 @@ struct CollinearParams {
     double rho_m = 0.1;       ///< merge below this difference of rho [col]
     double theta_rad = 0.07;  ///< and this difference of theta [col]
     double gap_m = 0.0;       ///< and only pieces less than this apart; 0: any distance
+    friend bool operator==(const CollinearParams&, const CollinearParams&) = default;
 };
 
 /// What is a line, whichever method finds it [T 4.4].
@@ -64,6 +65,7 @@ struct LineParams {
     double min_length_m = 0.5;  ///< shortest line [mlon]
     int min_points = 15;        ///< fewest points of a line [mpuntos]
     CollinearParams collinear;
+    friend bool operator==(const LineParams&, const LineParams&) = default;
 };
 
 /// Split & Merge [T tables 4.3, 4.4].
@@ -72,6 +74,7 @@ struct SplitMergeParams {
     LineFit fit = LineFit::endpoints;  ///< fit of the accepted lines
     double gap_m = 0.0;                ///< neighbours further apart than gap_m + gap_per_range *
     double gap_per_range = 0.0;        ///< range end a run; both 0: they never do
+    friend bool operator==(const SplitMergeParams&, const SplitMergeParams&) = default;
 };
 
 /// Which comes first, RANSAC or the division of the scan at edges.
@@ -87,6 +90,7 @@ struct RansacParams {
     double threshold_m = 0.04;    ///< greatest distance of a consensus point from its line
     int iterations = 200;         ///< most hypotheses tried for one line
     RansacOrder order = RansacOrder::edges_first;
+    friend bool operator==(const RansacParams&, const RansacParams&) = default;
 };
 
 /// How sure an observation is.
@@ -116,6 +120,7 @@ struct ExtractionParams {
     double corner_distance_m = 0.1;  ///< greatest distance of a corner from both its lines [es]
     double corner_angle_rad = 0.0;   ///< least angle between the lines of a corner; 0: any
     CornerLines corner_lines = CornerLines::detected;
+    friend bool operator==(const ExtractionParams&, const ExtractionParams&) = default;
 };
 
 /// Finds features in a scan. Not thread-safe: it keeps working memory between calls.
@@ -132,5 +137,8 @@ class Extractor {
 /// The extractor that the parameters ask for; a method that draws at random draws from `seed` and
 /// the number of the scan. Throws ConfigError for values out of range.
 std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params, std::uint64_t seed = 1);
+
+/// Whether another seed may give other features. Throws ConfigError where there is no such method.
+bool draws_at_random(const ExtractionParams& params);
 
 }  // namespace hitos

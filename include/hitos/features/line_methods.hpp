@@ -27,10 +27,12 @@ class MetodoExtraccionRectas {
 
 /// A line method as parameters name it.
 struct LineMethodEntry : RegistryEntry {
-    /// A method that draws at random draws from the seed. make_extractor() has checked the ranges.
+    /// make_extractor() has checked the ranges.
     std::function<std::unique_ptr<MetodoExtraccionRectas>(const ExtractionParams&,
                                                           std::uint64_t seed)>
         make;
+    /// Whether it draws at random, from the seed; where not, it is given the seed 0.
+    bool random = true;
 };
 
 /// Those that the program knows, "split-merge" and "ransac" among them.

@@ -23,9 +23,9 @@ Message nothing_found(const ReadReport& log) {
 }  // namespace
 
 Algoritmo::Algoritmo(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
-                     const AlgoritmoOptions& options)
+                     AlgoritmoOptions options)
     : configuration_(configuration),
-      options_(options),
+      options_(std::move(options)),
       reader_(std::move(reader)),
       step_grid_(configuration.grid) {
     check(configuration_);
@@ -42,7 +42,9 @@ Algoritmo::Algoritmo(Algoritmo&&) noexcept = default;
 Algoritmo& Algoritmo::operator=(Algoritmo&&) noexcept = default;
 
 void Algoritmo::begin() {
-    extractor_ = make_extractor(configuration_.extraction, configuration_.run.seed);
+    extractor_ = options_.extractor
+                     ? options_.extractor()
+                     : make_extractor(configuration_.extraction, configuration_.run.seed);
     filter_ =
         make_filter(configuration_.filter, configuration_.run.seed, configuration_.run.threads);
     controls_ =

@@ -19,6 +19,7 @@
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "json_input.hpp"
+#include "shared_readings.hpp"
 #include "study_files.hpp"
 #include "study_folder.hpp"
 #include "study_inputs.hpp"
@@ -35,9 +36,19 @@ struct Task {
     std::size_t run = 0;
 };
 
-std::unique_ptr<TourReader> open(const Study& study, const StudyJob& job) {
-    return study.source ? study.source(job) : open_source(job.configuration.source);
-}
+/// How long a run takes, from when it can begin.
+class Stopwatch {
+  public:
+    void note(StudyRecord& record) const {
+        record.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        record.cpu_seconds = thread_seconds() - cpu_start_;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double cpu_start_ = thread_seconds();
+};
 
 /// A log that cannot be opened ends the study at its start, not run by run; where the log is what
 /// varies, each run finds out for itself.
@@ -49,7 +60,7 @@ void try_source(const Study& study, const StudyPlan& plan) {
     }
     StudyJob job{0, plan.first_seed, study.configuration};
     job.configuration.run.seed = job.seed;
-    open(study, job);
+    study.source.open_tour(job);
 }
 
 /// Does all tasks on a number of threads and tells the observer.
@@ -66,9 +77,11 @@ class Crew {
           observer_(options.observer),
           listener_(options.listener),
           stop_(options.stop),
+          shared_(options.shared_bytes, options.stop),
           parts_(tasks_.size(), 0.0) {
         progress_.runs = tasks_.size();
         for (const StudyOutcome& outcome : outcomes) progress_.reused += outcome.reused;
+        for (const Task& task : tasks_) expect(task);
     }
 
     void work(int threads) {
@@ -84,6 +97,15 @@ class Crew {
     }
 
   private:
+    void expect(const Task& task) {
+        try {
+            const Study& study = studies_[task.study];
+            shared_.expect(study, job_of(study, outcomes_[task.study].plan, task.run));
+        } catch (const ConfigError&) {
+            return;  // the run will say so
+        }
+    }
+
     void work_on() {
         try {
             for (std::size_t place = next_++; place < tasks_.size(); place = next_++) {
@@ -102,11 +124,10 @@ class Crew {
         const auto [s, run] = tasks_[place];
         const StudyPlan& plan = outcomes_[s].plan;
         tell(place, 0.0, nullptr);
-        const auto start = std::chrono::steady_clock::now();
-        const double cpu_start = thread_seconds();
+        Stopwatch watch;
         StudyRecord record;
         try {
-            std::optional<StudyRecord> computed = compute(place);
+            std::optional<StudyRecord> computed = compute(place, watch);
             if (!computed) return;
             record = *std::move(computed);
         } catch (const Error& error) {
@@ -120,9 +141,7 @@ class Crew {
         if (!is_utf8(record.problem.english())) {
             record.problem = verbatim(in_utf8(record.problem.english()));
         }
-        record.seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        record.cpu_seconds = thread_seconds() - cpu_start;
+        watch.note(record);
         inputs_[s].check();
         try {
             study::write_record(folders_[s].work(), plan, run, record);
@@ -135,12 +154,16 @@ class Crew {
     }
 
     /// Nothing where the study was stopped before the run's end.
-    std::optional<StudyRecord> compute(std::size_t place) {
+    std::optional<StudyRecord> compute(std::size_t place, Stopwatch& watch) {
         const auto [s, number] = tasks_[place];
         const Study& study = studies_[s];
         const StudyPlan& plan = outcomes_[s].plan;
         const StudyJob job = job_of(study, plan, number);
-        Algoritmo run(job.configuration, open(study, job), {.step_grid = false});
+        const study::SharedReadings::Use use(shared_, study, job);
+        study::SharedReadings::Parts parts = use.parts();
+        watch = {};  // reading for several runs is no run's own work
+        Algoritmo run(job.configuration, std::move(parts.reader),
+                      {.step_grid = false, .extractor = std::move(parts.extractor)});
         constexpr std::uint64_t kTellEvery = 64;
         while (run.step()) {
             if (stop_.stop_requested()) return std::nullopt;
@@ -185,6 +208,7 @@ class Crew {
     StudyObserver observer_;
     StudyListener listener_;
     std::stop_token stop_;
+    study::SharedReadings shared_;
     std::atomic<std::size_t> next_ = 0;
     std::atomic<bool> stopped_ = false;
 
@@ -240,6 +264,20 @@ void publish(StudyFolder& folder, StudyOutcome& outcome) {
 }
 
 }  // namespace
+
+std::uint64_t StudySource::seed_of(const StudyJob& job) const {
+    return seeded && seeded(job.configuration.source) ? job.seed : 0;
+}
+
+std::unique_ptr<TourReader> StudySource::open_shared(const StudyJob& job) const {
+    const SourceParams& source = job.configuration.source;
+    return open ? open(source, seed_of(job)) : open_source(source);
+}
+
+std::unique_ptr<TourReader> StudySource::changed(std::unique_ptr<TourReader> tour,
+                                                 const StudyJob& job) const {
+    return change ? change(std::move(tour), job) : std::move(tour);
+}
 
 StudyJob job_of(const Study& study, const StudyPlan& plan, std::size_t run) {
     StudyJob job{run, plan.seed_of(run), study.configuration};

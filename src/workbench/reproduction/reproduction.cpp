@@ -4,13 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <deque>
 #include <fstream>
-#include <future>
 #include <iterator>
 #include <map>
-#include <mutex>
-#include <thread>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
@@ -18,8 +14,6 @@
 #include "hitos/base/folder_lock.hpp"
 #include "hitos/base/staged_folder.hpp"
 #include "hitos/simulation/reference_map.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
-#include "hitos/workbench/recorded_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "thesis_world.hpp"
 
@@ -27,54 +21,6 @@ namespace hitos {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The tours of a world with the noise of a seed, each made once while it is in use. The studies
-/// come tour by tour, so a few are enough.
-class Tours {
-  public:
-    explicit Tours(std::size_t kept) : kept_(kept) {}
-
-    RecordedReader::Tour get(const World& world, std::uint64_t seed) {
-        std::promise<RecordedReader::Tour> promise;
-        std::shared_future<RecordedReader::Tour> tour;
-        bool mine = false;
-        {
-            const std::scoped_lock lock(mutex_);
-            const auto known = std::ranges::find_if(entries_, [&](const Entry& entry) {
-                return entry.world == world.name && entry.seed == seed;
-            });
-            if (known != entries_.end()) {
-                tour = known->tour;
-            } else {
-                mine = true;
-                tour = promise.get_future().share();
-                entries_.push_back({world.name, seed, tour});
-                if (entries_.size() > kept_) entries_.pop_front();
-            }
-        }
-        if (mine) {
-            try {
-                World noisy = world;
-                noisy.seed = seed;
-                SimulatedTourReader reader(std::make_shared<SimulatedTour>(std::move(noisy)));
-                promise.set_value(std::make_shared<RecordedTour>(reader));
-            } catch (...) {
-                promise.set_exception(std::current_exception());
-            }
-        }
-        return tour.get();
-    }
-
-  private:
-    struct Entry {
-        std::string world;
-        std::uint64_t seed = 0;
-        std::shared_future<RecordedReader::Tour> tour;
-    };
-    std::size_t kept_;
-    std::mutex mutex_;
-    std::deque<Entry> entries_;
-};
 
 /// One seed of one figure: so all runs on the same tour stand together.
 struct Part {
@@ -101,7 +47,7 @@ std::vector<Part> order_of(const std::vector<ThesisFigure>& figures, int runs) {
 }
 
 Study study_of(const ThesisFigure& figure, const World& world, const Reading& reading,
-               const Part& part, Tours& tours, const fs::path& out) {
+               const Part& part, const fs::path& out) {
     Study study;
     study.configuration = thesis_configuration(*figure.table);
     apply(reading, study.configuration);
@@ -113,11 +59,7 @@ Study study_of(const ThesisFigure& figure, const World& world, const Reading& re
     study.first_seed = part.seed;
     study.seeds = 1;
     study.setting = world_setting(world, reading);
-    study.source = [&world, &tours](const StudyJob& job) -> std::unique_ptr<TourReader> {
-        return std::make_unique<RecordedReader>(
-            world.file, kWorldFormat,
-            [&world, &tours, seed = job.seed] { return tours.get(world, seed); });
-    };
+    study.source = driven_through(world);
     study.layout = {out / "runs" / figure.stem(), fmt::format("s{}-", part.seed), "quality.csv"};
     return study;
 }
@@ -243,17 +185,11 @@ Reproduction run_figures(const ReproductionOptions& options) {
             worlds[figure.world] = thesis_world(figure.world, reading);
         }
     }
-    const std::size_t threads = options.threads > 0
-                                    ? static_cast<std::size_t>(options.threads)
-                                    : std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
-    constexpr std::size_t kMostKept = 6;
-    Tours tours(std::min(threads + 1, kMostKept));
     const std::vector<Part> parts = order_of(figures, options.runs);
     std::vector<Study> studies;
     for (const Part& part : parts) {
         const ThesisFigure& figure = figures[part.figure];
-        studies.push_back(
-            study_of(figure, worlds.at(figure.world), reading, part, tours, options.out));
+        studies.push_back(study_of(figure, worlds.at(figure.world), reading, part, options.out));
     }
     StudyOptions how;
     how.threads = options.threads;

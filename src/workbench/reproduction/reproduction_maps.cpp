@@ -16,10 +16,8 @@
 #include "hitos/base/staged_folder.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/services/run/grid_builder.hpp"
-#include "hitos/services/run/open_source.hpp"
 #include "hitos/services/study/study_pictures.hpp"
 #include "hitos/simulation/reference_map.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
 #include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "thesis_world.hpp"
@@ -46,12 +44,7 @@ Reading whole_reading(const MapReproductionOptions& options) {
 void set_world(Study& study, const std::string& name, const Reading& reading) {
     World world = thesis_world(name, reading);
     study.setting = world_setting(world, reading);
-    study.source = [world = std::move(world)](const StudyJob& job) -> std::unique_ptr<TourReader> {
-        World noisy = world;
-        noisy.seed = job.seed;
-        return std::make_unique<SimulatedTourReader>(
-            std::make_shared<SimulatedTour>(std::move(noisy)));
-    };
+    study.source = driven_through(std::move(world));
 }
 
 fs::path log_file(const MapReproductionOptions& options, const ThesisExperiment& experiment) {
@@ -110,8 +103,7 @@ struct OdometryMap {
 
 OdometryMap odometry_map(const Study& study) {
     StudyJob job{0, study.first_seed, study.configuration};
-    GridBuilder builder(study.configuration.grid,
-                        study.source ? study.source(job) : open_source(study.configuration.source));
+    GridBuilder builder(study.configuration.grid, study.source.open_tour(job));
     while (builder.step()) {
     }
     OdometryMap map;

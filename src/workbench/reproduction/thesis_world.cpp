@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <utility>
+
 #include "hitos/base/digest.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
+#include "hitos/simulation/simulated_tour_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/shipped_data.hpp"
@@ -17,6 +21,18 @@ World thesis_world(const std::string& name, const Reading& reading) {
     world.odometry.noise_kind = OdometryNoiseKind::relative_sigma;
     apply(reading, world);
     return world;
+}
+
+StudySource driven_through(World world) {
+    StudySource source;
+    source.open = [world = std::move(world)](const SourceParams&, std::uint64_t seed) {
+        World noisy = world;
+        noisy.seed = seed;
+        return std::make_unique<SimulatedTourReader>(
+            std::make_shared<const SimulatedTour>(std::move(noisy)));
+    };
+    source.seeded = [](const SourceParams&) { return true; };
+    return source;
 }
 
 std::string world_setting(const World& world, const Reading& reading) {

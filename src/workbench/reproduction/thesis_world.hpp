@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "hitos/services/study/study.hpp"
 #include "hitos/simulation/world.hpp"
 #include "hitos/workbench/readings.hpp"
 
@@ -10,6 +11,9 @@ namespace hitos {
 
 /// A shipped world with the noise of the reproduction and what the reading changes.
 World thesis_world(const std::string& name, const Reading& reading);
+
+/// Its tours, each with the noise of a run's seed.
+StudySource driven_through(World world);
 
 /// What tells its runs from those of another noise, reading or world: for Study::setting.
 std::string world_setting(const World& world, const Reading& reading);

@@ -26,6 +26,7 @@ struct SourceParams {
     /// the run.
     std::uint64_t tour_seed = 0;
     std::string world_set = {};  ///< changes of a world's values: "laser.sigma=0.003 tour.laps=2"
+    friend bool operator==(const SourceParams&, const SourceParams&) = default;
 };
 
 /// How a run is done; nothing here changes a result but the seed.

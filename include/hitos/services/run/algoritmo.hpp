@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -33,6 +34,8 @@ struct AlgoritmoOptions {
     bool go_back = false;
     /// Keep the figures of every step (RunWorker does), some 300 bytes each; else of the last one.
     bool figures = true;
+    /// Makes what finds the features; null: the one that the configuration asks for.
+    std::function<std::unique_ptr<Extractor>()> extractor = nullptr;
 };
 
 /// All that a run is after a scan; immutable.
@@ -43,7 +46,7 @@ struct RunCheckpoint;
 class Algoritmo {
   public:
     Algoritmo(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
-              const AlgoritmoOptions& options = {});
+              AlgoritmoOptions options = {});
     ~Algoritmo();
     Algoritmo(Algoritmo&&) noexcept;
     Algoritmo& operator=(Algoritmo&&) noexcept;

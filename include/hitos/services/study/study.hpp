@@ -30,8 +30,27 @@ struct StudyJob {
     Configuracion configuration;
 };
 
-/// Gives a run its tour; called on several threads at once.
-using StudySource = std::function<std::unique_ptr<TourReader>(const StudyJob&)>;
+/// Gives runs their tours; called on several threads at once.
+struct StudySource {
+    /// A tour before anything that is a run's own. Runs of one setting whose [source] and seed are
+    /// the same are given what was read from one of them. Null: the log that [source] names.
+    std::function<std::unique_ptr<TourReader>(const SourceParams&, std::uint64_t seed)> open = {};
+    /// Whether a run's seed decides that tour; where not, the seed is 0. Null: never.
+    std::function<bool(const SourceParams&)> seeded = {};
+    /// Makes its odometry the run's own and leaves its scans alone. Null: as it is.
+    std::function<std::unique_ptr<TourReader>(std::unique_ptr<TourReader>, const StudyJob&)>
+        change = {};
+
+    /// The seed that the run's tour is opened with.
+    std::uint64_t seed_of(const StudyJob& job) const;
+    std::unique_ptr<TourReader> open_shared(const StudyJob& job) const;
+    std::unique_ptr<TourReader> changed(std::unique_ptr<TourReader> tour,
+                                        const StudyJob& job) const;
+    /// The run's tour, with all that is its own.
+    std::unique_ptr<TourReader> open_tour(const StudyJob& job) const {
+        return changed(open_shared(job), job);
+    }
+};
 
 /// What to do. A study is a value; several of them can be run at one go.
 struct Study {
@@ -45,7 +64,7 @@ struct Study {
     std::vector<StudyParameter> parameters;  ///< none, one or two
     std::uint64_t first_seed = 1;
     int seeds = 5;
-    StudySource source;  ///< null: the log that the configuration names
+    StudySource source;
     /// The files of which the tour of a log is made, by whose content a run is known; null: the
     /// log.
     std::function<std::vector<std::filesystem::path>(const std::string& log)> inputs;
@@ -95,6 +114,9 @@ struct StudyOptions {
     /// one by one.
     bool locks = true;
     std::stop_token stop;  ///< ends the study within a step; what is done stays done
+    /// The most that is kept of tours and features that several runs have in common [bytes]; what
+    /// is more, each run reads and extracts anew.
+    std::size_t shared_bytes = std::size_t{256} << 20;
 };
 
 struct StudyOutcome {

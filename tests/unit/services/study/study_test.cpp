@@ -207,10 +207,11 @@ TEST_F(StudyTest, ASourceThatFailsForOneSeedFailsThatRun) {
     Study study = this->study("out");
     study.parameters.clear();
     std::atomic<int> opened = 0;
-    study.source = [&](const StudyJob& job) -> std::unique_ptr<TourReader> {
+    study.source.seeded = [](const SourceParams&) { return true; };
+    study.source.open = [&](const SourceParams& source, std::uint64_t seed) {
         ++opened;
-        if (job.seed == 2) throw FileError("tape", verbatim("torn"));
-        return open_source(job.configuration.source);
+        if (seed == 2) throw FileError("tape", verbatim("torn"));
+        return open_source(source);
     };
     const StudyOutcome outcome = run(study);
     EXPECT_EQ(outcome.failed, 1U);
