@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "motion_noise.hpp"
 #include "robots.hpp"
 
 namespace hitos {
@@ -22,14 +23,13 @@ class RobotIncrements final : public Robot {
 
     Pose sample(const Pose& pose, const MotionIncrement& increment,
                 RandomStream& random) const override {
-        if (!increment.moved()) return mean(pose, increment);
-        const auto [n0, n1] = random.normal_pair();
-        const double n2 = random.normal_pair()[0];
-        Pose step = increment.pose_start_end;
-        step.x += n0 * params_.ratio_x * std::abs(step.x);
-        step.y += n1 * params_.ratio_y * std::abs(step.y);
-        step.theta += n2 * params_.ratio_theta * std::abs(step.theta);
-        return compose(pose, step);
+        return increment.moved() ? moved(motion(increment), pose, random) : mean(pose, increment);
+    }
+    bool sample_row(std::span<Pose> poses, const MotionIncrement& increment,
+                    const RandomRow& row) const override {
+        if (!increment.moved()) return false;
+        move_row(motion(increment), poses, row);
+        return true;
     }
 
     Eigen::Matrix3d noise_covariance(const Pose& pose,
@@ -45,6 +45,15 @@ class RobotIncrements final : public Robot {
     }
 
   private:
+    StepWithNoise motion(const MotionIncrement& increment) const {
+        const Pose& step = increment.pose_start_end;
+        StepWithNoise motion{lane_of(step)};
+        motion.m00 = params_.ratio_x * std::abs(step.x);
+        motion.m11 = params_.ratio_y * std::abs(step.y);
+        motion.sigma_theta = params_.ratio_theta * std::abs(step.theta);
+        return motion;
+    }
+
     MotionParams params_;
 };
 

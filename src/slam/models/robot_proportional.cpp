@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "motion_noise.hpp"
 #include "robots.hpp"
 
 namespace hitos {
@@ -21,17 +22,13 @@ class RobotProportional final : public Robot {
 
     Pose sample(const Pose& pose, const MotionIncrement& increment,
                 RandomStream& random) const override {
-        Pose after = mean(pose, increment);
-        if (!increment.moved()) return after;
-        const auto [n0, n1] = random.normal_pair();
-        const double n2 = random.normal_pair()[0];
-        const double along = n0 * std::sqrt(params_.var_along_m2_per_m * increment.path_m);
-        const double across = n1 * std::sqrt(params_.var_across_m2_per_m * increment.path_m);
-        const double heading = mean_heading(pose, increment);
-        after.x += along * std::cos(heading) - across * std::sin(heading);
-        after.y += along * std::sin(heading) + across * std::cos(heading);
-        after.theta = wrap_angle(after.theta + n2 * std::sqrt(heading_variance(increment)));
-        return after;
+        return increment.moved() ? moved(motion(increment), pose, random) : mean(pose, increment);
+    }
+    bool sample_row(std::span<Pose> poses, const MotionIncrement& increment,
+                    const RandomRow& row) const override {
+        if (!increment.moved()) return false;
+        move_row(motion(increment), poses, row);
+        return true;
     }
 
     /// R diag(along, across) R' with R the rotation by the mean heading.
@@ -52,6 +49,17 @@ class RobotProportional final : public Robot {
     }
 
   private:
+    /// The mean heading is half a turn on from that before the step.
+    StepWithNoise motion(const MotionIncrement& increment) const {
+        const Pose& step = increment.pose_start_end;
+        const double along = std::sqrt(params_.var_along_m2_per_m * increment.path_m);
+        const double across = std::sqrt(params_.var_across_m2_per_m * increment.path_m);
+        const double c = std::cos(0.5 * step.theta);
+        const double s = std::sin(0.5 * step.theta);
+        StepWithNoise motion{lane_of(step), c * along, -s * across, s * along, c * across};
+        motion.sigma_theta = std::sqrt(heading_variance(increment));
+        return motion;
+    }
     static double mean_heading(const Pose& pose, const MotionIncrement& increment) {
         return pose.theta + 0.5 * increment.pose_start_end.theta;
     }

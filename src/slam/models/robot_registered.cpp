@@ -6,6 +6,7 @@
 #include "gaussian.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/registration/pose_algebra.hpp"
+#include "motion_noise.hpp"
 #include "robots.hpp"
 
 namespace hitos {
@@ -23,7 +24,7 @@ class RobotRegistered final : public Robot {
 
     Pose mean(const Pose& pose, const MotionIncrement& increment) const override {
         const RegisteredStep& step = registered(increment);
-        if (step.before == step.pose) return pose;
+        if (!step.moved() && step.before == step.pose) return pose;
         const double rho = remembered(step);
         const Pose delta = between(step.before, pose);
         return compose(step.pose, {rho * delta.x, rho * delta.y, rho * delta.theta});
@@ -31,12 +32,15 @@ class RobotRegistered final : public Robot {
 
     Pose sample(const Pose& pose, const MotionIncrement& increment,
                 RandomStream& random) const override {
-        const Pose after = mean(pose, increment);
         const RegisteredStep& step = registered(increment);
-        if (!step.moved()) return after;
-        const Eigen::Vector3d noise =
-            turn_of(step.pose.theta) * (root_of(deviation(step)) * normal_triple(random));
-        return shifted(after, noise);
+        return step.moved() ? moved(deviating(step), pose, random) : mean(pose, increment);
+    }
+    bool sample_row(std::span<Pose> poses, const MotionIncrement& increment,
+                    const RandomRow& row) const override {
+        const RegisteredStep& step = registered(increment);
+        if (!step.moved()) return false;
+        move_row(deviating(step), poses, row);
+        return true;
     }
 
     /// rho R, with R the turn of the registered step, which leaves the heading's own alone.
@@ -55,6 +59,47 @@ class RobotRegistered final : public Robot {
     }
 
   private:
+    /// mean() and noise of three independent standard normal draws n: a pose off the path before by
+    /// d is off it by T d + L n afterwards, in the world's axes, with L the lower triangle of the
+    /// noise's covariance, turned, and the headings' difference times rho.
+    struct Deviating {
+        LanePose before;
+        LanePose after;
+        double cosine;  // of the turn, times rho
+        double sine;
+        double rho;
+        double l00, l01, l02;
+        double l10, l11, l12;
+        double l20, l21, l22;
+
+        HITOS_INLINE LanePose moved(const LanePose& pose, double n0, double n1, double n2) const {
+            const double dx = pose.x - before.x;
+            const double dy = pose.y - before.y;
+            const double turn = elementary::wrap(pose.theta - before.theta);
+            return {after.x + (cosine * dx - sine * dy) + (l00 * n0 + l01 * n1 + l02 * n2),
+                    after.y + (sine * dx + cosine * dy) + (l10 * n0 + l11 * n1 + l12 * n2),
+                    elementary::wrap(after.theta + rho * turn + (l20 * n0 + l21 * n1 + l22 * n2))};
+        }
+    };
+    Deviating deviating(const RegisteredStep& step) const {
+        const double rho = remembered(step);
+        const double turn = step.pose.theta - step.before.theta;
+        const Eigen::Matrix3d l = turn_of(step.pose.theta) * root_of(deviation(step));
+        return {lane_of(step.before),
+                lane_of(step.pose),
+                rho * std::cos(turn),
+                rho * std::sin(turn),
+                rho,
+                l(0, 0),
+                l(0, 1),
+                l(0, 2),
+                l(1, 0),
+                l(1, 1),
+                l(1, 2),
+                l(2, 0),
+                l(2, 1),
+                l(2, 2)};
+    }
     static const RegisteredStep& registered(const MotionIncrement& increment) {
         if (increment.registered != nullptr) return *increment.registered;
         throw ConfigError(

@@ -1,6 +1,8 @@
 // "Diferencial con odometría" [T 7.4.1]: the controls and noise of constant sigma, none at rest.
 
-#include "constant_noise.hpp"
+#include <utility>
+
+#include "motion_noise.hpp"
 #include "robots.hpp"
 
 namespace hitos {
@@ -8,30 +10,30 @@ namespace {
 
 class RobotWithOdometry final : public Robot {
   public:
-    explicit RobotWithOdometry(const MotionParams& params) : noise_(params) {}
+    explicit RobotWithOdometry(MotionParams params) : params_(std::move(params)) {}
 
     Pose mean(const Pose& pose, const MotionIncrement& increment) const override {
         return compose(pose, increment.pose_start_end);
     }
     Pose sample(const Pose& pose, const MotionIncrement& increment,
                 RandomStream& random) const override {
-        const Pose after = mean(pose, increment);
-        return increment.moved() ? noise_.added_to(after, random) : after;
+        if (!increment.moved()) return mean(pose, increment);
+        return moved(constant_noise(params_, increment.pose_start_end), pose, random);
     }
     bool sample_row(std::span<Pose> poses, const MotionIncrement& increment,
                     const RandomRow& row) const override {
         if (!increment.moved()) return false;
-        noise_.add_row(poses, increment.pose_start_end, row);
+        move_row(constant_noise(params_, increment.pose_start_end), poses, row);
         return true;
     }
     Eigen::Matrix3d noise_covariance(const Pose& /*pose*/,
                                      const MotionIncrement& increment) const override {
         if (!increment.moved()) return Eigen::Matrix3d::Zero();
-        return noise_.covariance();
+        return constant_covariance(params_);
     }
 
   private:
-    ConstantNoise noise_;
+    MotionParams params_;
 };
 
 }  // namespace

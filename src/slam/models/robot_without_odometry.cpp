@@ -1,6 +1,8 @@
 // "Diferencial sin odometría" [T 7.4.1]: the controls are ignored, the particles only spread.
 
-#include "constant_noise.hpp"
+#include <utility>
+
+#include "motion_noise.hpp"
 #include "robots.hpp"
 
 namespace hitos {
@@ -9,22 +11,27 @@ namespace {
 /// Its controls mean nothing, rest included: noise is drawn in every step.
 class RobotWithoutOdometry final : public Robot {
   public:
-    explicit RobotWithoutOdometry(const MotionParams& params) : noise_(params) {}
+    explicit RobotWithoutOdometry(MotionParams params) : params_(std::move(params)) {}
 
     Pose mean(const Pose& pose, const MotionIncrement& /*increment*/) const override {
         return pose;
     }
     Pose sample(const Pose& pose, const MotionIncrement& /*increment*/,
                 RandomStream& random) const override {
-        return noise_.added_to(pose, random);
+        return moved(constant_noise(params_, {}), pose, random);
+    }
+    bool sample_row(std::span<Pose> poses, const MotionIncrement& /*increment*/,
+                    const RandomRow& row) const override {
+        move_row(constant_noise(params_, {}), poses, row);
+        return true;
     }
     Eigen::Matrix3d noise_covariance(const Pose& /*pose*/,
                                      const MotionIncrement& /*increment*/) const override {
-        return noise_.covariance();
+        return constant_covariance(params_);
     }
 
   private:
-    ConstantNoise noise_;
+    MotionParams params_;
 };
 
 }  // namespace

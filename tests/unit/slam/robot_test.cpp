@@ -143,6 +143,34 @@ TEST(Robot, ProportionalNoiseGrowsWithTheMotion) {
     EXPECT_NEAR(turn.var_t, 0.01, 0.01 * kVarianceTolerance);
 }
 
+/// What is drawn for many poses at once is what each draws by itself, to the last bit, and a row
+/// that needs none says so.
+TEST(Robot, ManyPosesDrawWhatEachDraws) {
+    RegisteredStep step;
+    step.before = {1.0, 2.0, 3.0};
+    step.pose = {1.2, 2.1, -3.1};
+    step.covariance = Eigen::Vector3d(1e-4, 2e-4, 3e-4).asDiagonal();
+    step.path_m = 0.25;
+    step.turned_rad = 0.2;
+    const Control control{{0.7, 0.1, -0.9}, 0.6};
+    MotionIncrement increment = sum_controls(std::span(&control, 1));
+    increment.registered = &step;
+    for (const MotionModelEntry& entry : motion_models().entries()) {
+        MotionParams params;
+        params.model = entry.word;
+        const auto robot = make_robot(params);
+        std::vector<Pose> poses;
+        for (int i = 0; i < 45; ++i) poses.push_back({0.1 * i, -3.0, 0.2 * i - 3.1});
+        const std::vector<Pose> before = poses;
+        const RandomRow row{5, RandomPurpose::motion, 17, 100};
+        ASSERT_TRUE(robot->sample_row(poses, increment, row)) << entry.word;
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            RandomStream random = row.stream(i);
+            ASSERT_EQ(poses[i], robot->sample(before[i], increment, random)) << entry.word;
+        }
+    }
+}
+
 TEST(Robot, WithoutOdometryParticlesOnlySpread) {
     MotionParams params;
     params.model = "no-odometry";
