@@ -1,26 +1,8 @@
 #include "ekf_slam.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
 
 namespace hitos {
-namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-/// Of a landmark that no observation is compared with.
-constexpr Likelihood kNothing{-kNever, kNever};
-
-/// Rounding can cost S its positivity where variances are next to nothing: no comparison then.
-Likelihood compared(const Vector2& nu, const Matrix2& s) {
-    const Likelihood likelihood = likelihood_of(nu, s);
-    return s.determinant() > 0.0 && likelihood.mahalanobis_squared >= 0.0 ? likelihood : kNothing;
-}
-
-}  // namespace
-
 EkfSlam::EkfSlam(const FilterParams& params)
     : params_(params),
       robot_(make_robot(params.motion)),
@@ -40,16 +22,16 @@ void EkfSlam::step(const SlamInput& input) {
     if (input.record != nullptr) begin_record(*input.record);
     std::vector<RecordedFeature>* const recorded =
         input.record == nullptr ? nullptr : &input.record->hypotheses.front();
-    if (params_.association.method == AssociationMethod::joint_compatibility) {
-        associate_together(recorded);
-    } else {
-        for_each_kind([&]<class S>() { associate<S>(recorded); });
-    }
+    associate(recorded);
     set_twins_aside();
     update();
     for_each_kind([&]<class S>() { add_new<S>(); });
     for_each_kind([&]<class S>() { update_new<S>(); });
-    normalize();
+    if (std::ranges::any_of(associations_, [](const Association& association) {
+            return association.outcome == Association::Outcome::created;
+        })) {
+        normalize();
+    }
     note_all_seen();
     point_into_map();
     if (input.record != nullptr) end_record(*input.record);
@@ -71,128 +53,13 @@ void EkfSlam::begin_record(AssociationRecord& record) const {
     record.new_gate = new_gate_;
 }
 
-template <Sensor S>
-void EkfSlam::associate(Recorded recorded) {
-    std::uint32_t observed = 0;
-    for (const Measurement& measured : measurements_.of<S>()) {
-        associate<S>(measured, observed++, recorded);
-    }
-}
-
-template <Sensor S, class Body>
-void EkfSlam::compare(const Measurement& measured, Recorded recorded, const Body& body) const {
-    if (recorded != nullptr) recorded->emplace_back();
-    const Pose pose = state_.pose();
-    const Matrix3 pose_covariance = state_.pose_covariance();
-    for (std::size_t i = 0; i < marks<S>().size(); ++i) {
-        const Eigen::Index at = marks<S>()[i].at;
-        const JointInnovation seen =
-            S::joint_innovation(measured.z, pose, S::from_state(state_.landmark(at)));
-        const Matrix23 cross = state_.cross_covariance(at);
-        const Matrix23 hp = seen.by_pose * pose_covariance + seen.by_landmark * cross;
-        const Matrix2 s =
-            hp * seen.by_pose.transpose() +
-            (seen.by_pose * cross.transpose() + seen.by_landmark * state_.landmark_covariance(at)) *
-                seen.by_landmark.transpose() +
-            measured.r;
-        const Likelihood close = compared(seen.nu, s);
-        if (recorded != nullptr) {
-            const bool inside = close.mahalanobis_squared <= rule_.gate();
-            recorded->back().compared.push_back({static_cast<std::int32_t>(i), seen.nu,
-                                                 close.mahalanobis_squared, close.log_likelihood,
-                                                 inside ? Standing::candidate : Standing::outside});
-        }
-        body(static_cast<std::uint32_t>(i),
-             JointState::Row{at, seen.nu, seen.by_pose, seen.by_landmark, measured.r}, close);
-    }
-}
-
-template <Sensor S>
-void EkfSlam::associate(const Measurement& measured, std::uint32_t observed, Recorded recorded) {
-    BestTwo inside;  // of the landmarks whose gate it lies in, by distance
-    double nearest = kNever;
-    JointState::Row row;
-    compare<S>(
-        measured, recorded,
-        [&](std::uint32_t i, const JointState::Row& compared, const Likelihood& close) {
-            const double distance = close.mahalanobis_squared;
-            nearest = std::min(nearest, distance);
-            if (distance <= rule_.gate() && inside.offer(i, -distance, close.log_likelihood)) {
-                row = compared;
-            }
-        });
-    Association association{S::kKind, observed};
-    if (!inside.none() && !rule_.ambiguous(inside)) {
-        match(association, inside.best(), row, inside.best_log());
-    } else if (!inside.none()) {
-        association.reason = Association::Reason::ambiguous;
-    } else if (is_new<S>(nearest)) {
-        association.outcome = Association::Outcome::created;
-        association.reason = Association::Reason::fits_none;
-    }
-    associations_.push_back(association);
-}
-
-void EkfSlam::match(Association& association, std::uint32_t landmark, const JointState::Row& row,
-                    double log_likelihood) {
-    association.outcome = Association::Outcome::matched;
-    association.reason = Association::Reason::fits;
-    association.landmark = static_cast<std::int32_t>(landmark);
-    rows_.push_back(row);
-    statistics_.best_log_weight += log_likelihood;
-}
-
-template <Sensor S>
-bool EkfSlam::is_new(double nearest) const {
-    // Where no comparison was possible nothing is known, and so nothing is new.
-    const bool comparable = marks<S>().empty() || nearest < kNever;
-    return comparable && nearest > new_gate_;
-}
-
-void EkfSlam::associate_together(Recorded recorded) {
-    search_.begin(params_.association.joint_probability);
-    found_.clear();
-    found_rows_.clear();
-    for_each_kind([&]<class S>() {
-        std::uint32_t observed = 0;
-        for (const Measurement& measured : measurements_.of<S>()) {
-            double nearest = kNever;
-            search_.add_observation();
-            compare<S>(
-                measured, recorded,
-                [&](std::uint32_t i, const JointState::Row& row, const Likelihood& close) {
-                    nearest = std::min(nearest, close.mahalanobis_squared);
-                    if (close.mahalanobis_squared > rule_.gate()) return;
-                    search_.add({static_cast<std::uint64_t>(row.at), close.mahalanobis_squared,
-                                 static_cast<std::uint32_t>(found_.size())});
-                    found_.push_back({i, close.log_likelihood});
-                    found_rows_.push_back(row);
-                });
-            Association association{S::kKind, observed++};
-            if (is_new<S>(nearest)) {
-                association.outcome = Association::Outcome::created;
-                association.reason = Association::Reason::fits_none;
-            }
-            associations_.push_back(association);
-        }
-    });
-    JointInnovationDistance distance(state_, found_rows_);
-    if (!search_.run(distance)) ++statistics_.searches_cut;
-    for (std::size_t i = 0; i < associations_.size(); ++i) {
-        if (const JointCandidate* pairing = search_.paired(i)) {
-            const Found& found = found_[pairing->place];
-            match(associations_[i], found.landmark, found_rows_[pairing->place],
-                  found.log_likelihood);
-            associations_[i].reason = Association::Reason::together;
-        } else if (!search_.candidates(i).empty()) {
-            associations_[i].reason = Association::Reason::left_over;
-        }
-    }
-}
-
 void EkfSlam::update() {
     state_.update(rows_);
-    normalize();
+    if (rows_.empty()) {
+        normalize_heading();
+    } else {
+        normalize();
+    }
 }
 
 template <Sensor S>
@@ -245,8 +112,12 @@ void EkfSlam::update_new() {
     state_.update(rows_);
 }
 
-void EkfSlam::normalize() {
+void EkfSlam::normalize_heading() {
     state_.set_heading(wrap_angle(state_.pose().theta));
+}
+
+void EkfSlam::normalize() {
+    normalize_heading();
     for_each_kind([&]<class S>() {
         for (const Mark& mark : marks<S>()) {
             auto landmark = S::from_state(state_.landmark(mark.at));

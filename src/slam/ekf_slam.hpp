@@ -14,6 +14,7 @@
 #include "joint_state.hpp"
 #include "map_correction.hpp"
 #include "measurement.hpp"
+#include "pairing_sieve.hpp"
 #include "scan_twins.hpp"
 
 namespace hitos {
@@ -67,16 +68,16 @@ class EkfSlam final : public SlamFilter {
     /// Adds the decisions; landmarks become places in the map.
     void end_record(AssociationRecord& record) const;
     /// Appends to associations_ and, where matched, to rows_.
-    template <Sensor S>
     void associate(Recorded recorded);
     template <Sensor S>
     void associate(const Measurement& measured, std::uint32_t observed, Recorded recorded);
     /// The same for all observations of all kinds at once, by joint compatibility.
     void associate_together(Recorded recorded);
-    /// Calls body(landmark of its kind, row, likelihood) for every landmark; what is recorded is of
-    /// the newest feature.
+    /// Calls body(landmark of its kind, row, likelihood) for every landmark, or, where nothing is
+    /// recorded, for every one that may lie inside a gate; what is recorded is of the newest
+    /// feature. Returns the least squared distance, or anything beyond the gates.
     template <Sensor S, class Body>
-    void compare(const Measurement& measured, Recorded recorded, const Body& body) const;
+    double compare(const Measurement& measured, Recorded recorded, const Body& body);
     /// Whether an observation is of no landmark; `nearest` is its least squared distance.
     template <Sensor S>
     bool is_new(double nearest) const;
@@ -90,6 +91,7 @@ class EkfSlam final : public SlamFilter {
     /// Updates new landmarks with those set aside.
     template <Sensor S>
     void update_new();
+    void normalize_heading();
     /// Brings headings, angles and the signs of lines to normal form.
     void normalize();
     /// Notes which landmarks have been seen in this step, and where.
@@ -123,6 +125,11 @@ class EkfSlam final : public SlamFilter {
         return marks_[LandmarkKinds::place<S>()];
     }
 
+    template <Sensor S>
+    PairingSieve<S>& sieve() {
+        return std::get<PairingSieve<S>>(sieves_);
+    }
+
     FilterParams params_;
     std::shared_ptr<const Robot> robot_;
     bool registered_;  // the motion model follows registration, whose corrections move all
@@ -138,6 +145,7 @@ class EkfSlam final : public SlamFilter {
     // Working memory of a step.
     Measurements measurements_;
     KindRow<SeenReach> reaches_;
+    LandmarkKinds::Tuple<PairingSieve> sieves_;
     std::vector<JointState::Row> rows_;
     std::vector<std::pair<std::size_t, std::size_t>> second_of_;  // twin set aside, its first
     JointSearch search_;

@@ -8,8 +8,7 @@
 namespace hitos {
 
 std::size_t EkfSlam::bytes() const {
-    const auto size = static_cast<std::size_t>(state_.size());
-    return 2 * size * size * sizeof(double) + history_.size() * sizeof(Pose);
+    return state_.bytes() + history_.size() * sizeof(Pose);
 }
 
 void EkfSlam::correct(const PathCorrection& correction) {

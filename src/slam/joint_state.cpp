@@ -1,73 +1,162 @@
 #include "joint_state.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 
-#include "hitos/base/memory_need.hpp"
-
 namespace hitos {
+namespace {
+
+constexpr std::size_t kRows = Strip::kRows;
+
+/// Three strips, each become the sum of all three by a row of F.
+HITOS_INLINE void turn_three(double* x, double* y, double* z, const Matrix3& f) {
+    const double xx = f(0, 0);
+    const double xy = f(0, 1);
+    const double xz = f(0, 2);
+    const double yx = f(1, 0);
+    const double yy = f(1, 1);
+    const double yz = f(1, 2);
+    const double zx = f(2, 0);
+    const double zy = f(2, 1);
+    const double zz = f(2, 2);
+    HITOS_LANES
+    for (std::size_t i = 0; i < kRows; ++i) {
+        const double x0 = x[i];
+        const double y0 = y[i];
+        const double z0 = z[i];
+        x[i] = x0 * xx + y0 * xy + z0 * xz;
+        y[i] = x0 * yx + y0 * yy + z0 * yz;
+        z[i] = x0 * zx + y0 * zy + z0 * zz;
+    }
+}
+
+/// P_mr F' of all rows.
+void turn_pose(TallMatrix& columns, const Matrix3& f) {
+    vectorised([&]() HITOS_INLINED {
+        for (std::size_t p = 0; p < columns.panels(); ++p) {
+            double* const x = columns.panel(p);
+            turn_three(x, x + kRows, x + 2 * kRows, f);
+        }
+    });
+}
+
+/// Two columns become what the first three are by the rows of G.
+void add_columns(TallMatrix& columns, std::size_t at, const Matrix23& g) {
+    for (std::size_t p = 0; p < columns.panels(); ++p) {
+        double* const x = columns.panel(p);
+        for (Eigen::Index k = 0; k < 2; ++k) {
+            double* const to = x + (at + static_cast<std::size_t>(k)) * kRows;
+            for (std::size_t i = 0; i < kRows; ++i) {
+                to[i] = g(k, 0) * x[i] + g(k, 1) * x[kRows + i] + g(k, 2) * x[2 * kRows + i];
+            }
+        }
+    }
+}
+
+}  // namespace
+
+JointState::JointState() {
+    hand_.reshape(0, kRows);
+    own_.reshape(0, 2);
+    set_rows(kPose);
+}
+
+Matrix3 JointState::pose_covariance() const {
+    Matrix3 p;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        for (Eigen::Index j = 0; j < 3; ++j) {
+            p(i, j) = hand_(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+        }
+    }
+    return p;
+}
+
+Matrix2 JointState::landmark_covariance(Eigen::Index at) const {
+    const std::size_t row = row_of(at);
+    Matrix2 p;
+    p << own_(row, 0), own_(row, 1), own_(row, 1), own_(row + 1, 0);
+    return p;
+}
+
+Matrix23 JointState::cross_covariance(Eigen::Index at) const {
+    const std::size_t row = row_of(at);
+    Matrix23 p;
+    p << hand_(row, 0), hand_(row, 1), hand_(row, 2), hand_(row + 1, 0), hand_(row + 1, 1),
+        hand_(row + 1, 2);
+    return p;
+}
+
+Matrix2 JointState::landmarks_covariance(Eigen::Index a, Eigen::Index b) const {
+    if (a == b) return landmark_covariance(a);
+    const std::size_t row = row_of(a);
+    Matrix2 p;
+    if (const std::size_t column = column_of(b); column > 0) {
+        p << hand_(row, column), hand_(row, column + 1), hand_(row + 1, column),
+            hand_(row + 1, column + 1);
+        return p;
+    }
+    if (column_of(a) > 0) return landmarks_covariance(b, a).transpose();
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t j = 0; j < 2; ++j) {
+            const double learnt = lagging_ ? gained_of(row + i).dot(gained_of(row_of(b) + j)) : 0.0;
+            p(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+                settled_(row + i, row_of(b) + j) - learnt;
+        }
+    }
+    return p;
+}
 
 void JointState::move(const Pose& pose, const Matrix3& f, const Matrix3& q) {
-    mean_.head<3>() << pose.x, pose.y, pose.theta;
+    set_pose(pose);
     const Matrix3 moved = f * pose_covariance() * f.transpose() + q;
-    for (Eigen::Index j = 0; j < kPose; ++j) {
-        for (Eigen::Index i = j; i < kPose; ++i) covariance_(i, j) = moved(i, j);
+    turn_pose(hand_, f);
+    if (lags()) turn_pose(now_, f);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            const auto [low, high] = std::minmax(i, j);
+            hand_(i, j) = moved(static_cast<Eigen::Index>(high), static_cast<Eigen::Index>(low));
+        }
+        for (std::size_t column = kFirst; column < columns(); ++column) {
+            hand_(i, column) = hand_(row_of_column(column), i);
+        }
     }
-    auto cross = covariance_.block(kPose, 0, size_ - kPose, kPose);
-    cross = (cross * f.transpose()).eval();
-}
-
-template <int Columns>
-void JointState::read_columns(Eigen::Index first, Eigen::Ref<Eigen::MatrixXd> out) const {
-    out.topRows(first) = covariance_.block(first, 0, Columns, first).transpose();
-    out.middleRows(first, Columns) = covariance_block<Columns, Columns>(first, first);
-    const Eigen::Index below = first + Columns;
-    out.bottomRows(size_ - below) = covariance_.block(below, first, size_ - below, Columns);
-}
-
-void JointState::update(std::span<const Row> rows) {
-    if (rows.empty()) return;
-    const auto count = 2 * static_cast<Eigen::Index>(rows.size());
-    columns_.resize(size_, kPose + 2);
-    w_.resize(size_, count);
-    s_.resize(count, count);
-    Eigen::VectorXd nu(count);
-    read_columns<kPose>(0, columns_.leftCols<kPose>());
-    for (Eigen::Index k = 0; k < count; k += 2) {
-        const Row& row = rows[static_cast<std::size_t>(k / 2)];
-        read_columns<2>(row.at, columns_.rightCols<2>());
-        w_.middleCols<2>(k).noalias() = columns_.leftCols<kPose>() * row.by_pose.transpose() +
-                                        columns_.rightCols<2>() * row.by_landmark.transpose();
-        nu.segment<2>(k) = row.nu;
-    }
-    for (Eigen::Index k = 0; k < count; k += 2) {
-        const Row& row = rows[static_cast<std::size_t>(k / 2)];
-        s_.middleRows<2>(k) =
-            row.by_pose * w_.topRows<kPose>() + row.by_landmark * w_.middleRows<2>(row.at);
-        s_.block<2, 2>(k, k) += row.r;
-    }
-    const Eigen::LLT<Eigen::MatrixXd> factor(s_);
-    if (factor.info() != Eigen::Success) return;
-    mean_.head(size_).noalias() += w_ * factor.solve(nu);
-    factor.matrixU().solveInPlace<Eigen::OnTheRight>(w_);
-    covariance_.topLeftCorner(size_, size_).selfadjointView<Eigen::Lower>().rankUpdate(w_, -1.0);
 }
 
 Eigen::Index JointState::append(const Vector2& mean, const Matrix23& by_pose, const Matrix2& own) {
+    make_room(2, 2);
     const Eigen::Index at = size_;
-    grow(at + 2);
-    mean_.segment<2>(at) = mean;
-    covariance_.block<2, 3>(at, 0) = by_pose * pose_covariance();
-    covariance_.block(at, kPose, 2, at - kPose) =
-        by_pose * covariance_.block(kPose, 0, at - kPose, kPose).transpose();
-    covariance_.block<2, 2>(at, at) = by_pose * pose_covariance() * by_pose.transpose() + own;
-    size_ = at + 2;
+    const std::size_t column = columns();
+    set_rows(at + 2);
+    set_landmark(at, mean);
+    const std::size_t row = row_of(at);
+    const Matrix2 whole = by_pose * pose_covariance() * by_pose.transpose() + own;
+    add_columns(hand_, column, by_pose);
+    if (lags()) add_columns(now_, column, by_pose);
+    take_column(row);
+    for (std::size_t k = 0; k < 2; ++k) {
+        for (std::size_t other = 0; other < column; ++other) {
+            hand_(row + k, other) = hand_(row_of_column(other), column + k);
+        }
+    }
+    hand_(row, column) = own_(row, 0) = whole(0, 0);
+    hand_(row + 1, column + 1) = own_(row + 1, 0) = whole(1, 1);
+    hand_(row, column + 1) = hand_(row + 1, column) = own_(row, 1) = whole(1, 0);
     return at;
 }
 
 void JointState::negate(Eigen::Index component) {
-    covariance_.row(component).head(component) *= -1.0;
-    covariance_.col(component).segment(component + 1, size_ - component - 1) *= -1.0;
+    const std::size_t row = row_of(component);
+    const std::size_t landmark = row - row % 2;
+    own_(landmark, 1) *= -1.0;
+    for (std::size_t c = 0; c < columns(); ++c) hand_(row, c) *= -1.0;
+    const std::size_t begin = column_of_[(landmark - kFirst) / 2];
+    if (begin == 0) {
+        settled_.negate(row);
+        for (std::size_t c = 0; c < first_columns_; ++c) first_(row, c) *= -1.0;
+        return;
+    }
+    const std::size_t column = begin + row % 2;
+    for (std::size_t i = 0; i < rows(); ++i) hand_(i, column) *= -1.0;
+    for (std::size_t i = 0; lags() && i < first_columns_; ++i) now_(i, column) *= -1.0;
 }
 
 Matrix2 JointState::difference_covariance(Eigen::Index first, Eigen::Index second,
@@ -79,66 +168,160 @@ Matrix2 JointState::difference_covariance(Eigen::Index first, Eigen::Index secon
            cross.transpose();
 }
 
-void JointState::join(Eigen::Index first, Eigen::Index second, const Vector2& nu, double sign,
-                      const Matrix2& r) {
-    Matrix2 f = Matrix2::Identity();
-    f(0, 0) = sign;
-    columns_.resize(size_, 4);
-    read_columns<2>(first, columns_.leftCols<2>());
-    read_columns<2>(second, columns_.rightCols<2>());
-    w_ = columns_.leftCols<2>() - columns_.rightCols<2>() * f;
-    const Matrix2 s = difference_covariance(first, second, sign) + r;
-    const Eigen::LLT<Matrix2> factor(s);
-    const bool regular = factor.info() == Eigen::Success;
-    if (!regular) return;
-    mean_.head(size_).noalias() -= w_ * factor.solve(nu);
-    factor.matrixU().solveInPlace<Eigen::OnTheRight>(w_);
-    covariance_.topLeftCorner(size_, size_).selfadjointView<Eigen::Lower>().rankUpdate(w_, -1.0);
+void JointState::settle() {
+    settled_.resize(rows());
+    if (lagging_ && lags()) {
+        const std::size_t count = first_columns_;
+        const std::size_t terms = whole_terms(count);
+        by_.assign(terms * count, 0.0);
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t j = 0; j <= i; ++j) by_[i * count + j] = gained_(i, j);
+        }
+        w_.reshape(hand_.panels(), terms);
+        vectorised([&]() HITOS_INLINED {
+            for (std::size_t p = 0; p < w_.panels(); ++p) {
+                std::fill_n(w_.panel(p), terms * kRows, 0.0);
+                subtract_products(w_.panel(p), count, first_.panel(p), by_.data(), count, terms);
+            }
+        });
+        settled_.subtract_square(w_, terms);
+    }
+    for (std::size_t c = 0; c < columns(); ++c) settled_.write_column(row_of_column(c), hand_, c);
+    for (std::size_t i = kFirst; i < rows(); i += 2) {
+        settled_.set(i, i, own_(i, 0));
+        settled_.set(i + 1, i, own_(i, 1));
+        settled_.set(i + 1, i + 1, own_(i + 1, 0));
+    }
+    begin_anew();
 }
 
-void JointState::remove(Eigen::Index at) {
-    const Eigen::Index behind = size_ - at - 2;
-    mean_.segment(at, behind) = mean_.segment(at + 2, behind).eval();
-    covariance_.block(at, 0, behind, at) = covariance_.block(at + 2, 0, behind, at).eval();
-    covariance_.block(at, at, behind, behind) =
-        covariance_.block(at + 2, at + 2, behind, behind).eval();
-    size_ -= 2;
+void JointState::begin_anew() {
+    attended_.clear();
+    std::ranges::fill(column_of_, 0);
+    lagging_ = false;
+    first_columns_ = kFirst;
+    const std::size_t room = hand_.columns();
+    first_.reshape(hand_.panels(), room);
+    for (std::size_t p = 0; p < first_.panels(); ++p) {
+        std::copy_n(hand_.panel(p), kFirst * kRows, first_.panel(p));
+    }
+    for (TallMatrix* square : {&now_, &gained_}) {
+        square->reshape(room / kRows, room);
+        for (std::size_t p = 0; p < square->panels(); ++p) {
+            std::fill_n(square->panel(p), room * kRows, 0.0);
+        }
+    }
+    for (std::size_t i = 0; i + 1 < kFirst; ++i) now_(i, i) = 1.0;
 }
 
-void JointState::transform(const Matrix3& by_pose, std::span<const Turn> landmarks) {
-    const auto left = [&](Eigen::Index row, Eigen::Index rows, const auto& by) {
-        covariance_.block(row, 0, rows, row) = (by * covariance_.block(row, 0, rows, row)).eval();
-    };
-    const auto right = [&](Eigen::Index column, Eigen::Index columns, const auto& by) {
-        const Eigen::Index below = size_ - column - columns;
-        auto block = covariance_.block(column + columns, column, below, columns);
-        block = (block * by.transpose()).eval();
-    };
-    const Matrix3 pose = by_pose * pose_covariance() * by_pose.transpose();
-    covariance_.topLeftCorner<3, 3>() = pose;
-    right(0, kPose, by_pose);
-    for (const Turn& turn : landmarks) {
-        left(turn.at, 2, turn.by);
-        right(turn.at, 2, turn.by);
-        const Matrix2 own = turn.by * landmark_covariance(turn.at) * turn.by.transpose();
-        covariance_.block<2, 2>(turn.at, turn.at) = own;
+void JointState::set_rows(Eigen::Index size) {
+    // Counted last: where memory ends, the state is as it was.
+    const auto count = static_cast<std::size_t>(size) + 1;
+    const std::size_t panels = (count + kRows - 1) / kRows;
+    if (settled_.size() > 0) {  // else all are at hand
+        settled_.resize(count);
+        first_.set_panels(panels);
+    }
+    hand_.set_panels(panels);
+    own_.set_panels(panels);
+    mean_.conservativeResizeLike(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(panels * kRows)));
+    column_of_.resize(static_cast<std::size_t>(size - kPose) / 2);
+    size_ = size;
+}
+
+void JointState::make_room(std::size_t more, std::size_t anew) {
+    constexpr std::size_t kMost = 2 * kRows;  // 30 landmarks
+    std::size_t needed = columns() + more;
+    if (needed <= hand_.columns()) return;
+    if (needed > kMost) {
+        settle();
+        needed = std::max(columns() + anew, kMost);
+    }
+    const std::size_t room = (needed + kRows - 1) / kRows * kRows;
+    if (room == hand_.columns()) return;
+    hand_.set_columns(room);
+    if (settled_.size() == 0) return;
+    first_.set_columns(room);
+    for (TallMatrix* square : {&now_, &gained_}) {
+        square->set_columns(room);
+        square->set_panels(room / kRows);
     }
 }
 
-void JointState::grow(Eigen::Index size) {
-    if (size <= covariance_.rows()) return;
-    // By a quarter: the memory goes with the square. Columns stay aligned.
-    constexpr Eigen::Index kAligned = 8;
-    const Eigen::Index wished = std::max({size, covariance_.rows() * 5 / 4, Eigen::Index{32}});
-    const Eigen::Index capacity = (wished + kAligned - 1) / kAligned * kAligned;
-    const auto columns = static_cast<std::size_t>(capacity);
-    require_memory(columns * columns * sizeof(double));
-    mean_.conservativeResize(capacity);
-    covariance_.conservativeResize(capacity, capacity);
+void JointState::remove(Eigen::Index at) {
+    settle();
+    const Eigen::Index behind = size_ - at - 2;
+    mean_.segment(at + 1, behind) = mean_.segment(at + 3, behind).eval();
+    settled_.remove(row_of(at), 2);
+    for (std::size_t i = row_of(at); i + 2 < rows(); ++i) {
+        for (std::size_t c = 0; c < kFirst; ++c) hand_(i, c) = hand_(i + 2, c);
+        for (std::size_t c = 0; c < 2; ++c) own_(i, c) = own_(i + 2, c);
+    }
+    for (std::size_t i = rows() - 2; i < rows(); ++i) {
+        for (std::size_t c = 0; c < kFirst; ++c) hand_(i, c) = 0.0;
+    }
+    set_rows(size_ - 2);
+    begin_anew();
+}
+
+void JointState::transform(const Matrix3& by_pose, std::span<const Turn> landmarks) {
+    settle();
+    const Matrix3 pose = by_pose * pose_covariance() * by_pose.transpose();
+    turn_pose(hand_, by_pose);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            const auto [low, high] = std::minmax(i, j);
+            hand_(i, j) = pose(static_cast<Eigen::Index>(high), static_cast<Eigen::Index>(low));
+        }
+    }
+    for (std::size_t a = 0; a < landmarks.size(); ++a) {
+        const Matrix2& by = landmarks[a].by;
+        const std::size_t row = row_of(landmarks[a].at);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Vector2 cross = by * Vector2(hand_(row, c), hand_(row + 1, c));
+            hand_(row, c) = cross(0);
+            hand_(row + 1, c) = cross(1);
+        }
+        for (std::size_t b = 0; b <= a; ++b) {
+            const std::size_t column = row_of(landmarks[b].at);
+            Matrix2 p;
+            p << settled_(row, column), settled_(row, column + 1), settled_(row + 1, column),
+                settled_(row + 1, column + 1);
+            p = by * p * landmarks[b].by.transpose();
+            settled_.set(row + 1, column, p(1, 0));
+            settled_.set(row, column, p(0, 0));
+            settled_.set(row + 1, column + 1, p(1, 1));
+            if (a != b) settled_.set(row, column + 1, p(0, 1));
+            if (a != b) continue;
+            own_(row, 0) = p(0, 0);
+            own_(row, 1) = p(1, 0);
+            own_(row + 1, 0) = p(1, 1);
+        }
+    }
+    for (std::size_t c = 0; c < kFirst; ++c) settled_.write_column(c, hand_, c);
+    begin_anew();
 }
 
 Eigen::MatrixXd JointState::covariance() const {
-    return covariance_.topLeftCorner(size_, size_).selfadjointView<Eigen::Lower>();
+    JointState settled = *this;
+    settled.settle();
+    Eigen::MatrixXd whole(size_, size_);
+    for (Eigen::Index i = 0; i < size_; ++i) {
+        for (Eigen::Index j = 0; j < size_; ++j) {
+            const std::size_t row = i < kPose ? static_cast<std::size_t>(i) : row_of(i);
+            const std::size_t column = j < kPose ? static_cast<std::size_t>(j) : row_of(j);
+            whole(i, j) = settled.settled_(row, column);
+        }
+    }
+    return whole;
+}
+
+std::size_t JointState::bytes() const {
+    std::size_t bytes = settled_.bytes();
+    for (const TallMatrix* part : {&hand_, &own_, &first_, &now_, &gained_, &w_, &w_now_}) {
+        bytes += part->bytes();
+    }
+    return bytes;
 }
 
 }  // namespace hitos

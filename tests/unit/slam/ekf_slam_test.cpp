@@ -59,6 +59,51 @@ TEST(EkfSlam, EqualsTheTextbookWithoutOdometry) {
     compare_with_slow(params, make_tour(60, 0.1));
 }
 
+/// Three walls and a field of corners, of which only those nearby are seen: far more than the
+/// filter has at hand at a time.
+Tour tour_of_a_field() {
+    Tour tour;
+    std::mt19937 engine(67);
+    std::normal_distribution<double> normal(0.0, 1.0);
+    Pose pose;
+    for (int k = 0; k < 80; ++k) {
+        const Control control{{1.0, 0.0, 0.16}, k == 0 ? 0.0 : 0.5};
+        pose = compose(pose, displacement(control.twist, control.duration_s));
+        Control logged = control;
+        logged.twist.v *= 1.0 + 0.05 * normal(engine);
+        tour.controls.push_back({logged});
+        tour.truth.push_back(pose);
+        Observation seen;
+        for (const Recta& wall : {Recta{20.0, 0.1}, Recta{21.0, 1.7}, Recta{22.0, -1.5}}) {
+            Recta local = transform(inverse(pose), wall);
+            local.rho += 0.01 * normal(engine);
+            seen.lines.push_back({local, 0, 0});
+        }
+        for (int i = 0; i < 64; ++i) {
+            const int row = i / 8;
+            Esquina local = transform(inverse(pose), Esquina{2.5 * (i % 8) - 9.0, 2.5 * row - 3.0});
+            local.x += 0.01 * normal(engine);
+            local.y += 0.01 * normal(engine);
+            if (std::hypot(local.x, local.y) < 3.5) seen.corners.push_back(local);
+        }
+        tour.observations.push_back(seen);
+    }
+    return tour;
+}
+
+TEST(EkfSlam, EqualsTheTextbookWithMoreLandmarksThanAreAtHand) {
+    FilterParams params = ekf_params();
+    params.motion.model = "proportional";
+    params.observation = {0.001, 0.0001};
+    const Tour tour = tour_of_a_field();
+    compare_with_slow(params, tour);
+    EkfSlam filter(params);
+    for (std::size_t k = 0; k < tour.controls.size(); ++k) {
+        feed(filter, tour.controls[k], tour.observations[k]);
+    }
+    EXPECT_GT(filter.best_count(FeatureKind::corner), 40);
+}
+
 /// A wall right behind the start, seen by a robot that has gone 2 m ahead, and a corner: whose
 /// side of the origin the wall lies on is not certain.
 Tour tour_beside_the_origin() {
