@@ -47,7 +47,7 @@ class BestTwo {
     double second_log_ = kNothing;
 };
 
-/// An observation as near_from() of the columns takes it.
+/// An observation as each_near() of the columns takes it.
 inline PreparedObservation prepare(const SeenFeature& seen, const Pose& pose) {
     const auto [sine, cosine] = elementary::sine_cosine(pose.theta);
     const NearQuery query = turned(near_query({seen, seen.cosine, seen.sine}), cosine, sine);
@@ -212,29 +212,32 @@ template <Sensor S, class Body, class Watch>
 void Associator::for_each_candidate(const typename S::Columns& landmarks, const Pose& pose,
                                     const PreparedObservation& observed, const Body& body,
                                     const Watch& watch) const {
-    constexpr std::size_t kLeaf = S::Columns::kLeaf;
     const LanePose from = lane_of(pose);
     const LaneObservation seen = lane_of(observed.seen.measured);
-    for (std::size_t first = 0; first < landmarks.leaves(); first += S::Columns::kAtOnce) {
-        const std::uint64_t near = landmarks.near_from(first, pose, observed);
-        if (!Watch::kWatches && near == 0) continue;
-        const std::size_t end = std::min((first + S::Columns::kAtOnce) * kLeaf, landmarks.size());
-        for (std::size_t i = first * kLeaf; i < end; ++i) {
-            const bool far = ((near >> (i - first * kLeaf)) & 1U) == 0;
-            const bool elsewhere = !far && !beside<S>(landmarks, i, pose, observed.seen.reach);
-            if (!Watch::kWatches && (far || elsewhere)) continue;
-            const LaneInnovation innovation = S::innovation(landmarks.lane(i), from, seen);
-            const Likelihood close = likelihood_of(innovation);
-            const bool no = far || elsewhere || outside(close);
-            if constexpr (Watch::kWatches) {
-                const Standing standing = far         ? Standing::far
-                                          : elsewhere ? Standing::elsewhere
-                                          : no        ? Standing::outside
-                                                      : Standing::candidate;
-                watch.note(i, {innovation.nu0, innovation.nu1}, close, standing);
-            }
-            if (!no) body(static_cast<std::uint32_t>(i), close);
+    const auto compare = [&](std::uint32_t i, bool far) {
+        const bool elsewhere = !far && !beside<S>(landmarks, i, pose, observed.seen.reach);
+        if (!Watch::kWatches && elsewhere) return;
+        const LaneInnovation innovation = S::innovation(landmarks.lane(i), from, seen);
+        const Likelihood close = likelihood_of(innovation);
+        const bool no = far || elsewhere || outside(close);
+        if constexpr (Watch::kWatches) {
+            const Standing standing = far         ? Standing::far
+                                      : elsewhere ? Standing::elsewhere
+                                      : no        ? Standing::outside
+                                                  : Standing::candidate;
+            watch.note(i, {innovation.nu0, innovation.nu1}, close, standing);
         }
+        if (!no) body(i, close);
+    };
+    if constexpr (Watch::kWatches) {
+        std::uint32_t next = 0;
+        landmarks.each_near(pose, observed, [&](std::uint32_t near) {
+            while (next < near) compare(next++, true);
+            compare(next++, false);
+        });
+        while (next < landmarks.size()) compare(next++, true);
+    } else {
+        landmarks.each_near(pose, observed, [&](std::uint32_t near) { compare(near, false); });
     }
 }
 

@@ -44,9 +44,10 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
       reviews_(params.association.segments || params.landmarks.vanish ||
                params.landmarks.probation > 1),
       for_each_(threads),
-      particles_(static_cast<std::size_t>(params.particles)) {
+      particles_(static_cast<std::size_t>(params.particles)),
+      maps_(heeds_extents_) {
     for (std::size_t i = 0; i < particles_.size(); ++i) {
-        particles_[i].map = maps_.create();
+        maps_.create();
         particles_[i].weight_before = 1.0 / static_cast<double>(particles_.size());
         particles_[i].from = static_cast<std::uint32_t>(i);
     }
@@ -61,7 +62,7 @@ void FiltroParticulas::step(const SlamInput& input) {
     if (params_.landmarks.vanish) free_space_.set(input.scan);
     if (input.record != nullptr) begin_record(*input.record);
     if (!seen_.empty() || reviews_) {
-        const std::size_t work = seen_.size() * (maps_.size(particles_[best_].map) + 8);
+        const std::size_t work = seen_.size() * (maps_.size(best_) + 8);
         for_each_block(particles_.size(), work,
                        [&](const Block& block) { step_block(block, input.record); });
     }
@@ -77,9 +78,7 @@ void FiltroParticulas::step(const SlamInput& input) {
 void FiltroParticulas::begin_work(std::size_t particles, std::size_t work_each) {
     workers_.resize(std::max(workers_.size(), for_each_.blocks(particles, work_each)));
     const bool alone = !for_each_.parallel(particles, work_each);
-    for (MapStore::Worker& worker : workers_) {
-        for (LeafCache& cache : worker) cache.alone = alone;
-    }
+    for (MapStore::Worker& worker : workers_) worker.alone(alone);
 }
 
 void FiltroParticulas::propose(const SlamInput& input) {
@@ -100,7 +99,7 @@ void FiltroParticulas::propose(const SlamInput& input) {
                   for (std::size_t i = begin; i < end; ++i) {
                       Particula& particle = particles_[i];
                       RandomStream random = row.stream(i - begin);
-                      const ParticleMap map(maps_, particle.map);
+                      const ParticleMap map(maps_, i);
                       const ProposedPose drawn = proposal_->draw({particle.pose, map}, random);
                       particle.pose = drawn.pose;
                       particle.log_weight += drawn.log_weight;
@@ -160,40 +159,49 @@ void FiltroParticulas::resample() {
     RandomStream random(seed_, RandomPurpose::resampling, steps_, 0);
     resampling_->select(weights_, random, selected_);
 
+    // What may fail comes first: maps and particles change places together.
     resampled_.resize(particles_.size());
-    vacant_.clear();
-    std::size_t next_source = 0;
-    for (std::size_t m = 0; m <= selected_.size(); ++m) {  // those that are passed over are gone
-        const std::size_t source = m < selected_.size() ? selected_[m] : particles_.size();
-        for (; next_source < source; ++next_source) {
-            vacant_.push_back(particles_[next_source].map);
-            history_.release(particles_[next_source].history);
-        }
-        next_source = source + 1;
-        // One that is drawn again keeps its place.
-        while (m + 1 < selected_.size() && selected_[m + 1] == source) ++m;
-    }
+    copies_.reserve(particles_.size());
+    gone_.reserve(particles_.size());
+    select_maps();
+    std::size_t first = 0;  // of those that are drawn from one particle
     std::size_t new_best = 0;
     for (std::size_t m = 0; m < selected_.size(); ++m) {
         const std::size_t source = selected_[m];
         resampled_[m] = particles_[source];
         resampled_[m].log_weight = 0.0;
-        if (m > 0 && selected_[m - 1] == source) {
+        if (drawn_again(m)) {
             history_.share(particles_[source].history);
-            resampled_[m].map = vacant_.back();
-            vacant_.pop_back();
-            copies_.emplace_back(particles_[source].map, resampled_[m].map);
-        } else if (source == best_) {
-            new_best = m;
+            copies_.emplace_back(first, m);
+            continue;
         }
+        first = m;
+        if (source == best_) new_best = m;
     }
+    gone_.clear();
+    for_each_passed_over(0, selected_.size(),
+                         [&](std::size_t i) { gone_.push_back(particles_[i].history); });
+    history_.release(gone_);
     particles_.swap(resampled_);
     best_ = new_best;
-    for_each_block(copies_.size(), 20, [&](const Block& block) {
-        for (std::size_t i = block.begin; i < block.end; ++i) {
-            maps_.copy(copies_[i].first, copies_[i].second, block.worker);
+}
+
+void FiltroParticulas::select_maps() {
+    constexpr std::size_t kWork = 20;
+    maps_.begin_selection();
+    for_each_block(selected_.size(), kWork, [&](const Block& block) {
+        for (std::size_t m = block.begin; m < block.end; ++m) {
+            maps_.select(selected_[m], m, drawn_again(m), block.worker);
         }
     });
+    for_each_block(selected_.size(), kWork, [&](const Block& block) {
+        for (std::size_t m = block.begin; m < block.end; ++m) {
+            if (!drawn_again(m)) maps_.take_over(selected_[m], m);
+        }
+        for_each_passed_over(block.begin, block.end,
+                             [&](std::size_t i) { maps_.pass_over(i, block.worker); });
+    });
+    maps_.end_selection();
 }
 
 std::vector<WeightedPose> FiltroParticulas::hypotheses() const {

@@ -21,11 +21,10 @@
 
 namespace hitos {
 
-/// One hypothesis: pose, weight, and handles of its own map and of a pose history.
+/// One hypothesis: pose, weight, and handle of a pose history. Its map has its number.
 struct Particula {
     Pose pose;
     double log_weight = 0.0;
-    MapStore::Handle map = 0;
     PoseHistory::Node history = PoseHistory::kNone;
     double weight_before = 1.0;  // normalised, before the last resampling
     std::uint32_t from = 0;      // its number then
@@ -82,8 +81,7 @@ class FiltroParticulas final : public SlamFilter {
     void associate(std::size_t place, std::span<Decision> decisions, const Watch& watch);
     /// The same for all observations at once.
     template <class Watch>
-    void associate_together(const Particula& particle, std::span<Decision> decisions,
-                            const Watch& watch);
+    void associate_together(std::size_t place, std::span<Decision> decisions, const Watch& watch);
     /// The same as associate() for a whole block, where every observation is decided alone.
     void associate_block(const Block& block, BlockMemory& memory);
     template <Sensor S>
@@ -104,13 +102,37 @@ class FiltroParticulas final : public SlamFilter {
     /// Makes one landmark of bounded lines that have grown to meet; takes those out of the map that
     /// should be there and are not, and those that were not confirmed in time.
     /// What was `recorded` of the observations, if anything, follows.
-    void review(const Particula& particle, MapStore::Worker& worker, std::span<Decision> decisions,
+    void review(std::size_t place, MapStore::Worker& worker, std::span<Decision> decisions,
                 std::span<RecordedFeature> recorded);
     static void weigh(Particula& particle, std::span<const Decision> decisions);
     void choose_best();
     void resample();
+    /// The maps of those that were selected take the places of all.
+    void select_maps();
+    /// Whether the one before was drawn from the same particle.
+    bool drawn_again(std::size_t m) const { return m > 0 && selected_[m - 1] == selected_[m]; }
+    /// Calls body(i) for the particles that nobody was drawn from: those right before the one that
+    /// a draw is of, for the draws from `begin` to `end`; with the last draw those behind it too.
+    template <class Body>
+    void for_each_passed_over(std::size_t begin, std::size_t end, const Body& body) const {
+        for (std::size_t m = begin; m < end; ++m) {
+            for (std::size_t i = m == 0 ? 0 : selected_[m - 1] + 1U; i < selected_[m]; ++i) body(i);
+        }
+        if (end < selected_.size()) return;
+        for (std::size_t i = selected_.back() + 1U; i < particles_.size(); ++i) body(i);
+    }
 
     // What a step needs besides.
+    /// The landmarks of a kind in the map of a particle.
+    template <Sensor S>
+    typename S::Columns landmarks_of(std::size_t place, MapStore::Worker& worker) {
+        return maps_.landmarks<S>(place, worker);
+    }
+    template <Sensor S>
+    const typename S::Columns landmarks_of(
+        std::size_t place) const {  // NOLINT(*-const-return-type)
+        return maps_.landmarks<S>(place);
+    }
     /// Decisions of a particle.
     std::span<Decision> decisions_of(std::size_t place) {
         return std::span(decisions_).subspan(place * seen_.size(), seen_.size());
@@ -132,7 +154,7 @@ class FiltroParticulas final : public SlamFilter {
     /// Of each landmark of a kind its place in the map that is told, from `next` on, which moves
     /// on; -1 where it is not told.
     template <Sensor S>
-    std::vector<std::int32_t> told(MapStore::Handle map, std::int32_t& next) const;
+    std::vector<std::int32_t> told(std::size_t particle, std::int32_t& next) const;
     void begin_record(AssociationRecord& record) const;
     /// Adds the decisions; landmarks become places in the map that is told.
     void end_record(AssociationRecord& record) const;
@@ -176,7 +198,7 @@ class FiltroParticulas final : public SlamFilter {
     std::vector<double> weights_;
     std::vector<std::uint32_t> selected_;
     std::vector<Particula> resampled_;
-    std::vector<MapStore::Handle> vacant_;  // maps of particles that are gone
+    std::vector<PoseHistory::Node> gone_;  // of particles that nobody was drawn from
     std::vector<std::pair<MapStore::Handle, MapStore::Handle>> copies_;
     std::vector<MapStore::Worker> workers_;  // of every block
 };

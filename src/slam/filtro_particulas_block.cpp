@@ -45,27 +45,27 @@ void FiltroParticulas::step_block(const Block& block, AssociationRecord* record)
         if (!reviews_) continue;
         std::span<RecordedFeature> recorded;
         if (record != nullptr) recorded = record->hypotheses[i];
-        review(particles_[i], block.worker, decisions_of(i), recorded);
+        review(i, block.worker, decisions_of(i), recorded);
     }
 }
 
 template <class Watch>
 void FiltroParticulas::associate(std::size_t place, std::span<Decision> decisions,
                                  const Watch& watch) {
-    const Particula& particle = particles_[place];
     if (params_.association.method == AssociationMethod::joint_compatibility) {
-        associate_together(particle, decisions, watch);
+        associate_together(place, decisions, watch);
         return;
     }
     RandomStream random(seed_, RandomPurpose::association, steps_,
                         static_cast<std::uint32_t>(place));
+    const Pose& pose = particles_[place].pose;
     RandomStream* const drawn = params_.association.hypotheses ? &random : nullptr;
     for_each_kind([&]<class S>() {
-        const auto landmarks = maps_.landmarks<S>(particle.map);
+        const auto landmarks = landmarks_of<S>(place);
         std::size_t next = seen_.first<S>();
         for (const SeenFeature& seen : seen_.of<S>()) {
-            decisions[next] = associator_.decide<S>(
-                landmarks, particle.pose, prepare(seen, particle.pose), drawn, watch.feature(next));
+            decisions[next] = associator_.decide<S>(landmarks, pose, prepare(seen, pose), drawn,
+                                                    watch.feature(next));
             ++next;
         }
         if (params_.association.exclusive) exclude<S>(decisions);
@@ -92,17 +92,17 @@ void FiltroParticulas::exclude(std::span<Decision> decisions) const {
 }
 
 template <class Watch>
-void FiltroParticulas::associate_together(const Particula& particle, std::span<Decision> decisions,
+void FiltroParticulas::associate_together(std::size_t place, std::span<Decision> decisions,
                                           const Watch& watch) {
+    const Pose& pose = particles_[place].pose;
     // A search of each thread's own: what it keeps from call to call is memory, never a result.
     thread_local JointAssociation joint;
     joint.begin(params_.association.joint_probability);
     for_each_kind([&]<class S>() {
-        const auto landmarks = maps_.landmarks<S>(particle.map);
+        const auto landmarks = landmarks_of<S>(place);
         std::size_t next = seen_.first<S>();
         for (const SeenFeature& seen : seen_.of<S>()) {
-            joint.add<S>(associator_, landmarks, particle.pose, prepare(seen, particle.pose),
-                         watch.feature(next++));
+            joint.add<S>(associator_, landmarks, pose, prepare(seen, pose), watch.feature(next++));
         }
     });
     if (!joint.decide(associator_, decisions)) ++searches_cut_;
@@ -125,43 +125,68 @@ void FiltroParticulas::associate_block(const Block& block, BlockMemory& memory) 
 template <Sensor S>
 void FiltroParticulas::find_near(const Block& block, BlockMemory& memory) const {
     using Columns = typename S::Columns;
+    using Group = typename Columns::Group;
     constexpr std::size_t kLeaf = Columns::kLeaf;
-    constexpr std::size_t kAhead = 3;  // particles whose maps memory has time to bring
+    constexpr std::size_t kAhead = 6;  // particles whose maps memory has time to bring
     memory.queries.clear();
+    memory.reaches.clear();
     for (const SeenFeature& seen : seen_.of<S>()) {
         memory.queries.push_back(near_query({seen, seen.cosine, seen.sine}));
+        memory.reaches.push_back(NearReach::of(memory.queries.back()));
     }
     const std::size_t count = memory.queries.size();
     memory.candidates.resize(std::max(memory.candidates.size(), count));
     memory.near.resize(count);
+    memory.regions.resize(count);
     for (std::size_t j = 0; j < count; ++j) memory.candidates[j].clear();
+    for (std::size_t i = block.begin; i < std::min(block.begin + kAhead, block.end); ++i) {
+        landmarks_of<S>(i).prefetch();
+    }
     for (std::size_t i = block.begin; i < block.end; ++i) {
-        if (i + kAhead < block.end) {
-            maps_.landmarks<S>(particles_[i + kAhead].map).prefetch();
-        }
-        const Columns landmarks = maps_.landmarks<S>(particles_[i].map);
+        if (i + kAhead < block.end) landmarks_of<S>(i + kAhead).prefetch();
+        const Columns landmarks = landmarks_of<S>(i);
         const std::size_t lane = i - block.begin;
-        for (std::size_t first = 0; first < landmarks.leaves(); first += Columns::kAtOnce) {
-            typename Columns::LeafValues values{};
-            const std::size_t leaves = landmarks.values_of(first, values);
-            vectorised([&]() HITOS_INLINED {
-                const LanePose pose = lane_of(particles_[i].pose);
-                for (std::size_t j = 0; j < count; ++j) {
-                    const NearQuery query =
-                        turned(memory.queries[j], memory.cosine[lane], memory.sine[lane]);
-                    memory.near[j] = Columns::near_in(values, leaves, pose, query);
-                }
-            });
-            const std::uint64_t there = landmarks.bits_of(first, leaves);
+        const LanePose pose = lane_of(particles_[i].pose);
+        const double cosine = memory.cosine[lane];
+        const double sine = memory.sine[lane];
+        if (landmarks.indexed()) {
+            // What is near any of them first: most of what is in it is near several.
+            IndexRegion all = IndexRegion::nowhere();
             for (std::size_t j = 0; j < count; ++j) {
-                for (std::uint64_t bits = memory.near[j] & there; bits != 0; bits &= bits - 1) {
-                    const auto place = static_cast<std::size_t>(std::countr_zero(bits));
-                    memory.candidates[j].push_back(
-                        {values[place / kLeaf] + place % kLeaf, static_cast<std::uint32_t>(lane),
-                         static_cast<std::uint32_t>(first * kLeaf + place)});
+                const NearQuery query = turned(memory.queries[j], cosine, sine);
+                memory.regions[j] = IndexRegion::of(S::region(query, pose, memory.reaches[j]));
+                all.join(memory.regions[j]);
+            }
+            if (!all.endless()) {
+                landmarks.find(all, memory.found);
+                for (std::size_t j = 0; j < count; ++j) {
+                    const NearQuery query = turned(memory.queries[j], cosine, sine);
+                    memory.add_found(j, lane, [&](std::uint32_t landmark) {
+                        const double* const values = landmarks.first_of(landmark);
+                        const double margin = S::margin(S::Lane::load(values, kLeaf), pose, query);
+                        return margin > 0.0 ? values : nullptr;
+                    });
                 }
+                continue;
             }
         }
+        landmarks.each_group([&](const Group& group) {
+            vectorised([&]() HITOS_INLINED {
+                for (std::size_t j = 0; j < count; ++j) {
+                    const NearQuery query = turned(memory.queries[j], cosine, sine);
+                    memory.near[j] = Columns::near_in(group.values, group.count, pose, query);
+                }
+            });
+            for (std::size_t j = 0; j < count; ++j) {
+                for (std::uint64_t bits = memory.near[j] & group.there; bits != 0;
+                     bits &= bits - 1) {
+                    const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
+                    memory.candidates[j].push_back({group.values[bit / kLeaf] + bit % kLeaf,
+                                                    static_cast<std::uint32_t>(lane),
+                                                    group.landmark(bit)});
+                }
+            }
+        });
     }
 }
 
@@ -211,7 +236,7 @@ void FiltroParticulas::update_block(const Block& block, std::size_t observation,
     for (std::size_t i = block.begin; i < block.end; ++i) {
         Decision& decision = decisions_of(i)[row];
         if (decision.outcome == Outcome::ignored) continue;
-        auto landmarks = maps_.landmarks<S>(particles_[i].map, block.worker);
+        auto landmarks = landmarks_of<S>(i, block.worker);
         if (decision.outcome == Outcome::created &&
             create<S>(landmarks, particles_[i].pose, observation, decisions_of(i))) {
             continue;
@@ -227,9 +252,10 @@ void FiltroParticulas::update_block(const Block& block, std::size_t observation,
     for (std::size_t k = 0; k < count; ++k) {
         const std::uint32_t landmark = decisions_of(whose.at(k))[row].landmark;
         batch.store(k, leaves.at(k)->values.data() + landmark % S::Columns::kLeaf);
+        auto landmarks = landmarks_of<S>(whose.at(k), block.worker);
+        landmarks.moved(landmark);
         if (!heeds_extents_) continue;
         const Particula& particle = particles_[whose.at(k)];
-        auto landmarks = maps_.landmarks<S>(particle.map, block.worker);
         const auto mean = landmarks.mean(landmark);
         landmarks.set_extent(landmark, S::carried(landmarks.extent(landmark), batch.before(k), mean)
                                            .joined(S::placed(seen.reach, particle.pose, mean)));

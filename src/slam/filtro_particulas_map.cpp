@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "filtro_particulas.hpp"
@@ -34,14 +35,14 @@ void follow(std::span<RecordedFeature> recorded, const NewPlaces& places) {
 
 }  // namespace
 
-void FiltroParticulas::review(const Particula& particle, MapStore::Worker& worker,
+void FiltroParticulas::review(std::size_t place, MapStore::Worker& worker,
                               std::span<Decision> decisions, std::span<RecordedFeature> recorded) {
     const LandmarkParams& params = params_.landmarks;
     const auto now = static_cast<std::uint32_t>(steps_);
-    const Pose laser = free_space_.laser(particle.pose);
+    const Pose laser = free_space_.laser(particles_[place].pose);
     thread_local NewPlaces places;
     for_each_kind([&]<class S>() {
-        auto landmarks = maps_.landmarks<S>(particle.map, worker);
+        auto landmarks = landmarks_of<S>(place, worker);
         const auto goes = [&](std::size_t i) {
             const LandmarkRecord record = std::as_const(landmarks).record(i);
             if (!confirmed(record) &&
@@ -107,17 +108,16 @@ void FiltroParticulas::correct(const PathCorrection& correction) {
         leaves.push_back(particle.history);
     }
     history_.move(leaves, correction.by_scan);
-    const MapStore::Handle best = particles_[best_].map;
     std::array<NewPlaces, LandmarkKinds::kSize> best_places;
-    const std::size_t landmarks_each = maps_.size(best) + 8;
+    const std::size_t landmarks_each = maps_.size(best_) + 8;
     // Maps that resampling has just copied are corrected once, and copied again.
     std::vector<bool> copied(maps_.maps(), false);
     for (const auto& [from, to] : copies_) copied[to] = true;
     for_each_block(particles_.size(), landmarks_each * landmarks_each, [&](const Block& block) {
         for (std::size_t i = block.begin; i < block.end; ++i) {
-            if (copied[particles_[i].map]) continue;
+            if (copied[i]) continue;
             for_each_kind([&]<class S>() {
-                auto landmarks = maps_.landmarks<S>(particles_[i].map, block.worker);
+                auto landmarks = landmarks_of<S>(i, block.worker);
                 NewPlaces places = correct_landmarks<S>(landmarks, correction.by_scan);
                 if (i == best_) best_places[LandmarkKinds::place<S>()] = std::move(places);
             });
@@ -157,20 +157,26 @@ void FiltroParticulas::note_associations() {
 }
 
 template <Sensor S>
-std::vector<std::int32_t> FiltroParticulas::told(MapStore::Handle map, std::int32_t& next) const {
-    const auto landmarks = maps_.landmarks<S>(map);
-    std::vector<std::int32_t> places;
+std::vector<std::int32_t> FiltroParticulas::told(std::size_t particle, std::int32_t& next) const {
+    const auto landmarks = landmarks_of<S>(particle);
+    std::vector<std::int32_t> places(landmarks.size());
+    if (params_.landmarks.probation <= 1) {  // then every landmark is told
+        std::iota(places.begin(), places.end(), next);
+        next += static_cast<std::int32_t>(places.size());
+        return places;
+    }
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
-        places.push_back(confirmed(landmarks.record(i)) ? next++ : -1);
+        places[i] = confirmed(landmarks.record(i)) ? next++ : -1;
     }
     return places;
 }
 
 void FiltroParticulas::publish_associations() {
     associations_ = noted_;
+    if (associations_.empty()) return;
     std::int32_t next = 0;  // kinds come one after the other in the map
     for_each_kind([&]<class S>() {
-        const std::vector<std::int32_t> places = told<S>(particles_[best_].map, next);
+        const std::vector<std::int32_t> places = told<S>(best_, next);
         for (Association& association : associations_) {
             if (association.kind != S::kKind || association.landmark < 0) continue;
             const auto landmark = static_cast<std::size_t>(association.landmark);
@@ -190,7 +196,7 @@ void FiltroParticulas::end_record(AssociationRecord& record) const {
     for (std::size_t particle = 0; particle < particles_.size(); ++particle) {
         std::int32_t next = 0;
         for_each_kind([&]<class S>() {
-            const std::vector<std::int32_t> places = told<S>(particles_[particle].map, next);
+            const std::vector<std::int32_t> places = told<S>(particle, next);
             const auto place_of = [&](std::int64_t landmark) {
                 return landmark < 0 ? -1 : places[static_cast<std::size_t>(landmark)];
             };
@@ -211,11 +217,10 @@ void FiltroParticulas::end_record(AssociationRecord& record) const {
 }
 
 LandmarkMap FiltroParticulas::map(std::size_t hypothesis) const {
-    const MapStore::Handle handle = particles_[hypothesis].map;
     LandmarkMap map;
-    map.reserve(maps_.size(handle));
+    map.reserve(maps_.size(hypothesis));
     for_each_kind([&]<class S>() {
-        const auto landmarks = maps_.landmarks<S>(handle);
+        const auto landmarks = landmarks_of<S>(hypothesis);
         for (std::size_t i = 0; i < landmarks.size(); ++i) {
             const LandmarkRecord& record = landmarks.record(i);
             if (!confirmed(record)) continue;
@@ -242,7 +247,7 @@ int FiltroParticulas::best_count(FeatureKind kind) const {
     int count = 0;
     for_each_kind([&]<class S>() {
         if (S::kKind != kind) return;
-        const auto landmarks = maps_.landmarks<S>(particles_[best_].map);
+        const auto landmarks = landmarks_of<S>(best_);
         for (std::size_t i = 0; i < landmarks.size(); ++i) {
             if (confirmed(landmarks.record(i))) ++count;
         }

@@ -89,6 +89,7 @@ NewPlaces correct_landmarks(typename S::Columns& landmarks, std::span<const Pose
         kept.push_back(kept_of<S>(landmarks, i));
         move(kept.back(), by_scan[kept.back().record.last_seen]);
     }
+    landmarks.forget_index();
     std::vector<typename S::Glance> glances;
     glances.reserve(kept.size());
     const auto look = [](const KeptLandmark<S>& one) {
@@ -125,6 +126,7 @@ bool grow_together(typename S::Columns& landmarks, std::span<const std::uint32_t
     for (const std::uint32_t i : seen) {
         if (taken_by[i] != i) continue;
         KeptLandmark<S> kept = kept_of<S>(landmarks, i);
+        bool grown = false;
         for (std::uint32_t j = 0; j < landmarks.size(); ++j) {
             if (j == i || taken_by[j] != j) continue;
             const KeptLandmark<S> other = kept_of<S>(landmarks, j);
@@ -136,9 +138,9 @@ bool grow_together(typename S::Columns& landmarks, std::span<const std::uint32_t
             for (std::uint32_t& owner : taken_by) {
                 if (owner == j) owner = i;
             }
-            any = true;
+            grown = any = true;
         }
-        keep(landmarks, i, kept);
+        if (grown) keep(landmarks, i, kept);
     }
     if (!any) return false;
     NewPlaces left;

@@ -1,6 +1,7 @@
 // The working memory of a block of particles.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <tuple>
@@ -93,13 +94,35 @@ struct FiltroParticulas::BlockMemory {
     alignas(64) Row cosine{};  ///< of the heading
     alignas(64) Row sine{};
     std::vector<NearQuery> queries;  ///< of the observations of a kind, in the robot's frame
+    std::vector<NearReach> reaches;
     std::vector<std::uint64_t> near;
+    std::vector<IndexRegion> regions;
+    std::vector<IndexEntry> found;                        ///< near what a particle sees
     std::vector<std::vector<BlockCandidate>> candidates;  ///< of every observation
     LandmarkKinds::Tuple<LaneBatch> batches;
 
     template <class S>
     LaneBatch<S>& batch() {
         return std::get<LaneBatch<S>>(batches);
+    }
+    /// Makes candidates of what was found in the region of an observation, in the landmarks' order
+    /// and each once; values_of(landmark) is where it begins in its leaf, or null where it cannot
+    /// be it.
+    template <class Values>
+    void add_found(std::size_t observation, std::size_t particle, const Values& values_of) {
+        std::vector<BlockCandidate>& all = candidates[observation];
+        const auto first = static_cast<std::ptrdiff_t>(all.size());
+        const IndexRegion region = regions[observation];
+        for (const IndexEntry& entry : found) {
+            if (!region.meets(entry)) continue;
+            if (const double* const values = values_of(entry.id)) {
+                all.push_back({values, static_cast<std::uint32_t>(particle), entry.id});
+            }
+        }
+        std::ranges::sort(all.begin() + first, all.end(), {}, &BlockCandidate::landmark);
+        const auto twice =
+            std::ranges::unique(all.begin() + first, all.end(), {}, &BlockCandidate::landmark);
+        all.erase(twice.begin(), twice.end());
     }
     /// Reckons cosine and sine.
     void turn() {

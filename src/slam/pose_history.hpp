@@ -46,6 +46,22 @@ class PoseHistory {
         }
     }
 
+    /// Releases all of these, which stand in memory in no order.
+    void release(std::span<const Node> nodes) {
+        constexpr std::size_t kAhead = 8;
+        const auto ahead = [&](std::size_t i) { return i < nodes.size() ? nodes[i] : kNone; };
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            if (const Node later = ahead(i + 2 * kAhead); later != kNone) {
+                __builtin_prefetch(&references_[later]);
+                __builtin_prefetch(&parents_[later]);
+            }
+            if (const Node later = ahead(i + kAhead); later != kNone && parents_[later] != kNone) {
+                __builtin_prefetch(&references_[parents_[later]]);
+            }
+            release(nodes[i]);
+        }
+    }
+
     /// Moves all poses that these nodes, all of the newest scan, have behind them and their own:
     /// each by the motion of its scan.
     void move(std::span<const Node> newest, std::span<const Pose> by_scan) {

@@ -3,18 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <mutex>
-#include <new>
 #include <utility>
 #include <vector>
 
-#include "hitos/base/memory_need.hpp"
+#include "landmark_index.hpp"
 #include "sensor.hpp"
+#include "shared_pool.hpp"
 
 namespace hitos {
 
@@ -26,179 +22,192 @@ struct LandmarkLeaf {
 
     alignas(64) std::array<double, kColumns * kLandmarks> values;
     std::array<LandmarkRecord, kLandmarks> records;
+    /// Where they stood when they were entered into the index, and how far from there they may be
+    /// without being entered again; of maps that have one.
+    struct Entered {
+        float u = 0.0F;
+        float v = 0.0F;
+        float shift = 0.0F;
+    };
+    std::array<Entered, kLandmarks> entered;
 
     double* column(std::size_t index) { return values.data() + index * kLandmarks; }
     const double* column(std::size_t index) const { return values.data() + index * kLandmarks; }
 };
 
-/// Where one worker takes new leaves from and leaves those that nobody has any more, so that
-/// workers need not wait for each other.
-struct LeafCache {
-    std::vector<std::uint32_t> free;
-    bool alone = true;  ///< whether no other worker is at work
+/// Leaves in groups, so that long maps share lists of leaves too.
+struct LeafPage {
+    static constexpr std::size_t kLeaves = 16;
+    std::array<std::uint32_t, kLeaves> leaves;
+    std::uint32_t count = 0;
 };
 
-/// The leaves of all maps, with the number of maps that hold each. A leaf that several hold is
-/// never written. Workers with caches of their own may take, share and drop leaves at the same
-/// time.
+/// The landmarks of one kind in one map: the first leaves that they stand in, further ones in
+/// pages, and what finds those that are near.
+struct alignas(64) LandmarkRow {
+    static constexpr std::size_t kOwn = 13;  // which makes it one line of the cache
+
+    std::uint32_t size = 0;  ///< landmarks
+    std::uint32_t index = LandmarkIndex::kNone;
+    std::uint32_t entries = 0;  ///< of the index
+    std::array<std::uint32_t, kOwn> leaves;
+
+    std::size_t leaf_count() const { return (size + 7) / 8; }
+};
+static_assert(sizeof(LandmarkRow) == 64);
+
+/// What the maps' rows of one kind are made of.
 template <std::size_t kColumns>
-class LeafPool {
-  public:
-    using Id = std::uint32_t;
+struct LandmarkPools {
     using Leaf = LandmarkLeaf<kColumns>;
+    /// What a worker needs to write.
+    struct Caches {
+        PoolCache leaves;
+        PoolCache pages;
+        PoolCache nodes;
 
-    LeafPool() = default;
-    LeafPool(const LeafPool& other) : free_(other.free_), next_(other.next_) {
-        std::size_t left = next_;
-        for (std::size_t i = 0; left > 0; ++i) {
-            const std::size_t used = std::min(left, size_of(i));
-            const Chunk& from = other.chunks_.at(i);
-            add_chunk(i);
-            std::copy_n(from.leaves.get(), used, chunks_.at(i).leaves.get());
-            chunks_.at(i).references = from.references;
-            left -= used;
+        void alone(bool whether) {
+            for (PoolCache* cache : {&leaves, &pages, &nodes}) cache->alone = whether;
         }
-    }
-    LeafPool& operator=(const LeafPool& other) {
-        LeafPool copy(other);
-        chunks_.swap(copy.chunks_);
-        free_.swap(copy.free_);
-        next_ = copy.next_;
-        return *this;
-    }
-    ~LeafPool() = default;
+    };
 
-    Leaf& operator[](Id id) {
-        const Place place(id);
-        return chunks_[place.chunk].leaves[place.offset];
-    }
-    const Leaf& operator[](Id id) const {
-        const Place place(id);
-        return chunks_[place.chunk].leaves[place.offset];
-    }
+    SharedPool<Leaf> leaves;
+    SharedPool<LeafPage> pages;
+    SharedPool<IndexNode> nodes;
+    std::size_t columns = kColumns;  ///< that are in use: what is behind them is not copied
 
-    /// An empty leaf for one map.
-    Id take(LeafCache& cache) {
-        const Id id = place(cache);
-        (*this)[id].values.fill(0.0);
-        return id;
-    }
-    void share(Id id, const LeafCache& cache) {
-        std::uint32_t& count = references(id);
-        if (cache.alone) {
-            ++count;
-        } else {
-            std::atomic_ref(count).fetch_add(1, std::memory_order_relaxed);
-        }
-    }
-    void drop(Id id, LeafCache& cache) noexcept {
-        std::uint32_t& count = references(id);
-        // Who holds it last must see what the others have done with it.
-        const std::uint32_t left =
-            cache.alone ? --count
-                        : std::atomic_ref(count).fetch_sub(1, std::memory_order_acq_rel) - 1;
-        if (left != 0) return;
-        try {
-            cache.free.push_back(id);
-            if (cache.free.size() > kMostFree) give_back(cache);
-        } catch (...) {  // no memory to note it: it is used no more, which is all
-        }
-    }
-    /// Makes `id` a leaf that only one map holds: itself, or a copy.
-    Leaf& own(Id& id, LeafCache& cache) {
-        const Place at(id);
-        Chunk& chunk = chunks_[at.chunk];
-        std::uint32_t& count = chunk.references[at.offset];
-        const std::uint32_t holders =
-            cache.alone ? count : std::atomic_ref(count).load(std::memory_order_acquire);
-        Leaf& here = chunk.leaves[at.offset];
-        if (holders == 1) return here;
-        const Id copy = place(cache);
-        Leaf& leaf = (*this)[copy];
-        leaf = here;
-        drop(std::exchange(id, copy), cache);
+    std::size_t bytes() const { return leaves.bytes() + pages.bytes() + nodes.bytes(); }
+};
+
+/// A row with the pages behind its own leaves.
+template <std::size_t kColumns>
+class LeafList {
+  public:
+    using Pools = LandmarkPools<kColumns>;
+    using Caches = typename Pools::Caches;
+    using Leaf = typename Pools::Leaf;
+    using Pages = std::vector<std::uint32_t>;
+
+    LeafList(Pools& pools, LandmarkRow& row, Pages& pages, Caches& caches)
+        : pools_(&pools), row_(&row), pages_(&pages), caches_(&caches) {}
+
+    const Leaf& leaf(std::size_t place) const { return pools_->leaves[id(place)]; }
+    /// The leaf, to write: of this list alone, or a copy that is.
+    Leaf& own(std::size_t place) {
+        std::uint32_t& id = own_id(place);
+        auto& leaves = pools_->leaves;
+        if (!leaves.shared(id, caches_->leaves)) return leaves[id];
+        const std::uint32_t copy = leaves.take(caches_->leaves);
+        const Leaf& from = leaves[id];
+        Leaf& leaf = leaves[copy];
+        std::copy_n(from.values.begin(), pools_->columns * Leaf::kLandmarks, leaf.values.begin());
+        leaf.records = from.records;
+        if (row_->index != LandmarkIndex::kNone) leaf.entered = from.entered;
+        drop_leaf(std::exchange(id, copy));
+        leaves.prefetch_next(caches_->leaves, sizeof(double) * pools_->columns * Leaf::kLandmarks);
         return leaf;
     }
-
-    std::size_t bytes() const {
-        std::size_t leaves = 0;
-        for (std::size_t i = 0; i < kChunks && chunks_.at(i).leaves; ++i) leaves += size_of(i);
-        return leaves * (sizeof(Leaf) + sizeof(std::uint32_t));
+    /// Adds an empty leaf behind `count` ones.
+    void add(std::size_t count) {
+        const std::uint32_t id = pools_->leaves.take(caches_->leaves);
+        pools_->leaves[id].values.fill(0.0);
+        try {
+            if (count < LandmarkRow::kOwn) {
+                row_->leaves[count] = id;
+            } else {
+                add_behind(count - LandmarkRow::kOwn, id);
+            }
+        } catch (...) {
+            drop_leaf(id);
+            throw;
+        }
     }
-    /// Leaves of maps, and those that are ready to become some.
-    std::size_t leaves() const { return next_; }
+    /// Drops all leaves but the first `left` of `count`.
+    void cut(std::size_t count, std::size_t left) {
+        const std::size_t behind = left - std::min(left, LandmarkRow::kOwn);
+        const std::size_t pages = (behind + LeafPage::kLeaves - 1) / LeafPage::kLeaves;
+        const std::size_t rest = behind % LeafPage::kLeaves;
+        // What may fail comes first.
+        if (rest > 0 && pools_->pages[(*pages_)[pages - 1]].count > rest) {
+            LeafPage& page = own_page((*pages_)[pages - 1]);
+            while (page.count > rest) drop_leaf(page.leaves[--page.count]);
+        }
+        while (pages_->size() > pages) {
+            drop_page(pages_->back());
+            pages_->pop_back();
+        }
+        for (std::size_t i = left; i < std::min(count, LandmarkRow::kOwn); ++i) {
+            drop_leaf(row_->leaves[i]);
+        }
+    }
+    /// That are in use.
+    std::size_t columns() const { return pools_->columns; }
+    LandmarkIndex index() const { return {pools_->nodes, row_->index, caches_->nodes}; }
+
+    /// Holds what the row is made of once more, for another that is the same.
+    void share() {
+        const std::size_t own = std::min(row_->leaf_count(), LandmarkRow::kOwn);
+        for (std::size_t i = 0; i < own; ++i)
+            pools_->leaves.share(row_->leaves[i], caches_->leaves);
+        for (const std::uint32_t page : *pages_) pools_->pages.share(page, caches_->pages);
+        if (row_->index != LandmarkIndex::kNone) pools_->nodes.share(row_->index, caches_->nodes);
+    }
+    /// Holds nothing any more.
+    void drop() {
+        index().clear();
+        cut(row_->leaf_count(), 0);
+        row_->size = row_->entries = 0;
+    }
 
   private:
-    static constexpr std::size_t kBatch = 16;     ///< leaves that a cache takes at once
-    static constexpr std::size_t kMostFree = 64;  ///< and has at most
-    // Chunks never move; each is twice as large as the one before.
-    static constexpr std::size_t kFirst = 64;
-    static constexpr std::size_t kChunks = 24;
-    struct Freed {
-        std::size_t count = 0;
-        void operator()(Leaf* leaves) const { std::allocator<Leaf>().deallocate(leaves, count); }
-    };
-    using Leaves = std::unique_ptr<Leaf[], Freed>;  // NOLINT(*-avoid-c-arrays)
-    struct Chunk {
-        Leaves leaves;
-        std::vector<std::uint32_t> references;
-    };
-    static std::size_t size_of(std::size_t chunk) { return kFirst << chunk; }
-    struct Place {
-        explicit Place(std::size_t id) {
-            const auto power = static_cast<std::size_t>(std::bit_width(id + kFirst)) - 1;
-            chunk = power - (static_cast<std::size_t>(std::bit_width(kFirst)) - 1);
-            offset = id + kFirst - (std::size_t{1} << power);
+    std::uint32_t id(std::size_t place) const {
+        if (place < LandmarkRow::kOwn) return row_->leaves[place];
+        const std::size_t behind = place - LandmarkRow::kOwn;
+        return pools_->pages[(*pages_)[behind / LeafPage::kLeaves]]
+            .leaves[behind % LeafPage::kLeaves];
+    }
+    std::uint32_t& own_id(std::size_t place) {
+        if (place < LandmarkRow::kOwn) return row_->leaves[place];
+        const std::size_t behind = place - LandmarkRow::kOwn;
+        return own_page((*pages_)[behind / LeafPage::kLeaves]).leaves[behind % LeafPage::kLeaves];
+    }
+    LeafPage& own_page(std::uint32_t& id) {
+        auto& pages = pools_->pages;
+        if (!pages.shared(id, caches_->pages)) return pages[id];
+        const std::uint32_t copy = pages.take(caches_->pages);
+        LeafPage& page = pages[copy] = pages[id];
+        for (std::size_t i = 0; i < page.count; ++i) {
+            pools_->leaves.share(page.leaves[i], caches_->leaves);
         }
-        std::size_t chunk;
-        std::size_t offset;
-    };
-
-    std::uint32_t& references(Id id) {
-        const Place place(id);
-        return chunks_[place.chunk].references[place.offset];
+        drop_page(std::exchange(id, copy));
+        return page;
     }
-
-    /// One of the cache's, which only one map holds then.
-    Id place(LeafCache& cache) {
-        if (cache.free.empty()) fill(cache);
-        const Id id = cache.free.back();
-        cache.free.pop_back();
-        references(id) = 1;
-        return id;
+    void add_behind(std::size_t behind, std::uint32_t leaf) {
+        if (behind % LeafPage::kLeaves == 0) {
+            pages_->reserve(pages_->size() + 1);
+            const std::uint32_t page = pools_->pages.take(caches_->pages);
+            pools_->pages[page].count = 0;
+            pages_->push_back(page);
+        }
+        LeafPage& page = own_page(pages_->back());
+        page.leaves[page.count++] = leaf;
     }
-    void fill(LeafCache& cache) {
-        const std::lock_guard lock(mutex_);
-        for (std::size_t i = 0; i < kBatch; ++i) {
-            if (!free_.empty()) {
-                cache.free.push_back(free_.back());
-                free_.pop_back();
-                continue;
-            }
-            if (const Place place(next_); place.offset == 0) add_chunk(place.chunk);
-            cache.free.push_back(static_cast<Id>(next_++));
+    void drop_leaf(std::uint32_t id) {
+        if (pools_->leaves.let_go(id, caches_->leaves)) {
+            pools_->leaves.put_back(id, caches_->leaves);
         }
     }
-    void give_back(LeafCache& cache) {
-        const std::lock_guard lock(mutex_);
-        const auto kept = cache.free.begin() + kMostFree / 2;
-        free_.insert(free_.end(), kept, cache.free.end());
-        cache.free.erase(kept, cache.free.end());
-    }
-    void add_chunk(std::size_t i) {
-        const std::size_t count = size_of(i);
-        const std::size_t bytes = count * (sizeof(Leaf) + sizeof(std::uint32_t));
-        require_memory(bytes + bytes / 4);  // those before, and the first of these
-        if (i >= kChunks) throw MemoryShortage(bytes);
-        // Without values, so that the system gives the memory when they are taken.
-        chunks_.at(i) = {Leaves(std::allocator<Leaf>().allocate(count), Freed{count}),
-                         std::vector<std::uint32_t>(count)};
+    void drop_page(std::uint32_t id) {
+        if (!pools_->pages.let_go(id, caches_->pages)) return;
+        const LeafPage& page = pools_->pages[id];
+        for (std::size_t i = 0; i < page.count; ++i) drop_leaf(page.leaves[i]);
+        pools_->pages.put_back(id, caches_->pages);
     }
 
-    std::array<Chunk, kChunks> chunks_;
-    std::vector<Id> free_;
-    std::size_t next_ = 0;  ///< leaf that was never used
-    std::mutex mutex_;
+    Pools* pools_;
+    LandmarkRow* row_;
+    Pages* pages_;
+    Caches* caches_;
 };
 
 }  // namespace hitos

@@ -10,6 +10,7 @@
 
 #include "hitos/features/caracteristica.hpp"
 #include "hitos/features/extractor.hpp"
+#include "landmark_index.hpp"
 #include "lanes.hpp"
 
 namespace hitos {
@@ -168,6 +169,11 @@ concept Sensor = requires(const Pose& pose, const Vector2& z, const typename S::
     { S::to_state(landmark) } -> std::convertible_to<Vector2>;
     typename S::Lane;
     typename S::Columns;
+}
+&&requires(const typename S::Lane& lane, const NearQuery& query, const LanePose& pose,
+           const NearReach& reach) {
+    { S::index_point(lane) } -> std::same_as<IndexPoint>;
+    { S::region(query, pose, reach) } -> std::same_as<NearRegion>;
 };
 
 }  // namespace hitos

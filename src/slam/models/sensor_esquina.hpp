@@ -129,6 +129,30 @@ struct SensorEsquina {
         return by_angle > 0.0 ? by_range : -1.0;
     }
 
+    /// The index has corners where they are.
+    static IndexPoint index_point(const CornerLane& corner) {
+        // The greatest variance of any direction is at most their sum.
+        const double spread = 1.001 * std::sqrt(std::max(corner.p.p00 + corner.p.p11, 0.0));
+        return {corner.x, corner.y, spread, 0.0,
+                0.1 + spread + 2e-6 * (std::abs(corner.x) + std::abs(corner.y))};
+    }
+    /// Around the place that the observation names. By margin()'s tests, a landmark of standard
+    /// deviation sigma at a distance d and an angle t from the ray has |z0 - d| < a = s (sigma +
+    /// sigma_z0), and d |sin t| < s (sigma + sigma_z1 d) where it is in front of the robot: then it
+    /// is no farther from that place than a + sqrt(2) d |sin t|. Behind the robot, d < s sigma /
+    /// sqrt(1 - (s sigma_z1)^2), and it is no farther than 2 d + a.
+    static NearRegion region(const NearQuery& seen, const LanePose& pose, const NearReach& reach) {
+        constexpr double kRoot2 = 1.4143;
+        constexpr double kSurest = 0.7;  // of s sigma_z1: the root above is not below it then
+        const double u = pose.x + seen.z0 * seen.cos_world;
+        const double v = pose.y + seen.z0 * seen.sin_world;
+        const double radius =
+            reach.z1 < kSurest
+                ? reach.z0 + kRoot2 * reach.z1 * (seen.z0 + reach.z0) + 3.0 * kNearest
+                : std::numeric_limits<double>::infinity();
+        return {u, v, radius, reach.distance * (1.0 + 2.0 / kSurest + kRoot2 * reach.z1), 0.0};
+    }
+
     static JointInnovation joint_innovation(const Vector2& z, const Pose& pose,
                                             const Esquina& landmark) {
         const Innovation seen = innovation(z, pose, landmark);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "landmark_columns.hpp"
 
@@ -141,6 +142,33 @@ struct SensorRecta {
         // At a right angle rounding may choose the other side than the exact test: let it through.
         const double rho = cos_turn * cos_turn < 1e-18 ? 1.0 : by_rho;
         return by_angle > 0.0 ? rho : -1.0;  // of what is no number neither is above 0
+    }
+
+    /// The index has lines where the perpendicular from the world's origin meets them: that is the
+    /// same from both sides, and has no angle that jumps.
+    static IndexPoint index_point(const LineLane& line) {
+        const double by_rho = 1.001 * std::sqrt(std::max(line.p.p00, 0.0));
+        const double by_theta = 1.001 * std::sqrt(std::max(line.p.p11, 0.0));
+        return {line.rho * line.cosine, line.rho * line.sine, by_rho,
+                by_theta < kSurest ? by_theta : std::numeric_limits<double>::infinity(),
+                0.1 + by_rho + std::abs(line.rho) * (by_theta + 2e-6)};
+    }
+    /// Around that foot of the line that the observation names, (rho, phi) in the world. By
+    /// margin()'s tests, a landmark of standard deviations sigma_rho and sigma_theta is turned from
+    /// it, on whichever side, by |sin t| < D = s (sigma_theta + sigma_z1), |t| <= pi/2, and its
+    /// distance from the robot, at p, is other than z0 by at most s (sigma_rho + |p| sigma_theta +
+    /// sigma_z0). Normals are |n - n'| <= sqrt(2) |sin t| apart, so feet at most that distance and
+    /// (|p| + |rho|) sqrt(2) D. Where D may reach 1 nothing is rejected; for lines of an endless
+    /// spread the factor must not be 0.
+    static NearRegion region(const NearQuery& seen, const LanePose& pose, const NearReach& reach) {
+        constexpr double kRoot2 = 1.4143;
+        const double rho = seen.z0 + pose.x * seen.cos_world + pose.y * seen.sin_world;
+        const double far = std::sqrt(pose.x * pose.x + pose.y * pose.y);
+        const double arm = kRoot2 * (far + std::abs(rho));
+        const bool turns = reach.distance * kSurest + reach.z1 > 0.99;
+        return {rho * seen.cos_world, rho * seen.sin_world,
+                turns ? std::numeric_limits<double>::infinity() : reach.z0 + arm * reach.z1,
+                reach.distance, reach.distance * (far + arm) + 1e-6};
     }
 
     /// Where the prediction is flipped the first row of the pose's Jacobian turns its sign too.
@@ -287,6 +315,8 @@ struct SensorRecta {
     }
 
   private:
+    static constexpr double kSurest = 0.1;  // sigma_theta of lines that the index tells apart
+
     // Of lines that are the same: squared Mahalanobis distance, angle and gap between them.
     static constexpr double kFarthest2 = 6.0;
     static constexpr double kTurn = 0.1;

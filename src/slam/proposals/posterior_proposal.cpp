@@ -104,7 +104,6 @@ class PosteriorProposal final : public Proposal {
     template <Sensor S>
     void learn(PosePosterior& posterior, const typename S::Columns& landmarks,
                const Measurement& measured, const SeenReach& reach) const {
-        constexpr std::size_t kWord = S::Columns::kLeaf * S::Columns::kAtOnce;
         const bool by_likelihood =
             params_.association.method == AssociationMethod::maximum_likelihood;
         const Pose pose = posterior.pose();
@@ -114,17 +113,10 @@ class PosteriorProposal final : public Proposal {
         loose.measured.r.diagonal() += S::greatest_variances(p);
         const PreparedObservation prepared = prepare(loose, pose);
         const double unsure = 2.0 * std::sqrt(p(0, 0) + p(1, 1));
-        std::uint64_t near = 0;
         BestTwo candidates;
         Found found;
-        for (std::size_t i = 0; i < landmarks.size(); ++i) {
-            if (i % kWord == 0) {
-                near = landmarks.near_from(i / S::Columns::kLeaf, pose, prepared);
-            }
-            if (((near >> (i % kWord)) & 1U) == 0 ||
-                !associator_.beside<S>(landmarks, i, pose, reach, unsure)) {
-                continue;
-            }
+        landmarks.each_near(pose, prepared, [&](std::uint32_t i) {
+            if (!associator_.beside<S>(landmarks, i, pose, reach, unsure)) return;
             const JointInnovation seen = S::joint_innovation(measured.z, pose, landmarks.mean(i));
             const Matrix2 rest =
                 seen.by_landmark * landmarks.covariance(i) * seen.by_landmark.transpose() +
@@ -133,13 +125,11 @@ class PosteriorProposal final : public Proposal {
                 likelihood_of(seen.nu, seen.by_pose * p * seen.by_pose.transpose() + rest);
             if (by_likelihood ? !(close.log_likelihood > log_p0_)
                               : !(close.mahalanobis_squared <= rule_.gate())) {
-                continue;
+                return;
             }
             const double score = by_likelihood ? close.log_likelihood : -close.mahalanobis_squared;
-            if (candidates.offer(static_cast<std::uint32_t>(i), score, close.log_likelihood)) {
-                found = {seen, rest};
-            }
-        }
+            if (candidates.offer(i, score, close.log_likelihood)) found = {seen, rest};
+        });
         if (candidates.none() || rule_.ambiguous(candidates, log_p0_)) return;
         posterior.learn(found.innovation.nu, found.innovation.by_pose, found.rest);
     }

@@ -8,12 +8,13 @@ namespace hitos {
 template <class S>
 class OwnLandmarks {
   public:
-    typename S::Columns columns() { return {pool_, row_, cache_}; }
+    typename S::Columns columns() { return {pools_, row_, pages_, caches_}; }
 
   private:
-    typename S::Columns::Pool pool_;
+    typename S::Columns::Pools pools_;
     LandmarkRow row_;
-    LeafCache cache_;
+    std::vector<std::uint32_t> pages_;
+    typename S::Columns::Caches caches_;
 };
 
 }  // namespace hitos

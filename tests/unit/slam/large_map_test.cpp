@@ -1,0 +1,121 @@
+// Maps that have an index and pages, in whole filters.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "filtro_particulas.hpp"
+#include "hitos/base/vectorised.hpp"
+#include "room_tour.hpp"
+
+namespace hitos {
+namespace {
+
+/// Round a field of posts and of walls that touch circles about the origin, of which the robot sees
+/// those that are near.
+struct FieldTour {
+    std::vector<Control> controls;
+    std::vector<Observation> observations;
+};
+
+FieldTour make_field_tour(int steps) {
+    std::mt19937 engine(61);
+    std::normal_distribution<double> normal(0.0, 1.0);
+    FieldTour tour;
+    Pose pose;
+    for (int k = 0; k < steps; ++k) {
+        const Control control{{3.0, 0.0, 0.2}, k == 0 ? 0.0 : 0.5};
+        pose = compose(pose, displacement(control.twist, control.duration_s));
+        Control logged = control;
+        logged.twist.w += 0.002 * normal(engine);
+        tour.controls.push_back(logged);
+        Observation seen;
+        const Pose back = inverse(pose);
+        for (int column = -10; column < 10; ++column) {
+            for (int row = -5; row < 15; ++row) {
+                Esquina local = transform(back, Esquina{3.0 * column, 3.0 * row});
+                if (std::hypot(local.x, local.y) > 6.0) continue;
+                local.x += 0.02 * normal(engine);
+                local.y += 0.02 * normal(engine);
+                seen.corners.push_back(local);
+            }
+        }
+        for (int i = 0; i < 90; ++i) {
+            Recta local = transform(back, Recta{0.2 * i, wrap_angle(2.4 * i)});
+            if (local.rho > 5.0 || std::abs(local.theta) > 1.3) continue;
+            local.rho = std::abs(local.rho + 0.01 * normal(engine));
+            local.theta = wrap_angle(local.theta + 0.002 * normal(engine));
+            seen.lines.push_back({local, 0, 0});
+        }
+        tour.observations.push_back(seen);
+    }
+    return tour;
+}
+
+FilterParams field_params(int particles) {
+    FilterParams params;
+    params.particles = particles;
+    params.motion.sigma_x_m = params.motion.sigma_y_m = 0.01;
+    params.motion.sigma_theta_rad = 0.003;
+    params.observation = {0.0009, 0.0001};
+    return params;
+}
+
+void expect_same(const FiltroParticulas& a, const FiltroParticulas& b, std::size_t particles) {
+    const std::vector<WeightedPose> ours = a.hypotheses();
+    const std::vector<WeightedPose> theirs = b.hypotheses();
+    for (std::size_t i = 0; i < particles; ++i) {
+        ASSERT_EQ(ours[i].pose, theirs[i].pose) << i;
+        ASSERT_EQ(ours[i].weight, theirs[i].weight) << i;
+        const LandmarkMap map = a.map(i);
+        const LandmarkMap other = b.map(i);
+        ASSERT_EQ(map.size(), other.size());
+        for (std::size_t k = 0; k < map.size(); ++k) {
+            ASSERT_EQ(map[k].value, other[k].value);
+            ASSERT_EQ(map[k].covariance, other[k].covariance);
+        }
+    }
+}
+
+std::unique_ptr<FiltroParticulas> after(const FieldTour& tour, int particles, int threads,
+                                        AssociationRecord* record = nullptr) {
+    auto filter = std::make_unique<FiltroParticulas>(field_params(particles), 3, threads);
+    const Scan scan;
+    for (std::size_t k = 0; k < tour.controls.size(); ++k) {
+        filter->step(
+            {scan, std::span(&tour.controls[k], 1), tour.observations[k], nullptr, record});
+    }
+    return filter;
+}
+
+TEST(FiltroParticulas, SameBitsInALargeMapForAnyNumberOfThreads) {
+    const FieldTour tour = make_field_tour(70);
+    constexpr int kParticles = 150;
+    const auto one = after(tour, kParticles, 1);
+    // Or neither pages nor indices were there.
+    EXPECT_GT(one->best_count(FeatureKind::corner), 110);
+    EXPECT_GT(one->best_count(FeatureKind::line), 64);
+    for (const int threads : {2, 7}) {
+        expect_same(*after(tour, kParticles, threads), *one, kParticles);
+    }
+}
+
+TEST(FiltroParticulas, SameBitsInALargeMapWithAnyVectorsAndAnybodyAsking) {
+    const FieldTour tour = make_field_tour(70);
+    constexpr int kParticles = 40;
+    const auto plain = after(tour, kParticles, 1);
+    AssociationRecord record;
+    expect_same(*after(tour, kParticles, 1, &record), *plain, kParticles);
+    for (const VectorTarget target : {VectorTarget::sse2, VectorTarget::avx2}) {
+        if (use_vectors(target) != target) continue;  // this machine has none
+        expect_same(*after(tour, kParticles, 1), *plain, kParticles);
+    }
+    use_vectors(VectorTarget::avx512);
+}
+
+}  // namespace
+}  // namespace hitos
