@@ -22,6 +22,13 @@ target_compile_definitions(bench_speed PRIVATE
   HITOS_SOURCE_DIR="${speed_root}" HITOS_SHARED_DIR="${HITOS_SHARED_DIR}"
   $<$<BOOL:${HITOS_BASELINE}>:HITOS_BASELINE>)
 target_link_libraries(bench_speed PRIVATE hitos::services hitos::simulation fmt::fmt)
+if(NOT HITOS_BASELINE)
+  find_package(TBB REQUIRED)
+  target_sources(bench_speed PRIVATE ${speed_folder}/speed_kernels.cpp)
+  # It looks into the filter.
+  target_include_directories(bench_speed PRIVATE ${speed_root}/src/slam)
+  target_link_libraries(bench_speed PRIVATE TBB::tbb)
+endif()
 if(HITOS_BASELINE)
   # Headers that stand elsewhere now than they did in the release.
   foreach(moved

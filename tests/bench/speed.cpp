@@ -16,7 +16,8 @@ namespace {
 using namespace speed;
 
 constexpr std::string_view kWorkloads =
-    "bigloop2, complex, intel, corners, pillars, points, ekf, reading, extraction, weights, grid, "
+    "bigloop2, complex, intel, corners, pillars, points, kernels, ekf, reading, extraction, "
+    "weights, grid, "
     "files";
 
 Options options_of(std::span<char*> words) {
@@ -61,6 +62,10 @@ void measure(std::string_view workload, const Options& options) {
         measure_field(FieldKind::pillars, options);
     } else if (workload == "points") {
         measure_points(options);
+#ifndef HITOS_BASELINE
+    } else if (workload == "kernels") {
+        measure_kernels(options);
+#endif
     } else if (workload == "ekf") {
         measure_ekf(options);
     } else if (workload == "reading") {

@@ -28,6 +28,10 @@ enum class FieldKind { corners, pillars };
 void measure_field(FieldKind kind, const Options& options);
 /// Seventeen points seen of 560 that lie well apart.
 void measure_points(const Options& options);
+#ifndef HITOS_BASELINE
+/// The same, where it is known which point each is: predictions, and likelihoods with updates.
+void measure_kernels(const Options& options);
+#endif
 /// EKF-SLAM in a field of corners, and passes over as much memory as its covariance takes.
 void measure_ekf(const Options& options);
 
