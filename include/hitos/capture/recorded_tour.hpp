@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,8 @@ struct RecordedTour {
 /// large. Throws what reading throws.
 std::shared_ptr<const RecordedTour> record_tour(const TourReader& reader, const MayGrow& may_grow);
 
-/// Gives what the reader of the tour would, and reports what that would have at the same place.
+/// Gives what the reader of the tour would, and reports what that would have at the same place;
+/// progress goes by scans.
 class RecordedReader final : public TourReader {
   public:
     explicit RecordedReader(std::shared_ptr<const RecordedTour> tour) : tour_(std::move(tour)) {}

@@ -1,7 +1,5 @@
 #include "shared_readings.hpp"
 
-#include <exception>
-
 #include "hitos/features/extraction_parameters.hpp"
 
 namespace hitos::study {
@@ -22,7 +20,11 @@ SharedReadings::FeaturesKey SharedReadings::features_key(const StudyJob& job) {
 }
 
 std::size_t SharedReadings::Spread::operator()(const TourKey& key) const {
-    return std::hash<std::string>{}(key.source.file) ^ std::hash<std::uint64_t>{}(key.seed);
+    constexpr std::size_t kPrime = 1'000'003;
+    std::size_t spread = std::hash<std::string>{}(key.source.file);
+    spread = spread * kPrime ^ std::hash<std::string>{}(key.source.world_set);
+    spread = spread * kPrime ^ std::hash<std::uint64_t>{}(key.source.tour_seed);
+    return spread * kPrime ^ std::hash<std::uint64_t>{}(key.seed);
 }
 
 void SharedReadings::expect(const Study& study, const StudyJob& job) {
@@ -70,12 +72,16 @@ typename SharedReadings::Kept<Value>::Pointer SharedReadings::once(
                 taken += bytes;
                 return true;
             });
-        } catch (const std::exception&) {
+        } catch (...) {
             made = nullptr;  // whoever reads it for himself is told
         }
         {
             const std::scoped_lock lock(mutex_);
-            (made ? kept.bytes : bytes_) += made ? taken : 0 - taken;
+            if (made) {
+                kept.bytes = taken;
+            } else {
+                bytes_ -= taken;
+            }
         }
         promise.set_value(std::move(made));
     }
@@ -111,8 +117,8 @@ SharedReadings::Parts SharedReadings::Use::parts() const {
     const auto tour = shared_.once<RecordedTour>(*tour_, [&](const MayGrow& may_grow) {
         return record_tour(*source.open_shared(job_), may_grow);
     });
-    if (!tour) return {source.open_tour(job_), nullptr};
-    Parts parts{source.changed(std::make_unique<RecordedReader>(tour), job_), nullptr};
+    if (!tour) return {source.open_tour(job_), nullptr, false};
+    Parts parts{source.changed(std::make_unique<RecordedReader>(tour), job_), nullptr, true};
     const auto features = shared_.once<RecordedFeatures>(*features_, [&](const MayGrow& may_grow) {
         const Configuracion& c = job_.configuration;
         return record_features(*tour, *make_extractor(c.extraction, c.run.seed), may_grow);

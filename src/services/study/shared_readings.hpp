@@ -58,6 +58,7 @@ class SharedReadings {
     struct Parts {
         std::unique_ptr<TourReader> reader;
         std::function<std::unique_ptr<Extractor>()> extractor;  ///< null: the configuration's
+        bool shared = false;  ///< whether other runs are given what was read
     };
 
     /// One run that was expected, from its begin to its end: it needs nothing after that.

@@ -161,7 +161,7 @@ class Crew {
         const StudyJob job = job_of(study, plan, number);
         const study::SharedReadings::Use use(shared_, study, job);
         study::SharedReadings::Parts parts = use.parts();
-        watch = {};  // reading for several runs is no run's own work
+        if (parts.shared) watch = {};  // reading for several runs is no run's own work
         Algoritmo run(job.configuration, std::move(parts.reader),
                       {.step_grid = false, .extractor = std::move(parts.extractor)});
         constexpr std::uint64_t kTellEvery = 64;
