@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <exception>
@@ -28,6 +29,38 @@ std::sig_atomic_t now_ms() {
     constexpr std::int64_t kMilli = 1000;
     return static_cast<std::sig_atomic_t>((now.tv_sec % 1'000'000) * kMilli +
                                           now.tv_nsec / 1'000'000);
+}
+
+const char* program_name = "";  // for who has no other way to know
+std::terminate_handler end_otherwise = nullptr;
+
+/// In words that take no memory themselves.
+void tell_of_memory(const char* program) {
+    std::fprintf(stderr,
+                 "%s: out of memory; fewer particles, coarser cells of the grid or fewer runs at a "
+                 "time take less\n",
+                 program);
+}
+
+/// Some libraries (nlohmann's JSON) need memory to give memory back, and cannot pass on that there
+/// is none.
+[[noreturn]] void end_for_want_of_memory() {
+    if (std::current_exception() != nullptr) {
+        try {
+            throw;
+        } catch (const std::bad_alloc&) {
+            tell_of_memory(program_name);
+            std::fprintf(stderr,
+                         "%s: it ended at once; what was being written is cleared by the same "
+                         "command again\n",
+                         program_name);
+            remove_temporary_files();
+            std::_Exit(1);
+        } catch (...) {  // that is for the other one to tell
+        }
+    }
+    if (end_otherwise != nullptr) end_otherwise();
+    std::abort();
 }
 
 void end_or_ask(int signal) {
@@ -89,14 +122,12 @@ StopSource::StopSource()
 
 int run_program(const char* program, const std::function<int()>& run) {
     int status = 1;
+    program_name = program;
+    end_otherwise = std::set_terminate(end_for_want_of_memory);
     try {
         status = run();
     } catch (const std::bad_alloc&) {
-        // In words that take no memory themselves.
-        std::fprintf(stderr,
-                     "%s: out of memory; fewer particles, coarser cells of the grid or fewer runs "
-                     "at a time take less\n",
-                     program);
+        tell_of_memory(program);
     } catch (const std::exception& error) {
         if (std::ferror(stdout) == 0) std::fprintf(stderr, "%s: %s\n", program, error.what());
     }
