@@ -157,8 +157,9 @@ void FiltroParticulas::find_near(const Block& block, BlockMemory& memory) const 
                 memory.regions[j] = IndexRegion::of(S::region(query, pose, memory.reaches[j]));
                 all.join(memory.regions[j]);
             }
-            if (!all.endless()) {
-                landmarks.find(all, memory.found);
+            if (!all.endless()) landmarks.find(all, memory.found);
+            // Where so much is near, whole leaves are looked at faster.
+            if (!all.endless() && memory.found.size() <= landmarks.leaves()) {
                 for (std::size_t j = 0; j < count; ++j) {
                     const NearQuery query = turned(memory.queries[j], cosine, sine);
                     memory.add_found(j, lane, [&](std::uint32_t landmark) {

@@ -222,15 +222,15 @@ void JointState::set_rows(Eigen::Index size) {
         settled_.resize(count);
         first_.set_panels(panels);
     }
-    hand_.set_panels(panels);
     own_.set_panels(panels);
     mean_.conservativeResizeLike(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(panels * kRows)));
     column_of_.resize(static_cast<std::size_t>(size - kPose) / 2);
+    hand_.set_panels(panels);  // by which the others are walked through
     size_ = size;
 }
 
 void JointState::make_room(std::size_t more, std::size_t anew) {
-    constexpr std::size_t kMost = 2 * kRows;  // 30 landmarks
+    constexpr std::size_t kMost = 2 * kRows;  // 30 landmarks; more where more are needed at once
     std::size_t needed = columns() + more;
     if (needed <= hand_.columns()) return;
     if (needed > kMost) {
@@ -239,13 +239,14 @@ void JointState::make_room(std::size_t more, std::size_t anew) {
     }
     const std::size_t room = (needed + kRows - 1) / kRows * kRows;
     if (room == hand_.columns()) return;
-    hand_.set_columns(room);
-    if (settled_.size() == 0) return;
-    first_.set_columns(room);
-    for (TallMatrix* square : {&now_, &gained_}) {
-        square->set_columns(room);
-        square->set_panels(room / kRows);
+    if (settled_.size() > 0) {
+        first_.set_columns(room);
+        for (TallMatrix* square : {&now_, &gained_}) {
+            square->set_columns(room);
+            square->set_panels(room / kRows);
+        }
     }
+    hand_.set_columns(room);  // which tells that there is room
 }
 
 void JointState::remove(Eigen::Index at) {

@@ -63,8 +63,9 @@ void PairingSieve<S>::begin(const JointState& state, const Marks& marks,
     double least = std::numeric_limits<double>::infinity();
     for (const Measurement& measured : seen) {
         most = most.cwiseMax(measured.r.diagonal());
-        const bool positive = measured.r.diagonal().minCoeff() > 0.0;
-        least = std::min(least, positive ? measured.r.determinant() : 0.0);
+        const bool usable = measured.z.allFinite() && measured.r.allFinite() &&
+                            measured.r.diagonal().minCoeff() > 0.0;
+        least = std::min(least, usable ? measured.r.determinant() : 0.0);
     }
     for (std::size_t i = 0; i < size_; ++i) {
         const Eigen::Index at = marks[i].at;

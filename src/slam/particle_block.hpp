@@ -119,10 +119,14 @@ struct FiltroParticulas::BlockMemory {
                 all.push_back({values, static_cast<std::uint32_t>(particle), entry.id});
             }
         }
-        std::ranges::sort(all.begin() + first, all.end(), {}, &BlockCandidate::landmark);
-        const auto twice =
-            std::ranges::unique(all.begin() + first, all.end(), {}, &BlockCandidate::landmark);
-        all.erase(twice.begin(), twice.end());
+        const auto begin = all.begin() + first;
+        std::sort(begin, all.end(), [](const BlockCandidate& a, const BlockCandidate& b) {
+            return a.landmark < b.landmark;
+        });
+        const auto same = [](const BlockCandidate& a, const BlockCandidate& b) {
+            return a.landmark == b.landmark;
+        };
+        all.erase(std::unique(begin, all.end(), same), all.end());
     }
     /// Reckons cosine and sine.
     void turn() {

@@ -70,10 +70,10 @@ class Particles {
         }
     }
 
+    LaneBatch<S> batch_{};
     MapStore maps_;
     std::vector<Pose> poses_;
     std::vector<Esquina> points_;
-    LaneBatch<S> batch_{};
     double log_likelihood_ = 0.0;
     std::unique_ptr<Robot> robot_ = make_robot([] {
         MotionParams params;

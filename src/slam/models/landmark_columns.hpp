@@ -59,7 +59,7 @@ class LandmarkColumns : public LandmarkQuantities<Extra> {
     using Group = LeafGroup<kColumns>;
     static constexpr std::uint32_t kGone = UINT32_MAX;
     static constexpr std::size_t kLeaf = Leaf::kLandmarks;
-    static constexpr std::size_t kWithoutIndex = 64;  ///< landmarks that are looked at all
+    static constexpr std::size_t kWithoutIndex = 192;  ///< landmarks that are looked at all
 
     LandmarkColumns(Pools& pools, LandmarkRow& row, std::vector<std::uint32_t>& pages,
                     Caches& caches)
@@ -113,9 +113,9 @@ class LandmarkColumns : public LandmarkQuantities<Extra> {
         if (!indexed()) return;
         const IndexPoint point = S::index_point(lane(i));
         const auto& [u, v, shift] = leaf(i / kLeaf).entered[i % kLeaf];
-        const double farther =
-            std::max(std::abs(point.u - double{u}), std::abs(point.v - double{v}));
-        const bool inside = farther <= double{shift};
+        const double farther = std::max(std::abs(point.u - static_cast<double>(u)),
+                                        std::abs(point.v - static_cast<double>(v)));
+        const bool inside = farther <= static_cast<double>(shift);
         if (!inside) enter(i, point);
     }
     /// Before all landmarks change; cut() makes another.
@@ -282,9 +282,9 @@ class LandmarkColumns : public LandmarkQuantities<Extra> {
         for (std::size_t i = 0; i < size(); ++i) {
             IndexPoint point = S::index_point(lane(i));
             const auto& [u, v, shift] = leaf(i / kLeaf).entered[i % kLeaf];
-            point.u = double{u};
-            point.v = double{v};
-            point.shift = 1.02 * double{shift};
+            point.u = static_cast<double>(u);
+            point.v = static_cast<double>(v);
+            point.shift = 1.02 * static_cast<double>(shift);
             list_.index().insert(IndexEntry::of(static_cast<std::uint32_t>(i), point));
         }
         row_->entries = row_->size;

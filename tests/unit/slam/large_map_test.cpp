@@ -35,17 +35,17 @@ FieldTour make_field_tour(int steps) {
         tour.controls.push_back(logged);
         Observation seen;
         const Pose back = inverse(pose);
-        for (int column = -10; column < 10; ++column) {
-            for (int row = -5; row < 15; ++row) {
-                Esquina local = transform(back, Esquina{3.0 * column, 3.0 * row});
+        for (int column = -12; column < 12; ++column) {
+            for (int row = -5; row < 20; ++row) {
+                Esquina local = transform(back, Esquina{2.1 * column, 2.1 * row});
                 if (std::hypot(local.x, local.y) > 6.0) continue;
                 local.x += 0.02 * normal(engine);
                 local.y += 0.02 * normal(engine);
                 seen.corners.push_back(local);
             }
         }
-        for (int i = 0; i < 90; ++i) {
-            Recta local = transform(back, Recta{0.2 * i, wrap_angle(2.4 * i)});
+        for (int i = 0; i < 400; ++i) {
+            Recta local = transform(back, Recta{0.05 * i, wrap_angle(2.4 * i)});
             if (local.rho > 5.0 || std::abs(local.theta) > 1.3) continue;
             local.rho = std::abs(local.rho + 0.01 * normal(engine));
             local.theta = wrap_angle(local.theta + 0.002 * normal(engine));
@@ -97,8 +97,8 @@ TEST(FiltroParticulas, SameBitsInALargeMapForAnyNumberOfThreads) {
     constexpr int kParticles = 150;
     const auto one = after(tour, kParticles, 1);
     // Or neither pages nor indices were there.
-    EXPECT_GT(one->best_count(FeatureKind::corner), 110);
-    EXPECT_GT(one->best_count(FeatureKind::line), 64);
+    EXPECT_GT(one->best_count(FeatureKind::corner), 192);
+    EXPECT_GT(one->best_count(FeatureKind::line), 192);
     for (const int threads : {2, 7}) {
         expect_same(*after(tour, kParticles, threads), *one, kParticles);
     }

@@ -143,10 +143,10 @@ class PlainCopies {
         EXPECT_EQ(std::ranges::count(is_in, false), 0);
     }
 
-    std::size_t most_;
-    MapStore store_;
-    std::vector<std::vector<double>> plain_{kMaps};
     MapStore::Worker worker_;
+    MapStore store_;
+    std::size_t most_;
+    std::vector<std::vector<double>> plain_{kMaps};
     std::mt19937 random_{3};
 };
 
