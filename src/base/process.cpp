@@ -123,7 +123,8 @@ StopSource::StopSource()
 int run_program(const char* program, const std::function<int()>& run) {
     int status = 1;
     program_name = program;
-    end_otherwise = std::set_terminate(end_for_want_of_memory);
+    const std::terminate_handler before = std::set_terminate(end_for_want_of_memory);
+    if (before != end_for_want_of_memory) end_otherwise = before;
     try {
         status = run();
     } catch (const std::bad_alloc&) {

@@ -185,8 +185,9 @@ class LandmarkColumns : public LandmarkQuantities<Extra> {
     void each_near(const Pose& pose, const PreparedObservation& observed, const Body& body) const {
         const NearQuery query = near_query(observed);
         const LanePose from = lane_of(pose);
-        const NearRegion region = S::region(query, from, NearReach::of(query));
-        if (!indexed() || !std::isfinite(region.radius)) {
+        IndexRegion region = IndexRegion::nowhere();
+        if (indexed()) region = IndexRegion::of(S::region(query, from, NearReach::of(query)));
+        if (!indexed() || region.endless()) {
             each_group([&](const Group& group) {
                 std::uint64_t bits = near_in(group, pose, observed);
                 for (; bits != 0; bits &= bits - 1) {
@@ -197,7 +198,7 @@ class LandmarkColumns : public LandmarkQuantities<Extra> {
         }
         thread_local std::vector<IndexEntry> found;
         thread_local std::vector<std::uint32_t> near;  // `body` must not ask again
-        find(IndexRegion::of(region), found);
+        find(region, found);
         near.clear();
         for (const IndexEntry& entry : found) {
             if (S::margin(lane(entry.id), from, query) > 0.0) near.push_back(entry.id);
@@ -241,8 +242,9 @@ class LandmarkColumns : public LandmarkQuantities<Extra> {
     }
     /// Only the first `size` landmarks stay.
     void cut(std::size_t size) {
+        const bool all = size == row_->size;
         shorten(size);
-        make_index();
+        if (!all || !indexed()) make_index();
     }
 
   private:

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "motion_noise.hpp"
+#include "robot_of_steps.hpp"
 #include "robots.hpp"
 
 namespace hitos {
@@ -13,24 +13,9 @@ namespace {
 /// the step's beginning; the sigma of each is its ratio times the increment itself. Q = G S G' with
 /// G the rotation by the heading before the step and S the diagonal of the squared sigmas
 /// [P eq 14].
-class RobotIncrements final : public Robot {
+class RobotIncrements final : public RobotOfSteps {
   public:
     explicit RobotIncrements(MotionParams params) : params_(std::move(params)) {}
-
-    Pose mean(const Pose& pose, const MotionIncrement& increment) const override {
-        return compose(pose, increment.pose_start_end);
-    }
-
-    Pose sample(const Pose& pose, const MotionIncrement& increment,
-                RandomStream& random) const override {
-        return increment.moved() ? moved(motion(increment), pose, random) : mean(pose, increment);
-    }
-    bool sample_row(std::span<Pose> poses, const MotionIncrement& increment,
-                    const RandomRow& row) const override {
-        if (!increment.moved()) return false;
-        move_row(motion(increment), poses, row);
-        return true;
-    }
 
     Eigen::Matrix3d noise_covariance(const Pose& pose,
                                      const MotionIncrement& increment) const override {
@@ -45,7 +30,7 @@ class RobotIncrements final : public Robot {
     }
 
   private:
-    StepWithNoise motion(const MotionIncrement& increment) const {
+    StepWithNoise motion(const MotionIncrement& increment) const override {
         const Pose& step = increment.pose_start_end;
         StepWithNoise motion{lane_of(step)};
         motion.m00 = params_.ratio_x * std::abs(step.x);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "motion_noise.hpp"
+#include "robot_of_steps.hpp"
 #include "robots.hpp"
 
 namespace hitos {
@@ -12,24 +12,9 @@ namespace {
 /// Independent noise along and across the mean heading of the step, and on the heading; with d the
 /// length of the path and a the sum of absolute turns, their variances are var_along d,
 /// var_across d and var_theta_per_rad a + var_theta_per_m d.
-class RobotProportional final : public Robot {
+class RobotProportional final : public RobotOfSteps {
   public:
     explicit RobotProportional(MotionParams params) : params_(std::move(params)) {}
-
-    Pose mean(const Pose& pose, const MotionIncrement& increment) const override {
-        return compose(pose, increment.pose_start_end);
-    }
-
-    Pose sample(const Pose& pose, const MotionIncrement& increment,
-                RandomStream& random) const override {
-        return increment.moved() ? moved(motion(increment), pose, random) : mean(pose, increment);
-    }
-    bool sample_row(std::span<Pose> poses, const MotionIncrement& increment,
-                    const RandomRow& row) const override {
-        if (!increment.moved()) return false;
-        move_row(motion(increment), poses, row);
-        return true;
-    }
 
     /// R diag(along, across) R' with R the rotation by the mean heading.
     Eigen::Matrix3d noise_covariance(const Pose& pose,
@@ -50,7 +35,7 @@ class RobotProportional final : public Robot {
 
   private:
     /// The mean heading is half a turn on from that before the step.
-    StepWithNoise motion(const MotionIncrement& increment) const {
+    StepWithNoise motion(const MotionIncrement& increment) const override {
         const Pose& step = increment.pose_start_end;
         const double along = std::sqrt(params_.var_along_m2_per_m * increment.path_m);
         const double across = std::sqrt(params_.var_across_m2_per_m * increment.path_m);

@@ -2,30 +2,16 @@
 
 #include <utility>
 
-#include "motion_noise.hpp"
+#include "robot_of_steps.hpp"
 #include "robots.hpp"
 
 namespace hitos {
 namespace {
 
-class RobotWithOdometry final : public Robot {
+class RobotWithOdometry final : public RobotOfSteps {
   public:
     explicit RobotWithOdometry(MotionParams params) : params_(std::move(params)) {}
 
-    Pose mean(const Pose& pose, const MotionIncrement& increment) const override {
-        return compose(pose, increment.pose_start_end);
-    }
-    Pose sample(const Pose& pose, const MotionIncrement& increment,
-                RandomStream& random) const override {
-        if (!increment.moved()) return mean(pose, increment);
-        return moved(constant_noise(params_, increment.pose_start_end), pose, random);
-    }
-    bool sample_row(std::span<Pose> poses, const MotionIncrement& increment,
-                    const RandomRow& row) const override {
-        if (!increment.moved()) return false;
-        move_row(constant_noise(params_, increment.pose_start_end), poses, row);
-        return true;
-    }
     Eigen::Matrix3d noise_covariance(const Pose& /*pose*/,
                                      const MotionIncrement& increment) const override {
         if (!increment.moved()) return Eigen::Matrix3d::Zero();
@@ -33,6 +19,10 @@ class RobotWithOdometry final : public Robot {
     }
 
   private:
+    StepWithNoise motion(const MotionIncrement& increment) const override {
+        return constant_noise(params_, increment.pose_start_end);
+    }
+
     MotionParams params_;
 };
 

@@ -11,6 +11,7 @@
 #include "hitos/slam/robot.hpp"
 #include "resampling/methods.hpp"
 #include "room_tour.hpp"
+#include "same_beliefs.hpp"
 
 namespace hitos {
 namespace {
@@ -248,21 +249,6 @@ TEST(FiltroParticulas, SameBitsForAnyNumberOfThreads) {
         for (std::size_t k = 0; k < maps[0].size(); ++k) {
             EXPECT_EQ(maps[i][k].value, maps[0][k].value);
             EXPECT_EQ(maps[i][k].covariance, maps[0][k].covariance);
-        }
-    }
-}
-
-/// All that a filter believes after a tour, to the last bit.
-void expect_same(const FiltroParticulas& a, const FiltroParticulas& b, std::size_t particles) {
-    for (std::size_t i = 0; i < particles; ++i) {
-        ASSERT_EQ(a.hypotheses()[i].pose, b.hypotheses()[i].pose) << i;
-        ASSERT_EQ(a.hypotheses()[i].weight, b.hypotheses()[i].weight) << i;
-        const LandmarkMap map = a.map(i);
-        const LandmarkMap other = b.map(i);
-        ASSERT_EQ(map.size(), other.size());
-        for (std::size_t k = 0; k < map.size(); ++k) {
-            ASSERT_EQ(map[k].point(), other[k].point());
-            ASSERT_EQ(map[k].covariance, other[k].covariance);
         }
     }
 }

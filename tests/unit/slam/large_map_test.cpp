@@ -10,7 +10,7 @@
 
 #include "filtro_particulas.hpp"
 #include "hitos/base/vectorised.hpp"
-#include "room_tour.hpp"
+#include "same_beliefs.hpp"
 
 namespace hitos {
 namespace {
@@ -63,22 +63,6 @@ FilterParams field_params(int particles) {
     params.motion.sigma_theta_rad = 0.003;
     params.observation = {0.0009, 0.0001};
     return params;
-}
-
-void expect_same(const FiltroParticulas& a, const FiltroParticulas& b, std::size_t particles) {
-    const std::vector<WeightedPose> ours = a.hypotheses();
-    const std::vector<WeightedPose> theirs = b.hypotheses();
-    for (std::size_t i = 0; i < particles; ++i) {
-        ASSERT_EQ(ours[i].pose, theirs[i].pose) << i;
-        ASSERT_EQ(ours[i].weight, theirs[i].weight) << i;
-        const LandmarkMap map = a.map(i);
-        const LandmarkMap other = b.map(i);
-        ASSERT_EQ(map.size(), other.size());
-        for (std::size_t k = 0; k < map.size(); ++k) {
-            ASSERT_EQ(map[k].value, other[k].value);
-            ASSERT_EQ(map[k].covariance, other[k].covariance);
-        }
-    }
 }
 
 std::unique_ptr<FiltroParticulas> after(const FieldTour& tour, int particles, int threads,
