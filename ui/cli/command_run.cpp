@@ -165,6 +165,8 @@ void run(const RunOptions& options) {
     run_options.uncertainty = options.uncertainty;
     run_options.grid_of = options.grid_of;
     run_options.figures = !options.figures.empty();
+    std::optional<OdometryGridAhead> odometry_grid;
+    if (configuration.run.threads != 1) odometry_grid.emplace(configuration.grid, *reader);
     RunWorker worker(configuration, std::move(reader), run_options);
     ProgressLine line("scans");
     const StopByRequest request;
@@ -199,7 +201,8 @@ void run(const RunOptions& options) {
     const RunSummary summary =
         worker
             .with_run([&](const Algoritmo& finished) {
-                return write_results(finished, references, seconds, folder, told);
+                return write_results(finished, references, seconds, folder, told,
+                                     odometry_grid ? &*odometry_grid : nullptr);
             })
             .get();
     files.finish(summary.files.size());

@@ -45,7 +45,7 @@ Grid build_grid(const GridParams& params, const TourReader& reader, Trajectory p
     GridBuilder builder(params, reader.reopen(), std::move(path));
     while (builder.step()) {
     }
-    return builder.grid();
+    return builder.take_grid();
 }
 
 }  // namespace hitos

@@ -12,6 +12,7 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/slam/filters.hpp"
+#include "output_crew.hpp"
 #include "report_json.hpp"
 #include "results_summary.hpp"
 #include "run_outputs.hpp"
@@ -71,21 +72,6 @@ ordered_json json_of(const RunQuality& quality) {
     return json;
 }
 
-/// Why the output is missing, else an empty text.
-Message written(const RunOutput& output, const FinishedRun& finished,
-                const std::filesystem::path& folder) {
-    try {
-        return output.write(finished, folder);
-    } catch (const std::exception& error) {  // of a library too
-        if (output.essential) throw;
-        for (const std::string& file : output.files(finished)) {
-            std::error_code ignored;
-            std::filesystem::remove(folder / file, ignored);
-        }
-        return message_of(error);
-    }
-}
-
 /// Writes everything but the summary.
 void write_files(const FinishedRun& finished, RunSummary& summary, const StagedFolder& folder,
                  const WritingObserver& told) {
@@ -93,14 +79,15 @@ void write_files(const FinishedRun& finished, RunSummary& summary, const StagedF
     for (const RunOutput& output : run_outputs()) {
         if (!output.wanted || output.wanted(finished)) wanted.push_back(&output);
     }
+    const int threads = finished.run.configuration().run.threads;
+    const std::vector<Message> reasons =
+        OutputCrew(finished, folder.path(), told).write(wanted, threads);
     std::vector<NotWritten> not_written;
-    std::size_t number = 0;
-    for (const RunOutput* output : wanted) {
-        if (told) told({output->files(finished).front(), ++number, wanted.size()});
-        const Message reason = written(*output, finished, folder.path());
-        if (reason.empty()) continue;
-        not_written.push_back({output->files(finished).front(),
-                               reason.replaced(folder.path().string(), folder.target().string())});
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (reasons[i].empty()) continue;
+        not_written.push_back(
+            {wanted[i]->files(finished).front(),
+             reasons[i].replaced(folder.path().string(), folder.target().string())});
     }
     summary.not_written = std::move(not_written);
     summary.files = written_files(folder.path());
@@ -249,10 +236,11 @@ StagedFolder results_folder(const std::filesystem::path& folder) {
 }
 
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
-                         StagedFolder& folder, const WritingObserver& told) {
+                         StagedFolder& folder, const WritingObserver& told,
+                         OdometryGridAhead* ahead) {
     RunSummary summary = summarize(run, references);
     FinishedRun finished{run, references, summary, run.best_trajectory(), run.filter().best_map(),
-                         {}};
+                         {},  ahead};
     finished.segments = run.line_extents().of(finished.map, finished.best);
     try {
         write_files(finished, summary, folder, told);

@@ -86,16 +86,23 @@ const Trajectory& odometry_path(const FinishedRun& finished) {
     return finished.run.odometry_trajectory();
 }
 
+Grid built(const FinishedRun& finished, Trajectory path) {
+    return build_grid(finished.run.configuration().grid, finished.run.reader(), std::move(path));
+}
+
 /// The grid of the whole tour along a path.
 template <class PathOf>
 RunOutput whole_grid(const std::string& stem, PathOf path_of) {
     return grid(
-        stem,
-        [path_of](const FinishedRun& finished) {
-            return build_grid(finished.run.configuration().grid, finished.run.reader(),
-                              path_of(finished));
-        },
+        stem, [path_of](const FinishedRun& finished) { return built(finished, path_of(finished)); },
         path_of);
+}
+
+Grid odometry_grid(const FinishedRun& finished) {
+    if (finished.odometry_grid != nullptr) {
+        if (auto grid = finished.odometry_grid->take(finished.run.steps())) return *std::move(grid);
+    }
+    return built(finished, odometry_path(finished));
 }
 
 /// The name has the particle's number.
@@ -139,7 +146,7 @@ RunOutput paths() {
         return finished.references.trajectory.has_value();
     };
     output.write = [](const FinishedRun& finished, const Folder& folder) {
-        const auto& [run, references, summary, best, map, segments] = finished;
+        const auto& [run, references, summary, best, map, segments, ahead] = finished;
         // True walls hold the true path to the frame of the tour's start.
         std::optional<Pose> pose_reference_run;
         if (references.walls.empty() && summary.trajectory_error) {
@@ -206,7 +213,7 @@ std::vector<RunOutput> make_outputs() {
             "grid_best_steps", [](const Run& r) -> const Grid& { return r.run.step_grid(); },
             best_path),
         whole_grid("grid_best", best_path),
-        whole_grid("grid_odometry", odometry_path),
+        grid("grid_odometry", odometry_grid, odometry_path),
         particle_grid(),
         distances(),
         paths(),

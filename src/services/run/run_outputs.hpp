@@ -19,6 +19,7 @@ struct FinishedRun {
     Trajectory best;
     LandmarkMap map;
     std::vector<LineExtent> segments;  ///< of the map's lines
+    OdometryGridAhead* odometry_grid = nullptr;
 };
 
 /// A file of a run, or several that belong together.

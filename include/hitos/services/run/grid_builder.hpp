@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hitos/capture/tour_reader.hpp"
@@ -24,6 +25,8 @@ class GridBuilder {
     /// Adds the next scan; false when poses or scans are at their end.
     bool step();
     const Grid& grid() const { return grid_; }
+    /// Gives it away; an empty one is left.
+    Grid take_grid() { return std::exchange(grid_, Grid()); }
     /// The poses of the scans added so far.
     Trajectory path() const;
     /// 0 … 1

@@ -13,6 +13,7 @@
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/maps/paths_picture.hpp"
 #include "hitos/services/run/algoritmo.hpp"
+#include "hitos/services/run/odometry_grid.hpp"
 #include "hitos/services/run/quality.hpp"
 
 namespace hitos {
@@ -98,7 +99,7 @@ struct WritingProgress {
     std::size_t number = 0;  ///< from 1
     std::size_t count = 0;
 };
-/// Told before each; the grids of long tours take their time.
+/// Told before each, by one thread at a time; the grids of long tours take their time.
 using WritingObserver = std::function<void(const WritingProgress&)>;
 
 /// Writes map.txt, segments.txt, map.dxf, trajectory.tum, trajectory_online.tum, odometry.tum,
@@ -109,9 +110,11 @@ using WritingObserver = std::function<void(const WritingProgress&)>;
 /// run recorded it. The summary names all others with their sizes and digests. They appear together
 /// once all are written: whatever happens before, the folder is what it was. Map, trajectories and
 /// configuration come first, and without them the run fails (FileError); of the others each may be
-/// missing, and the summary says why. Returns the summary.
+/// missing, and the summary says why. Several threads write, as many as the run has, up to three;
+/// `ahead` may have the grid along the odometry. Returns the summary.
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
-                         StagedFolder& folder, const WritingObserver& told = {});
+                         StagedFolder& folder, const WritingObserver& told = {},
+                         OdometryGridAhead* ahead = nullptr);
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          const std::filesystem::path& folder, const WritingObserver& told = {});
 

@@ -1,0 +1,170 @@
+#include "run/output_crew.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <new>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/open_source.hpp"
+#include "support.hpp"
+
+namespace hitos {
+namespace {
+
+using test::content;
+using test::TempFolder;
+
+class OutputCrewTest : public testing::Test {
+  protected:
+    static Algoritmo tour(int threads = 1) {
+        Configuracion configuration;
+        configuration.source.file =
+            std::string(HITOS_SOURCE_DIR) + "/data/logs/player-laser.log.gz";
+        configuration.filter.particles = 7;
+        configuration.run.threads = threads;
+        return {configuration, open_source(configuration.source)};
+    }
+    static void run_all(Algoritmo& run) {
+        while (run.step()) {
+        }
+    }
+    static std::map<std::string, std::string> files_in(const std::filesystem::path& folder) {
+        std::map<std::string, std::string> files;
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+            files[entry.path().filename().string()] = content(entry.path());
+        }
+        return files;
+    }
+    /// Writes the file half, then does `before`, then writes it whole.
+    static RunOutput output(const std::string& name, std::function<void()> before = {}) {
+        RunOutput output;
+        output.files = [name](const FinishedRun&) { return std::vector{name}; };
+        output.write = [name, before = std::move(before)](const FinishedRun&,
+                                                          const std::filesystem::path& folder) {
+            std::ofstream(folder / name) << "half";
+            if (before) before();
+            std::ofstream(folder / name) << "whole";
+            return Message();
+        };
+        return output;
+    }
+    std::vector<Message> write(const std::vector<RunOutput>& outputs, int threads,
+                               const WritingObserver& told = {}) {
+        std::vector<const RunOutput*> all;
+        for (const RunOutput& one : outputs) all.push_back(&one);
+        const FinishedRun finished{run_, references_, summary_, {}, {}, {}};
+        return OutputCrew(finished, folder_.path(), told).write(all, threads);
+    }
+
+    Algoritmo run_ = tour();
+    References references_;
+    RunSummary summary_;
+    TempFolder folder_;
+};
+
+TEST_F(OutputCrewTest, ThreadsAndAGridBuiltAheadChangeNoFile) {
+    std::map<std::string, std::string> written;
+    for (const int threads : {1, 2, 3}) {
+        Algoritmo run = tour(threads);
+        OdometryGridAhead ahead(run.configuration().grid, run.reader());
+        run_all(run);
+        const TempFolder folder;
+        StagedFolder staged = results_folder(folder.path());
+        write_results(run, {}, 1.0, staged, {}, threads == 2 ? &ahead : nullptr);
+        std::map<std::string, std::string> files = files_in(folder.path());
+        EXPECT_TRUE(files.contains("grid_odometry.png"));
+        for (const char* states_threads : {"config.cfg", "summary.json"}) {
+            files.erase(states_threads);
+        }
+        if (threads > 1) {
+            EXPECT_EQ(files, written);
+        }
+        written = std::move(files);
+    }
+}
+
+TEST_F(OutputCrewTest, AGridAheadIsOfWholeToursOnly) {
+    const GridParams& params = run_.configuration().grid;
+    OdometryGridAhead stopped(params, run_.reader());
+    EXPECT_FALSE(stopped.take(49));  // the tour has 50 scans
+    EXPECT_FALSE(stopped.take(50));  // it was asked before, and keeps nothing
+    OdometryGridAhead whole(params, run_.reader());
+    const std::optional<Grid> grid = whole.take(50);
+    ASSERT_TRUE(grid);
+    run_all(run_);
+    const Grid along = build_grid(params, run_.reader(), run_.odometry_trajectory());
+    EXPECT_EQ(grid->picture().grey, along.picture().grey);
+    EXPECT_EQ(grid->area(), along.area());
+    // Who goes away before it is built does not wait for all of it.
+    const OdometryGridAhead forgotten(params, run_.reader());
+}
+
+TEST_F(OutputCrewTest, WhatFailsIsTriedAgainAloneAndLeavesNoHalf) {
+    std::atomic<int> times = 0;
+    const std::vector<RunOutput> outputs = {
+        output("a"),
+        output("b",
+               [&] {
+                   if (times++ == 0) throw std::bad_alloc();
+               }),
+        output("c", [] { throw std::runtime_error("it cannot be"); }),
+        output("d"),
+    };
+    const std::vector<Message> reasons = write(outputs, 2);
+    EXPECT_EQ(times, 2);
+    ASSERT_EQ(reasons.size(), 4U);
+    EXPECT_THAT(reasons[2].english(), ::testing::HasSubstr("it cannot be"));
+    for (const std::size_t place : {0U, 1U, 3U}) EXPECT_TRUE(reasons[place].empty()) << place;
+    const std::map<std::string, std::string> expected = {
+        {"a", "whole"}, {"b", "whole"}, {"d", "whole"}};
+    EXPECT_EQ(files_in(folder_.path()), expected);
+}
+
+TEST_F(OutputCrewTest, AloneNothingIsTriedTwice) {
+    int times = 0;
+    const auto reasons = write({output("a",
+                                       [&] {
+                                           ++times;
+                                           throw std::bad_alloc();
+                                       })},
+                               1);
+    EXPECT_EQ(times, 1);
+    EXPECT_THAT(reasons.at(0).english(), ::testing::HasSubstr("memory"));
+    EXPECT_TRUE(files_in(folder_.path()).empty());
+}
+
+TEST_F(OutputCrewTest, EachIsToldOfOnceAndTheObserverMayEndIt) {
+    std::vector<RunOutput> outputs;
+    for (const char* name : {"a", "b", "c", "d", "e", "f"}) outputs.push_back(output(name));
+    outputs.front().essential = true;
+    std::set<std::string> names;
+    std::vector<std::size_t> numbers;
+    write(outputs, 3, [&](const WritingProgress& now) {
+        EXPECT_EQ(now.count, 6U);
+        numbers.push_back(now.number);
+        names.insert(now.file);
+    });
+    EXPECT_EQ(numbers, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(names.size(), 6U);
+    const auto changed = [](const WritingProgress& now) {
+        if (now.number == 3) throw std::runtime_error("the log has changed");
+    };
+    EXPECT_THROW(write(outputs, 3, changed), std::runtime_error);
+    // An essential one ends it too.
+    outputs.front() = output("a", [] { throw std::runtime_error("no room"); });
+    outputs.front().essential = true;
+    EXPECT_THROW(write(outputs, 3), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace hitos
