@@ -56,7 +56,6 @@ FiltroParticulas::FiltroParticulas(const FilterParams& params, std::uint64_t see
 
 void FiltroParticulas::step(const SlamInput& input) {
     statistics_.resampled = statistics_.best_changed = false;
-    copies_.clear();
     propose(input);
     observe(input.observation);
     if (params_.landmarks.vanish) free_space_.set(input.scan);
@@ -78,7 +77,10 @@ void FiltroParticulas::step(const SlamInput& input) {
 void FiltroParticulas::begin_work(std::size_t particles, std::size_t work_each) {
     workers_.resize(std::max(workers_.size(), for_each_.blocks(particles, work_each)));
     const bool alone = !for_each_.parallel(particles, work_each);
-    for (MapStore::Worker& worker : workers_) worker.alone(alone);
+    for (Worker& worker : workers_) {
+        worker.alone(alone);
+        worker.is_alone = alone;
+    }
 }
 
 void FiltroParticulas::propose(const SlamInput& input) {
@@ -148,60 +150,66 @@ void FiltroParticulas::choose_best() {
 }
 
 void FiltroParticulas::remember_poses() {
-    for (Particula& particle : particles_) {
-        particle.history = history_.append(particle.history, particle.pose);
-    }
+    constexpr std::size_t kWork = 8;
+    history_.begin_row(particles_.size());
+    for_each_(particles_.size(), kWork,
+              [&](std::size_t /*number*/, std::size_t begin, std::size_t end) {
+                  for (std::size_t i = begin; i < end; ++i) {
+                      Particula& particle = particles_[i];
+                      particle.history = history_.append_in_row(i, particle.history, particle.pose);
+                  }
+              });
+    history_.end_row();
 }
 
 void FiltroParticulas::resample() {
     if (!resampler_->wants(statistics_.neff)) return;
-    statistics_.resampled = true;
     RandomStream random(seed_, RandomPurpose::resampling, steps_, 0);
     resampling_->select(weights_, random, selected_);
-
     // What may fail comes first: maps and particles change places together.
     resampled_.resize(particles_.size());
-    copies_.reserve(particles_.size());
-    gone_.reserve(particles_.size());
-    select_maps();
-    std::size_t first = 0;  // of those that are drawn from one particle
-    std::size_t new_best = 0;
-    for (std::size_t m = 0; m < selected_.size(); ++m) {
-        const std::size_t source = selected_[m];
-        resampled_[m] = particles_[source];
-        resampled_[m].log_weight = 0.0;
-        if (drawn_again(m)) {
-            history_.share(particles_[source].history);
-            copies_.emplace_back(first, m);
-            continue;
-        }
-        first = m;
-        if (source == best_) new_best = m;
-    }
-    gone_.clear();
-    for_each_passed_over(0, selected_.size(),
-                         [&](std::size_t i) { gone_.push_back(particles_[i].history); });
-    history_.release(gone_);
-    particles_.swap(resampled_);
-    best_ = new_best;
+    take_selected();
+    statistics_.resampled = true;
+    // Of the best there may be no copy.
+    const auto copy = std::ranges::lower_bound(selected_, static_cast<std::uint32_t>(best_));
+    const bool stays = copy != selected_.end() && *copy == best_;
+    best_ = stays ? static_cast<std::size_t>(copy - selected_.begin()) : 0;
 }
 
-void FiltroParticulas::select_maps() {
-    constexpr std::size_t kWork = 20;
+void FiltroParticulas::take_selected() {
+    constexpr std::size_t kWork = 30;
     maps_.begin_selection();
-    for_each_block(selected_.size(), kWork, [&](const Block& block) {
-        for (std::size_t m = block.begin; m < block.end; ++m) {
-            maps_.select(selected_[m], m, drawn_again(m), block.worker);
-        }
-    });
-    for_each_block(selected_.size(), kWork, [&](const Block& block) {
-        for (std::size_t m = block.begin; m < block.end; ++m) {
-            if (!drawn_again(m)) maps_.take_over(selected_[m], m);
-        }
-        for_each_passed_over(block.begin, block.end,
-                             [&](std::size_t i) { maps_.pass_over(i, block.worker); });
-    });
+    for_each_block(selected_.size(), kWork, [&](const Block& block) { draw(block); });
+    for_each_block(selected_.size(), kWork, [&](const Block& block) { let_go(block); });
+    for (Worker& worker : workers_) history_.take_back(worker.freed);
     maps_.end_selection();
+    particles_.swap(resampled_);
+}
+
+void FiltroParticulas::draw(const Block& block) {
+    for (std::size_t m = block.begin; m < block.end; ++m) {
+        const std::size_t source = selected_[m];
+        maps_.select(source, m, drawn_again(m), block.worker);
+        resampled_[m] = particles_[source];
+        resampled_[m].log_weight = 0.0;
+        if (drawn_again(m)) continue;
+        std::uint32_t again = 0;
+        while (m + again + 1 < selected_.size() && selected_[m + again + 1] == source) ++again;
+        history_.share(particles_[source].history, again);
+    }
+}
+
+void FiltroParticulas::let_go(const Block& block) {
+    Worker& worker = block.worker;
+    for (std::size_t m = block.begin; m < block.end; ++m) {
+        if (!drawn_again(m)) maps_.take_over(selected_[m], m);
+    }
+    worker.gone.clear();
+    for_each_passed_over(block.begin, block.end, [&](std::size_t i) {
+        maps_.pass_over(i, worker);
+        worker.gone.push_back(particles_[i].history);
+    });
+    history_.release(worker.gone, worker.freed, worker.is_alone);
 }
 
 std::vector<WeightedPose> FiltroParticulas::hypotheses() const {

@@ -62,11 +62,17 @@ class FiltroParticulas final : public SlamFilter {
     std::size_t history_nodes() const { return history_.size(); }
 
   private:
+    /// What one of those that work at the same time needs to write maps and histories.
+    struct Worker : MapStore::Worker {
+        bool is_alone = true;
+        std::vector<PoseHistory::Node> gone;  // of particles that nobody was drawn from
+        std::vector<PoseHistory::Node> freed;
+    };
     /// Particles whose places follow each other, on one worker.
     struct Block {
         std::size_t begin;
         std::size_t end;
-        MapStore::Worker& worker;
+        Worker& worker;
     };
     /// What a block works with, of each thread its own: memory, never a result.
     struct BlockMemory;
@@ -107,10 +113,16 @@ class FiltroParticulas final : public SlamFilter {
     static void weigh(Particula& particle, std::span<const Decision> decisions);
     void choose_best();
     void resample();
-    /// The maps of those that were selected take the places of all.
-    void select_maps();
+    /// Those that were selected, with what they hold, take the places of all.
+    void take_selected();
+    /// Makes the block's particles copies of those that were selected.
+    void draw(const Block& block);
+    /// Gives them what only one can have, and lets go what nobody was drawn from.
+    void let_go(const Block& block);
     /// Whether the one before was drawn from the same particle.
     bool drawn_again(std::size_t m) const { return m > 0 && selected_[m - 1] == selected_[m]; }
+    /// Whether the map is a copy that resampling has just made of the one before it.
+    bool just_copied(std::size_t m) const { return statistics_.resampled && drawn_again(m); }
     /// Calls body(i) for the particles that nobody was drawn from: those right before the one that
     /// a draw is of, for the draws from `begin` to `end`; with the last draw those behind it too.
     template <class Body>
@@ -198,9 +210,7 @@ class FiltroParticulas final : public SlamFilter {
     std::vector<double> weights_;
     std::vector<std::uint32_t> selected_;
     std::vector<Particula> resampled_;
-    std::vector<PoseHistory::Node> gone_;  // of particles that nobody was drawn from
-    std::vector<std::pair<MapStore::Handle, MapStore::Handle>> copies_;
-    std::vector<MapStore::Worker> workers_;  // of every block
+    std::vector<Worker> workers_;  // of every block
 };
 
 /// "fastslam".

@@ -84,7 +84,7 @@ std::unique_ptr<SlamFilter> FiltroParticulas::clone() const {
     copy->particles_ = particles_;
     copy->maps_ = maps_;
     copy->workers_ = workers_;
-    copy->copies_ = copies_;
+    copy->selected_ = selected_;
     copy->history_ = history_;
     copy->best_ = best_;
     copy->steps_ = steps_;
@@ -111,11 +111,9 @@ void FiltroParticulas::correct(const PathCorrection& correction) {
     std::array<NewPlaces, LandmarkKinds::kSize> best_places;
     const std::size_t landmarks_each = maps_.size(best_) + 8;
     // Maps that resampling has just copied are corrected once, and copied again.
-    std::vector<bool> copied(maps_.maps(), false);
-    for (const auto& [from, to] : copies_) copied[to] = true;
     for_each_block(particles_.size(), landmarks_each * landmarks_each, [&](const Block& block) {
         for (std::size_t i = block.begin; i < block.end; ++i) {
-            if (copied[i]) continue;
+            if (just_copied(i)) continue;
             for_each_kind([&]<class S>() {
                 auto landmarks = landmarks_of<S>(i, block.worker);
                 NewPlaces places = correct_landmarks<S>(landmarks, correction.by_scan);
@@ -123,7 +121,9 @@ void FiltroParticulas::correct(const PathCorrection& correction) {
             });
         }
     });
-    for (const auto& [from, to] : copies_) maps_.copy(from, to);
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        if (just_copied(i)) maps_.copy(i - 1, i);
+    }
     for_each_kind([&]<class S>() {
         const NewPlaces& places = best_places[LandmarkKinds::place<S>()];
         for (Association& association : noted_) {

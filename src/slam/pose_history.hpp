@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,33 +23,42 @@ class PoseHistory {
     /// A new pose after `parent` (kNone: the first). The caller's hold on `parent` passes to the
     /// new node, which the caller holds.
     Node append(Node parent, const Pose& pose) {
-        if (free_.empty()) {
-            poses_.push_back(pose);
-            parents_.push_back(parent);
-            references_.push_back(1);
-            return static_cast<Node>(poses_.size() - 1);
-        }
-        const Node node = free_.back();
-        free_.pop_back();
+        begin_row(1);
+        const Node node = append_in_row(0, parent, pose);
+        end_row();
+        return node;
+    }
+    /// Makes room for a new pose in each of `count` histories. Then any worker may append any.
+    void begin_row(std::size_t count) {
+        reused_ = std::min(count, free_.size());
+        first_new_ = poses_.size();
+        const std::size_t size = first_new_ + count - reused_;
+        if (size == first_new_) return;
+        references_.resize(size);  // what may fail; poses count
+        parents_.resize(size);
+        poses_.resize(size);
+    }
+    /// The `place`-th append() of a row.
+    Node append_in_row(std::size_t place, Node parent, const Pose& pose) {
+        const Node node = place < reused_ ? free_[free_.size() - 1 - place]
+                                          : static_cast<Node>(first_new_ + place - reused_);
         poses_[node] = pose;
         parents_[node] = parent;
         references_[node] = 1;
         return node;
     }
+    void end_row() { free_.resize(free_.size() - reused_); }
 
-    void share(Node node) {
-        if (node != kNone) ++references_[node];
+    void share(Node node, std::uint32_t times = 1) {
+        if (node != kNone) references_[node] += times;
     }
 
-    void release(Node node) {
-        while (node != kNone && --references_[node] == 0) {
-            free_.push_back(node);
-            node = parents_[node];
-        }
-    }
+    void release(Node node) { release(node, free_, true); }
+    void release(std::span<const Node> nodes) { release(nodes, free_, true); }
 
-    /// Releases all of these, which stand in memory in no order.
-    void release(std::span<const Node> nodes) {
+    /// Releases all of these, which stand in memory in no order. Where no worker is alone, others
+    /// may release at the same time; take_back() gets what was `freed`.
+    void release(std::span<const Node> nodes, std::vector<Node>& freed, bool alone) {
         constexpr std::size_t kAhead = 8;
         const auto ahead = [&](std::size_t i) { return i < nodes.size() ? nodes[i] : kNone; };
         for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -58,8 +69,12 @@ class PoseHistory {
             if (const Node later = ahead(i + kAhead); later != kNone && parents_[later] != kNone) {
                 __builtin_prefetch(&references_[parents_[later]]);
             }
-            release(nodes[i]);
+            release(nodes[i], freed, alone);
         }
+    }
+    void take_back(std::vector<Node>& freed) {
+        free_.insert(free_.end(), freed.begin(), freed.end());
+        freed.clear();
     }
 
     /// Moves all poses that these nodes, all of the newest scan, have behind them and their own:
@@ -130,11 +145,27 @@ class PoseHistory {
     std::size_t size() const { return poses_.size() - free_.size(); }
 
   private:
+    void release(Node node, std::vector<Node>& freed, bool alone) {
+        while (node != kNone) {
+            std::uint32_t& holds = references_[node];
+            // Who holds it last must see what the others have done with it.
+            const std::uint32_t left =
+                alone ? --holds
+                      : std::atomic_ref(holds).fetch_sub(1, std::memory_order_acq_rel) - 1;
+            if (left != 0) return;
+            freed.push_back(node);
+            node = parents_[node];
+        }
+    }
+
     // Of every node. Counts apart from the rest: resampling runs through them in no order.
     std::vector<Pose> poses_;
     std::vector<Node> parents_;
     std::vector<std::uint32_t> references_;
     std::vector<Node> free_;
+    // Of the row that is being appended.
+    std::size_t reused_ = 0;
+    std::size_t first_new_ = 0;
 };
 
 }  // namespace hitos
