@@ -86,7 +86,7 @@ void FiltroParticulas::begin_work(std::size_t particles, std::size_t work_each) 
 void FiltroParticulas::propose(const SlamInput& input) {
     proposal_->begin(input, steps_ == 0);
     static_assert(ParticleLoop::kBlock <= NormalRow::kMost);
-    for_each_(particles_.size(), 10,
+    for_each_(particles_.size(), 15,
               [&](std::size_t /*number*/, std::size_t begin, std::size_t end) {
                   const RandomRow row{seed_, RandomPurpose::motion, steps_,
                                       static_cast<std::uint32_t>(begin)};

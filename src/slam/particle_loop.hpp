@@ -90,7 +90,7 @@ class ParticleLoop {
 
     /// Below this many particle x landmark x observation evaluations a step gains nothing from a
     /// second thread (measured with tests/bench).
-    static constexpr std::size_t kParallelWork = 30000;
+    static constexpr std::size_t kParallelWork = 12000;
 
     std::optional<tbb::global_control> more_threads_;  // where more than the machine has are asked
     tbb::task_arena arena_;
