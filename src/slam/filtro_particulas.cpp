@@ -180,10 +180,11 @@ void FiltroParticulas::take_selected() {
     constexpr std::size_t kWork = 30;
     maps_.begin_selection();
     for_each_block(selected_.size(), kWork, [&](const Block& block) { draw(block); });
+    // From here on nothing fails.
     for_each_block(selected_.size(), kWork, [&](const Block& block) { let_go(block); });
-    for (Worker& worker : workers_) history_.take_back(worker.freed);
     maps_.end_selection();
     particles_.swap(resampled_);
+    for (Worker& worker : workers_) history_.take_back(worker.freed);
 }
 
 void FiltroParticulas::draw(const Block& block) {
@@ -197,18 +198,19 @@ void FiltroParticulas::draw(const Block& block) {
         while (m + again + 1 < selected_.size() && selected_[m + again + 1] == source) ++again;
         history_.share(particles_[source].history, again);
     }
+    block.worker.gone.clear();
+    for_each_passed_over(block.begin, block.end, [&](std::size_t i) {
+        block.worker.gone.push_back(particles_[i].history);
+    });
 }
 
-void FiltroParticulas::let_go(const Block& block) {
+void FiltroParticulas::let_go(const Block& block) noexcept {
     Worker& worker = block.worker;
     for (std::size_t m = block.begin; m < block.end; ++m) {
         if (!drawn_again(m)) maps_.take_over(selected_[m], m);
     }
-    worker.gone.clear();
-    for_each_passed_over(block.begin, block.end, [&](std::size_t i) {
-        maps_.pass_over(i, worker);
-        worker.gone.push_back(particles_[i].history);
-    });
+    for_each_passed_over(block.begin, block.end,
+                         [&](std::size_t i) { maps_.pass_over(i, worker); });
     history_.release(worker.gone, worker.freed, worker.is_alone);
 }
 

@@ -83,7 +83,7 @@ std::unique_ptr<SlamFilter> FiltroParticulas::clone() const {
     auto copy = std::make_unique<FiltroParticulas>(params_, seed_, threads_);
     copy->particles_ = particles_;
     copy->maps_ = maps_;
-    copy->workers_ = workers_;
+    copy->workers_ = workers_;  // with pieces of maps that are ready to become some
     copy->selected_ = selected_;
     copy->history_ = history_;
     copy->best_ = best_;

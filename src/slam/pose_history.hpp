@@ -58,7 +58,7 @@ class PoseHistory {
 
     /// Releases all of these, which stand in memory in no order. Where no worker is alone, others
     /// may release at the same time; take_back() gets what was `freed`.
-    void release(std::span<const Node> nodes, std::vector<Node>& freed, bool alone) {
+    void release(std::span<const Node> nodes, std::vector<Node>& freed, bool alone) noexcept {
         constexpr std::size_t kAhead = 8;
         const auto ahead = [&](std::size_t i) { return i < nodes.size() ? nodes[i] : kNone; };
         for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -72,8 +72,8 @@ class PoseHistory {
             release(nodes[i], freed, alone);
         }
     }
-    void take_back(std::vector<Node>& freed) {
-        free_.insert(free_.end(), freed.begin(), freed.end());
+    void take_back(std::vector<Node>& freed) noexcept {
+        for (const Node node : freed) note_free(node, free_);
         freed.clear();
     }
 
@@ -145,7 +145,13 @@ class PoseHistory {
     std::size_t size() const { return poses_.size() - free_.size(); }
 
   private:
-    void release(Node node, std::vector<Node>& freed, bool alone) {
+    static void note_free(Node node, std::vector<Node>& free) noexcept {
+        try {
+            free.push_back(node);
+        } catch (...) {  // no memory to note it: it is used no more, which is all
+        }
+    }
+    void release(Node node, std::vector<Node>& freed, bool alone) noexcept {
         while (node != kNone) {
             std::uint32_t& holds = references_[node];
             // Who holds it last must see what the others have done with it.
@@ -153,7 +159,7 @@ class PoseHistory {
                 alone ? --holds
                       : std::atomic_ref(holds).fetch_sub(1, std::memory_order_acq_rel) - 1;
             if (left != 0) return;
-            freed.push_back(node);
+            note_free(node, freed);
             node = parents_[node];
         }
     }

@@ -18,17 +18,23 @@ Command command(const std::string& name, const Words& common, const Words& befor
 
 std::vector<Command> commands(const Workplace& place) {
     const std::string tour = place.path("tour.log");
-    const Words small{"--set", "filter.particles=2", "--set", "grid.resolution=0.5", "--threads",
-                      "1"};
-    const auto with_small = [&small](Words words) {
+    const auto with_small = [](Words words, const std::string& threads = "1") {
+        const Words small{
+            "--set", "filter.particles=2", "--set", "grid.resolution=0.5", "--threads", threads};
         words.insert(words.end(), small.begin(), small.end());
         return words;
     };
+    const Words run{"run",
+                    tour,
+                    "--uncertainty",
+                    "--reference-trajectory",
+                    place.path("truth.tum"),
+                    "--out",
+                    place.path("out")};
     return {
-        command("run",
-                with_small({"run", tour, "--uncertainty", "--reference-trajectory",
-                            place.path("truth.tum"), "--out", place.path("out")}),
-                {"--seed", "1"}, {"--seed", "2"}),
+        command("run", with_small(run), {"--seed", "1"}, {"--seed", "2"}),
+        // The same faults are not at the same place each time, but harmless all the same.
+        command("run_by_threads", with_small(run, "3"), {"--seed", "1"}, {"--seed", "2"}),
         command("convert",
                 {"convert", tour, "--to", "normalized", "--odometry-noise", "0.1", "--out",
                  place.path("tour.txt.gz")},

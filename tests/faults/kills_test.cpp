@@ -98,8 +98,8 @@ TEST_P(Kills, LeaveWholeResultsAndTheSameCommandGivesTheRest) {
         const Outcome again = place_.run(command.words);
         ASSERT_EQ(again.status, 0) << again.output;
         EXPECT_EQ(difference(after_, place_.content()), "") << "after the same command again";
-        if (command.name == "run" || command.name == "study") {
-            const std::string folder = place_.path(command.name == "run" ? "out" : "study");
+        if (command.name.starts_with("run") || command.name == "study") {
+            const std::string folder = place_.path(command.name == "study" ? "study" : "out");
             const Outcome verdict = place_.run({"verify", folder});
             EXPECT_EQ(verdict.status, 0) << verdict.output;
         }
@@ -110,7 +110,8 @@ TEST_P(Kills, LeaveWholeResultsAndTheSameCommandGivesTheRest) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Kills,
-                         ::testing::Values("run", "convert", "simulate", "study", "reproduce"),
+                         ::testing::Values("run", "run_by_threads", "convert", "simulate", "study",
+                                           "reproduce"),
                          [](const auto& command) { return command.param; });
 
 }  // namespace

@@ -76,7 +76,7 @@ void MemoryFaults::expect_harmless(const Command& command, const Words& environm
         EXPECT_EQ(difference(finished_files(left), left), "") << "temporary files are left";
     }
     if (finished_files(left) == after_) return;
-    if (command.name == "run") {
+    if (command.name.starts_with("run")) {
         const Outcome verdict = place_.run({"verify", place_.path("out")});
         EXPECT_EQ(verdict.status, 0) << verdict.output;
     }
@@ -111,7 +111,8 @@ TEST_P(MemoryFaults, EndInAMessageAndLeaveWholeResults) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, MemoryFaults, ::testing::Values("run", "convert", "simulate", "study"),
+INSTANTIATE_TEST_SUITE_P(, MemoryFaults,
+                         ::testing::Values("run", "run_by_threads", "convert", "simulate", "study"),
                          [](const auto& command) { return command.param; });
 
 }  // namespace

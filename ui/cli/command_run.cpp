@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -166,7 +167,9 @@ void run(const RunOptions& options) {
     run_options.grid_of = options.grid_of;
     run_options.figures = !options.figures.empty();
     std::optional<OdometryGridAhead> odometry_grid;
-    if (configuration.run.threads != 1) odometry_grid.emplace(configuration.grid, *reader);
+    if (configuration.run.threads != 1 && std::thread::hardware_concurrency() > 1) {
+        odometry_grid.emplace(configuration.grid, *reader);
+    }
     RunWorker worker(configuration, std::move(reader), run_options);
     ProgressLine line("scans");
     const StopByRequest request;

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <exception>
 #include <fstream>
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 class Workshop {
   public:
     explicit Workshop(const fs::path& beside)
-        : path_(beside / fmt::format(".hitos-{}-plots", ::getpid())) {
+        : path_(beside / fmt::format(".hitos-{}-plots-{}", ::getpid(), ++made())) {
         std::error_code error;
         fs::remove_all(path_, error);
         fs::create_directory(path_, error);
@@ -48,6 +49,12 @@ class Workshop {
     const fs::path& path() const { return path_; }
 
   private:
+    /// Several may be at work in one folder.
+    static std::atomic<int>& made() {
+        static std::atomic<int> count = 0;
+        return count;
+    }
+
     fs::path path_;
 };
 

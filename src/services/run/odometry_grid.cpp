@@ -16,17 +16,21 @@ OdometryGridAhead::OdometryGridAhead(const GridParams& params, const TourReader&
 
 void OdometryGridAhead::build(const std::stop_token& stop) {
     try {
-        while (!stop.stop_requested() && builder_->step()) ++scans_;
-        whole_ = !stop.stop_requested();
-    } catch (const std::exception&) {  // whole_ says so
+        while (scans_ < wanted_ && !stop.stop_requested() && builder_->step()) {
+            ++scans_;
+            if (builder_->grid().bytes() > kMostBytes) break;
+        }
+    } catch (const std::exception&) {
+        failed_ = true;
     }
 }
 
 std::optional<Grid> OdometryGridAhead::take(std::uint64_t scans) {
     if (!builder_) return std::nullopt;
+    wanted_ = scans;
     if (thread_.joinable()) thread_.join();
     const std::unique_ptr<GridBuilder> builder = std::move(builder_);
-    if (!whole_ || scans_ != scans) return std::nullopt;
+    if (failed_ || scans_ != scans) return std::nullopt;
     return builder->take_grid();
 }
 

@@ -1,6 +1,7 @@
 #include "output_crew.hpp"
 
 #include <algorithm>
+#include <string>
 #include <system_error>
 #include <thread>
 
@@ -9,49 +10,55 @@
 namespace hitos {
 namespace {
 
-/// Each may hold a grid, of which there are three.
+/// Each may hold a grid with its picture.
 constexpr int kMostWorkers = 3;
-
-int workers(int threads) {
-    if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
-    return std::clamp(threads, 1, kMostWorkers);
-}
+/// Of a grid; greater ones are held one at a time.
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 
 }  // namespace
 
 std::vector<Message> OutputCrew::write(std::span<const RunOutput* const> outputs, int threads) {
     reasons_.assign(outputs.size(), Message());
     failed_.assign(outputs.size(), 0);
-    told_of_ = 0;
     for (next_ = 0; next_ < outputs.size() && outputs[next_]->essential; ++next_) {
-        tell(*outputs[next_], outputs.size());
+        tell(*outputs[next_]);
         reasons_[next_] = outputs[next_]->write(finished_, folder_);
     }
-    const bool alone = work_together(outputs, workers(threads));
+    const int count = workers(threads);
+    if (count == 1) {
+        work(outputs, Attempt::last);
+    } else {
+        work_together(outputs, count);
+    }
     if (broken_) std::rethrow_exception(broken_);
-    for (std::size_t place = 0; place < outputs.size(); ++place) {
-        if (failed_[place] != 0 && !alone) write_one(outputs, place);
+    for (std::size_t place = 0; count > 1 && place < outputs.size(); ++place) {
+        if (failed_[place] != 0) write_one(*outputs[place], place, Attempt::last);
     }
     return std::move(reasons_);
 }
 
-bool OutputCrew::work_together(std::span<const RunOutput* const> outputs, int workers) {
+int OutputCrew::workers(int threads) const {
+    if (finished_.run.step_grid().bytes() > kMostBytes) return 1;
+    if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
+    return std::clamp(threads, 1, kMostWorkers);
+}
+
+void OutputCrew::work_together(std::span<const RunOutput* const> outputs, int workers) {
     std::vector<std::jthread> others;
     try {
         for (int i = 1; i < workers; ++i) {
-            others.emplace_back([this, outputs] { work(outputs); });
+            others.emplace_back([this, outputs] { work(outputs, Attempt::first); });
         }
     } catch (const std::exception&) {  // fewer, then
     }
-    work(outputs);
-    return others.empty();
+    work(outputs, Attempt::first);
 }
 
-void OutputCrew::work(std::span<const RunOutput* const> outputs) {
+void OutputCrew::work(std::span<const RunOutput* const> outputs, Attempt attempt) {
     try {
         for (std::size_t place = next_++; place < outputs.size() && !stopped_; place = next_++) {
-            tell(*outputs[place], outputs.size());
-            write_one(outputs, place);
+            tell(*outputs[place]);
+            write_one(*outputs[place], place, attempt);
         }
     } catch (...) {  // of the observer, and what no message could be made of
         const std::scoped_lock lock(mutex_);
@@ -60,13 +67,14 @@ void OutputCrew::work(std::span<const RunOutput* const> outputs) {
     }
 }
 
-void OutputCrew::write_one(std::span<const RunOutput* const> outputs, std::size_t place) {
-    const RunOutput& output = *outputs[place];
+void OutputCrew::write_one(const RunOutput& output, std::size_t place, Attempt attempt) {
     try {
         failed_[place] = 0;
         reasons_[place] = output.write(finished_, folder_);
     } catch (const std::exception& error) {  // of a library too
+        if (output.essential) throw;
         failed_[place] = 1;
+        if (attempt == Attempt::first) return;
         for (const std::string& file : output.files(finished_)) {
             std::error_code ignored;
             std::filesystem::remove(folder_ / file, ignored);
@@ -75,10 +83,10 @@ void OutputCrew::write_one(std::span<const RunOutput* const> outputs, std::size_
     }
 }
 
-void OutputCrew::tell(const RunOutput& output, std::size_t all) {
+void OutputCrew::tell(const RunOutput& output) {
     if (!told_) return;
     const std::scoped_lock lock(mutex_);
-    told_({output.files(finished_).front(), ++told_of_, all});
+    told_({output.files(finished_).front(), ++told_of_, count_});
 }
 
 }  // namespace hitos

@@ -80,8 +80,11 @@ void write_files(const FinishedRun& finished, RunSummary& summary, const StagedF
         if (!output.wanted || output.wanted(finished)) wanted.push_back(&output);
     }
     const int threads = finished.run.configuration().run.threads;
+    const std::size_t count = wanted.size() + 1;  // the summary too
     const std::vector<Message> reasons =
-        OutputCrew(finished, folder.path(), told).write(wanted, threads);
+        OutputCrew(finished, folder.path(), told, count).write(wanted, threads);
+    // Once more after all that may have read the tour again.
+    if (told) told({kSummaryFile, count, count});
     std::vector<NotWritten> not_written;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         if (reasons[i].empty()) continue;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <span>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -104,6 +106,57 @@ TEST(PoseHistory, EqualsPlainCopiesUnderRandomResampling) {
     EXPECT_LT(history.size(), 300U + kParticles * 100U);
     history.release(leaves);
     EXPECT_EQ(history.size(), 0U);
+}
+
+TEST(PoseHistory, SeveralWorkersLetGoWhatEachAloneWould) {
+    constexpr std::size_t kParticles = 4000;
+    constexpr std::size_t kWorkers = 4;
+    std::mt19937 engine(53);
+    std::uniform_int_distribution<std::size_t> pick(0, kParticles - 1);
+    PoseHistory alone;
+    PoseHistory together;
+    std::vector<PoseHistory::Node> ours(kParticles, PoseHistory::kNone);
+    std::vector<PoseHistory::Node> theirs = ours;
+    for (int step = 0; step < 30; ++step) {
+        const Pose pose{static_cast<double>(step), 0.0, 0.0};
+        for (auto& node : ours) node = alone.append(node, pose);
+        together.begin_row(kParticles);
+        for (std::size_t i = kParticles; i-- > 0;) {  // in any order
+            theirs[i] = together.append_in_row(i, theirs[i], pose);
+        }
+        together.end_row();
+        // Of few particles many copies, so that workers meet at the same ancestors.
+        std::vector<std::size_t> selected;
+        for (std::size_t i = 0; i < kParticles; ++i) selected.push_back(pick(engine) / 8);
+        std::vector<PoseHistory::Node> next_ours;
+        std::vector<PoseHistory::Node> next_theirs;
+        for (const std::size_t from : selected) {
+            alone.share(ours[from]);
+            next_ours.push_back(ours[from]);
+            together.share(theirs[from]);
+            next_theirs.push_back(theirs[from]);
+        }
+        alone.release(ours);
+        std::vector<std::vector<PoseHistory::Node>> freed(kWorkers);
+        {
+            std::vector<std::jthread> workers;
+            for (std::size_t w = 0; w < kWorkers; ++w) {
+                workers.emplace_back([&, w] {
+                    constexpr std::size_t kPart = kParticles / kWorkers;
+                    together.release(std::span(theirs).subspan(w * kPart, kPart), freed[w], false);
+                });
+            }
+        }
+        for (auto& nodes : freed) together.take_back(nodes);
+        ours = next_ours;
+        theirs = next_theirs;
+        ASSERT_EQ(together.size(), alone.size()) << step;
+    }
+    for (std::size_t i = 0; i < kParticles; i += 61) {
+        EXPECT_EQ(together.path(theirs[i]), alone.path(ours[i]));
+    }
+    together.release(theirs);
+    EXPECT_EQ(together.size(), 0U);
 }
 
 TEST(PoseHistory, NothingHasNoPoses) {

@@ -99,7 +99,8 @@ struct WritingProgress {
     std::size_t number = 0;  ///< from 1
     std::size_t count = 0;
 };
-/// Told before each, by one thread at a time; the grids of long tours take their time.
+/// Told before each, by one thread at a time, before the summary when all others are written; the
+/// grids of long tours take their time.
 using WritingObserver = std::function<void(const WritingProgress&)>;
 
 /// Writes map.txt, segments.txt, map.dxf, trajectory.tum, trajectory_online.tum, odometry.tum,

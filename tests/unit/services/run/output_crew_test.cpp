@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <new>
 #include <optional>
@@ -26,13 +27,13 @@ using test::TempFolder;
 
 class OutputCrewTest : public testing::Test {
   protected:
-    static Algoritmo tour(int threads = 1) {
+    static Algoritmo tour(int threads = 1, const AlgoritmoOptions& options = {}) {
         Configuracion configuration;
         configuration.source.file =
             std::string(HITOS_SOURCE_DIR) + "/data/logs/player-laser.log.gz";
         configuration.filter.particles = 7;
         configuration.run.threads = threads;
-        return {configuration, open_source(configuration.source)};
+        return {configuration, open_source(configuration.source), options};
     }
     static void run_all(Algoritmo& run) {
         while (run.step()) {
@@ -63,7 +64,7 @@ class OutputCrewTest : public testing::Test {
         std::vector<const RunOutput*> all;
         for (const RunOutput& one : outputs) all.push_back(&one);
         const FinishedRun finished{run_, references_, summary_, {}, {}, {}};
-        return OutputCrew(finished, folder_.path(), told).write(all, threads);
+        return OutputCrew(finished, folder_.path(), told, all.size()).write(all, threads);
     }
 
     Algoritmo run_ = tour();
@@ -95,9 +96,9 @@ TEST_F(OutputCrewTest, ThreadsAndAGridBuiltAheadChangeNoFile) {
 
 TEST_F(OutputCrewTest, AGridAheadIsOfWholeToursOnly) {
     const GridParams& params = run_.configuration().grid;
-    OdometryGridAhead stopped(params, run_.reader());
-    EXPECT_FALSE(stopped.take(49));  // the tour has 50 scans
-    EXPECT_FALSE(stopped.take(50));  // it was asked before, and keeps nothing
+    OdometryGridAhead longer(params, run_.reader());
+    EXPECT_FALSE(longer.take(51));  // the tour has 50 scans
+    EXPECT_FALSE(longer.take(50));  // it was asked before, and keeps nothing
     OdometryGridAhead whole(params, run_.reader());
     const std::optional<Grid> grid = whole.take(50);
     ASSERT_TRUE(grid);
@@ -105,8 +106,57 @@ TEST_F(OutputCrewTest, AGridAheadIsOfWholeToursOnly) {
     const Grid along = build_grid(params, run_.reader(), run_.odometry_trajectory());
     EXPECT_EQ(grid->picture().grey, along.picture().grey);
     EXPECT_EQ(grid->area(), along.area());
-    // Who goes away before it is built does not wait for all of it.
-    const OdometryGridAhead forgotten(params, run_.reader());
+}
+
+TEST_F(OutputCrewTest, AGridAheadOfARunThatWasStoppedIsOfItsScansOrNone) {
+    const GridParams& params = run_.configuration().grid;
+    Grid first_ten(params);
+    for (int i = 0; i < 10; ++i) {
+        run_.step();
+        first_ten.add(run_.scan(), run_.odometry_trajectory().back().pose);
+    }
+    for (int i = 0; i < 20; ++i) {  // it may have come farther already, or not
+        OdometryGridAhead ahead(params, run_.reader());
+        const std::optional<Grid> grid = ahead.take(10);
+        if (grid) {
+            EXPECT_EQ(grid->picture().grey, first_ten.picture().grey);
+        }
+    }
+}
+
+TEST_F(OutputCrewTest, PicturesOfOneFolderDoNotDisturbEachOther) {
+    Algoritmo run = tour(3, {.step_grid = true, .uncertainty = true});
+    run_all(run);
+    References references;
+    references.trajectory = run.best_trajectory();
+    references.walls = {{{0.0, -1.0}, {5.0, -1.0}}};
+    std::map<std::string, std::string> written;
+    for (int i = 0; i < 5; ++i) {
+        const TempFolder folder;
+        const RunSummary summary = write_results(run, references, 1.0, folder.path());
+        for (const NotWritten& missing : summary.not_written) {
+            EXPECT_THAT(missing.reason.english(), ::testing::HasSubstr("not installed"));
+        }
+        std::map<std::string, std::string> files = files_in(folder.path());
+        if (i > 0) {
+            EXPECT_EQ(files, written);
+        }
+        written = std::move(files);
+    }
+}
+
+TEST_F(OutputCrewTest, TheObserverIsAskedOnceMoreWhenAllIsWritten) {
+    run_all(run_);
+    folder_.put("map.txt", "before");
+    std::vector<std::string> told;
+    const WritingObserver changed_at_last = [&](const WritingProgress& now) {
+        told.push_back(now.file);
+        if (now.number == now.count) throw std::runtime_error("the log has changed");
+    };
+    EXPECT_THROW(write_results(run_, {}, 1.0, folder_.path(), changed_at_last), std::runtime_error);
+    EXPECT_EQ(told.back(), "summary.json");
+    const std::map<std::string, std::string> before = {{"map.txt", "before"}};
+    EXPECT_EQ(files_in(folder_.path()), before);
 }
 
 TEST_F(OutputCrewTest, WhatFailsIsTriedAgainAloneAndLeavesNoHalf) {
