@@ -1,17 +1,10 @@
 #include "byte_stream.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <stdexcept>
-#include <system_error>
-
-#include "hitos/base/error.hpp"
+#include <new>
 
 namespace hitos {
 namespace {
@@ -37,42 +30,12 @@ struct ByteStream::Inflater {
     Inflater& operator=(const Inflater&) = delete;
 };
 
-ByteStream::ByteStream(const std::filesystem::path& path) : path_(path), input_(kInputBytes) {
-    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor_ < 0) {
-        const int error = errno;
-        if (error == ENOENT || error == ENOTDIR) {
-            throw FileError(path.string(),
-                            message(HITOS_TEXT("Errors", "there is no such file; check the path")));
-        }
-        throw FileError(path.string(),
-                        message(HITOS_TEXT("Errors", "cannot be opened for reading: %1"),
-                                system_message(error)));
-    }
-    struct stat status {};
-    const bool known = ::fstat(descriptor_, &status) == 0;
-    if (!known || !S_ISREG(status.st_mode)) {
-        const bool folder = known && S_ISDIR(status.st_mode);
-        ::close(descriptor_);
-        throw FileError(
-            path.string(),
-            folder
-                ? message(HITOS_TEXT("Errors", "is a folder; choose a log file inside it"))
-                : message(HITOS_TEXT("Errors", "is no regular file; copy the log to one first")));
-    }
-    size_ = static_cast<std::uint64_t>(status.st_size);
-    try {
-        refill();
-        if (is_gzip_magic(input_.data(), input_end_)) inflater_ = std::make_unique<Inflater>();
-    } catch (...) {
-        ::close(descriptor_);
-        throw;
-    }
+ByteStream::ByteStream(const std::filesystem::path& path) : file_(path), input_(kInputBytes) {
+    refill();
+    if (is_gzip_magic(input_.data(), input_end_)) inflater_ = std::make_unique<Inflater>();
 }
 
-ByteStream::~ByteStream() {
-    ::close(descriptor_);
-}
+ByteStream::~ByteStream() = default;
 
 bool ByteStream::refill() {
     // What is left goes to the front, so that a member's magic never straddles two reads.
@@ -85,21 +48,14 @@ bool ByteStream::refill() {
 }
 
 std::size_t ByteStream::take(std::span<char> out) {
-    for (;;) {
-        const ssize_t got = ::read(descriptor_, out.data(), out.size());
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) {
-            throw FileError(path_.string(), message(HITOS_TEXT("Errors", "reading fails: %1"),
-                                                    system_message(errno)));
-        }
-        taken_ += static_cast<std::uint64_t>(got);
-        return static_cast<std::size_t>(got);
-    }
+    const std::size_t got = file_.read(out);
+    taken_ += got;
+    return got;
 }
 
 double ByteStream::progress() const {
-    if (size_ == 0) return 1.0;
-    return std::min(1.0, static_cast<double>(taken_) / static_cast<double>(size_));
+    if (file_.size() == 0) return 1.0;
+    return std::min(1.0, static_cast<double>(taken_) / static_cast<double>(file_.size()));
 }
 
 std::size_t ByteStream::read(std::span<char> out) {

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "hitos/base/message.hpp"
+#include "regular_file.hpp"
 
 namespace hitos {
 
@@ -41,9 +41,7 @@ class ByteStream {
     std::size_t read_inflated(std::span<char> out);
     bool next_member();
 
-    std::filesystem::path path_;
-    int descriptor_ = -1;
-    std::uint64_t size_ = 0;
+    RegularFile file_;
     std::uint64_t taken_ = 0;
     std::vector<char> input_;
     std::size_t input_begin_ = 0;
