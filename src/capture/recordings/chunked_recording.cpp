@@ -1,0 +1,172 @@
+#include "recordings/chunked_recording.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "hitos/base/error.hpp"
+#include "recordings/unpack.hpp"
+
+namespace hitos {
+namespace {
+
+/// Passes bytes on and remembers their checksum, so that those passed over are read too.
+class Summed final : public ByteSource {
+  public:
+    explicit Summed(ByteSource& source) : source_(source) {}
+    std::size_t read(std::span<char> out) override {
+        const std::size_t got = source_.read(out);
+        sum_ = ::crc32_z(sum_, reinterpret_cast<const Bytef*>(out.data()), got);
+        return got;
+    }
+    std::uint32_t sum() const { return static_cast<std::uint32_t>(sum_); }
+
+  private:
+    ByteSource& source_;
+    uLong sum_ = 0;
+};
+
+}  // namespace
+
+/// Each source reads from the one before it.
+struct ChunkedRecording::Chunk {
+    Chunk(Section record, std::string_view compression, std::uint64_t stated_size,
+          std::uint64_t begin)
+        : packed(record),
+          offset(begin),
+          size(stated_size),
+          unpacker(compression.empty() || compression == "none"
+                       ? nullptr
+                       : make_unpacker(compression, packed)),
+          summed(unpacker ? *unpacker : static_cast<ByteSource&>(packed)) {}
+    Section packed;
+    std::uint64_t offset;  ///< in the file, of the chunk's record
+    std::uint64_t size;
+    std::unique_ptr<ByteSource> unpacker;
+    Summed summed;
+    bool sums = false;
+    std::uint32_t checksum = 0;
+    std::unique_ptr<Section> content;
+};
+
+ChunkedRecording::ChunkedRecording(const std::filesystem::path& path, RecordingUse use)
+    : use_(use), file_(path), records_(file_, file_.size()) {}
+
+ChunkedRecording::~ChunkedRecording() = default;
+
+double ChunkedRecording::progress() const {
+    if (file_.size() == 0) return 1.0;
+    return std::min(1.0, static_cast<double>(file_.position()) / static_cast<double>(file_.size()));
+}
+
+std::optional<RecordedMessage> ChunkedRecording::next() {
+    RecordedMessage found;
+    while (!ended_) {
+        Section& from = chunk_ ? *chunk_->content : records_;
+        record_begin_ = chunk_ ? chunk_->size - from.left() : file_.position();
+        try {
+            const Step step = read_record(from, found);
+            if (step == Step::message) return found;
+            if (step == Step::passed) continue;
+            if (chunk_) {
+                leave_chunk();
+                continue;
+            }
+        } catch (const FormatError& error) {
+            note_here(error.problem());
+            if (chunk_ && !cut_) {
+                chunk_->packed.skip(chunk_->packed.left());
+                chunk_.reset();
+                continue;
+            }
+            ended_ = true;  // nothing says where the next record begins
+            return std::nullopt;
+        }
+        ended_ = true;
+        if (const Message problem = problem_at_end(); !problem.empty()) {
+            note(topics().messages() + 1, problem);
+        }
+    }
+    return std::nullopt;
+}
+
+Message ChunkedRecording::placed(const Message& problem) const {
+    if (!chunk_) return message(HITOS_TEXT("Errors", "at byte %1: %2"), record_begin_, problem);
+    return message(HITOS_TEXT("Errors", "in the chunk at byte %1, %2 bytes into it: %3"),
+                   chunk_->offset, record_begin_, problem);
+}
+
+void ChunkedRecording::note_here(const Message& problem) {
+    note(topics().messages() + 1, placed(problem));
+}
+
+Section ChunkedRecording::open_record(Section& from, std::uint64_t length, bool may_be_cut) {
+    if (length > from.left() && may_be_cut) {
+        cut_ = true;
+        return {from, from.left()};
+    }
+    return from.section(length);
+}
+
+void ChunkedRecording::enter_chunk(Section& record, std::string_view compression,
+                                   std::uint64_t size, std::uint32_t checksum) {
+    if (chunk_) {
+        throw FormatError({}, 0, message(HITOS_TEXT("Errors", "found a chunk inside a chunk")));
+    }
+    if (size > kLargestChunk) {
+        throw FormatError(
+            {}, 0,
+            message(HITOS_TEXT("Errors",
+                               "found a chunk of %1 bytes once unpacked, expected at most %2"),
+                    size, kLargestChunk));
+    }
+    // The record's own section ends with the caller: the same bytes from the file.
+    auto chunk =
+        std::make_unique<Chunk>(Section(records_, record.left()), compression, size, record_begin_);
+    chunk->sums = use_.check_contents && checksum != 0;
+    chunk->checksum = checksum;
+    ByteSource& bare = chunk->unpacker ? *chunk->unpacker : static_cast<ByteSource&>(chunk->packed);
+    chunk->content = std::make_unique<Section>(chunk->sums ? chunk->summed : bare, size);
+    chunk_ = std::move(chunk);
+}
+
+void ChunkedRecording::leave_chunk() {
+    const bool wrong = chunk_->sums && chunk_->summed.sum() != chunk_->checksum;
+    char beyond = 0;
+    const bool more =
+        !cut_ && (chunk_->unpacker ? *chunk_->unpacker : static_cast<ByteSource&>(chunk_->packed))
+                         .read({&beyond, 1}) > 0;
+    if (cut_) {
+        note_here(message(HITOS_TEXT("Errors", "the data end early")));
+        ended_ = true;
+    } else if (more) {
+        note_here(message(HITOS_TEXT("Errors", "found more than the %1 bytes that it says it has"),
+                          chunk_->size));
+    } else if (wrong) {
+        note_here(message(HITOS_TEXT("Errors", "its checksum is not that of its content")));
+    }
+    chunk_->packed.skip(chunk_->packed.left());
+    chunk_.reset();
+}
+
+ChunkedRecording::Step ChunkedRecording::take_message(Section& record, Topic& topic,
+                                                      std::int64_t log_time_ns,
+                                                      RecordedMessage& out) {
+    const std::uint64_t number = topics().count(topic);
+    if (topic.wanted && record.left() <= kLargestMessage) {
+        buffer_.resize(record.left());
+        record.take(buffer_);
+        out = {&topic, number, log_time_ns, buffer_};
+        return Step::message;
+    }
+    if (topic.wanted) {
+        note(number, placed(message(
+                         HITOS_TEXT("Errors", "found a message of %1 bytes, expected at most %2"),
+                         record.left(), kLargestMessage)));
+    }
+    record.finish();
+    return Step::passed;
+}
+
+}  // namespace hitos

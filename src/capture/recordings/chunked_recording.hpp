@@ -1,0 +1,65 @@
+// What bags and MCAP have in common: records one after another, some of them in chunks.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "recordings/byte_source.hpp"
+#include "recordings/recording.hpp"
+
+namespace hitos {
+
+class ChunkedRecording : public Recording {
+  public:
+    std::optional<RecordedMessage> next() final;
+    double progress() const final;
+
+  protected:
+    /// The derived kind reads what its file begins with.
+    ChunkedRecording(const std::filesystem::path& path, RecordingUse use);
+
+    /// What became of a record.
+    enum class Step { passed, message, end };
+    /// Reads the next record of the file or of a chunk. Throws FormatError.
+    virtual Step read_record(Section& from, RecordedMessage& out) = 0;
+    /// Called once behind the last byte: what is wrong with how the file ends; empty where nothing.
+    virtual Message problem_at_end() = 0;
+
+    /// What follows in the record is a chunk: its records come next. `size` is what it unpacks to,
+    /// `checksum` the CRC-32 of that, 0 for none. Throws FormatError.
+    void enter_chunk(Section& record, std::string_view compression, std::uint64_t size,
+                     std::uint32_t checksum);
+    /// Hands a message out, or passes over it where nobody wants it or where it is too large.
+    Step take_message(Section& record, Topic& topic, std::int64_t log_time_ns,
+                      RecordedMessage& out);
+    /// The record that is stated to have so many bytes. The last one may have fewer, so that what
+    /// there is of a chunk is read.
+    Section open_record(Section& from, std::uint64_t length, bool may_be_cut);
+    bool in_chunk() const { return chunk_ != nullptr; }
+    Topics& topics() { return use_.topics; }
+    Section& records() { return records_; }
+    std::uint64_t file_size() const { return file_.size(); }
+
+  private:
+    struct Chunk;
+    void leave_chunk();
+    Message placed(const Message& problem) const;
+    void note_here(const Message& problem);
+
+    RecordingUse use_;
+    FileBytes file_;
+    Section records_;
+    std::unique_ptr<Chunk> chunk_;
+    std::uint64_t record_begin_ = 0;  ///< of the record, in its chunk or in the file
+    std::string buffer_;
+    bool cut_ = false;  ///< the last record is shorter than it says
+    bool ended_ = false;
+
+  public:
+    ~ChunkedRecording() override;
+    ChunkedRecording(const ChunkedRecording&) = delete;
+    ChunkedRecording& operator=(const ChunkedRecording&) = delete;
+};
+
+}  // namespace hitos

@@ -1,0 +1,216 @@
+// rosbag2's SQLite files. A file is bad input like any other: what its schema could run is shut
+// off, and rows must come in order, so that damage can neither repeat them without end nor blow
+// memory up.
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "hitos/base/error.hpp"
+#include "recordings/recording.hpp"
+#include "regular_file.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr std::string_view kMagic{"SQLite format 3\0", 16};
+
+struct CloseDatabase {
+    void operator()(sqlite3* database) const { sqlite3_close(database); }
+};
+struct CloseStatement {
+    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+};
+using Statement = std::unique_ptr<sqlite3_stmt, CloseStatement>;
+
+/// The path as part of an URI.
+std::string escaped(const std::filesystem::path& path) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text;
+    for (const char c : path.string()) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                           (byte >= '0' && byte <= '9') || c == '/' || c == '.' || c == '_' ||
+                           c == '-';
+        if (plain) {
+            text += c;
+        } else {
+            text.append({'%', kDigits[byte >> 4], kDigits[byte & 0xfU]});
+        }
+    }
+    return text;
+}
+
+class Db3 final : public Recording {
+  public:
+    Db3(const std::filesystem::path& path, RecordingUse use) : path_(path), use_(use) {
+        const RegularFile file(path);  // says what is wrong in words of Hitos
+        open(file.size());
+        require_table("topics");
+        require_table("messages");
+        read_topics();
+        last_id_ = largest_id();
+        rows_ = prepare("SELECT id, topic_id, timestamp, data FROM messages ORDER BY id");
+    }
+
+    std::optional<RecordedMessage> next() override {
+        while (rows_) {
+            const int result = sqlite3_step(rows_.get());
+            if (result == SQLITE_NOMEM) throw std::bad_alloc();
+            if (result == SQLITE_DONE) {
+                rows_.reset();
+                break;
+            }
+            const sqlite3_int64 id =
+                result == SQLITE_ROW ? sqlite3_column_int64(rows_.get(), 0) : 0;
+            if (result != SQLITE_ROW || (any_ && id <= id_)) {
+                note(use_.topics.messages() + 1,
+                     message(HITOS_TEXT("Errors", "behind the row %1: %2"), id_,
+                             result == SQLITE_ROW
+                                 ? message(HITOS_TEXT("Errors", "rows come out of order"))
+                                 : verbatim(sqlite3_errmsg(database_.get()))));
+                rows_.reset();
+                break;
+            }
+            any_ = true;
+            id_ = id;
+            if (std::optional<RecordedMessage> found = message_of_row()) return found;
+        }
+        return std::nullopt;
+    }
+
+    double progress() const override {
+        if (!rows_ || last_id_ <= 0) return 1.0;
+        return std::clamp(static_cast<double>(id_) / static_cast<double>(last_id_), 0.0, 1.0);
+    }
+
+  private:
+    void open(std::uint64_t size) {
+        sqlite3* raw = nullptr;
+        // Without a log of changes beside it the file is complete; saying so lets one be read where
+        // nothing may be written.
+        std::error_code error;
+        const bool complete =
+            std::filesystem::file_size(path_.string() + "-wal", error) == 0 || error;
+        const std::string uri =
+            "file:" + escaped(std::filesystem::absolute(path_)) + (complete ? "?immutable=1" : "");
+        const int result =
+            sqlite3_open_v2(uri.c_str(), &raw, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
+        database_.reset(raw);
+        if (result != SQLITE_OK) fail();
+        sqlite3_db_config(raw, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+        sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+        sqlite3_db_config(raw, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+        sqlite3_db_config(raw, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+        sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, static_cast<int>(kLargestMessage));
+        // A row's cell is damaged where it says that it is larger than all the file.
+        sqlite3_exec(raw, "PRAGMA cell_size_check=ON; PRAGMA mmap_size=0", nullptr, nullptr,
+                     nullptr);
+        // More steps than a row for each byte have gone round in circles.
+        steps_left_ = size / kStepsAtOnce + kStepsAtOnce;
+        sqlite3_progress_handler(raw, kStepsAtOnce, &count_steps, this);
+    }
+
+    static int count_steps(void* self) {
+        auto& left = static_cast<Db3*>(self)->steps_left_;
+        if (left == 0) return 1;
+        --left;
+        return 0;
+    }
+
+    [[noreturn]] void fail() const {
+        if (sqlite3_errcode(database_.get()) == SQLITE_NOMEM) throw std::bad_alloc();
+        throw FormatError(path_.string(), 0,
+                          message(HITOS_TEXT("Errors", "cannot be read as a recording: %1"),
+                                  sqlite3_errmsg(database_.get())));
+    }
+
+    Statement prepare(const char* sql) const {
+        sqlite3_stmt* raw = nullptr;
+        if (sqlite3_prepare_v2(database_.get(), sql, -1, &raw, nullptr) != SQLITE_OK) fail();
+        return Statement(raw);
+    }
+
+    void require_table(const char* name) const {
+        const Statement found = prepare(
+            "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?1 "
+            "AND sql NOT LIKE '%virtual%'");
+        sqlite3_bind_text(found.get(), 1, name, -1, SQLITE_STATIC);
+        const int result = sqlite3_step(found.get());
+        if (result == SQLITE_ROW) return;
+        if (result != SQLITE_DONE) fail();
+        throw FormatError(
+            path_.string(), 0,
+            message(HITOS_TEXT("Errors",
+                               "is an SQLite file without the table \"%1\", expected a recording "
+                               "of ROS 2"),
+                    name));
+    }
+
+    static std::string column(const Statement& row, int place) {
+        const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(row.get(), place));
+        const auto size = static_cast<std::size_t>(sqlite3_column_bytes(row.get(), place));
+        return text == nullptr ? std::string()
+                               : std::string(text, std::min(size, std::size_t{kLongestWord}));
+    }
+
+    void read_topics() {
+        const Statement rows = prepare("SELECT id, name, type, serialization_format FROM topics");
+        int result = SQLITE_OK;
+        while ((result = sqlite3_step(rows.get())) == SQLITE_ROW) {
+            ids_.insert_or_assign(
+                sqlite3_column_int64(rows.get(), 0),
+                &use_.topics.of(column(rows, 1), column(rows, 2), column(rows, 3)));
+        }
+        if (result != SQLITE_DONE) fail();
+    }
+
+    sqlite3_int64 largest_id() const {
+        const Statement row = prepare("SELECT max(id) FROM messages");
+        return sqlite3_step(row.get()) == SQLITE_ROW ? sqlite3_column_int64(row.get(), 0) : 0;
+    }
+
+    std::optional<RecordedMessage> message_of_row() {
+        const auto topic = ids_.find(sqlite3_column_int64(rows_.get(), 1));
+        if (topic == ids_.end()) {
+            note(use_.topics.messages() + 1,
+                 message(HITOS_TEXT("Errors",
+                                    "found a message of the topic %1 in the row %2, which nothing "
+                                    "describes"),
+                         sqlite3_column_int64(rows_.get(), 1), id_));
+            return std::nullopt;
+        }
+        const std::uint64_t number = use_.topics.count(*topic->second);
+        if (!topic->second->wanted) return std::nullopt;
+        const void* data = sqlite3_column_blob(rows_.get(), 3);
+        const auto size = static_cast<std::size_t>(sqlite3_column_bytes(rows_.get(), 3));
+        return RecordedMessage{
+            topic->second, number, sqlite3_column_int64(rows_.get(), 2),
+            std::string_view(static_cast<const char*>(data), data == nullptr ? 0 : size)};
+    }
+
+    static constexpr int kStepsAtOnce = 1000;
+
+    std::filesystem::path path_;
+    RecordingUse use_;
+    std::uint64_t steps_left_ = 0;
+    std::unique_ptr<sqlite3, CloseDatabase> database_;
+    std::map<sqlite3_int64, Topic*> ids_;
+    Statement rows_;
+    sqlite3_int64 id_ = 0;
+    sqlite3_int64 last_id_ = 0;
+    bool any_ = false;
+};
+
+}  // namespace
+
+bool begins_db3(std::string_view beginning) {
+    return beginning.starts_with(kMagic);
+}
+
+std::unique_ptr<Recording> open_db3(const std::filesystem::path& path, RecordingUse use) {
+    return std::make_unique<Db3>(path, use);
+}
+
+}  // namespace hitos

@@ -1,0 +1,168 @@
+// The folder that ROS 2's recorder makes: metadata.yaml and one file after another.
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+#include "recordings/recording.hpp"
+
+namespace hitos {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMetadata = "metadata.yaml";
+
+std::string_view unquoted(std::string_view text) {
+    text = input::trimmed(text);
+    for (const char quote : {'"', '\''}) {
+        if (text.size() >= 2 && text.front() == quote && text.back() == quote) {
+            return text.substr(1, text.size() - 2);
+        }
+    }
+    return text;
+}
+
+/// What metadata.yaml says of the files; as rosbag2 writes it, one fact a line.
+struct Metadata {
+    std::vector<std::string> files;
+    std::string compression;
+};
+
+Metadata read_metadata(const fs::path& path) {
+    Metadata metadata;
+    const std::string text = input::read_text(path, input::kLargestSettings);
+    std::string_view rest = text;
+    bool in_files = false;
+    while (const std::optional<std::string_view> line = input::next_line(rest)) {
+        const std::string_view words = input::trimmed(*line);
+        if (in_files && words.starts_with("- ")) {
+            metadata.files.emplace_back(unquoted(words.substr(2)));
+            continue;
+        }
+        in_files = words == "relative_file_paths:";
+        constexpr std::string_view kCompression = "compression_mode:";
+        if (words.starts_with(kCompression)) {
+            metadata.compression = unquoted(words.substr(kCompression.size()));
+        }
+    }
+    return metadata;
+}
+
+/// NAME_10.mcap comes behind NAME_9.mcap: by the number at the end, then by name.
+std::pair<std::uint64_t, std::string> order_of(const fs::path& file) {
+    const std::string stem = file.stem().string();
+    const std::size_t digits = stem.find_last_not_of("0123456789") + 1;
+    std::uint64_t number = 0;
+    std::from_chars(stem.data() + digits, stem.data() + stem.size(), number);
+    return {number, stem};
+}
+
+std::vector<fs::path> files_found(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const char* ending : {".mcap", ".db3"}) {
+        std::error_code error;
+        for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+             entry.increment(error)) {
+            if (entry->path().extension() == ending) files.push_back(entry->path());
+        }
+        if (error) {
+            throw FileError(folder.string(),
+                            message(HITOS_TEXT("Errors", "cannot be opened for reading: %1"),
+                                    system_message(error.value())));
+        }
+        if (!files.empty()) break;
+    }
+    std::ranges::sort(files, {}, order_of);
+    return files;
+}
+
+fs::path file_in(const fs::path& folder, const std::string& name) {
+    const fs::path relative(name);
+    // The first versions of rosbag2 name the file with its folder.
+    const fs::path alone = folder / relative.filename();
+    const bool outside = relative.is_absolute() || std::ranges::count(relative, "..") > 0;
+    std::error_code error;
+    if (!outside && fs::exists(folder / relative, error)) return folder / relative;
+    if (!outside && fs::exists(alone, error)) return alone;
+    throw FormatError(
+        (folder / kMetadata).string(), 0,
+        message(
+            HITOS_TEXT("Errors", "names the file \"%1\", which is not in its folder; put it there"),
+            name));
+}
+
+class Rosbag2Folder final : public Recording {
+  public:
+    Rosbag2Folder(const fs::path& folder, RecordingUse use)
+        : files_(rosbag2_files(folder)), use_(use) {
+        open_next();
+    }
+
+    std::optional<RecordedMessage> next() override {
+        for (;;) {
+            std::optional<RecordedMessage> found = current_->next();
+            while (std::optional<RecordingProblem> problem = current_->take_problem()) {
+                note(problem->number,
+                     message("%1: %2", files_[opened_ - 1].filename().string(), problem->reason));
+            }
+            if (found || opened_ == files_.size()) return found;
+            open_next();
+        }
+    }
+
+    double progress() const override {
+        return (static_cast<double>(opened_ - 1) + current_->progress()) /
+               static_cast<double>(files_.size());
+    }
+
+  private:
+    void open_next() {
+        const fs::path& file = files_[opened_];
+        current_ = file.extension() == ".db3" ? open_db3(file, use_) : open_mcap(file, use_);
+        ++opened_;
+    }
+
+    std::vector<fs::path> files_;
+    RecordingUse use_;
+    std::unique_ptr<Recording> current_;
+    std::size_t opened_ = 0;
+};
+
+}  // namespace
+
+std::vector<fs::path> rosbag2_files(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    if (fs::exists(folder / kMetadata, error)) {
+        const Metadata metadata = read_metadata(folder / kMetadata);
+        std::string mode = metadata.compression;
+        std::ranges::transform(mode, mode.begin(), [](unsigned char c) {
+            return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+        });
+        if (!mode.empty() && mode != "none") {
+            throw FormatError(
+                (folder / kMetadata).string(), 0,
+                message(HITOS_TEXT("Errors",
+                                   "says that the recording is compressed by %1, which Hitos does "
+                                   "not read; convert it with \"ros2 bag convert\""),
+                        metadata.compression));
+        }
+        for (const std::string& name : metadata.files) files.push_back(file_in(folder, name));
+    } else {
+        files = files_found(folder);
+    }
+    if (!files.empty()) return files;
+    throw FormatError(
+        folder.string(), 0,
+        message(HITOS_TEXT("Errors",
+                           "is a folder without a recording: found neither a metadata.yaml that "
+                           "names files nor files *.mcap or *.db3; choose a log file inside it")));
+}
+
+std::unique_ptr<Recording> open_rosbag2_folder(const fs::path& path, RecordingUse use) {
+    return std::make_unique<Rosbag2Folder>(path, use);
+}
+
+}  // namespace hitos
