@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "line_reader.hpp"
+#include "recordings/recording.hpp"
+#include "regular_file.hpp"
 
 namespace hitos {
 namespace {
@@ -97,8 +100,8 @@ Message known_kind(const std::string& beginning) {
               HITOS_TEXT("Errors", "it is xz data; unpack them first")},
         Magic{"\x28\xb5\x2f\xfd", HITOS_TEXT("Errors", "it is zstd data; unpack them first")},
         Magic{"PK\x03\x04", HITOS_TEXT("Errors", "it is a zip archive; unpack it first")},
-        Magic{"#ROSBAG",
-              HITOS_TEXT("Errors", "it is a ROS bag; convert it first, for example to CARMEN")},
+        Magic{"#ROSBAG", HITOS_TEXT("Errors", "it is a ROS bag; unpack it first")},
+        Magic{"\x89MCAP", HITOS_TEXT("Errors", "it is an MCAP recording; unpack it first")},
         Magic{"\x89PNG", HITOS_TEXT("Errors", "it is a PNG picture")},
         Magic{"\xff\xd8\xff", HITOS_TEXT("Errors", "it is a JPEG picture")},
         Magic{"%PDF", HITOS_TEXT("Errors", "it is a PDF document")},
@@ -137,14 +140,44 @@ Message problem_of(const Probe& found) {
 
 [[noreturn]] void refuse(const std::string& path, const Probe& found) {
     throw FormatError(path, 0,
-                      message(HITOS_TEXT("Errors", "%1, expected a text log (%2), plain or gzip"),
+                      message(HITOS_TEXT("Errors", "%1, expected a log (%2); text may be gzip"),
                               problem_of(found), log_formats().either()));
+}
+
+[[noreturn]] void refuse_format(const std::string& path, std::string_view said,
+                                const LogFormat& likely) {
+    throw FormatError(
+        path, 0,
+        message(
+            HITOS_TEXT("Errors",
+                       "is not in the format %1 but looks like %2; choose the format %2 or auto"),
+            said, likely.word));
+}
+
+/// The format of a recording, by its first bytes; null where the path is none.
+const LogFormat* recording_format(const std::filesystem::path& path) {
+    std::error_code error;
+    const bool folder = std::filesystem::is_directory(path, error);
+    std::array<char, 16> beginning{};
+    const std::size_t got = folder ? 0 : RegularFile(path).read(beginning);
+    for (const LogFormat& format : log_formats().entries()) {
+        if (format.open == nullptr || (format.begins == nullptr) != folder) continue;
+        if (folder || format.begins({beginning.data(), got})) return &format;
+    }
+    return nullptr;
 }
 
 }  // namespace
 
-std::unique_ptr<Archivo> open_log(const std::filesystem::path& path, std::string_view format) {
+std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_view format,
+                                 const ReadOptions& options) {
     checked_log_format(format, "source.format");
+    if (const LogFormat* recording = recording_format(path)) {
+        if (format != kAutoFormat && format != recording->word) {
+            refuse_format(path.string(), format, *recording);
+        }
+        return recording->open(path, *recording, options);
+    }
     const Probe found = probe(path);
     if (found.claimed == 0) refuse(path.string(), found);
     const std::vector<LogFormat>& formats = log_formats().entries();
@@ -153,14 +186,19 @@ std::unique_ptr<Archivo> open_log(const std::filesystem::path& path, std::string
     if (format == kAutoFormat) return std::make_unique<Archivo>(path, likely);
     const LogFormat& said = log_formats().find(format);
     if (found.votes[static_cast<std::size_t>(&said - formats.data())] == 0) {
-        throw FormatError(
-            path.string(), 0,
-            message(HITOS_TEXT(
-                        "Errors",
-                        "is not in the format %1 but looks like %2; choose the format %2 or auto"),
-                    said.word, likely.word));
+        refuse_format(path.string(), said.word, likely);
     }
     return std::make_unique<Archivo>(path, said);
+}
+
+std::vector<std::filesystem::path> log_files(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(path, error)) return {path};
+    try {
+        return rosbag2_files(path);
+    } catch (const Error&) {  // whoever opens it is told
+        return {path};
+    }
 }
 
 }  // namespace hitos

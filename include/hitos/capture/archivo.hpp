@@ -10,10 +10,12 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "hitos/base/message.hpp"
 #include "hitos/capture/fuente.hpp"
 #include "hitos/capture/log_format.hpp"
+#include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
 
@@ -50,11 +52,16 @@ class Archivo final : public Fuente {
     std::uint64_t damage_untold_ = 0;  ///< lines beyond those that damage_ may hold
 };
 
-/// Opens a log. With "auto" the format is found from the first lines; another word is held against
-/// them. Throws ConfigError for a word that no format has, FileError (missing, directory,
-/// unreadable) or FormatError (empty, not text, of another format than said, of none that Hitos
-/// reads), naming what was found and expected.
-std::unique_ptr<Archivo> open_log(const std::filesystem::path& path,
-                                  std::string_view format = kAutoFormat);
+/// Opens a log: text, or a ROS recording, which may be a folder. With "auto" the format is found
+/// from the first lines or bytes; another word is held against them. Of the options the topics
+/// count. Throws ConfigError for a word that no format has and for topics, FileError (missing,
+/// directory without a recording, unreadable) or FormatError (empty, not text, of another format
+/// than said, of none that Hitos reads), naming what was found and expected.
+std::unique_ptr<Fuente> open_log(const std::filesystem::path& path,
+                                 std::string_view format = kAutoFormat,
+                                 const ReadOptions& options = {});
+
+/// The files that a log is read from: itself, or those of a recording's folder.
+std::vector<std::filesystem::path> log_files(const std::filesystem::path& path);
 
 }  // namespace hitos

@@ -1,4 +1,4 @@
-// The table of log formats: all that tells one text format from another.
+// The table of log formats: all that tells one format from another.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,8 @@ namespace hitos {
 /// is none that the format knows.
 enum class LineKind { scan, odometry, both, other, damaged };
 
-/// One text format. Lines come trimmed and are not empty; comments begin with `#`.
+/// One format: of text, or of recordings that know how to open themselves. Lines of text come
+/// trimmed and are not empty; comments begin with `#`.
 struct LogFormat : RegistryEntry {
     /// Of its files, for dialogs: "*.log *.clf". Gzip files need none.
     std::string endings = "*.log";
@@ -30,6 +31,15 @@ struct LogFormat : RegistryEntry {
                                                  const ReadOptions& options) = nullptr;
     /// The writer; null: Hitos only reads the format.
     std::unique_ptr<LogWriter> (*make_writer)(const std::filesystem::path& path) = nullptr;
+
+    using Begins = bool(std::string_view beginning);
+    using Open = std::unique_ptr<Fuente>(const std::filesystem::path& path, const LogFormat& format,
+                                         const ReadOptions& options);
+    /// Of recordings: whether these are the first 16 bytes of such a file; null where it is a
+    /// folder.
+    Begins* begins = nullptr;
+    /// Of recordings: the source, whose lines the converter understands; null: read as text.
+    Open* open = nullptr;
 };
 
 /// The word that asks for detection from the content; no format may have it.

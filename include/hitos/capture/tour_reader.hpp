@@ -38,6 +38,11 @@ struct ReadOptions {
     double max_range_m = 0.0;
     /// Use the logged v, w where there are some, instead of the twists that reproduce the poses.
     bool logged_velocities = false;
+    /// Of a ROS recording with several lasers: the topic, topics with commas between them, or
+    /// "all". Lasers that see from one place are one sensor.
+    std::string scan_topic = {};
+    /// Of a ROS recording with several odometries: the topic, or "tf" for the transforms.
+    std::string odom_topic = {};
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 
@@ -56,7 +61,7 @@ struct Truth {
 };
 
 /// A tour that is read once, from its beginning to its end: scans and odometry in two sequences
-/// that are independent of each other. Log files are read by Procesador, worlds by
+/// that are independent of each other. Logs are read by Procesador, worlds by
 /// SimulatedTourReader; other readers change what a reader gives (odometry noise).
 class TourReader {
   public:

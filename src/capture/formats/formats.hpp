@@ -14,6 +14,10 @@ LogFormat player_format();
 LogFormat radish_format();
 LogFormat normalized_format();
 LogFormat carmen_format();
+LogFormat rosbag_format();
+LogFormat mcap_format();
+LogFormat db3_format();
+LogFormat rosbag2_format();
 
 inline bool begins_with_letter(std::string_view text) {
     if (text.empty()) return false;

@@ -1,0 +1,47 @@
+// The frames of a robot, as /tf and /tf_static tell them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ros/messages.hpp"
+#include "ros/transform.hpp"
+
+namespace hitos {
+
+/// Every frame's newest transform to its parent.
+class FrameTree {
+  public:
+    /// The newest replaces the one before. Throws FormatError beyond 4096 frames.
+    void hold(const std::vector<StampedTransform>& transforms);
+    /// Takes over what the other tree knows of frames that are new here.
+    void complete(const FrameTree& other);
+
+    bool empty() const { return links_.empty(); }
+    bool knows(std::string_view frame) const { return links_.find(frame) != links_.end(); }
+    /// a_b: from frame b's coordinates to those of frame a; nothing where no chain joins them.
+    std::optional<Transform> between(std::string_view a, std::string_view b) const;
+    /// The frame that moves in the world when the robot does, above `frame`: the first whose parent
+    /// is called odom (or ends so), and that parent; else the last frame below a parent "map" or
+    /// "world", or the root, and an empty name.
+    std::pair<std::string, std::string> robot_above(std::string_view frame) const;
+
+  private:
+    struct Link {
+        std::string parent;
+        Transform transform;  ///< parent_frame
+    };
+    /// The frame and those above it, with the transforms to them. Circles end.
+    std::vector<std::pair<std::string, Transform>> upwards(std::string_view frame) const;
+
+    std::map<std::string, Link, std::less<>> links_;
+};
+
+/// "odom", "robot1/odom", "wheel_odom"
+bool is_odometry_frame(std::string_view frame);
+
+}  // namespace hitos

@@ -1,0 +1,110 @@
+#include "ros/laser_fan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hitos/base/error.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr float kNoReading = std::numeric_limits<float>::quiet_NaN();
+
+/// How far off its ray a bearing may lie, in steps: of lasers that are mounted apart by an angle
+/// that is no whole number of steps, the rays of one would be bent.
+constexpr double kOffRay = 0.05;
+
+}  // namespace
+
+MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_laser) {
+    constexpr double kTilt = 3.0 * kPi / 180.0;
+    const double upward = robot_laser.upward();
+    if (!(std::abs(upward) >= std::cos(kTilt))) {
+        const double tilt = std::acos(std::clamp(std::abs(upward), 0.0, 1.0)) * 180.0 / kPi;
+        throw FormatError({}, 0,
+                          message(HITOS_TEXT("Errors",
+                                             "the laser \"%1\" is tilted by %2°; expected one that "
+                                             "is level or upside down, to 3°"),
+                                  scan.header.frame, std::round(tilt)));
+    }
+    const auto rays = static_cast<std::uint32_t>(scan.ranges_m.size());
+    if (rays > 1 && !(std::abs(scan.step_rad) > 0.0)) {
+        throw FormatError(
+            {}, 0,
+            message(HITOS_TEXT("Errors", "field \"%1\": found %2, expected a step between rays"),
+                    marked("angle_increment"), scan.step_rad));
+    }
+    MountedScan mounted;
+    mounted.stamp_ns = scan.header.stamp_ns;
+    mounted.fan.pose_robot_laser = robot_laser.plane();
+    mounted.fan.count = rays;
+    if (std::isfinite(scan.max_range_m)) mounted.fan.max_range_m = std::max(0.0, scan.max_range_m);
+    mounted.ranges_m = scan.ranges_m;
+    for (float& range : mounted.ranges_m) {
+        if (!std::isfinite(range) || !(range > 0.0F) || double{range} < scan.min_range_m) {
+            range = kNoReading;
+        }
+    }
+    // Seen from above, a laser upside down turns the other way round.
+    const double sense = upward > 0.0 ? 1.0 : -1.0;
+    double first = sense * scan.min_angle_rad;
+    double last = sense * (scan.min_angle_rad + (rays - 1) * scan.step_rad);
+    if (last < first) {
+        std::swap(first, last);
+        std::ranges::reverse(mounted.ranges_m);
+    }
+    mounted.fan.min_angle_rad = first;
+    mounted.fan.max_angle_rad = last;
+    return mounted;
+}
+
+std::optional<MountedScan> merged(const MountedScan& a, const MountedScan& b) {
+    constexpr std::int64_t kOneTimeNs = 1'000'000;
+    constexpr double kOnePlace = 1e-3;
+    const Fan& fan = a.fan;
+    const Pose& here = fan.pose_robot_laser;
+    const Pose& there = b.fan.pose_robot_laser;
+    const double step = fan.step_rad();
+    const double other = b.fan.step_rad();
+    const auto most = static_cast<double>(std::max(a.fan.count, b.fan.count));
+    const bool alike = std::abs(a.stamp_ns - b.stamp_ns) <= kOneTimeNs &&
+                       std::hypot(here.x - there.x, here.y - there.y) <= kOnePlace && step > 0.0 &&
+                       std::abs(step - other) * most <= kOffRay * step &&
+                       fan.max_range_m == b.fan.max_range_m;
+    if (!alike) return std::nullopt;
+    // Where b's first ray lies, in steps from a's: on the turn that brings the fans nearest.
+    const double shift = there.theta - here.theta;
+    const double middle = (fan.min_angle_rad + fan.max_angle_rad) / 2.0;
+    const double middle_b = (b.fan.min_angle_rad + b.fan.max_angle_rad) / 2.0 + shift;
+    const double begin_b =
+        middle + wrap_angle(middle_b - middle) + (b.fan.min_angle_rad + shift - middle_b);
+    const double place = (begin_b - fan.min_angle_rad) / step;
+    const double nearest = std::round(place);
+    if (std::abs(place - nearest) > kOffRay) return std::nullopt;
+    const double low = std::min(0.0, nearest);
+    const double high = std::max<double>(fan.count, nearest + static_cast<double>(b.fan.count));
+    constexpr double kRounding = 1e-6;
+    if ((high - low - 1.0) * step > 2.0 * kPi + kRounding) return std::nullopt;
+
+    MountedScan both = a;
+    both.stamp_ns = std::min(a.stamp_ns, b.stamp_ns);
+    both.number = std::max(a.number, b.number);
+    both.device = nullptr;
+    both.fan.count = static_cast<std::uint32_t>(high - low);
+    both.fan.min_angle_rad = fan.min_angle_rad + low * step;
+    both.fan.max_angle_rad = both.fan.min_angle_rad + (high - low - 1.0) * step;
+    both.ranges_m.assign(both.fan.count, kNoReading);
+    const auto lay = [&](const std::vector<float>& ranges, double begin) {
+        auto at = both.ranges_m.begin() + static_cast<std::ptrdiff_t>(begin - low);
+        for (const float range : ranges) {
+            if (!(*at < range)) *at = std::isnan(range) ? *at : range;
+            ++at;
+        }
+    };
+    lay(a.ranges_m, 0.0);
+    lay(b.ranges_m, nearest);
+    return both;
+}
+
+}  // namespace hitos

@@ -1,0 +1,32 @@
+// A laser message as a fan in the robot's frame, and two of them as one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitos/capture/scan.hpp"
+#include "ros/messages.hpp"
+
+namespace hitos {
+
+/// A scan that knows where its laser sits. Rays go counterclockwise, seen from above.
+struct MountedScan {
+    std::int64_t stamp_ns = 0;
+    std::uint64_t number = 0;      ///< of its message
+    const void* device = nullptr;  ///< tells one laser from another
+    Fan fan;
+    std::vector<float> ranges_m;  ///< NaN where the message holds no usable reading
+};
+
+/// `robot_laser` is the mounting; it may be upside down. Throws FormatError where it is tilted out
+/// of the plane by more than 3°, and where the angles step by 0.
+MountedScan mounted_scan(const LaserScanMessage& message, const Transform& robot_laser);
+
+/// Both as one fan: where they see from one place (to 1 mm) at one time (to 1 ms) by equal steps,
+/// one's rays falling between or onto the other's, and do not reach round more than a circle. Of
+/// two readings on one ray the nearer counts. Nothing where they are no one fan.
+std::optional<MountedScan> merged(const MountedScan& a, const MountedScan& b);
+
+}  // namespace hitos

@@ -1,0 +1,127 @@
+#include "ros/messages.hpp"
+
+#include <cmath>
+
+#include "hitos/base/error.hpp"
+#include "ros/message_bytes.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr std::int64_t kSecondNs = 1'000'000'000;
+
+std::string without_slash(std::string frame) {
+    if (frame.starts_with('/')) frame.erase(0, 1);
+    return frame;
+}
+
+MessageHeader take_header(MessageBytes& bytes) {
+    MessageHeader header;
+    if (!bytes.is_cdr()) bytes.take<std::uint32_t>("seq");
+    // Unsigned in ROS 1; no clock comes near the difference.
+    const std::int64_t seconds = bytes.is_cdr() ? bytes.take<std::int32_t>("stamp")
+                                                : std::int64_t{bytes.take<std::uint32_t>("stamp")};
+    const auto rest_ns = bytes.take<std::uint32_t>("stamp");
+    if (rest_ns >= kSecondNs) {
+        throw FormatError(
+            {}, 0,
+            message(HITOS_TEXT("Errors", "field \"%1\": found %2, expected less than %3"),
+                    marked("stamp"), rest_ns, kSecondNs));
+    }
+    header.stamp_ns = seconds * kSecondNs + rest_ns;
+    header.frame = without_slash(bytes.text("frame_id"));
+    return header;
+}
+
+Transform take_transform(MessageBytes& bytes) {
+    Transform t;
+    for (double* value : {&t.x, &t.y, &t.z}) *value = bytes.number("position");
+    for (double* value : {&t.qx, &t.qy, &t.qz, &t.qw}) *value = bytes.number("orientation");
+    const double length = std::sqrt(t.qx * t.qx + t.qy * t.qy + t.qz * t.qz + t.qw * t.qw);
+    constexpr double kLeastLength = 1e-3;
+    if (!(length > kLeastLength)) {
+        throw FormatError(
+            {}, 0,
+            message(
+                HITOS_TEXT("Errors", "field \"%1\": found a quaternion of length %2, expected 1"),
+                marked("orientation"), length));
+    }
+    for (double* value : {&t.qx, &t.qy, &t.qz, &t.qw}) *value /= length;
+    return t;
+}
+
+}  // namespace
+
+bool is_transforms_type(std::string_view type) {
+    return type == "tf2_msgs/TFMessage" || type == "tf/tfMessage";
+}
+
+LaserScanMessage decode_laser_scan(std::string_view raw, Encoding encoding) {
+    MessageBytes bytes(raw, encoding);
+    LaserScanMessage scan;
+    scan.header = take_header(bytes);
+    const auto real = [&bytes](const char* field) { return double{bytes.take<float>(field)}; };
+    scan.min_angle_rad = MessageBytes::checked(real("angle_min"), "angle_min");
+    real("angle_max");  // by definition that of the last ray, which some drivers do not state
+    scan.step_rad = MessageBytes::checked(real("angle_increment"), "angle_increment");
+    real("time_increment");
+    real("scan_time");
+    scan.min_range_m = real("range_min");
+    scan.max_range_m = real("range_max");
+    const std::uint32_t rays = bytes.count(sizeof(float), "ranges");
+    constexpr std::uint32_t kMostRays = 1'000'000;
+    if (rays == 0 || rays > kMostRays) {
+        throw FormatError(
+            {}, 0,
+            message(HITOS_TEXT("Errors", "field \"%1\": found %2 rays, expected 1 to %3"),
+                    marked("ranges"), rays, kMostRays));
+    }
+    scan.ranges_m.resize(rays);
+    for (float& range : scan.ranges_m) range = bytes.take<float>("ranges");
+    const std::uint32_t intensities = bytes.count(sizeof(float), "intensities");
+    bytes.pass(intensities, sizeof(float), "intensities");
+    bytes.expect_end();
+    return scan;
+}
+
+OdometryMessage decode_odometry(std::string_view raw, Encoding encoding) {
+    constexpr std::size_t kCovariance = 36;
+    MessageBytes bytes(raw, encoding);
+    OdometryMessage odometry;
+    odometry.header = take_header(bytes);
+    odometry.child_frame = without_slash(bytes.text("child_frame_id"));
+    odometry.pose = take_transform(bytes);
+    bytes.pass(kCovariance, sizeof(double), "covariance");
+    odometry.twist.v = bytes.number("twist");
+    odometry.twist.v_lateral = bytes.number("twist");
+    for (int i = 0; i < 3; ++i) bytes.take<double>("twist");  // upward, roll, pitch
+    odometry.twist.w = bytes.number("twist");
+    bytes.pass(kCovariance, sizeof(double), "covariance");
+    bytes.expect_end();
+    return odometry;
+}
+
+std::vector<StampedTransform> decode_transforms(std::string_view raw, Encoding encoding) {
+    constexpr std::size_t kLeastBytes = 7 * sizeof(double) + 4 * sizeof(std::uint32_t);
+    MessageBytes bytes(raw, encoding);
+    std::vector<StampedTransform> transforms;
+    const std::uint32_t count = bytes.count(kLeastBytes, "transforms");
+    transforms.reserve(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        StampedTransform& next = transforms.emplace_back();
+        next.header = take_header(bytes);
+        next.child_frame = without_slash(bytes.text("child_frame_id"));
+        next.transform = take_transform(bytes);
+    }
+    bytes.expect_end();
+    return transforms;
+}
+
+double seconds_of(std::int64_t stamp_ns) {
+    // The whole seconds first: their sum with the rest is rounded once.
+    const std::int64_t whole = stamp_ns / kSecondNs;
+    return static_cast<double>(whole) +
+           static_cast<double>(stamp_ns - whole * kSecondNs) / static_cast<double>(kSecondNs);
+}
+
+}  // namespace hitos

@@ -1,0 +1,78 @@
+// From the lines of a recording's source to records.
+#include <cstring>
+#include <type_traits>
+
+#include "formats/formats.hpp"
+#include "hitos/base/error.hpp"
+#include "ros/recording_lines.hpp"
+#include "ros/recording_source.hpp"
+
+namespace hitos {
+namespace {
+
+static_assert(std::is_trivially_copyable_v<ScanLine> && std::is_trivially_copyable_v<OdometryLine>);
+
+template <class Line>
+Line head_of(const RawLine& line) {
+    Line head;
+    if (line.text.size() < sizeof head) {
+        throw FormatError({}, line.number, message(HITOS_TEXT("Errors", "the data end early")));
+    }
+    std::memcpy(static_cast<void*>(&head), line.text.data(), sizeof head);
+    return head;
+}
+
+class RecordingConversor final : public RangeConversor {
+  public:
+    using RangeConversor::RangeConversor;
+
+    bool parse_scan(const RawLine& line, Readings& out) override {
+        const auto head = head_of<ScanLine>(line);
+        out.time_s = head.time_s;
+        out.fan = head.fan;
+        // By definition readings up to range_max are returns; those at it are no points, as
+        // simulators say "no return" so.
+        out.max_is_exact = head.fan.max_range_m > 0.0;
+        const std::string_view ranges = line.text.substr(sizeof head);
+        if (ranges.size() != head.fan.count * sizeof(float)) {
+            throw FormatError({}, line.number, message(HITOS_TEXT("Errors", "the data end early")));
+        }
+        out.ranges_m.resize(head.fan.count);
+        for (std::uint32_t i = 0; i < head.fan.count; ++i) {
+            float range = 0.0F;
+            std::memcpy(&range, ranges.data() + i * sizeof range, sizeof range);
+            out.ranges_m[i] = double{range};
+        }
+        return true;
+    }
+
+    std::optional<OdometryRecord> odometry(const RawLine& line) override {
+        const auto head = head_of<OdometryLine>(line);
+        OdometryRecord record;
+        record.time_s = head.time_s;
+        record.pose_odom_robot = head.pose_odom_robot;
+        if (head.has_twist) record.velocity = head.twist;
+        record.line = line.number;
+        return record;
+    }
+};
+
+}  // namespace
+
+void put_line(std::string& text, const ScanLine& head, const std::vector<float>& ranges_m) {
+    text.resize(sizeof head + ranges_m.size() * sizeof(float));
+    std::memcpy(text.data(), &head, sizeof head);
+    std::memcpy(text.data() + sizeof head, ranges_m.data(), ranges_m.size() * sizeof(float));
+}
+
+void put_line(std::string& text, const OdometryLine& line) {
+    text.resize(sizeof line);
+    std::memcpy(text.data(), &line, sizeof line);
+}
+
+std::unique_ptr<Conversor> make_recording_conversor(const Fuente& fuente,
+                                                    const ReadOptions& options) {
+    return make_range_conversor<RecordingConversor>(fuente, options);
+}
+
+}  // namespace hitos

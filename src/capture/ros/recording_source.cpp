@@ -1,0 +1,195 @@
+#include "ros/recording_source.hpp"
+
+#include <algorithm>
+
+#include "hitos/base/error.hpp"
+#include "ros/recording_lines.hpp"
+
+namespace hitos {
+namespace {
+
+// How far receipt may be out of order. Recorders write what several sources send in bundles; 64
+// scans are 5 s of a fast laser and more of a slow one.
+constexpr std::size_t kScansHeld = 64;
+constexpr std::size_t kScanBytesHeld = std::size_t{32} << 20;
+constexpr std::size_t kReadingsHeld = 512;
+
+/// Reports are for people; beyond this many between two scans damage is only counted.
+constexpr std::size_t kDamageHeld = 64;
+
+}  // namespace
+
+struct RecordingSource::Cursor {
+    Cursor(const RecordingPlan& plan, Topics::Wanted wanted, bool checks)
+        : topics(std::move(wanted)), recording(plan.open(plan.path, {topics, checks})) {}
+    Topics topics;
+    std::unique_ptr<Recording> recording;
+    bool ended = false;
+};
+
+std::shared_ptr<const RecordingPlan> plan_recording(const std::filesystem::path& path,
+                                                    const LogFormat& format, OpenRecording* open,
+                                                    const ReadOptions& options) {
+    const RecordingSurvey survey = survey_recording(path, open);
+    return std::make_shared<const RecordingPlan>(
+        RecordingPlan{path, format, open, choose_topics(survey, options, path), survey.frames,
+                      survey.frames.empty()});
+}
+
+RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan)
+    : plan_(std::move(plan)),
+      frames_(plan_->frames),
+      held_scans_(kScansHeld, kScanBytesHeld),
+      held_readings_(kReadingsHeld, kScanBytesHeld) {
+    const TourTopics& topics = plan_->topics;
+    const auto is_reading = [topics](const Topic& topic) {
+        if (!topics.odometry.empty()) return is_odometry(topic) && topic.name == topics.odometry;
+        return !topics.odometry_frame.empty() && is_transforms(topic);
+    };
+    // The scan cursor passes over odometry too, and so finds what is damaged in it.
+    const auto is_any = [topics, is_reading](const Topic& topic) {
+        return is_transforms(topic) || is_reading(topic) ||
+               (is_laser(topic) && std::ranges::count(topics.scans, topic.name) > 0);
+    };
+    scans_ = std::make_unique<Cursor>(*plan_, is_any, true);
+    odometry_ = std::make_unique<Cursor>(*plan_, is_reading, false);
+}
+
+RecordingSource::~RecordingSource() = default;
+
+std::unique_ptr<Fuente> RecordingSource::reopen() const {
+    return std::make_unique<RecordingSource>(plan_);
+}
+
+std::optional<double> RecordingSource::progress() const {
+    return scans_->recording->progress();
+}
+
+void RecordingSource::note(std::uint64_t number, const Message& reason) {
+    if (damage_.size() < kDamageHeld) {
+        damage_.emplace_back(number, reason);
+    } else {
+        ++damage_untold_;
+    }
+}
+
+std::optional<std::pair<std::uint64_t, Message>> RecordingSource::take_damage() {
+    if (damage_.empty()) return std::nullopt;
+    if (damage_.size() == 1 && damage_untold_ > 0) {
+        --damage_untold_;  // the last one held stands for those that were only counted
+        return damage_.front();
+    }
+    std::pair<std::uint64_t, Message> first = std::move(damage_.front());
+    damage_.pop_front();
+    return first;
+}
+
+std::optional<RawLine> RecordingSource::read_scan_line() {
+    for (;;) {
+        if (std::optional<MountedScan> scan = held_scans_.pop(scans_->ended)) {
+            // What other lasers saw at that time from that place belongs to it.
+            while (const MountedScan* next = held_scans_.earliest()) {
+                if (next->device == scan->device) break;
+                std::optional<MountedScan> both = merged(*scan, *next);
+                if (!both) break;
+                held_scans_.pop(true);
+                scan = std::move(both);
+            }
+            put_line(scan_text_, {seconds_of(scan->stamp_ns), scan->fan}, scan->ranges_m);
+            return RawLine{scan_text_, scan->number};
+        }
+        if (scans_->ended) return std::nullopt;
+        const std::optional<RecordedMessage> found = scans_->recording->next();
+        while (std::optional<RecordingProblem> problem = scans_->recording->take_problem()) {
+            note(problem->number, problem->reason);
+        }
+        if (!found) {
+            scans_->ended = true;
+            continue;
+        }
+        try {
+            take_in_scans(*found);
+        } catch (const FormatError& error) {
+            note(found->number,
+                 message(HITOS_TEXT("Errors", "%1: %2"), found->topic->name, error.problem()));
+        }
+    }
+}
+
+void RecordingSource::take_in_scans(const RecordedMessage& found) {
+    const Encoding encoding = encoding_of(found.topic->encoding);
+    if (is_transforms(*found.topic)) {
+        frames_.hold(decode_transforms(found.bytes, encoding));
+    } else if (is_odometry(*found.topic)) {
+        decode_odometry(found.bytes, encoding);
+    } else {
+        MountedScan scan = scan_of(found);
+        const std::size_t bytes = sizeof scan + scan.ranges_m.size() * sizeof(float);
+        held_scans_.push(std::move(scan), bytes);
+    }
+}
+
+MountedScan RecordingSource::scan_of(const RecordedMessage& found) const {
+    const LaserScanMessage scan =
+        decode_laser_scan(found.bytes, encoding_of(found.topic->encoding));
+    const std::string& robot = plan_->topics.robot_frame;
+    std::optional<Transform> robot_laser = frames_.between(robot, scan.header.frame);
+    if (!robot_laser && plan_->no_frames) robot_laser = Transform{};
+    if (!robot_laser) {
+        throw FormatError(
+            {}, 0,
+            message(HITOS_TEXT("Errors",
+                               "no transform leads from the laser's frame \"%1\" to the robot's "
+                               "frame \"%2\", so where the laser sits is not known"),
+                    scan.header.frame, robot));
+    }
+    MountedScan mounted = mounted_scan(scan, *robot_laser);
+    mounted.number = found.number;
+    mounted.device = found.topic;
+    return mounted;
+}
+
+std::optional<RawLine> RecordingSource::read_odometry_line() {
+    for (;;) {
+        if (const std::optional<Reading> reading = held_readings_.pop(odometry_->ended)) {
+            put_line(odometry_text_,
+                     OdometryLine{seconds_of(reading->stamp_ns), reading->pose_odom_robot,
+                                  reading->twist.value_or(Twist{}), reading->twist.has_value()});
+            return RawLine{odometry_text_, reading->number};
+        }
+        if (odometry_->ended) return std::nullopt;
+        const std::optional<RecordedMessage> found = odometry_->recording->next();
+        // The scan cursor meets the same problems and tells them.
+        while (odometry_->recording->take_problem()) {
+        }
+        if (!found) {
+            odometry_->ended = true;
+            continue;
+        }
+        try {
+            take_in_odometry(*found);
+        } catch (const FormatError&) {
+            continue;
+        }
+    }
+}
+
+void RecordingSource::take_in_odometry(const RecordedMessage& found) {
+    const Encoding encoding = encoding_of(found.topic->encoding);
+    const auto hold = [&](std::int64_t stamp_ns, const Pose& pose, std::optional<Twist> twist) {
+        held_readings_.push({stamp_ns, found.number, pose, twist}, sizeof(Reading));
+    };
+    if (!is_transforms(*found.topic)) {
+        const OdometryMessage odometry = decode_odometry(found.bytes, encoding);
+        hold(odometry.header.stamp_ns, odometry.pose.plane(), odometry.twist);
+        return;
+    }
+    const TourTopics& topics = plan_->topics;
+    for (const StampedTransform& told : decode_transforms(found.bytes, encoding)) {
+        if (told.header.frame != topics.odometry_frame) continue;
+        if (told.child_frame != topics.robot_frame) continue;
+        hold(told.header.stamp_ns, told.transform.plane(), std::nullopt);
+    }
+}
+
+}  // namespace hitos

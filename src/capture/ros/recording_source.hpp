@@ -1,0 +1,87 @@
+// A ROS recording as a source of scans and odometry.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "hitos/capture/fuente.hpp"
+#include "hitos/capture/log_format.hpp"
+#include "ros/laser_fan.hpp"
+#include "ros/stamp_queue.hpp"
+#include "ros/survey.hpp"
+
+namespace hitos {
+
+/// Found out once for all sources of one recording.
+struct RecordingPlan {
+    std::filesystem::path path;
+    const LogFormat& format;
+    OpenRecording* open;
+    TourTopics topics;
+    FrameTree frames;  ///< as they are at the beginning
+    bool no_frames = false;
+};
+
+/// Surveys the recording and chooses its topics. Throws what survey_recording() and choose_topics()
+/// throw.
+std::shared_ptr<const RecordingPlan> plan_recording(const std::filesystem::path& path,
+                                                    const LogFormat& format, OpenRecording* open,
+                                                    const ReadOptions& options);
+
+/// Its lines are bytes that make_recording_conversor() understands: scans in the robot's frame and
+/// odometry in the plane, each sequence in the order of header.stamp as far as a window of messages
+/// sees. Their numbers are those of the messages. Each cursor reads the recording for itself, so
+/// that memory does not grow with it; what is damaged is told to the scan cursor's owner.
+///
+/// * Scans come from one or more lasers; those of one place and time are one scan.
+/// * Odometry comes from a topic, or from the transforms to the odometry's frame.
+/// * A laser that no transform mentions, in a recording without any, sits in the robot's origin.
+class RecordingSource final : public Fuente {
+  public:
+    explicit RecordingSource(std::shared_ptr<const RecordingPlan> plan);
+    ~RecordingSource() override;
+    RecordingSource(const RecordingSource&) = delete;
+    RecordingSource& operator=(const RecordingSource&) = delete;
+
+    const LogFormat& format() const override { return plan_->format; }
+    std::optional<RawLine> read_scan_line() override;
+    std::optional<RawLine> read_odometry_line() override;
+    std::optional<double> progress() const override;
+    std::string name() const override { return plan_->path.string(); }
+    std::optional<std::pair<std::uint64_t, Message>> take_damage() override;
+    std::unique_ptr<Fuente> reopen() const override;
+
+  private:
+    struct Cursor;
+    struct Reading {
+        std::int64_t stamp_ns = 0;
+        std::uint64_t number = 0;
+        Pose pose_odom_robot;
+        std::optional<Twist> twist;
+    };
+    void take_in_scans(const RecordedMessage& found);
+    MountedScan scan_of(const RecordedMessage& found) const;
+    void take_in_odometry(const RecordedMessage& found);
+    void note(std::uint64_t number, const Message& reason);
+
+    std::shared_ptr<const RecordingPlan> plan_;
+    std::unique_ptr<Cursor> scans_;
+    std::unique_ptr<Cursor> odometry_;
+    FrameTree frames_;
+    StampQueue<MountedScan> held_scans_;
+    StampQueue<Reading> held_readings_;
+    std::string scan_text_;
+    std::string odometry_text_;
+    std::deque<std::pair<std::uint64_t, Message>> damage_;
+    std::uint64_t damage_untold_ = 0;
+};
+
+/// Of such a source's lines.
+std::unique_ptr<Conversor> make_recording_conversor(const Fuente& fuente,
+                                                    const ReadOptions& options);
+
+}  // namespace hitos

@@ -1,0 +1,48 @@
+// What a recording holds for a tour, and what of it is read.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hitos/capture/tour_reader.hpp"
+#include "recordings/recording.hpp"
+#include "ros/frame_tree.hpp"
+
+namespace hitos {
+
+using OpenRecording = std::unique_ptr<Recording>(const std::filesystem::path&, RecordingUse);
+
+struct RecordingSurvey {
+    std::deque<Topic> topics;
+    /// Of each frame the first transform, which may come after the first scan.
+    FrameTree frames;
+    std::map<std::string, std::string> laser_frames;  ///< of the first scan, by topic
+    std::map<std::string, std::string> robot_frames;  ///< of the first odometry, by topic
+};
+
+/// Reads through the recording once. What is damaged is left out; who reads the tour is told.
+RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecording* open);
+
+/// The topics of a tour.
+struct TourTopics {
+    std::vector<std::string> scans;  ///< names, in the order of the recording
+    std::string odometry;            ///< empty: from transforms, or none
+    std::string robot_frame;         ///< scans are handed out in it
+    std::string odometry_frame;      ///< with transforms to it; empty where there are none
+};
+
+/// What the options say; else the only topic of its kind. Throws ConfigError, under the key of the
+/// parameter, where there are several or another one is named, and FormatError where there is no
+/// laser.
+TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& options,
+                         const std::filesystem::path& path);
+
+bool is_laser(const Topic& topic);
+bool is_odometry(const Topic& topic);
+bool is_transforms(const Topic& topic);
+
+}  // namespace hitos
