@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hitos/base/error.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/simulation/simulated_tour_reader.hpp"
 
@@ -44,8 +45,8 @@ std::unique_ptr<TourReader> open_tour(const Configuracion& configuration) {
 }
 
 std::vector<std::filesystem::path> tour_files(const std::string& file) {
+    if (!is_world_file(file)) return log_files(file);
     std::vector<std::filesystem::path> files{file};
-    if (!is_world_file(file)) return files;
     try {
         if (World world = read_world(file); !world.drawing.empty()) {
             files.push_back(std::move(world.drawing));

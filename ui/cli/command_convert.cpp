@@ -12,7 +12,7 @@
 #include "hitos/base/input_files.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/log_format.hpp"
-#include "hitos/capture/procesador.hpp"
+#include "hitos/services/run/open_source.hpp"
 #include "hitos/simulation/noisy_reader.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 struct ConvertOptions {
     std::string log;
-    std::string format = "auto";
+    SourceOptions source;
     std::string to;
     std::string out;
     double noise = 0.0;
@@ -32,12 +32,13 @@ struct ConvertOptions {
 
 void convert(const ConvertOptions& options) {
     const std::string target = checked_target_format(options.to, "--to");
-    const std::string format = checked_log_format(options.format, "--format");
+    SourceParams source;
+    source.file = options.log;
+    options.source.choose(source);
     const std::filesystem::path out = options.out;
-    const std::filesystem::path log = options.log;
-    check_apart({&out, 1}, {&log, 1});
+    check_apart({&out, 1}, log_files(source.file));
     const std::unique_ptr<TourReader> reader = make_noisy_reader(
-        std::make_unique<Procesador>(open_log(options.log, format)), options.noise,
+        open_source(source), options.noise,
         parse_noise_kind(options.noise_kind, "--odometry-noise-kind"), options.seed);
     const auto writer = make_log_writer(target, options.out);
 
@@ -59,8 +60,9 @@ void add_convert(CLI::App& program) {
     auto options = std::make_shared<ConvertOptions>();
     CLI::App* command = program.add_subcommand(
         "convert", "Write a log in another format, with noise on its odometry if wished");
-    command->add_option("log", options->log, "Log file, plain or .gz")->required();
-    command->add_option("--format", options->format, log_format_choices() + " (default: auto)");
+    command->add_option("log", options->log, "Log file, plain or .gz, or ROS recording")
+        ->required();
+    add_source_options(*command, options->source);
     command->add_option("--to", options->to, writable_formats())->required();
     command->add_option("--out", options->out, "File to write; .gz compresses it")->required();
     command->add_option("--odometry-noise", options->noise,

@@ -86,7 +86,8 @@ void add_parameters(CLI::App& program) {
         if (file->empty()) {
             list(*words);
         } else {
-            ArchivoConfiguracion::write({}, *file);
+            const Configuracion values;
+            ArchivoConfiguracion::write(values, *file);
         }
     });
 }

@@ -35,7 +35,7 @@ namespace {
 struct RunOptions {
     ConfigurationOptions configuration;
     std::string log;
-    std::string format;
+    SourceOptions source;
     std::string reference;
     std::string reference_trajectory;
     std::string distances;
@@ -144,9 +144,7 @@ void run(const RunOptions& options) {
     const std::string source = source_named(options.log);
     Configuracion configuration = load(options.configuration, source);
     configuration.source.file = source;
-    if (!options.format.empty()) {
-        configuration.source.format = checked_log_format(options.format, "--format");
-    }
+    options.source.choose(configuration.source);
     check_particle(options.grid_of, configuration);
     References references;
     if (!options.reference.empty()) references.map = read_map(options.reference);
@@ -234,10 +232,10 @@ void add_run(CLI::App& program) {
     command
         ->add_option(
             "log", options->log,
-            "Log file, plain or .gz, or a world file (.toml) to simulate, or the name of a "
-            "world that comes with Hitos")
+            "Log file, plain or .gz, ROS recording (bag, MCAP, .db3, folder), or a world file "
+            "(.toml) to simulate, or the name of a world that comes with Hitos")
         ->required();
-    command->add_option("--format", options->format, log_format_choices() + " (default: auto)");
+    add_source_options(*command, options->source);
     add_configuration_options(*command, options->configuration);
     command->add_option("--reference", options->reference,
                         "Reference map (docs/formats.md) to measure the map against");

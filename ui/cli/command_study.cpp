@@ -19,7 +19,7 @@ struct CommandOptions {
     ConfigurationOptions configuration;
     StudyRunOptions runs;
     std::string log;
-    std::string format;
+    SourceOptions source;
     std::string reference;
     std::vector<std::string> vary;
     std::string shard;
@@ -53,9 +53,7 @@ int study(CommandOptions options) {
     const std::string source = source_named(options.log);
     study.configuration = load(options.configuration, source);
     study.configuration.source.file = source;
-    if (!options.format.empty()) {
-        study.configuration.source.format = checked_log_format(options.format, "--format");
-    }
+    options.source.choose(study.configuration.source);
     if (!options.reference.empty()) study.reference = read_map(options.reference);
     for (const std::string& assignment : options.vary)
         study.parameters.push_back(parse_study_parameter(assignment));
@@ -97,8 +95,9 @@ void add_study(CLI::App& program) {
     command->footer(
         "A study that was stopped goes on where it was when it is started again. In a Slurm or\n"
         "Grid Engine job array every task does its shard. See docs/studies.md, docs/cluster.md.");
-    command->add_option("log", options->log, "Log file, plain or .gz, or a world to simulate");
-    command->add_option("--format", options->format, log_format_choices() + " (default: auto)");
+    command->add_option("log", options->log,
+                        "Log, plain or .gz, ROS recording or world to simulate");
+    add_source_options(*command, options->source);
     command->add_option("--reference", options->reference,
                         "Reference map to measure against (without: the paths and how crisp the "
                         "grid maps are)");

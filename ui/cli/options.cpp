@@ -1,5 +1,6 @@
 #include "options.hpp"
 
+#include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/workbench/presets.hpp"
@@ -37,6 +38,21 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
         ->check(&complaint_of_seed);
     command.add_option("--threads", options.values.threads,
                        "Threads (default: all); results do not depend on it");
+}
+
+void add_source_options(CLI::App& command, SourceOptions& options) {
+    command.add_option("--format", options.format, log_format_choices() + " (default: auto)");
+    command.add_option("--scan-topic", options.scan_topic,
+                       "Laser topic of a ROS recording with several: one, several with commas "
+                       "between them, or all");
+    command.add_option("--odom-topic", options.odom_topic,
+                       "Odometry topic of a ROS recording with several, or tf for its transforms");
+}
+
+void SourceOptions::choose(SourceParams& source) const {
+    if (!format.empty()) source.format = checked_log_format(format, "--format");
+    if (!scan_topic.empty()) source.read.scan_topic = scan_topic;
+    if (!odom_topic.empty()) source.read.odom_topic = odom_topic;
 }
 
 Configuracion load(const ConfigurationOptions& options, const std::string& source) {

@@ -21,6 +21,18 @@ struct ConfigurationOptions {
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options);
 
+/// --format, --scan-topic and --odom-topic.
+struct SourceOptions {
+    std::string format;
+    std::string scan_topic;
+    std::string odom_topic;
+
+    /// Over what the configuration says. Throws ConfigError for a word that no format has.
+    void choose(SourceParams& source) const;
+};
+
+void add_source_options(CLI::App& command, SourceOptions& options);
+
 /// The values of the file or the preset (else the defaults), and the choices over them.
 /// Without file and preset a world has the preset "simulated", a log the defaults.
 Configuracion load(const ConfigurationOptions& options, const std::string& source);

@@ -31,13 +31,13 @@ void add_source(Table& table) {
     table.push_back(text<&Config::source, &SourceParams::file>(
         {.key = "source.file",
          .description = HITOS_TEXT(
-             "Parameter", "Path of the log to read, plain or gzip; empty where none is chosen."),
+             "Parameter", "Path of the log or ROS recording to read; empty where none is chosen."),
          .label = HITOS_TEXT("ParameterLabel", "Log"),
          .card = "source"}));
     table.push_back(choice<&Config::source, &SourceParams::format>(
         {.key = "source.format",
          .description =
-             HITOS_TEXT("Parameter", "Format of the log; auto finds it from the first lines."),
+             HITOS_TEXT("Parameter", "Format of the log; auto finds it from its beginning."),
          .label = HITOS_TEXT("ParameterLabel", "Format"),
          .card = "source",
          .choices = format_choices()}));
@@ -59,6 +59,20 @@ void add_source(Table& table) {
          .card = "source",
          .choices = {{"poses", HITOS_TEXT("ParameterChoice", "Logged poses")},
                      {"velocities", HITOS_TEXT("ParameterChoice", "Logged velocities")}}}));
+    table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::scan_topic>(
+        {.key = "source.scan_topic",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Topic of the laser in a ROS recording with several: one, some with commas between "
+             "them, or all. Lasers that see from one place become one; empty takes the only one."),
+         .label = HITOS_TEXT("ParameterLabel", "Laser topic")}));
+    table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::odom_topic>(
+        {.key = "source.odom_topic",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Topic of the odometry in a ROS recording with several, or tf for its transforms; "
+             "empty takes the only one, else the transforms."),
+         .label = HITOS_TEXT("ParameterLabel", "Odometry topic")}));
     const ConfigParameter::Condition world{
         "source.file", "a world (.toml)",
         [](const Config& configuration) { return is_world_file(configuration.source.file); }};
