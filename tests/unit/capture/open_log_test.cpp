@@ -96,7 +96,7 @@ TEST(OpenLog, OneEndlessLine) {
 TEST(OpenLog, TextOfNoFormat) {
     const TempDir folder;
     EXPECT_THAT(error_of(folder.put("a", "rho: 1.0 theta: 90\n")),
-                AllOf(HasSubstr("rho: 1.0"), HasSubstr("expected a text log (player")));
+                AllOf(HasSubstr("rho: 1.0"), HasSubstr("expected a log (player")));
 }
 
 TEST(OpenLog, WrongExplicitFormat) {
@@ -111,9 +111,13 @@ TEST(OpenLog, WrongExplicitFormat) {
 }
 
 TEST(LogFormats, AreListedWhereOneIsAskedFor) {
-    EXPECT_EQ(log_formats().words(), "player, radish, normalized, carmen");
-    EXPECT_EQ(log_format_choices(), "auto, player, radish, normalized or carmen");
-    for (const char* word : {"auto", "player", "radish", "normalized", "carmen"}) {
+    EXPECT_EQ(log_formats().words(),
+              "player, radish, normalized, carmen, rosbag, mcap, db3, rosbag2");
+    EXPECT_EQ(log_format_choices(),
+              "auto, player, radish, normalized, carmen, rosbag, mcap, db3 or rosbag2");
+    EXPECT_EQ(writable_formats(), "player, radish, normalized or carmen");
+    for (const char* word :
+         {"auto", "player", "radish", "normalized", "carmen", "rosbag", "rosbag2"}) {
         EXPECT_EQ(checked_log_format(word, "--format"), word);
     }
     EXPECT_THAT(test::message_of<ConfigError>([] { checked_log_format("Player", "--format"); }),

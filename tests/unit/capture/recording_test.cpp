@@ -1,0 +1,337 @@
+// What holds messages: bags, MCAP, SQLite files and folders.
+#include "recordings/recording.hpp"
+
+#include <gmock/gmock.h>
+#include <zlib.h>
+
+#include "hitos/base/error.hpp"
+#include "support.hpp"
+#include "unit/capture/ros_packings.hpp"
+
+namespace hitos {
+namespace {
+
+using test::Said;
+using test::TempFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+struct Read {
+    std::vector<Said> all;
+    std::vector<std::uint64_t> numbers;
+    std::vector<std::string> problems;
+};
+
+using Open = std::unique_ptr<Recording>(const std::filesystem::path&, RecordingUse);
+
+Read read(Open* open, const std::filesystem::path& path, const std::string& unwanted = "none") {
+    Read result;
+    Topics topics([&](const Topic& topic) { return topic.name != unwanted; });
+    const auto recording = open(path, {topics, true});
+    while (const auto found = recording->next()) {
+        result.all.push_back({found->topic->name, found->topic->type, std::string(found->bytes),
+                              static_cast<std::uint64_t>(found->log_time_ns)});
+        result.numbers.push_back(found->number);
+        EXPECT_GE(recording->progress(), 0.0);
+        EXPECT_LE(recording->progress(), 1.0);
+    }
+    while (const auto problem = recording->take_problem()) {
+        result.problems.push_back(problem->reason.english());
+    }
+    return result;
+}
+
+/// Messages of every length, an empty one among them.
+std::vector<Said> messages() {
+    std::vector<Said> all;
+    for (std::uint64_t i = 0; i < 10; ++i) {
+        all.push_back({i % 3 == 0 ? "/a" : "/b", i % 3 == 0 ? "x_msgs/A" : "x_msgs/B",
+                       std::string(i * 700, static_cast<char>('a' + i)), 5'000'000'000 + i});
+    }
+    return all;
+}
+
+void expect_first(const std::vector<Said>& found, std::size_t count) {
+    const std::vector<Said> all = messages();
+    ASSERT_EQ(found.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ(found[i].topic, all[i].topic);
+        EXPECT_EQ(found[i].type, all[i].type);
+        EXPECT_EQ(found[i].bytes, all[i].bytes);
+        EXPECT_EQ(found[i].log_time_ns, all[i].log_time_ns);
+    }
+}
+
+struct Kind {
+    const char* name;
+    Open* open;
+    std::string (*write)();
+};
+
+template <std::string (*Pack)(const std::string&)>
+std::string bag_packed() {
+    const bool bz2 = Pack == test::packed_bz2;
+    return test::bag_of(messages(), {bz2                        ? "bz2"
+                                     : Pack == test::packed_lz4 ? "lz4"
+                                                                : "none",
+                                     Pack});
+}
+
+template <std::string (*Pack)(const std::string&)>
+std::string mcap_packed() {
+    test::McapLayout layout;
+    layout.packing = {Pack == test::packed_zstd  ? "zstd"
+                      : Pack == test::packed_lz4 ? "lz4"
+                                                 : "",
+                      Pack};
+    return test::mcap_of(messages(), layout);
+}
+
+std::string mcap_plain() {
+    return test::mcap_of(messages());
+}
+
+class EveryContainer : public ::testing::TestWithParam<Kind> {
+  protected:
+    TempFolder folder_;
+};
+
+TEST_P(EveryContainer, GivesAllMessages) {
+    const auto path = folder_.put("a", GetParam().write());
+    const Read all = read(GetParam().open, path);
+    expect_first(all.all, messages().size());
+    EXPECT_THAT(all.problems, IsEmpty());
+    EXPECT_EQ(all.numbers.back(), 10U);
+    // What is not wanted is counted.
+    const Read some = read(GetParam().open, path, "/b");
+    EXPECT_THAT(some.numbers, ElementsAre(1, 4, 7, 10));
+}
+
+// The good part and one problem, wherever it ends.
+TEST_P(EveryContainer, GivesWhatIsThereWhereItIsCutOff) {
+    const std::string whole = GetParam().write();
+    const std::size_t step = std::max<std::size_t>(1, whole.size() / 400);
+    std::size_t most = 0;
+    for (std::size_t size = 13; size < whole.size(); size += step) {
+        const Read part = read(GetParam().open, folder_.put("a", whole.substr(0, size)));
+        EXPECT_GE(part.all.size(), most) << size;
+        most = part.all.size();
+        expect_first(part.all, most);
+        // Between two records of a bag's index nothing is missed.
+        if (most == messages().size() && part.problems.empty()) continue;
+        ASSERT_EQ(part.problems.size(), 1U) << size;
+        EXPECT_THAT(part.problems.front(), HasSubstr("byte")) << size;
+    }
+    EXPECT_EQ(most, messages().size());
+}
+
+TEST_P(EveryContainer, EndsWhateverIsChanged) {
+    const std::string whole = GetParam().write();
+    for (std::size_t place = 13; place < whole.size(); place += 1 + whole.size() / 300) {
+        for (const char byte : {'\0', '\x7f', '\xff'}) {
+            std::string bad = whole;
+            bad[place] = byte;
+            EXPECT_LE(read(GetParam().open, folder_.put("a", bad)).all.size(), 40U);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Containers, EveryContainer,
+    testing::Values(Kind{"bag", open_bag, bag_packed<test::unpacked>},
+                    Kind{"bag_bz2", open_bag, bag_packed<test::packed_bz2>},
+                    Kind{"bag_lz4", open_bag, bag_packed<test::packed_lz4>},
+                    Kind{"mcap", open_mcap, mcap_plain},
+                    Kind{"mcap_chunks", open_mcap, mcap_packed<test::unpacked>},
+                    Kind{"mcap_zstd", open_mcap, mcap_packed<test::packed_zstd>},
+                    Kind{"mcap_lz4", open_mcap, mcap_packed<test::packed_lz4>}),
+    [](const auto& value) { return value.param.name; });
+
+TEST(Recordings, AreKnownByTheirFirstBytes) {
+    EXPECT_TRUE(begins_bag("#ROSBAG V2.0\n"));
+    EXPECT_TRUE(begins_bag("#ROSBAG V1.2\n"));
+    EXPECT_TRUE(begins_mcap(std::string(test::kMcapMagic) + "..."));
+    EXPECT_FALSE(begins_mcap("\x89PNG\r\n\x1a\n"));
+    EXPECT_TRUE(begins_db3({"SQLite format 3\0", 16}));
+    EXPECT_FALSE(begins_db3("SQLite format 3"));
+}
+
+TEST(Recordings, AnOlderBagIsRefusedWithWhatToDo) {
+    const TempFolder folder;
+    EXPECT_THAT(test::message_of<FormatError>(
+                    [&] { read(open_bag, folder.put("a", "#ROSBAG V1.2\nxyz")); }),
+                AllOf(HasSubstr("#ROSBAG V1.2"), HasSubstr("rosbag fix")));
+}
+
+// Lengths that no file has ask for no memory.
+TEST(Recordings, HoldLengthsAgainstWhatIsLeft) {
+    const TempFolder folder;
+    const std::string magic(test::kMcapMagic);
+    const auto problem_of = [&](const std::string& bytes, Open* open) {
+        const Read found = read(open, folder.put("a", bytes));
+        EXPECT_THAT(found.all, IsEmpty());
+        return found.problems.empty() ? "" : found.problems.front();
+    };
+    using test::Bytes;
+    EXPECT_THAT(problem_of(magic + Bytes().u8(5).u64(~0ULL).text(), open_mcap),
+                AllOf(HasSubstr("at byte 8"), HasSubstr("found a length of 18446744073709551615")));
+    EXPECT_THAT(problem_of(magic + test::mcap_record(3, Bytes().u16(1).u32(~0U).text()), open_mcap),
+                HasSubstr("found a length of 4294967295 bytes, expected at most 0"));
+    const std::string chunk =
+        Bytes().u64(0).u64(0).u64(1ULL << 40).u32(0).word("zstd").u64(0).text();
+    EXPECT_THAT(problem_of(magic + test::mcap_record(6, chunk) + magic, open_mcap),
+                HasSubstr("found a chunk of 1099511627776 bytes once unpacked"));
+    const std::string unknown = Bytes().u64(0).u64(0).u64(10).u32(0).word("xz").u64(0).text();
+    EXPECT_THAT(problem_of(magic + test::mcap_record(6, unknown) + magic, open_mcap),
+                HasSubstr("compression \"xz\", expected none, bz2, lz4 or zstd"));
+    EXPECT_THAT(problem_of("#ROSBAG V2.0\n" + Bytes().u32(~0U).text(), open_bag),
+                AllOf(HasSubstr("at byte 13"), HasSubstr("4294967295")));
+    EXPECT_THAT(problem_of("#ROSBAG V2.0\n" + test::bag_record({{"op", "\x02"}}, ""), open_bag),
+                HasSubstr("without the field \"conn\""));
+}
+
+TEST(Mcap, ChannelZeroAndMessagesOfNoSchemaAreReadAndUnknownOnesTold) {
+    const TempFolder folder;
+    std::vector<Said> all = messages();
+    all.push_back({"/events", "", "{}", 1});
+    const Read found = read(open_mcap, folder.put("a", test::mcap_of(all)));
+    EXPECT_EQ(found.all.size(), all.size());
+    EXPECT_EQ(found.all.back().type, "");
+
+    std::string stranger(test::kMcapMagic);
+    stranger += test::mcap_record(5, test::Bytes().u16(9).u32(0).u64(0).u64(0).text());
+    const Read none = read(open_mcap, folder.put("b", stranger.append(test::kMcapMagic)));
+    EXPECT_THAT(none.problems, ElementsAre(HasSubstr("the channel 9, which nothing describes")));
+}
+
+TEST(Mcap, ChecksumsAreCompared) {
+    const TempFolder folder;
+    test::McapLayout layout;
+    layout.packing = {"zstd", test::packed_zstd};
+    layout.in_chunk = 100;
+    layout.checksum = 1;
+    const Read wrong = read(open_mcap, folder.put("a", test::mcap_of(messages(), layout)));
+    EXPECT_EQ(wrong.all.size(), 10U);
+    EXPECT_THAT(wrong.problems, ElementsAre(HasSubstr("checksum")));
+    static uLong sum = 0;
+    layout.packing.pack = [](const std::string& content) {
+        sum = ::crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());
+        return test::packed_zstd(content);
+    };
+    test::mcap_of(messages(), layout);
+    layout.checksum = static_cast<std::uint32_t>(sum);
+    EXPECT_THAT(read(open_mcap, folder.put("a", test::mcap_of(messages(), layout))).problems,
+                IsEmpty());
+}
+
+// One damaged chunk costs its own messages.
+TEST(Mcap, GoesOnBehindADamagedChunk) {
+    const TempFolder folder;
+    std::string file = mcap_packed<test::packed_zstd>();
+    // The chunks follow each other; the second begins behind the first one's zstd magic.
+    const std::string magic = "\x28\xb5\x2f\xfd";
+    const std::size_t second = file.find(magic, file.find(magic) + 1);
+    file.replace(second, 8, "xxxxxxxx");
+    const Read found = read(open_mcap, folder.put("a", file));
+    EXPECT_THAT(found.numbers, ElementsAre(1, 2, 3, 4, 5, 6));
+    EXPECT_EQ(found.all.back().bytes, messages().back().bytes);
+    EXPECT_THAT(found.problems, ElementsAre(HasSubstr("the compressed data are damaged")));
+}
+
+TEST(Db3, GivesAllMessagesOrSaysWhatIsMissing) {
+    const TempFolder folder;
+    write_db3(folder / "a.db3", messages());
+    const Read found = read(open_db3, folder / "a.db3");
+    expect_first(found.all, messages().size());
+    EXPECT_THAT(read(open_db3, folder / "a.db3", "/b").numbers, ElementsAre(1, 4, 7, 10));
+
+    sqlite3* database = nullptr;
+    sqlite3_open((folder / "b.db3").c_str(), &database);
+    sqlite3_exec(database, "CREATE TABLE topics(id INTEGER PRIMARY KEY)", nullptr, nullptr,
+                 nullptr);
+    sqlite3_close(database);
+    EXPECT_THAT(test::message_of<FormatError>([&] { read(open_db3, folder / "b.db3"); }),
+                HasSubstr("without the table \"messages\""));
+    EXPECT_THAT(test::message_of<FormatError>([&] {
+                    read(open_db3, folder.put("c.db3", "SQLite format 3" + std::string(900, '\0')));
+                }),
+                HasSubstr("cannot be read as a recording"));
+}
+
+TEST(Db3, EndsWhateverIsChanged) {
+    const TempFolder folder;
+    write_db3(folder / "a.db3", messages());
+    const std::string whole = test::content(folder / "a.db3");
+    int refused = 0;
+    int told = 0;
+    for (std::size_t place = 16; place < whole.size(); place += 11) {
+        std::string bad = whole;
+        bad[place] = static_cast<char>(bad[place] + 77);
+        if (place % 7 == 0) bad.resize(place);
+        try {
+            const Read found = read(open_db3, folder.put("b.db3", bad));
+            EXPECT_LE(found.all.size(), 100U);
+            if (!found.problems.empty()) ++told;
+        } catch (const Error&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 0);
+    EXPECT_GT(told, 0);
+}
+
+class Rosbag2 : public ::testing::Test {
+  protected:
+    void put_mcap(const std::string& name, std::size_t begin, std::size_t end) const {
+        std::vector<Said> all = messages();
+        all.erase(all.begin() + static_cast<std::ptrdiff_t>(end), all.end());
+        all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(begin));
+        static_cast<void>(folder_.put(name, test::mcap_of(all)));
+    }
+    std::string refusal() const {
+        return test::message_of<Error>([&] { read(open_rosbag2_folder, folder_.path()); });
+    }
+    TempFolder folder_;
+};
+
+TEST_F(Rosbag2, ReadsItsFilesInTheOrderThatItSays) {
+    put_mcap("z_0.mcap", 0, 3);
+    put_mcap("a_1.mcap", 3, 10);
+    static_cast<void>(folder_.put("metadata.yaml",
+                                  "rosbag2_bagfile_information:\n  version: 5\n"
+                                  "  compression_mode: \"\"\n  relative_file_paths:\n"
+                                  "    - z_0.mcap\n    - 'old_name/a_1.mcap'\n  files: []\n"));
+    const Read found = read(open_rosbag2_folder, folder_.path());
+    expect_first(found.all, 10);
+    EXPECT_EQ(found.numbers.back(), 10U);
+    EXPECT_THAT(found.problems, IsEmpty());
+}
+
+TEST_F(Rosbag2, IsReadWithoutMetadataByTheNumbersOfItsFiles) {
+    put_mcap("r_10.mcap", 6, 10);
+    put_mcap("r_9.mcap", 3, 6);
+    put_mcap("r_0.mcap", 0, 3);
+    expect_first(read(open_rosbag2_folder, folder_.path()).all, 10);
+}
+
+TEST_F(Rosbag2, SaysWhatItCannotRead) {
+    EXPECT_THAT(refusal(), HasSubstr("is a folder without a recording"));
+    const auto metadata = [&](const std::string& text) {
+        static_cast<void>(folder_.put("metadata.yaml", text));
+        return refusal();
+    };
+    EXPECT_THAT(metadata(""), HasSubstr("is a folder without a recording"));
+    EXPECT_THAT(metadata("  relative_file_paths:\n  - a.mcap\n"),
+                HasSubstr("names the file \"a.mcap\", which is not in its folder"));
+    put_mcap("a.mcap", 0, 3);
+    EXPECT_THAT(metadata("  relative_file_paths:\n  - ../" + folder_.path().filename().string() +
+                         "/a.mcap\n"),
+                HasSubstr("which is not in its folder"));
+    EXPECT_THAT(metadata("  compression_mode: FILE\n  relative_file_paths:\n  - a.mcap\n"),
+                HasSubstr("compressed by FILE"));
+}
+
+}  // namespace
+}  // namespace hitos
