@@ -111,8 +111,8 @@ bool begins_mcap(std::string_view beginning);
 bool begins_db3(std::string_view beginning);
 
 /// The files of a rosbag2 folder in their order: those that metadata.yaml lists; without it, as
-/// after a recording that was broken off, all *.mcap or *.db3 by their numbers. Throws FormatError
-/// where there are none, where they are not in the folder, or where they are compressed.
+/// after a recording that was broken off, all *.mcap or *.db3 by their numbers. Throws FileError
+/// where there are none, FormatError where they are not in the folder or compressed.
 std::vector<std::filesystem::path> rosbag2_files(const std::filesystem::path& folder);
 
 }  // namespace hitos

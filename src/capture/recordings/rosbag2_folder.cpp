@@ -154,8 +154,8 @@ std::vector<fs::path> rosbag2_files(const fs::path& folder) {
         files = files_found(folder);
     }
     if (!files.empty()) return files;
-    throw FormatError(
-        folder.string(), 0,
+    throw FileError(
+        folder.string(),
         message(HITOS_TEXT("Errors",
                            "is a folder without a recording: found neither a metadata.yaml that "
                            "names files nor files *.mcap or *.db3; choose a log file inside it")));
