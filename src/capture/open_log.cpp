@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "formats/formats.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "line_reader.hpp"
@@ -154,20 +155,19 @@ Message problem_of(const Probe& found) {
             said, likely.word));
 }
 
-/// The format of a recording, by its first bytes; null where the path is none.
+}  // namespace
+
 const LogFormat* recording_format(const std::filesystem::path& path) {
     std::error_code error;
     const bool folder = std::filesystem::is_directory(path, error);
     std::array<char, 16> beginning{};
     const std::size_t got = folder ? 0 : RegularFile(path).read(beginning);
     for (const LogFormat& format : log_formats().entries()) {
-        if (format.open == nullptr || (format.begins == nullptr) != folder) continue;
-        if (folder || format.begins({beginning.data(), got})) return &format;
+        if (format.open == nullptr) continue;
+        if (folder ? format.folders : format.begins({beginning.data(), got})) return &format;
     }
     return nullptr;
 }
-
-}  // namespace
 
 std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_view format,
                                  const ReadOptions& options) {
@@ -191,9 +191,18 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
     return std::make_unique<Archivo>(path, said);
 }
 
+bool is_recording(const std::filesystem::path& path) {
+    try {
+        return recording_format(path) != nullptr;
+    } catch (const FileError&) {
+        return false;
+    }
+}
+
 std::vector<std::filesystem::path> log_files(const std::filesystem::path& path) {
     std::error_code error;
-    if (!std::filesystem::is_directory(path, error)) return {path};
+    const bool metadata = path.filename() == kRosbag2Metadata;
+    if (!metadata && !std::filesystem::is_directory(path, error)) return {path};
     try {
         return rosbag2_files(path);
     } catch (const Error&) {  // whoever opens it is told

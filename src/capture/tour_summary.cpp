@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "formats/formats.hpp"
 #include "hitos/base/error.hpp"
 #include "line_reader.hpp"
 
@@ -49,6 +50,7 @@ class Stamps {
 std::vector<Message> first_lines_of(const std::filesystem::path& path) {
     constexpr std::size_t kLines = 30;
     constexpr std::size_t kShown = 200;
+    if (const LogFormat* recording = recording_format(path)) return recording->describe(path);
     std::vector<Message> lines;
     LineReader reader(path);
     while (lines.size() < kLines) {

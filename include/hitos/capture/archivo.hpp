@@ -61,6 +61,9 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path,
                                  std::string_view format = kAutoFormat,
                                  const ReadOptions& options = {});
 
+/// Whether the path is a ROS recording, by its first bytes, or a folder; false where it is missing.
+bool is_recording(const std::filesystem::path& path);
+
 /// The files that a log is read from: itself, or those of a recording's folder.
 std::vector<std::filesystem::path> log_files(const std::filesystem::path& path);
 

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/base/registry.hpp"
 #include "hitos/capture/conversor.hpp"
 #include "hitos/capture/fuente.hpp"
@@ -35,11 +37,14 @@ struct LogFormat : RegistryEntry {
     using Begins = bool(std::string_view beginning);
     using Open = std::unique_ptr<Fuente>(const std::filesystem::path& path, const LogFormat& format,
                                          const ReadOptions& options);
-    /// Of recordings: whether these are the first 16 bytes of such a file; null where it is a
-    /// folder.
+    using Describe = std::vector<Message>(const std::filesystem::path& path);
+    /// Of recordings: whether these are the first 16 bytes of such a file.
     Begins* begins = nullptr;
     /// Of recordings: the source, whose lines the converter understands; null: read as text.
     Open* open = nullptr;
+    /// Of recordings: what they hold, a line for each topic.
+    Describe* describe = nullptr;
+    bool folders = false;  ///< of recordings: whether folders are some too
 };
 
 /// The word that asks for detection from the content; no format may have it.

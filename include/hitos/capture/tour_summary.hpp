@@ -30,7 +30,8 @@ using InspectProgress = std::function<bool(double)>;
 TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress = {});
 
 /// The first lines of a text file, plain or gzip, each cut to 200 bytes; what is no text is said in
-/// words. Throws FileError.
+/// words; of a recording its topics. Throws FileError, and FormatError where a recording cannot be
+/// read.
 std::vector<Message> first_lines_of(const std::filesystem::path& path);
 
 }  // namespace hitos

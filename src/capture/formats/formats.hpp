@@ -1,6 +1,7 @@
 // The entries of the table of log formats, one file each, and what they share.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string_view>
 
@@ -18,6 +19,10 @@ LogFormat rosbag_format();
 LogFormat mcap_format();
 LogFormat db3_format();
 LogFormat rosbag2_format();
+
+/// The format of a recording, by its first bytes, or of a folder; null where the path is neither.
+/// Throws FileError.
+const LogFormat* recording_format(const std::filesystem::path& path);
 
 inline bool begins_with_letter(std::string_view text) {
     if (text.empty()) return false;

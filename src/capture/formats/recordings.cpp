@@ -13,6 +13,19 @@ std::unique_ptr<Fuente> open_with(const std::filesystem::path& path, const LogFo
     return std::make_unique<RecordingSource>(plan_recording(path, format, Open, options));
 }
 
+/// "/scan  sensor_msgs/LaserScan  292"
+template <OpenRecording* Open>
+std::vector<Message> describe_with(const std::filesystem::path& path) {
+    constexpr std::size_t kMost = 200;
+    std::vector<Message> lines;
+    for (const Topic& topic : survey_recording(path, Open).topics) {
+        if (lines.size() == kMost) break;
+        lines.push_back(
+            verbatim(topic.name + "  " + topic.type + "  " + std::to_string(topic.messages)));
+    }
+    return lines;
+}
+
 bool nothing_claimed(std::string_view /*text*/) {
     return false;
 }
@@ -21,34 +34,41 @@ LineKind nothing_known(std::string_view /*text*/) {
     return LineKind::damaged;
 }
 
+bool begins_metadata(std::string_view beginning) {
+    return beginning.starts_with("rosbag2_bagfile_");
+}
+
+template <OpenRecording* Open>
 LogFormat recording(RegistryEntry entry, const char* endings, LogFormat::Begins* begins,
-                    LogFormat::Open* open) {
+                    bool folders = false) {
     return {std::move(entry),         endings, nothing_claimed, nothing_known,
-            make_recording_conversor, nullptr, begins,          open};
+            make_recording_conversor, nullptr, begins,          open_with<Open>,
+            describe_with<Open>,      folders};
 }
 
 }  // namespace
 
 LogFormat rosbag_format() {
-    return recording({"rosbag", HITOS_TEXT("ParameterChoice", "ROS bag"), "bags of ROS 1"}, "*.bag",
-                     begins_bag, open_with<open_bag>);
+    return recording<open_bag>(
+        {"rosbag", HITOS_TEXT("ParameterChoice", "ROS bag"), "bags of ROS 1"}, "*.bag", begins_bag);
 }
 
 LogFormat mcap_format() {
-    return recording({"mcap", HITOS_TEXT("ParameterChoice", "MCAP"), "recordings of ROS"}, "*.mcap",
-                     begins_mcap, open_with<open_mcap>);
+    return recording<open_mcap>(
+        {"mcap", HITOS_TEXT("ParameterChoice", "MCAP"), "recordings of ROS"}, "*.mcap",
+        begins_mcap);
 }
 
 LogFormat db3_format() {
-    return recording({"db3", HITOS_TEXT("ParameterChoice", "ROS 2 SQLite"),
-                      "recordings of ROS 2 in SQLite files"},
-                     "*.db3", begins_db3, open_with<open_db3>);
+    return recording<open_db3>({"db3", HITOS_TEXT("ParameterChoice", "ROS 2 SQLite"),
+                                "recordings of ROS 2 in SQLite files"},
+                               "*.db3", begins_db3);
 }
 
 LogFormat rosbag2_format() {
-    return recording(
+    return recording<open_rosbag2_folder>(
         {"rosbag2", HITOS_TEXT("ParameterChoice", "ROS 2 folder"), "folders of ROS 2 recordings"},
-        "metadata.yaml", nullptr, open_with<open_rosbag2_folder>);
+        "metadata.yaml", begins_metadata, true);
 }
 
 }  // namespace hitos

@@ -110,9 +110,11 @@ bool begins_bag(std::string_view beginning);
 bool begins_mcap(std::string_view beginning);
 bool begins_db3(std::string_view beginning);
 
-/// The files of a rosbag2 folder in their order: those that metadata.yaml lists; without it, as
+inline constexpr const char* kRosbag2Metadata = "metadata.yaml";
+
+/// The files of a rosbag2 folder (or of that of its metadata.yaml) in their order: those that metadata.yaml lists; without it, as
 /// after a recording that was broken off, all *.mcap or *.db3 by their numbers. Throws FileError
 /// where there are none, FormatError where they are not in the folder or compressed.
-std::vector<std::filesystem::path> rosbag2_files(const std::filesystem::path& folder);
+std::vector<std::filesystem::path> rosbag2_files(const std::filesystem::path& path);
 
 }  // namespace hitos

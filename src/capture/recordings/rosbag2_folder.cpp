@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kMetadata = "metadata.yaml";
+constexpr const char* kMetadata = kRosbag2Metadata;
 
 std::string_view unquoted(std::string_view text) {
     text = input::trimmed(text);
@@ -132,9 +132,11 @@ class Rosbag2Folder final : public Recording {
 
 }  // namespace
 
-std::vector<fs::path> rosbag2_files(const fs::path& folder) {
+std::vector<fs::path> rosbag2_files(const fs::path& path) {
     std::vector<fs::path> files;
     std::error_code error;
+    const fs::path folder =
+        path.filename() == kMetadata && !fs::is_directory(path, error) ? path.parent_path() : path;
     if (fs::exists(folder / kMetadata, error)) {
         const Metadata metadata = read_metadata(folder / kMetadata);
         std::string mode = metadata.compression;

@@ -33,7 +33,7 @@ MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_la
         throw FormatError(
             {}, 0,
             message(HITOS_TEXT("Errors", "field \"%1\": found %2, expected a step between rays"),
-                    marked("angle_increment"), scan.step_rad));
+                    "angle_increment", scan.step_rad));
     }
     MountedScan mounted;
     mounted.stamp_ns = scan.header.stamp_ns;
@@ -42,7 +42,8 @@ MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_la
     if (std::isfinite(scan.max_range_m)) mounted.fan.max_range_m = std::max(0.0, scan.max_range_m);
     mounted.ranges_m = scan.ranges_m;
     for (float& range : mounted.ranges_m) {
-        if (!std::isfinite(range) || !(range > 0.0F) || double{range} < scan.min_range_m) {
+        if (!std::isfinite(range) || !(range > 0.0F) ||
+            static_cast<double>(range) < scan.min_range_m) {
             range = kNoReading;
         }
     }

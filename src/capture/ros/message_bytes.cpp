@@ -35,8 +35,7 @@ MessageBytes::MessageBytes(std::string_view bytes, Encoding encoding)
 const char* MessageBytes::need(std::size_t bytes, const char* field) {
     if (at_ > bytes_.size() || bytes > bytes_.size() - at_) {
         throw FormatError(
-            {}, 0,
-            message(HITOS_TEXT("Errors", "the message ends in the field \"%1\""), marked(field)));
+            {}, 0, message(HITOS_TEXT("Errors", "the message ends in the field \"%1\""), field));
     }
     const char* place = bytes_.data() + at_;
     at_ += bytes;
@@ -49,7 +48,7 @@ std::string MessageBytes::text(const char* field) {
         throw FormatError(
             {}, 0,
             message(HITOS_TEXT("Errors", "field \"%1\": found %2 bytes, expected at most %3"),
-                    marked(field), length, kLongestName));
+                    field, length, kLongestName));
     }
     std::string_view text{need(length, field), length};
     if (cdr_ && text.ends_with('\0')) text.remove_suffix(1);
@@ -64,7 +63,7 @@ std::uint32_t MessageBytes::count(std::size_t item_bytes, const char* field) {
                           message(HITOS_TEXT("Errors",
                                              "field \"%1\": found a count of %2, expected at most "
                                              "%3, for which there are bytes"),
-                                  marked(field), items, left / item_bytes));
+                                  field, items, left / item_bytes));
     }
     return items;
 }
@@ -91,7 +90,7 @@ double MessageBytes::checked(double value, const char* field) {
     throw FormatError(
         {}, 0,
         message(HITOS_TEXT("Errors", "field \"%1\": found %2, expected a finite number up to 1e12"),
-                marked(field), value));
+                field, value));
 }
 
 }  // namespace hitos

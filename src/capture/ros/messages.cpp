@@ -25,8 +25,8 @@ MessageHeader take_header(MessageBytes& bytes) {
     if (rest_ns >= kSecondNs) {
         throw FormatError(
             {}, 0,
-            message(HITOS_TEXT("Errors", "field \"%1\": found %2, expected less than %3"),
-                    marked("stamp"), rest_ns, kSecondNs));
+            message(HITOS_TEXT("Errors", "field \"%1\": found %2, expected less than %3"), "stamp",
+                    rest_ns, kSecondNs));
     }
     header.stamp_ns = seconds * kSecondNs + rest_ns;
     header.frame = without_slash(bytes.text("frame_id"));
@@ -44,7 +44,7 @@ Transform take_transform(MessageBytes& bytes) {
             {}, 0,
             message(
                 HITOS_TEXT("Errors", "field \"%1\": found a quaternion of length %2, expected 1"),
-                marked("orientation"), length));
+                "orientation", length));
     }
     for (double* value : {&t.qx, &t.qy, &t.qz, &t.qw}) *value /= length;
     return t;
@@ -60,7 +60,9 @@ LaserScanMessage decode_laser_scan(std::string_view raw, Encoding encoding) {
     MessageBytes bytes(raw, encoding);
     LaserScanMessage scan;
     scan.header = take_header(bytes);
-    const auto real = [&bytes](const char* field) { return double{bytes.take<float>(field)}; };
+    const auto real = [&bytes](const char* field) {
+        return static_cast<double>(bytes.take<float>(field));
+    };
     scan.min_angle_rad = MessageBytes::checked(real("angle_min"), "angle_min");
     real("angle_max");  // by definition that of the last ray, which some drivers do not state
     scan.step_rad = MessageBytes::checked(real("angle_increment"), "angle_increment");
@@ -73,8 +75,8 @@ LaserScanMessage decode_laser_scan(std::string_view raw, Encoding encoding) {
     if (rays == 0 || rays > kMostRays) {
         throw FormatError(
             {}, 0,
-            message(HITOS_TEXT("Errors", "field \"%1\": found %2 rays, expected 1 to %3"),
-                    marked("ranges"), rays, kMostRays));
+            message(HITOS_TEXT("Errors", "field \"%1\": found %2 rays, expected 1 to %3"), "ranges",
+                    rays, kMostRays));
     }
     scan.ranges_m.resize(rays);
     for (float& range : scan.ranges_m) range = bytes.take<float>("ranges");

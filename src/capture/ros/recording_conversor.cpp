@@ -41,7 +41,7 @@ class RecordingConversor final : public RangeConversor {
         for (std::uint32_t i = 0; i < head.fan.count; ++i) {
             float range = 0.0F;
             std::memcpy(&range, ranges.data() + i * sizeof range, sizeof range);
-            out.ranges_m[i] = double{range};
+            out.ranges_m[i] = static_cast<double>(range);
         }
         return true;
     }

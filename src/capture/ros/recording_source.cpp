@@ -110,8 +110,7 @@ std::optional<RawLine> RecordingSource::read_scan_line() {
         try {
             take_in_scans(*found);
         } catch (const FormatError& error) {
-            note(found->number,
-                 message(HITOS_TEXT("Errors", "%1: %2"), found->topic->name, error.problem()));
+            note(found->number, message("%1: %2", found->topic->name, error.problem()));
         }
     }
 }

@@ -1,6 +1,7 @@
-// Logs of the four formats.
+// Logs of every format.
 
 #include "hitos/capture/archivo.hpp"
+#include "hitos/capture/procesador.hpp"
 #include "laws.hpp"
 #include "targets.hpp"
 #include "tour_laws.hpp"
@@ -30,6 +31,26 @@ bool check_normalized(std::string_view input) {
 
 bool check_carmen(std::string_view input) {
     return check_log_of("carmen", input);
+}
+
+bool check_rosbag(std::string_view input) {
+    return check_log_of("rosbag", input);
+}
+
+bool check_mcap(std::string_view input) {
+    return check_log_of("mcap", input);
+}
+
+bool check_db3(std::string_view input) {
+    // SQLite opens no file without a name.
+    static const ScratchFolder scratch;
+    const std::filesystem::path file = scratch.put("input.db3", input);
+    const std::optional<Tour> tour = unless_refused([&] {
+        Procesador reader(open_log(file, "db3"));
+        return read_tour(reader);
+    });
+    if (tour) require_sound(*tour);
+    return tour.has_value();
 }
 
 }  // namespace hitos::fuzz

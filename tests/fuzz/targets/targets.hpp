@@ -14,6 +14,9 @@ Check check_player;         ///< logs, by format
 Check check_radish;         ///<
 Check check_normalized;     ///<
 Check check_carmen;         ///<
+Check check_rosbag;         ///< ROS recordings, by container
+Check check_mcap;           ///<
+Check check_db3;            ///<
 Check check_gzip;           ///< packed logs and texts; what is not packed is packed first
 Check check_configuration;  ///< configuration files
 Check check_world;          ///< worlds, beside a drawing of walls

@@ -33,7 +33,7 @@ TEST_P(EverySerialisation, HoldsALaserScan) {
     EXPECT_EQ(scan.header.frame, "a");
     EXPECT_EQ(scan.min_angle_rad, -0.5);
     EXPECT_EQ(scan.step_rad, 0.5);
-    EXPECT_EQ(scan.min_range_m, double{0.05F});
+    EXPECT_EQ(scan.min_range_m, static_cast<double>(0.05F));
     EXPECT_EQ(scan.max_range_m, 8.0);
     EXPECT_THAT(scan.ranges_m, ElementsAre(1.5F, std::numeric_limits<float>::infinity(), 3.25F));
 }

@@ -158,6 +158,8 @@ bool ConfigurationActions::use_log(const QString& path) {
     Configuracion next = session_.configuration();
     next.source.file = path.toStdString();
     next.source.format = kAutoFormat;
+    next.source.read.scan_topic.clear();  // names of another recording
+    next.source.read.odom_topic.clear();
     try {
         session_.set_configuration(next);
     } catch (const std::exception& error) {

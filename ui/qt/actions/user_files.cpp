@@ -6,6 +6,7 @@
 #include <QStandardPaths>
 
 #include "hitos/base/error.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/workbench/shipped_data.hpp"
@@ -105,7 +106,10 @@ void UserFiles::note_folder(const QString& kind, const QString& path) {
 }
 
 FileKind kind_of(const QString& path) {
-    if (QFileInfo(path).isDir()) return FileKind::results;
+    if (QFileInfo(path).isDir()) {
+        const std::filesystem::path folder = path.toStdString();
+        return log_files(folder).front() == folder ? FileKind::results : FileKind::source;
+    }
     QString name = QFileInfo(path).fileName().toLower();
     if (name.endsWith(".gz")) name.chop(3);
     if (name.endsWith(".cfg")) return FileKind::configuration;

@@ -11,6 +11,7 @@
 #include "app/theme.hpp"
 #include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "parameter_text.hpp"
 #include "ui_source_dialog.h"
 #include "workers/background.hpp"
@@ -22,6 +23,11 @@ QString format_words(const std::string& word) {
     const ConfigParameter& format = find_parameter("source.format");
     const std::optional<std::size_t> place = format.place_of(word);
     return place ? choice_of(format, *place) : SourceDialog::tr("World");
+}
+
+/// Whether the file is a ROS recording, whose topics may have to be chosen.
+bool needs_topics(const std::string& file) {
+    return !file.empty() && is_recording(file);
 }
 
 }  // namespace
@@ -49,7 +55,12 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     ui_->lines->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     ui_->reading->hide();
     ui_->path->setText(QString::fromStdString(source_.file));
+    ui_->scan_topic->setText(QString::fromStdString(source_.read.scan_topic));
+    ui_->odom_topic->setText(QString::fromStdString(source_.read.odom_topic));
+    show_topics(needs_topics(source_.file));
     connect(ui_->path, &QLineEdit::textChanged, this, &SourceDialog::begin_check);
+    connect(ui_->scan_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_topics);
+    connect(ui_->odom_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_topics);
     connect(ui_->type, &QComboBox::currentIndexChanged, this, &SourceDialog::begin_check);
     connect(ui_->browse, &QPushButton::clicked, this, &SourceDialog::browse);
     connect(ui_->buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -67,7 +78,20 @@ SourceParams SourceDialog::source() const {
     SourceParams chosen = source_;
     chosen.file = ui_->path->text().trimmed().toStdString();
     chosen.format = ui_->type->currentData().toString().toStdString();
+    chosen.read.scan_topic = ui_->scan_topic->text().trimmed().toStdString();
+    chosen.read.odom_topic = ui_->odom_topic->text().trimmed().toStdString();
     return chosen;
+}
+
+void SourceDialog::check_topics() {
+    const SourceParams wanted = source();
+    if (wanted.read != checked_) begin_check();
+}
+
+void SourceDialog::show_topics(bool shown) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{ui_->scan_topic_label, ui_->scan_topic,
+                                                           ui_->odom_topic_label, ui_->odom_topic})
+        widget->setVisible(shown);
 }
 
 void SourceDialog::set_path(const QString& path) {
@@ -91,10 +115,13 @@ void SourceDialog::begin_check() {
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
     ui_->lines->clear();
     const SourceParams wanted = source();
+    checked_ = wanted.read;
+    show_topics(needs_topics(wanted.file));
     if (wanted.file.empty()) {
         stop_.reset();
         ui_->reading->hide();
-        show_verdict(tr("Choose a log: odometry and laser scans, as text or .gz."), "muted");
+        show_verdict(tr("Choose a log: odometry and laser scans, as text, .gz or ROS recording."),
+                     "muted");
         return;
     }
     show_verdict(tr("Reading…"), "muted");

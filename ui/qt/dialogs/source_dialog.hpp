@@ -58,6 +58,9 @@ class SourceDialog final : public QDialog {
 
     void browse();
     void begin_check();
+    /// Anew, where the topics are not those of the last check.
+    void check_topics();
+    void show_topics(bool shown);
     void end_check(const Stop& stop, const std::optional<SourceInspection>& summary,
                    const Refusal& refusal);
     void show_lines(const std::vector<Message>& first_lines);
@@ -68,6 +71,7 @@ class SourceDialog final : public QDialog {
     Prompts& prompts_;
     QString folder_;
     SourceParams source_;
+    ReadOptions checked_;  ///< those of the newest check
     std::optional<SourceInspection> summary_;
     Stop stop_;  ///< of the check under way
     QThreadPool pool_;

@@ -506,10 +506,6 @@
         <translation>es un archivo zip; descomprímalo antes</translation>
     </message>
     <message>
-        <source>it is a ROS bag; convert it first, for example to CARMEN</source>
-        <translation>es una bolsa de ROS; conviértala antes, por ejemplo a CARMEN</translation>
-    </message>
-    <message>
         <source>it is a PNG picture</source>
         <translation>es una imagen PNG</translation>
     </message>
@@ -560,10 +556,6 @@
     <message>
         <source>no line is one of a format that Hitos reads; the first is &quot;%1&quot;</source>
         <translation>ninguna línea es de un formato que Hitos lea; la primera es «%1»</translation>
-    </message>
-    <message>
-        <source>%1, expected a text log (%2), plain or gzip</source>
-        <translation>%1, se esperaba un registro de texto (%2), tal cual o gzip</translation>
     </message>
     <message>
         <source>is not in the format %1 but looks like %2; choose the format %2 or auto</source>
@@ -1477,6 +1469,206 @@
         <source>has no run of its study that can be read; nothing was changed: look whether maps and runs are there</source>
         <translation>no tiene ninguna ejecución de su estudio que se pueda leer; no se ha cambiado nada: compruebe que maps y runs están ahí</translation>
     </message>
+    <message>
+        <source>it is a ROS bag; unpack it first</source>
+        <translation>es una bolsa (bag) de ROS; descomprímala antes</translation>
+    </message>
+    <message>
+        <source>it is an MCAP recording; unpack it first</source>
+        <translation>es una grabación MCAP; descomprímala antes</translation>
+    </message>
+    <message>
+        <source>%1, expected a log (%2); text may be gzip</source>
+        <translation>%1, se esperaba un registro (%2); el texto puede ir en gzip</translation>
+    </message>
+    <message>
+        <source>found a record without the field &quot;%1&quot;</source>
+        <translation>se encontró un registro interno sin el campo «%1»</translation>
+    </message>
+    <message>
+        <source>found %2 bytes in the field &quot;%1&quot;, expected %3</source>
+        <translation>se encontraron %2 bytes en el campo «%1», se esperaban %3</translation>
+    </message>
+    <message>
+        <source>the header of a record is damaged</source>
+        <translation>la cabecera de un registro interno está dañada</translation>
+    </message>
+    <message>
+        <source>is a ROS bag that begins with &quot;%1&quot;, expected version 2.0; convert it with &quot;rosbag fix&quot;</source>
+        <translation>es una bolsa (bag) de ROS que empieza por «%1», se esperaba la versión 2.0; conviértala con «rosbag fix»</translation>
+    </message>
+    <message>
+        <source>the data end early</source>
+        <translation>los datos terminan antes de tiempo</translation>
+    </message>
+    <message>
+        <source>found a record of the unknown kind %1</source>
+        <translation>se encontró un registro interno de la clase desconocida %1</translation>
+    </message>
+    <message>
+        <source>the bag was not closed or is cut off, as it has no index; all before byte %1 was read</source>
+        <translation>la bolsa (bag) no se cerró o está cortada, pues no tiene índice; se leyó todo lo anterior al byte %1</translation>
+    </message>
+    <message>
+        <source>found a message of the connection %1, which nothing describes</source>
+        <translation>se encontró un mensaje de la conexión %1, que nada describe</translation>
+    </message>
+    <message>
+        <source>more than %1 topics</source>
+        <translation>hay más de %1 temas</translation>
+    </message>
+    <message>
+        <source>found a length of %1 bytes, expected at most %2</source>
+        <translation>se encontró una longitud de %1 bytes, se esperaban como mucho %2</translation>
+    </message>
+    <message>
+        <source>found a length of %1 bytes, expected at most the %2 left</source>
+        <translation>se encontró una longitud de %1 bytes, se esperaban como mucho los %2 que quedan</translation>
+    </message>
+    <message>
+        <source>at byte %1: %2</source>
+        <translation>en el byte %1: %2</translation>
+    </message>
+    <message>
+        <source>in the chunk at byte %1, %2 bytes into it: %3</source>
+        <translation>en el bloque del byte %1, %2 bytes dentro de él: %3</translation>
+    </message>
+    <message>
+        <source>found a chunk inside a chunk</source>
+        <translation>se encontró un bloque dentro de otro</translation>
+    </message>
+    <message>
+        <source>found a chunk of %1 bytes once unpacked, expected at most %2</source>
+        <translation>se encontró un bloque de %1 bytes una vez descomprimido, se esperaban como mucho %2</translation>
+    </message>
+    <message>
+        <source>found more than the %1 bytes that it says it has</source>
+        <translation>se encontraron más bytes que los %1 que dice tener</translation>
+    </message>
+    <message>
+        <source>its checksum is not that of its content</source>
+        <translation>su suma de comprobación no es la de su contenido</translation>
+    </message>
+    <message>
+        <source>found a message of %1 bytes, expected at most %2</source>
+        <translation>se encontró un mensaje de %1 bytes, se esperaban como mucho %2</translation>
+    </message>
+    <message>
+        <source>behind the row %1: %2</source>
+        <translation>tras la fila %1: %2</translation>
+    </message>
+    <message>
+        <source>rows come out of order</source>
+        <translation>las filas vienen desordenadas</translation>
+    </message>
+    <message>
+        <source>cannot be read as a recording: %1</source>
+        <translation>no se puede leer como grabación: %1</translation>
+    </message>
+    <message>
+        <source>is an SQLite file without the table &quot;%1&quot;, expected a recording of ROS 2</source>
+        <translation>es un archivo SQLite sin la tabla «%1», se esperaba una grabación de ROS 2</translation>
+    </message>
+    <message>
+        <source>found a message of the topic %1 in the row %2, which nothing describes</source>
+        <translation>se encontró en la fila %2 un mensaje del tema %1, que nada describe</translation>
+    </message>
+    <message>
+        <source>the recording was not closed or is cut off, as its last bytes are not MCAP&apos;s; all before byte %1 was read</source>
+        <translation>la grabación no se cerró o está cortada, pues sus últimos bytes no son los de MCAP; se leyó todo lo anterior al byte %1</translation>
+    </message>
+    <message>
+        <source>found a message of the channel %1, which nothing describes</source>
+        <translation>se encontró un mensaje del canal %1, que nada describe</translation>
+    </message>
+    <message>
+        <source>names the file &quot;%1&quot;, which is not in its folder; put it there</source>
+        <translation>nombra el archivo «%1», que no está en su carpeta; póngalo allí</translation>
+    </message>
+    <message>
+        <source>says that the recording is compressed by %1, which Hitos does not read; convert it with &quot;ros2 bag convert&quot;</source>
+        <translation>dice que la grabación está comprimida por %1, lo que Hitos no lee; conviértala con «ros2 bag convert»</translation>
+    </message>
+    <message>
+        <source>is a folder without a recording: found neither a metadata.yaml that names files nor files *.mcap or *.db3; choose a log file inside it</source>
+        <translation>es una carpeta sin grabación: no hay un metadata.yaml que nombre archivos ni archivos *.mcap o *.db3; elija un archivo de registro dentro de ella</translation>
+    </message>
+    <message>
+        <source>found the compression &quot;%1&quot;, expected none, bz2, lz4 or zstd</source>
+        <translation>se encontró la compresión «%1», se esperaba none, bz2, lz4 o zstd</translation>
+    </message>
+    <message>
+        <source>more than %1 frames</source>
+        <translation>hay más de %1 marcos de referencia</translation>
+    </message>
+    <message>
+        <source>the laser &quot;%1&quot; is tilted by %2°; expected one that is level or upside down, to 3°</source>
+        <translation>el láser «%1» está inclinado %2°; se esperaba uno horizontal o boca abajo, hasta 3°</translation>
+    </message>
+    <message>
+        <source>field &quot;%1&quot;: found %2, expected a step between rays</source>
+        <translation>campo «%1»: se encontró %2, se esperaba un paso entre rayos</translation>
+    </message>
+    <message>
+        <source>the message does not begin as CDR does</source>
+        <translation>el mensaje no empieza como CDR</translation>
+    </message>
+    <message>
+        <source>the message ends in the field &quot;%1&quot;</source>
+        <translation>el mensaje termina en el campo «%1»</translation>
+    </message>
+    <message>
+        <source>field &quot;%1&quot;: found %2 bytes, expected at most %3</source>
+        <translation>campo «%1»: se encontraron %2 bytes, se esperaban como mucho %3</translation>
+    </message>
+    <message>
+        <source>field &quot;%1&quot;: found a count of %2, expected at most %3, for which there are bytes</source>
+        <translation>campo «%1»: se encontró un número de elementos de %2, se esperaban como mucho %3, para los que hay bytes</translation>
+    </message>
+    <message>
+        <source>%1 bytes are left behind the last field</source>
+        <translation>quedan %1 bytes tras el último campo</translation>
+    </message>
+    <message>
+        <source>field &quot;%1&quot;: found %2, expected a finite number up to 1e12</source>
+        <translation>campo «%1»: se encontró %2, se esperaba un número finito de hasta 1e12</translation>
+    </message>
+    <message>
+        <source>field &quot;%1&quot;: found %2, expected less than %3</source>
+        <translation>campo «%1»: se encontró %2, se esperaba menos de %3</translation>
+    </message>
+    <message>
+        <source>field &quot;%1&quot;: found a quaternion of length %2, expected 1</source>
+        <translation>campo «%1»: se encontró un cuaternión de longitud %2, se esperaba 1</translation>
+    </message>
+    <message>
+        <source>field &quot;%1&quot;: found %2 rays, expected 1 to %3</source>
+        <translation>campo «%1»: se encontraron %2 rayos, se esperaban de 1 a %3</translation>
+    </message>
+    <message>
+        <source>no transform leads from the laser&apos;s frame &quot;%1&quot; to the robot&apos;s frame &quot;%2&quot;, so where the laser sits is not known</source>
+        <translation>ninguna transformación lleva del marco del láser «%1» al del robot «%2», así que no se sabe dónde va montado el láser</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected one of the topics of %2: %3</source>
+        <translation>se encontró «%1», se esperaba uno de los temas de %2: %3</translation>
+    </message>
+    <message>
+        <source>holds no laser scans (messages sensor_msgs/LaserScan); its topics are: %1</source>
+        <translation>no contiene barridos láser (mensajes sensor_msgs/LaserScan); sus temas son: %1</translation>
+    </message>
+    <message>
+        <source>found %1 laser topics in %2: %3; choose one (--scan-topic), several with commas between them, or &quot;all&quot;</source>
+        <translation>se encontraron %1 temas de láser en %2: %3; elija uno (--scan-topic), varios separados por comas, o «all»</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, but no transform in %2 leads from a frame &quot;odom&quot; to the laser&apos;s frame &quot;%3&quot;</source>
+        <translation>se encontró «%1», pero ninguna transformación de %2 lleva de un marco «odom» al del láser «%3»</translation>
+    </message>
+    <message>
+        <source>found %1 odometry topics in %2: %3; choose one (--odom-topic), or &quot;tf&quot; for the transforms</source>
+        <translation>se encontraron %1 temas de odometría en %2: %3; elija uno (--odom-topic), o «tf» para las transformaciones</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -1584,14 +1776,6 @@
 </context>
 <context>
     <name>Parameter</name>
-    <message>
-        <source>Path of the log to read, plain or gzip; empty where none is chosen.</source>
-        <translation>Ruta del registro que se lee, en texto o gzip; vacía si no se ha elegido ninguno.</translation>
-    </message>
-    <message>
-        <source>Format of the log; auto finds it from the first lines.</source>
-        <translation>Formato del registro; en automático se averigua por las primeras líneas.</translation>
-    </message>
     <message>
         <source>Readings at or beyond this range are no points, so a higher value keeps more far readings; 0 takes what the log says.</source>
         <translation>Las lecturas a esta distancia o más lejos no son puntos: un valor mayor conserva más lecturas lejanas; 0 toma lo que dice el registro.</translation>
@@ -1944,6 +2128,22 @@
         <source>Registered path: standard deviation that the particles&apos; headings have about it besides; a higher value spreads them more everywhere.</source>
         <translation>Camino registrado: desviación típica que tienen además las orientaciones de las partículas alrededor de él; un valor mayor las dispersa más en todas partes.</translation>
     </message>
+    <message>
+        <source>Path of the log or ROS recording to read; empty where none is chosen.</source>
+        <translation>Ruta del registro o de la grabación de ROS que se lee; vacío si no se ha elegido ninguno.</translation>
+    </message>
+    <message>
+        <source>Format of the log; auto finds it from its beginning.</source>
+        <translation>Formato del registro; auto lo reconoce por su comienzo.</translation>
+    </message>
+    <message>
+        <source>Topic of the laser in a ROS recording with several: one, some with commas between them, or all. Lasers that see from one place become one; empty takes the only one.</source>
+        <translation>Tema del láser en una grabación de ROS con varios: uno, algunos separados por comas, o all. Los láseres que miran desde un mismo lugar pasan a ser uno; vacío toma el único.</translation>
+    </message>
+    <message>
+        <source>Topic of the odometry in a ROS recording with several, or tf for its transforms; empty takes the only one, else the transforms.</source>
+        <translation>Tema de la odometría en una grabación de ROS con varios, o tf para sus transformaciones; vacío toma el único o, si no hay, las transformaciones.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -2130,6 +2330,22 @@
     <message>
         <source>Motion and observations</source>
         <translation>Movimiento y observaciones</translation>
+    </message>
+    <message>
+        <source>ROS bag</source>
+        <translation>Bolsa (bag) de ROS</translation>
+    </message>
+    <message>
+        <source>MCAP</source>
+        <translation>MCAP</translation>
+    </message>
+    <message>
+        <source>ROS 2 SQLite</source>
+        <translation>SQLite de ROS 2</translation>
+    </message>
+    <message>
+        <source>ROS 2 folder</source>
+        <translation>Carpeta de ROS 2</translation>
     </message>
 </context>
 <context>
@@ -2516,6 +2732,14 @@
     <message>
         <source>σ heading</source>
         <translation>σ orientación</translation>
+    </message>
+    <message>
+        <source>Laser topic</source>
+        <translation>Tema del láser</translation>
+    </message>
+    <message>
+        <source>Odometry topic</source>
+        <translation>Tema de la odometría</translation>
     </message>
 </context>
 <context>
@@ -4352,10 +4576,6 @@
         <translation>&amp;Archivo</translation>
     </message>
     <message>
-        <source>Path of a log, plain or .gz; files can be dropped here</source>
-        <translation>Ruta de un registro, en texto o .gz; se pueden soltar archivos aquí</translation>
-    </message>
-    <message>
         <source>&amp;Browse…</source>
         <translation>&amp;Examinar…</translation>
     </message>
@@ -4366,10 +4586,6 @@
     <message>
         <source>Open log</source>
         <translation>Abrir registro</translation>
-    </message>
-    <message>
-        <source>Choose a log: odometry and laser scans, as text or .gz.</source>
-        <translation>Elija un registro: odometría y barridos láser, en texto o .gz.</translation>
     </message>
     <message>
         <source>Reading…</source>
@@ -4398,6 +4614,30 @@
     <message>
         <source>World</source>
         <translation>Mundo</translation>
+    </message>
+    <message>
+        <source>Path of a log or a ROS recording; files and folders can be dropped here</source>
+        <translation>Ruta de un registro o de una grabación de ROS; se pueden soltar aquí archivos y carpetas</translation>
+    </message>
+    <message>
+        <source>&amp;Laser topic</source>
+        <translation>Tema del &amp;láser</translation>
+    </message>
+    <message>
+        <source>The only one; or one, several with commas between them, or all</source>
+        <translation>El único; o uno, varios separados por comas, o all</translation>
+    </message>
+    <message>
+        <source>O&amp;dometry topic</source>
+        <translation>Tema de la o&amp;dometría</translation>
+    </message>
+    <message>
+        <source>The only one, else the transforms; or one, or tf</source>
+        <translation>El único o, si no hay, las transformaciones; o uno, o tf</translation>
+    </message>
+    <message>
+        <source>Choose a log: odometry and laser scans, as text, .gz or ROS recording.</source>
+        <translation>Elija un registro: odometría y barridos láser, como texto, .gz o grabación de ROS.</translation>
     </message>
 </context>
 <context>
