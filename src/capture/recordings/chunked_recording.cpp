@@ -31,7 +31,7 @@ class Summed final : public ByteSource {
 
 /// Each source reads from the one before it.
 struct ChunkedRecording::Chunk {
-    Chunk(Section record, std::string_view compression, std::uint64_t stated_size,
+    Chunk(const Section& record, std::string_view compression, std::uint64_t stated_size,
           std::uint64_t begin)
         : packed(record),
           offset(begin),

@@ -25,7 +25,11 @@ class Mcap final : public ChunkedRecording {
   public:
     Mcap(const std::filesystem::path& path, RecordingUse use) : ChunkedRecording(path, use) {
         std::array<char, kMagic.size()> magic{};
-        records().read(magic);
+        const std::size_t got = records().read(magic);
+        if (std::string_view(magic.data(), got) != kMagic) {
+            throw FormatError(path.string(), 0,
+                              message(HITOS_TEXT("Errors", "does not begin as MCAP does")));
+        }
         FileBytes tail(path);
         if (file_size() < 2 * kMagic.size()) return;
         tail.skip(file_size() - kMagic.size());

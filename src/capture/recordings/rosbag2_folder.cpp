@@ -107,27 +107,43 @@ class Rosbag2Folder final : public Recording {
                 note(problem->number,
                      message("%1: %2", files_[opened_ - 1].filename().string(), problem->reason));
             }
-            if (found || opened_ == files_.size()) return found;
-            open_next();
+            if (found) return found;
+            if (!open_next_sound()) return std::nullopt;
         }
     }
 
     double progress() const override {
-        return (static_cast<double>(opened_ - 1) + current_->progress()) /
+        return (static_cast<double>(current_file_) + current_->progress()) /
                static_cast<double>(files_.size());
     }
 
   private:
+    /// Of the files behind the first, those that cannot be opened are told and passed over.
+    bool open_next_sound() {
+        while (opened_ < files_.size()) {
+            try {
+                open_next();
+                return true;
+            } catch (const FormatError& error) {
+                note(use_.topics.messages() + 1,
+                     message("%1: %2", files_[opened_].filename().string(), error.problem()));
+                ++opened_;
+            }
+        }
+        return false;
+    }
+
     void open_next() {
         const fs::path& file = files_[opened_];
         current_ = file.extension() == ".db3" ? open_db3(file, use_) : open_mcap(file, use_);
-        ++opened_;
+        current_file_ = opened_++;
     }
 
     std::vector<fs::path> files_;
     RecordingUse use_;
     std::unique_ptr<Recording> current_;
-    std::size_t opened_ = 0;
+    std::size_t opened_ = 0;        ///< how many of the files were tried
+    std::size_t current_file_ = 0;  ///< the place of current_
 };
 
 }  // namespace

@@ -316,6 +316,15 @@ TEST_F(Rosbag2, IsReadWithoutMetadataByTheNumbersOfItsFiles) {
     expect_first(read(open_rosbag2_folder, folder_.path()).all, 10);
 }
 
+TEST_F(Rosbag2, PassesOverALaterFileThatIsNone) {
+    put_mcap("r_0.mcap", 0, 3);
+    static_cast<void>(folder_.put("r_1.mcap", "nothing"));
+    put_mcap("r_2.mcap", 3, 10);
+    const Read found = read(open_rosbag2_folder, folder_.path());
+    expect_first(found.all, 10);
+    EXPECT_THAT(found.problems, ElementsAre("r_1.mcap: does not begin as MCAP does"));
+}
+
 TEST_F(Rosbag2, SaysWhatItCannotRead) {
     EXPECT_THAT(refusal(), HasSubstr("is a folder without a recording"));
     const auto metadata = [&](const std::string& text) {

@@ -1669,6 +1669,10 @@
         <source>found %1 odometry topics in %2: %3; choose one (--odom-topic), or &quot;tf&quot; for the transforms</source>
         <translation>se encontraron %1 temas de odometría en %2: %3; elija uno (--odom-topic), o «tf» para las transformaciones</translation>
     </message>
+    <message>
+        <source>does not begin as MCAP does</source>
+        <translation>no empieza como MCAP</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
