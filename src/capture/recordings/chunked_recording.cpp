@@ -31,9 +31,9 @@ class Summed final : public ByteSource {
 
 /// Each source reads from the one before it.
 struct ChunkedRecording::Chunk {
-    Chunk(const Section& record, std::string_view compression, std::uint64_t stated_size,
-          std::uint64_t begin)
-        : packed(record),
+    Chunk(ByteSource& file, std::uint64_t length, std::string_view compression,
+          std::uint64_t stated_size, std::uint64_t begin)
+        : packed(file, length),
           offset(begin),
           size(stated_size),
           unpacker(compression.empty() || compression == "none"
@@ -85,7 +85,7 @@ std::optional<RecordedMessage> ChunkedRecording::next() {
         }
         ended_ = true;
         if (const Message problem = problem_at_end(); !problem.empty()) {
-            note(topics().messages() + 1, problem);
+            note(topics().count_damage(), problem);
         }
     }
     return std::nullopt;
@@ -98,7 +98,7 @@ Message ChunkedRecording::placed(const Message& problem) const {
 }
 
 void ChunkedRecording::note_here(const Message& problem) {
-    note(topics().messages() + 1, placed(problem));
+    note(topics().count_damage(), placed(problem));
 }
 
 Section ChunkedRecording::open_record(Section& from, std::uint64_t length, bool may_be_cut) {
@@ -122,8 +122,7 @@ void ChunkedRecording::enter_chunk(Section& record, std::string_view compression
                     size, kLargestChunk));
     }
     // The record's own section ends with the caller: the same bytes from the file.
-    auto chunk =
-        std::make_unique<Chunk>(Section(records_, record.left()), compression, size, record_begin_);
+    auto chunk = std::make_unique<Chunk>(records_, record.left(), compression, size, record_begin_);
     chunk->sums = use_.check_contents && checksum != 0;
     chunk->checksum = checksum;
     ByteSource& bare = chunk->unpacker ? *chunk->unpacker : static_cast<ByteSource&>(chunk->packed);

@@ -65,7 +65,7 @@ class Db3 final : public Recording {
             const sqlite3_int64 id =
                 result == SQLITE_ROW ? sqlite3_column_int64(rows_.get(), 0) : 0;
             if (result != SQLITE_ROW || (any_ && id <= id_)) {
-                note(use_.topics.messages() + 1,
+                note(use_.topics.count_damage(),
                      message(HITOS_TEXT("Errors", "behind the row %1: %2"), id_,
                              result == SQLITE_ROW
                                  ? message(HITOS_TEXT("Errors", "rows come out of order"))
@@ -174,7 +174,7 @@ class Db3 final : public Recording {
     std::optional<RecordedMessage> message_of_row() {
         const auto topic = ids_.find(sqlite3_column_int64(rows_.get(), 1));
         if (topic == ids_.end()) {
-            note(use_.topics.messages() + 1,
+            note(use_.topics.count_damage(),
                  message(HITOS_TEXT("Errors",
                                     "found a message of the topic %1 in the row %2, which nothing "
                                     "describes"),

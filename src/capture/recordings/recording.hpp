@@ -50,8 +50,8 @@ class Topics {
     /// Counts a message; its number, from 1.
     std::uint64_t count(Topic& topic);
     const std::deque<Topic>& all() const { return topics_; }
-    /// How many were counted.
-    std::uint64_t messages() const { return messages_; }
+    /// The number of something that cannot be read: one of its own, so that no message has it.
+    std::uint64_t count_damage() { return ++messages_; }
 
   private:
     Wanted wanted_;
@@ -69,7 +69,7 @@ struct RecordedMessage {
 
 /// What cannot be read of a recording.
 struct RecordingProblem {
-    std::uint64_t number = 0;  ///< of the message at which, or before which, it was met
+    std::uint64_t number = 0;  ///< counted as a message
     Message reason;
 };
 
@@ -96,8 +96,10 @@ class Recording {
 
 /// How to read; shared by the files of one recording.
 struct RecordingUse {
-    Topics& topics;               ///< must live longer
-    bool check_contents = false;  ///< whether checksums are compared, where there are some
+    Topics& topics;  ///< must live longer
+    /// Whether checksums are compared, where there are some: with and without, what comes behind a
+    /// wrong one has other numbers.
+    bool check_contents = false;
 };
 
 std::unique_ptr<Recording> open_bag(const std::filesystem::path& path, RecordingUse use);
@@ -112,9 +114,10 @@ bool begins_db3(std::string_view beginning);
 
 inline constexpr const char* kRosbag2Metadata = "metadata.yaml";
 
-/// The files of a rosbag2 folder (or of that of its metadata.yaml) in their order: those that metadata.yaml lists; without it, as
-/// after a recording that was broken off, all *.mcap or *.db3 by their numbers. Throws FileError
-/// where there are none, FormatError where they are not in the folder or compressed.
+/// The files of a rosbag2 folder (or of that of its metadata.yaml) in their order: those that
+/// metadata.yaml lists; without it, as after a recording that was broken off, all *.mcap or *.db3
+/// by their numbers. Throws FileError where there are none, FormatError where they are not in the
+/// folder or compressed.
 std::vector<std::filesystem::path> rosbag2_files(const std::filesystem::path& path);
 
 }  // namespace hitos

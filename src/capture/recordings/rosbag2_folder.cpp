@@ -125,7 +125,7 @@ class Rosbag2Folder final : public Recording {
                 open_next();
                 return true;
             } catch (const FormatError& error) {
-                note(use_.topics.messages() + 1,
+                note(use_.topics.count_damage(),
                      message("%1: %2", files_[opened_].filename().string(), error.problem()));
                 ++opened_;
             }

@@ -20,8 +20,8 @@ constexpr std::size_t kDamageHeld = 64;
 }  // namespace
 
 struct RecordingSource::Cursor {
-    Cursor(const RecordingPlan& plan, Topics::Wanted wanted, bool checks)
-        : topics(std::move(wanted)), recording(plan.open(plan.path, {topics, checks})) {}
+    Cursor(const RecordingPlan& plan, Topics::Wanted wanted)
+        : topics(std::move(wanted)), recording(plan.open(plan.path, {topics, true})) {}
     Topics topics;
     std::unique_ptr<Recording> recording;
     bool ended = false;
@@ -51,8 +51,8 @@ RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan)
         return is_transforms(topic) || is_reading(topic) ||
                (is_laser(topic) && std::ranges::count(topics.scans, topic.name) > 0);
     };
-    scans_ = std::make_unique<Cursor>(*plan_, is_any, true);
-    odometry_ = std::make_unique<Cursor>(*plan_, is_reading, false);
+    scans_ = std::make_unique<Cursor>(*plan_, is_any);
+    odometry_ = std::make_unique<Cursor>(*plan_, is_reading);
 }
 
 RecordingSource::~RecordingSource() = default;

@@ -235,7 +235,7 @@ TEST(Mcap, GoesOnBehindADamagedChunk) {
     const std::size_t second = file.find(magic, file.find(magic) + 1);
     file.replace(second, 8, "xxxxxxxx");
     const Read found = read(open_mcap, folder.put("a", file));
-    EXPECT_THAT(found.numbers, ElementsAre(1, 2, 3, 4, 5, 6));
+    EXPECT_THAT(found.numbers, ElementsAre(1, 2, 3, 4, 6, 7));  // 5 is the damage
     EXPECT_EQ(found.all.back().bytes, messages().back().bytes);
     EXPECT_THAT(found.problems, ElementsAre(HasSubstr("the compressed data are damaged")));
 }
