@@ -81,7 +81,7 @@ std::vector<fs::path> files_found(const fs::path& folder) {
 fs::path file_in(const fs::path& folder, const std::string& name) {
     const fs::path relative(name);
     // The first versions of rosbag2 name the file with its folder.
-    const fs::path alone = folder / relative.filename();
+    fs::path alone = folder / relative.filename();
     const bool outside = relative.is_absolute() || std::ranges::count(relative, "..") > 0;
     std::error_code error;
     if (!outside && fs::exists(folder / relative, error)) return folder / relative;
