@@ -12,7 +12,8 @@ std::unique_ptr<TourReader> open_source(const SourceParams& source) {
             "source.file",
             message(HITOS_TEXT("Errors", "found no file name; expected the path of a log")));
     }
-    return std::make_unique<Procesador>(open_log(source.file, source.format, source.read), source.read);
+    return std::make_unique<Procesador>(open_log(source.file, source.format, source.read),
+                                        source.read);
 }
 
 }  // namespace hitos

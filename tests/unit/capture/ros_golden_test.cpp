@@ -1,6 +1,6 @@
 // Two seconds of a recording by ROS's own Python library: two-lasers-cut.bag is cut out of
-// two-lasers.bag of the shared data (made from the Player log bigloop, under its terms), messages and
-// connections as they stood there, in one chunk.
+// two-lasers.bag of the shared data (made from the Player log bigloop, under its terms), messages
+// and connections as they stood there, in one chunk.
 #include <gmock/gmock.h>
 
 #include "unit/capture/test_files.hpp"
