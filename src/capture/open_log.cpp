@@ -204,7 +204,10 @@ std::vector<std::filesystem::path> log_files(const std::filesystem::path& path) 
     const bool metadata = path.filename() == kRosbag2Metadata;
     if (!metadata && !std::filesystem::is_directory(path, error)) return {path};
     try {
-        return rosbag2_files(path);
+        std::vector<std::filesystem::path> files = rosbag2_files(path);
+        // What it says decides what is read, also where it appears later.
+        files.push_back((metadata ? path.parent_path() : path) / kRosbag2Metadata);
+        return files;
     } catch (const Error&) {  // whoever opens it is told
         return {path};
     }

@@ -1,11 +1,15 @@
 // rosbag2's SQLite files. A file is bad input like any other: what its schema could run is shut
 // off, and rows must come in order, so that damage can neither repeat them without end nor blow
 // memory up.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sqlite3.h>
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "recordings/recording.hpp"
@@ -51,7 +55,7 @@ class Db3 final : public Recording {
         require_table("messages");
         read_topics();
         last_id_ = largest_id();
-        rows_ = prepare("SELECT id, topic_id, timestamp, data FROM messages ORDER BY id");
+        rows_ = prepare(messages_query().c_str());
     }
 
     std::optional<RecordedMessage> next() override {
@@ -166,6 +170,18 @@ class Db3 final : public Recording {
         if (result != SQLITE_DONE) fail();
     }
 
+    /// What nobody wants, and what is too large, is not read: only told how long it is.
+    std::string messages_query() const {
+        std::vector<sqlite3_int64> wanted;
+        for (const auto& [id, topic] : ids_) {
+            if (topic->wanted) wanted.push_back(id);
+        }
+        return fmt::format(
+            "SELECT id, topic_id, timestamp, CASE WHEN topic_id IN ({}) AND length(data) <= {} "
+            "THEN data END, length(data) FROM messages ORDER BY id",
+            fmt::join(wanted, ","), kLargestMessage);
+    }
+
     sqlite3_int64 largest_id() const {
         const Statement row = prepare("SELECT max(id) FROM messages");
         return sqlite3_step(row.get()) == SQLITE_ROW ? sqlite3_column_int64(row.get(), 0) : 0;
@@ -183,6 +199,14 @@ class Db3 final : public Recording {
         }
         const std::uint64_t number = use_.topics.count(*topic->second);
         if (!topic->second->wanted) return std::nullopt;
+        const auto length = static_cast<std::uint64_t>(
+            std::max<sqlite3_int64>(sqlite3_column_int64(rows_.get(), 4), 0));
+        if (length > kLargestMessage) {
+            note(number,
+                 message(HITOS_TEXT("Errors", "found a message of %1 bytes, expected at most %2"),
+                         length, kLargestMessage));
+            return std::nullopt;
+        }
         const void* data = sqlite3_column_blob(rows_.get(), 3);
         const auto size = static_cast<std::size_t>(sqlite3_column_bytes(rows_.get(), 3));
         return RecordedMessage{

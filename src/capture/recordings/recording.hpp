@@ -19,7 +19,7 @@ namespace hitos {
 /// A greater message is passed over and reported: a laser of a million rays has 8 MB.
 inline constexpr std::uint64_t kLargestMessage = std::uint64_t{16} << 20;
 /// A name, a type or another word of a recording.
-inline constexpr std::uint64_t kLongestWord = std::uint64_t{1} << 16;
+inline constexpr std::uint64_t kLongestWord = 4096;
 /// What one chunk may unpack to.
 inline constexpr std::uint64_t kLargestChunk = std::uint64_t{512} << 20;
 /// More topics are damage.

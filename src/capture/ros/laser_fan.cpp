@@ -15,6 +15,9 @@ constexpr float kNoReading = std::numeric_limits<float>::quiet_NaN();
 /// that is no whole number of steps, the rays of one would be bent.
 constexpr double kOffRay = 0.05;
 
+/// Of two lasers together.
+constexpr double kMostRays = 1e6;
+
 }  // namespace
 
 MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_laser) {
@@ -82,11 +85,13 @@ std::optional<MountedScan> merged(const MountedScan& a, const MountedScan& b) {
         middle + wrap_angle(middle_b - middle) + (b.fan.min_angle_rad + shift - middle_b);
     const double place = (begin_b - fan.min_angle_rad) / step;
     const double nearest = std::round(place);
-    if (std::abs(place - nearest) > kOffRay) return std::nullopt;
+    if (!(std::abs(place - nearest) <= kOffRay)) return std::nullopt;
     const double low = std::min(0.0, nearest);
     const double high = std::max<double>(fan.count, nearest + static_cast<double>(b.fan.count));
     constexpr double kRounding = 1e-6;
-    if ((high - low - 1.0) * step > 2.0 * kPi + kRounding) return std::nullopt;
+    if (!((high - low - 1.0) * step <= 2.0 * kPi + kRounding)) return std::nullopt;
+    // Steps may be as small as a damaged file likes: then so many would lie between the two.
+    if (!(high - low <= kMostRays)) return std::nullopt;
 
     MountedScan both = a;
     both.stamp_ns = std::min(a.stamp_ns, b.stamp_ns);

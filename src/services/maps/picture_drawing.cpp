@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -14,6 +15,13 @@
 
 namespace hitos::drawing {
 namespace {
+
+// OpenCV's own threads gain nothing here, and where the system cannot start one it waits for it
+// without end (4.6).
+[[maybe_unused]] const bool kWithoutItsThreads = [] {
+    cv::setNumThreads(1);
+    return true;
+}();
 
 constexpr int kShift = 4;          // OpenCV's fixed point: sixteenths of a pixel
 constexpr double kFarthest = 1e7;  // pixels; OpenCV's integers overflow beyond

@@ -13,7 +13,18 @@ namespace {
 /// Each may hold a grid with its picture.
 constexpr int kMostWorkers = 3;
 /// Of a grid; greater ones are held one at a time.
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+constexpr double kMostCells = 16.0 * 1024.0 * 1024.0;
+
+/// About as many as the grid along a path has, where a laser sees 25 m.
+double cells(const Trajectory& path, double resolution_m) {
+    constexpr double kSeen = 25.0;
+    const auto extent = [&path, resolution_m](double Pose::*axis) {
+        const auto [least, greatest] = std::ranges::minmax_element(
+            path, {}, [axis](const StampedPose& stamped) { return stamped.pose.*axis; });
+        return ((*greatest).pose.*axis - (*least).pose.*axis + 2.0 * kSeen) / resolution_m;
+    };
+    return path.empty() ? 0.0 : extent(&Pose::x) * extent(&Pose::y);
+}
 
 }  // namespace
 
@@ -38,7 +49,10 @@ std::vector<Message> OutputCrew::write(std::span<const RunOutput* const> outputs
 }
 
 int OutputCrew::workers(int threads) const {
-    if (finished_.run.step_grid().bytes() > kMostBytes) return 1;
+    const double resolution_m = finished_.run.configuration().grid.resolution_m;
+    for (const Trajectory* path : {&finished_.best, &finished_.run.odometry_trajectory()}) {
+        if (!(cells(*path, resolution_m) < kMostCells)) return 1;  // not even a number
+    }
     if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
     return std::clamp(threads, 1, kMostWorkers);
 }

@@ -120,6 +120,9 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
     } catch (const nlohmann::json::exception& error) {
         throw FormatError(journal.string(), 0,
                           message(HITOS_TEXT("Errors", "is no list of files: %1"), error.what()));
+    } catch (const FileError& error) {
+        // Nobody knows of the folder in which it really is.
+        throw error.replaced(staging.folder.string(), target.folder.string());
     }
     const std::string seal = relative(plan_file(target), target);
     FileExchange exchange(staging.folder, target.folder);

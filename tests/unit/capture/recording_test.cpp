@@ -260,6 +260,21 @@ TEST(Db3, GivesAllMessagesOrSaysWhatIsMissing) {
                 HasSubstr("cannot be read as a recording"));
 }
 
+TEST(Db3, PassesOverWhatIsTooLargeAndWhatNobodyWants) {
+    const TempFolder folder;
+    std::vector<Said> all = messages();
+    const std::string large(static_cast<std::size_t>(kLargestMessage) + 1, 'x');
+    all[1].bytes = all[2].bytes = large;  // of "/b"
+    write_db3(folder / "a.db3", all);
+    const Read found = read(open_db3, folder / "a.db3", "/b");
+    EXPECT_THAT(found.numbers, ElementsAre(1, 4, 7, 10));
+    EXPECT_TRUE(found.problems.empty());
+    const Read both = read(open_db3, folder / "a.db3");
+    EXPECT_EQ(both.all.size(), messages().size() - 2);
+    ASSERT_EQ(both.problems.size(), 2U);
+    EXPECT_THAT(both.problems.front(), HasSubstr("expected at most 16777216"));
+}
+
 TEST(Db3, EndsWhateverIsChanged) {
     const TempFolder folder;
     write_db3(folder / "a.db3", messages());

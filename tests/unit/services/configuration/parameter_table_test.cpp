@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 89U);
+    EXPECT_EQ(keys.size(), 91U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -227,7 +227,14 @@ TEST(ParameterTable, EachParameterReachesAPlaceOfItsOwn) {
 
 TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     Configuracion c;
-    c.source = {"a.log", "carmen", {12.5, true}, 43, "laser.sigma=0.003"};
+    c.source.file = "a.log";
+    c.source.format = "carmen";
+    c.source.read.max_range_m = 12.5;
+    c.source.read.logged_velocities = true;
+    c.source.read.scan_topic = "/front,/rear";
+    c.source.read.odom_topic = "tf";
+    c.source.tour_seed = 43;
+    c.source.world_set = "laser.sigma=0.003";
     c.run = {42, 3};
     c.filter.algorithm = "ekf-slam";
     c.filter.particles = 77;
@@ -265,6 +272,8 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"source.format", "carmen"},
         {"source.max_range", "12.5"},
         {"source.odometry", "velocities"},
+        {"source.scan_topic", "/front,/rear"},
+        {"source.odom_topic", "tf"},
         {"source.tour_seed", "43"},
         {"source.world_set", "laser.sigma=0.003"},
         {"run.seed", "42"},
