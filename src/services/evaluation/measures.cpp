@@ -4,14 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <queue>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
+
+#include "stamp_pairs.hpp"
 
 namespace hitos {
 namespace {
@@ -173,64 +170,6 @@ class PairFit {
     std::span<const MapPair> pairs_;
     std::vector<Eigen::Vector2d> targets_;
 };
-
-/// A pose of one of two trajectories in the order of all stamps.
-struct Stamp {
-    double time_s = 0.0;
-    bool of_reference = false;
-    std::size_t index = 0;
-};
-
-/// Pairs (estimate, reference) of poses with stamps within the tolerance, nearest first. The two
-/// nearest that are left always stand side by side in the order of stamps, so a list of what is
-/// left and a queue of its neighbours suffice.
-std::vector<std::pair<std::size_t, std::size_t>> pairs_by_stamp(const Trajectory& estimate,
-                                                                const Trajectory& reference,
-                                                                double tolerance_s) {
-    std::vector<Stamp> stamps;
-    for (std::size_t i = 0; i < estimate.size(); ++i) {
-        if (std::isfinite(estimate[i].time_s)) stamps.push_back({estimate[i].time_s, false, i});
-    }
-    for (std::size_t i = 0; i < reference.size(); ++i) {
-        if (std::isfinite(reference[i].time_s)) stamps.push_back({reference[i].time_s, true, i});
-    }
-    std::ranges::stable_sort(stamps, {}, &Stamp::time_s);
-
-    const std::size_t none = stamps.size();
-    std::vector<std::size_t> before(stamps.size());
-    std::vector<std::size_t> after(stamps.size());
-    std::vector<char> used(stamps.size(), 0);
-    using Candidate = std::tuple<double, std::size_t, std::size_t>;
-    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
-    const auto consider = [&](std::size_t left, std::size_t right) {
-        if (left == none || right == none) return;
-        if (stamps[left].of_reference == stamps[right].of_reference) return;
-        const double apart = stamps[right].time_s - stamps[left].time_s;
-        if (apart <= tolerance_s) candidates.emplace(apart, left, right);
-    };
-    for (std::size_t i = 0; i < stamps.size(); ++i) {
-        before[i] = i == 0 ? none : i - 1;
-        after[i] = i + 1;
-        consider(i, after[i]);
-    }
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    while (!candidates.empty()) {
-        const auto [apart, left, right] = candidates.top();
-        candidates.pop();
-        if (used[left] != 0 || used[right] != 0) continue;
-        used[left] = used[right] = 1;
-        const auto& [of_estimate, of_reference] =
-            stamps[left].of_reference ? std::pair(right, left) : std::pair(left, right);
-        pairs.emplace_back(stamps[of_estimate].index, stamps[of_reference].index);
-        const std::size_t outer_left = before[left];
-        const std::size_t outer_right = after[right];
-        if (outer_left != none) after[outer_left] = outer_right;
-        if (outer_right != none) before[outer_right] = outer_left;
-        consider(outer_left, outer_right);
-    }
-    std::ranges::sort(pairs);
-    return pairs;
-}
 
 /// The rigid motion that takes points, one a column, nearest to their partners (Umeyama, 1991).
 Pose rigid_alignment(const Eigen::MatrixXd& points, const Eigen::MatrixXd& partners) {

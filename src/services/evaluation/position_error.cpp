@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
+
+#include "stamp_pairs.hpp"
 
 namespace hitos {
 
@@ -12,18 +13,7 @@ PositionError::PositionError(Trajectory reference) : reference_(std::move(refere
 }
 
 std::optional<Pose> PositionError::reference_at(const StampedPose& estimate) {
-    const auto after =
-        std::ranges::lower_bound(reference_, estimate.time_s, {}, &StampedPose::time_s);
-    const StampedPose* nearest = nullptr;
-    double apart = kSameStamp;
-    const auto offer = [&](const StampedPose& pose) {
-        const double away = std::abs(pose.time_s - estimate.time_s);
-        if (away > apart) return;
-        apart = away;
-        nearest = &pose;
-    };
-    if (after != reference_.begin()) offer(*std::prev(after));
-    if (after != reference_.end()) offer(*after);
+    const StampedPose* nearest = nearest_pose(reference_, estimate.time_s, kSameStamp);
     if (nearest == nullptr) return std::nullopt;
     if (!pose_world_reference_) {
         pose_world_reference_ = compose(estimate.pose, inverse(nearest->pose));
