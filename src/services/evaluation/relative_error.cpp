@@ -1,0 +1,40 @@
+#include "hitos/services/evaluation/relative_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "stamp_pairs.hpp"
+
+namespace hitos {
+
+std::optional<RelativeError> relative_error(const Trajectory& estimate, const Trajectory& reference,
+                                            const PairSpacing& spacing, double tolerance_s) {
+    auto common = pairs_by_stamp(estimate, reference, tolerance_s);
+    std::ranges::stable_sort(common, {},
+                             [&](const auto& pair) { return estimate[pair.first].time_s; });
+    Trajectory own;
+    Trajectory other;
+    for (const auto& [i, j] : common) {
+        own.push_back(estimate[i]);
+        other.push_back(reference[j]);
+    }
+    std::vector<double> translations;
+    std::vector<double> rotations;
+    for (const auto& [i, j] : pose_pairs(own, spacing)) {
+        const Pose error =
+            between(between(other[i].pose, other[j].pose), between(own[i].pose, own[j].pose));
+        translations.push_back(std::hypot(error.x, error.y));
+        rotations.push_back(std::abs(error.theta));
+    }
+    if (translations.empty()) return std::nullopt;
+    RelativeError result;
+    result.poses = static_cast<int>(own.size());
+    result.pairs = static_cast<int>(translations.size());
+    result.translation_m = figures_of(std::move(translations));
+    result.rotation_rad = figures_of(std::move(rotations));
+    return result;
+}
+
+}  // namespace hitos

@@ -1,0 +1,77 @@
+// hitos-cli relations: relations of a reference trajectory, to measure others by.
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/input_files.hpp"
+#include "hitos/services/evaluation/relations.hpp"
+#include "hitos/services/maps/trajectory_file.hpp"
+#include "spacing_options.hpp"
+
+namespace hitos::cli {
+namespace {
+
+struct RelationsOptions {
+    std::string trajectory;
+    std::string out;
+    std::optional<double> distance_m;
+    std::optional<double> time_s;
+    PairSpacing spacing;
+};
+
+void make_relations(RelationsOptions options) {
+    const std::filesystem::path out = options.out;
+    const std::filesystem::path in = options.trajectory;
+    check_apart({&out, 1}, {&in, 1});
+    if (options.time_s) {
+        options.spacing.by = PairSpacing::By::time;
+        options.spacing.length = *options.time_s;
+    } else {
+        options.spacing.length = options.distance_m.value_or(1.0);
+    }
+    Trajectory trajectory = read_trajectory(options.trajectory);
+    std::ranges::stable_sort(trajectory, {}, &StampedPose::time_s);
+    const std::vector<PoseRelation> relations =
+        relations_of(trajectory, pose_pairs(trajectory, options.spacing));
+    if (relations.empty()) {
+        throw FormatError(
+            options.trajectory, 0,
+            verbatim(fmt::format("has no two poses that are {:g} {} apart; nothing is written",
+                                 options.spacing.length, options.time_s ? "s" : "m of way")));
+    }
+    write_file(out, relations_text(relations));
+    fmt::print("{} relations of {} poses in {}\n", relations.size(), trajectory.size(),
+               options.out);
+}
+
+}  // namespace
+
+void add_relations(CLI::App& program) {
+    auto options = std::make_shared<RelationsOptions>();
+    CLI::App* command = program.add_subcommand(
+        "relations",
+        "Make relations of a reference trajectory, for evaluate --relations (docs/formats.md)");
+    command->add_option("trajectory", options->trajectory, "Reference trajectory (TUM)")
+        ->required();
+    command->add_option("--out", options->out, "File to write")->required();
+    CLI::Option* distance = command
+                                ->add_option("--distance", options->distance_m,
+                                             "Way between the poses of a relation [m] (default: 1)")
+                                ->check(CLI::PositiveNumber);
+    command->add_option("--time", options->time_s, "Time between them [s], in place of the way")
+        ->check(CLI::PositiveNumber)
+        ->excludes(distance);
+    add_spacing_options(*command, "", options->spacing);
+    command->callback([options] { make_relations(*options); });
+}
+
+}  // namespace hitos::cli

@@ -1,0 +1,24 @@
+// Which pairs of poses to take: options of evaluate and relations.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "hitos/services/evaluation/pose_pairs.hpp"
+
+namespace hitos::cli {
+
+/// `prefix` stands before the names, as in --rpe-consecutive.
+inline void add_spacing_options(CLI::App& command, const std::string& prefix,
+                                PairSpacing& spacing) {
+    command.add_flag(
+        "--" + prefix + "consecutive", spacing.consecutive,
+        "Pairs one after the other (default: one that begins at every pose; which pairs "
+        "exactly: docs/evaluation.md)");
+    command
+        .add_option("--" + prefix + "slack", spacing.tolerance,
+                    "Share of the way or time that such a pair may miss it by (default: 0.1)")
+        ->check(CLI::NonNegativeNumber);
+}
+
+}  // namespace hitos::cli
