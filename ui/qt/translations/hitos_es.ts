@@ -1670,8 +1670,24 @@
         <translation>se encontraron %1 temas de odometría en %2: %3; elija uno (--odom-topic), o «tf» para las transformaciones</translation>
     </message>
     <message>
+        <source>the tour has %1 scans, the path %2 poses; expected the tour that the path was made of</source>
+        <translation>el recorrido tiene %1 barridos y el camino %2 poses; se esperaba el recorrido del que se hizo el camino</translation>
+    </message>
+    <message>
+        <source>scan %1 has the stamp %2 s, its pose %3 s; expected the tour that the path was made of</source>
+        <translation>el barrido %1 tiene el instante %2 s y su pose %3 s; se esperaba el recorrido del que se hizo el camino</translation>
+    </message>
+    <message>
+        <source>no relation in the file; expected 8 numbers, t1 t2 x y z roll pitch yaw on each line</source>
+        <translation>no hay ninguna relación en el archivo; se esperaban 8 números, t1 t2 x y z roll pitch yaw en cada línea</translation>
+    </message>
+    <message>
+        <source>relation %1 (t1 %2, t2 %3, x %4, y %5, yaw %6) is not finite and cannot be written</source>
+        <translation>la relación %1 (t1 %2, t2 %3, x %4, y %5, yaw %6) no es finita y no se puede escribir</translation>
+    </message>
+    <message>
         <source>does not begin as MCAP does</source>
-        <translation>no empieza como MCAP</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
