@@ -21,7 +21,7 @@ constexpr double kRepairStep = 1e-3;
 
 Procesador::Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options)
     : fuente_(std::move(fuente)),
-      options_(options),
+      options_(std::move(options)),
       conversor_scans_(fuente_->format().make_conversor(*fuente_, options_)),
       conversor_odometry_(
           fuente_->format().make_conversor(*fuente_, without_look_ahead(options_))) {}

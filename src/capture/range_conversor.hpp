@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fields.hpp"
@@ -21,7 +22,7 @@ inline constexpr double kNoReturnMargin = 0.1;
 /// the scan.
 class RangeConversor : public Conversor {
   public:
-    explicit RangeConversor(const ReadOptions& options) : options_(options) {}
+    explicit RangeConversor(ReadOptions options) : options_(std::move(options)) {}
 
     std::optional<Scan> scan(const RawLine& line) final;
 

@@ -39,8 +39,8 @@ Scan limited(const Scan& scan, double max_range_m) {
 }  // namespace
 
 SimulatedTourReader::SimulatedTourReader(std::shared_ptr<const SimulatedTour> tour,
-                                         const ReadOptions& options)
-    : tour_(std::move(tour)), options_(options), noise_(noise_of(tour_->world())) {}
+                                         ReadOptions options)
+    : tour_(std::move(tour)), options_(std::move(options)), noise_(noise_of(tour_->world())) {}
 
 std::optional<Scan> SimulatedTourReader::next_scan() {
     if (report_.scans >= tour_->scans()) return std::nullopt;

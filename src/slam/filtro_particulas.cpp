@@ -180,7 +180,7 @@ void FiltroParticulas::take_selected() {
     constexpr std::size_t kWork = 30;
     maps_.begin_selection();
     for_each_block(selected_.size(), kWork, [&](const Block& block) { draw(block); });
-    // From here on nothing fails.
+    // From here on nothing needs memory.
     for_each_block(selected_.size(), kWork, [&](const Block& block) { let_go(block); });
     maps_.end_selection();
     particles_.swap(resampled_);
@@ -204,7 +204,7 @@ void FiltroParticulas::draw(const Block& block) {
     });
 }
 
-void FiltroParticulas::let_go(const Block& block) noexcept {
+void FiltroParticulas::let_go(const Block& block) {
     Worker& worker = block.worker;
     for (std::size_t m = block.begin; m < block.end; ++m) {
         if (!drawn_again(m)) maps_.take_over(selected_[m], m);

@@ -118,7 +118,7 @@ class FiltroParticulas final : public SlamFilter {
     /// Makes the block's particles copies of those that were selected.
     void draw(const Block& block);
     /// Gives them what only one can have, and lets go what nobody was drawn from.
-    void let_go(const Block& block) noexcept;
+    void let_go(const Block& block);
     /// Whether the one before was drawn from the same particle.
     bool drawn_again(std::size_t m) const { return m > 0 && selected_[m - 1] == selected_[m]; }
     /// Whether the map is a copy that resampling has just made of the one before it.

@@ -15,7 +15,7 @@ namespace hitos {
 class SimulatedTourReader final : public TourReader {
   public:
     explicit SimulatedTourReader(std::shared_ptr<const SimulatedTour> tour,
-                                 const ReadOptions& options = {});
+                                 ReadOptions options = {});
 
     std::optional<Scan> next_scan() override;
     std::optional<Odometria> next_odometry() override;

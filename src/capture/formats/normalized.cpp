@@ -2,6 +2,7 @@
 // that read back as the same bits.
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "formats/formats.hpp"
 #include "hitos/base/translatable.hpp"
@@ -31,7 +32,7 @@ LineKind classify(std::string_view text) {
 
 class ConversorNormalized final : public Conversor {
   public:
-    explicit ConversorNormalized(const ReadOptions& options) : options_(options) {}
+    explicit ConversorNormalized(ReadOptions options) : options_(std::move(options)) {}
     std::optional<Scan> scan(const RawLine& line) override;
     std::optional<OdometryRecord> odometry(const RawLine& line) override;
 

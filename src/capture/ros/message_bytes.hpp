@@ -2,6 +2,8 @@
 // which aligns numbers to their size and ends texts by a zero.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -26,15 +28,11 @@ class MessageBytes {
         std::size_t alignment = sizeof(Number);
         if (alignment > greatest_alignment_) alignment = greatest_alignment_;
         if (cdr_) at_ += (alignment - at_ % alignment) % alignment;
-        char raw[sizeof(Number)];
-        std::memcpy(raw, need(sizeof(Number), field), sizeof(Number));
-        if (swapped_) {
-            for (std::size_t i = 0; i < sizeof(Number) / 2; ++i) {
-                std::swap(raw[i], raw[sizeof(Number) - 1 - i]);
-            }
-        }
+        std::array<char, sizeof(Number)> raw;
+        std::memcpy(raw.data(), need(sizeof(Number), field), sizeof(Number));
+        if (swapped_) std::ranges::reverse(raw);
         Number value;
-        std::memcpy(&value, raw, sizeof(Number));
+        std::memcpy(&value, raw.data(), sizeof(Number));
         return value;
     }
     /// A finite number of believable size.

@@ -11,7 +11,7 @@ using test::Log;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-Log carmen(const std::string& text, ReadOptions options = {}) {
+Log carmen(const std::string& text, const ReadOptions& options = {}) {
     return test::read_text("carmen", text, options);
 }
 

@@ -9,7 +9,7 @@ namespace {
 using test::Log;
 using ::testing::ElementsAre;
 
-Log normalized(const std::string& text, ReadOptions options = {}) {
+Log normalized(const std::string& text, const ReadOptions& options = {}) {
     return test::read_text("normalized", text, options);
 }
 

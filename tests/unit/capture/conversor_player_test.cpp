@@ -15,7 +15,7 @@ const std::string kLaserHead = " 16777343 6665 laser 00 ";
 const std::string kPositionHead = " 16777343 6665 position2d 00 001 001 ";
 const std::string kTwoRays = " -1.5708 +1.5708 +0.01735687 +8.0000 0002 1.000  1 2.000  1";
 
-Log player(const std::string& text, ReadOptions options = {}) {
+Log player(const std::string& text, const ReadOptions& options = {}) {
     return test::read_text("player", text, options);
 }
 

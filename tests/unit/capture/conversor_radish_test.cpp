@@ -11,7 +11,7 @@ using test::Log;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-Log radish(const std::string& text, ReadOptions options = {}) {
+Log radish(const std::string& text, const ReadOptions& options = {}) {
     return test::read_text("radish", text, options);
 }
 

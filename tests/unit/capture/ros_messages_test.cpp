@@ -80,10 +80,10 @@ TEST_P(EverySerialisation, IsRefusedWhereItEndsEarly) {
     EXPECT_THROW(decode_laser_scan(laser + "12345678", encoding()), FormatError);
 }
 
-constexpr const char* kNames[] = {"Ros1", "LittleCdr", "BigCdr"};
-
-INSTANTIATE_TEST_SUITE_P(Messages, EverySerialisation, testing::Values(0, 1, 2),
-                         [](const auto& value) { return kNames[value.param]; });
+INSTANTIATE_TEST_SUITE_P(
+    Messages, EverySerialisation, testing::Values(0, 1, 2), [](const auto& value) {
+        return std::string(value.param == 0 ? "Ros1" : value.param == 1 ? "LittleCdr" : "BigCdr");
+    });
 
 std::string refusal_of(const std::string& bytes, Encoding encoding = Encoding::ros1) {
     return test::message_of<FormatError>([&] { decode_laser_scan(bytes, encoding); });
@@ -104,7 +104,7 @@ TEST(RosMessages, SayWhatIsWrongWithThem) {
     EXPECT_THAT(refusal_of(laser_message(laser)), HasSubstr("\"angle_increment\": found nan"));
     // A count that no memory would hold is held against what is there.
     std::string great = sound;
-    const std::size_t count = great.size() - 4 - 3 * 4 - 4;
+    const std::size_t count = great.size() - 20;  // its empty list of intensities, three ranges
     std::fill_n(great.begin() + static_cast<std::ptrdiff_t>(count), 4, '\xff');
     EXPECT_THAT(refusal_of(great), HasSubstr("found a count of 4294967295, expected at most 4"));
     const std::string no_turn = test::transforms_message({{{1, 2}, "a", "b", {}}});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -31,10 +32,10 @@ class Bytes {
         if (cdr_) {
             while ((text_.size() - 4) % sizeof value != 0) text_ += '\0';
         }
-        char raw[sizeof value];
-        std::memcpy(raw, &value, sizeof value);
-        if (big_) std::reverse(raw, raw + sizeof value);
-        text_.append(raw, sizeof value);
+        std::array<char, sizeof value> raw;
+        std::memcpy(raw.data(), &value, sizeof value);
+        if (big_) std::ranges::reverse(raw);
+        text_.append(raw.data(), sizeof value);
         return *this;
     }
     Bytes& u8(std::uint8_t value) { return put(value); }
@@ -162,7 +163,7 @@ inline std::string unpacked(const std::string& content) {
 inline std::string bag_record(const std::vector<std::pair<std::string, std::string>>& fields,
                               std::string_view data) {
     Bytes header;
-    for (const auto& [name, value] : fields) header.word(name + "=" + value);
+    for (const auto& [name, value] : fields) header.word(std::string(name).append("=") += value);
     return Bytes().word(header.text()).word(data).text();
 }
 

@@ -51,12 +51,13 @@ inline Log read_all(TourReader& reader) {
 }
 
 inline Log read_log(const std::filesystem::path& path, std::string_view format = kAutoFormat,
-                    ReadOptions options = {}) {
+                    const ReadOptions& options = {}) {
     Procesador procesador(open_log(path, format), options);
     return read_all(procesador);
 }
 
-inline Log read_text(std::string_view format, std::string_view text, ReadOptions options = {}) {
+inline Log read_text(std::string_view format, std::string_view text,
+                     const ReadOptions& options = {}) {
     const TempDir folder;
     return read_log(folder.put("some.log", text), format, options);
 }

@@ -1687,7 +1687,7 @@
     </message>
     <message>
         <source>does not begin as MCAP does</source>
-        <translation type="unfinished"></translation>
+        <translation>no empieza como un MCAP</translation>
     </message>
 </context>
 <context>
