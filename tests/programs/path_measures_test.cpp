@@ -126,8 +126,9 @@ TEST_F(PathMeasures, RelationsOfAPathAreZeroOnItInAnyFrame) {
     for (const std::string how :
          {"", "--distance 2.5", "--time 1", "--time 1 --consecutive", "--distance 1 --slack 0.4"}) {
         const std::string relations = path("truth.relations");
-        const Outcome made =
-            shell(cli_ + " relations " + truth_ + " --out " + relations + " " + how);
+        std::string make = cli_;
+        make.append(" relations ").append(truth_).append(" --out ").append(relations);
+        const Outcome made = shell(make.append(" ").append(how));
         ASSERT_EQ(made.status, 0) << made.output;
         EXPECT_THAT(made.output, HasSubstr(" relations of 80 poses in "));
         const std::string by = " --relations " + relations;
