@@ -3,13 +3,6 @@
 #include "line_reader.hpp"
 
 namespace hitos {
-namespace {
-
-/// Reports are for people: beyond this many between two scans, damaged lines are only counted, so
-/// that a file of nothing but damage costs no memory.
-constexpr std::size_t kDamageHeld = 64;
-
-}  // namespace
 
 struct Archivo::Cursor {
     explicit Cursor(const std::filesystem::path& path) : reader(path) {}
@@ -36,7 +29,7 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
     const bool tells_damage = wanted == LineKind::scan;
     while (std::optional<LineReader::Line> line = cursor.reader.next()) {
         if (!line->damage.empty()) {
-            if (tells_damage) note_damage(line->number, std::move(line->damage));
+            if (tells_damage) damage_.note(line->number, std::move(line->damage));
             continue;
         }
         if (line->text.empty() || line->text.front() == '#') continue;
@@ -45,8 +38,8 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
             return RawLine{line->text, line->number, kind == LineKind::both};
         }
         if (kind == LineKind::damaged && tells_damage) {
-            note_damage(line->number,
-                        message(HITOS_TEXT("Errors", "not a line of the format %1"), format_.word));
+            damage_.note(line->number, message(HITOS_TEXT("Errors", "not a line of the format %1"),
+                                               format_.word));
         }
     }
     return std::nullopt;
@@ -62,26 +55,6 @@ std::string Archivo::name() const {
 
 std::unique_ptr<Fuente> Archivo::reopen() const {
     return std::make_unique<Archivo>(path_, format_);
-}
-
-void Archivo::note_damage(std::uint64_t line, Message reason) {
-    if (damage_.size() < kDamageHeld) {
-        damage_.emplace_back(line, std::move(reason));
-    } else {
-        ++damage_untold_;
-    }
-}
-
-std::optional<std::pair<std::uint64_t, Message>> Archivo::take_damage() {
-    if (damage_.empty()) return std::nullopt;
-    if (damage_.size() == 1 && damage_untold_ > 0) {
-        // The last one held stands for those that were only counted.
-        --damage_untold_;
-        return damage_.front();
-    }
-    std::pair<std::uint64_t, Message> first = std::move(damage_.front());
-    damage_.pop_front();
-    return first;
 }
 
 }  // namespace hitos

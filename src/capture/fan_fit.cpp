@@ -85,8 +85,7 @@ Fan fitted_fan(const std::vector<double>& bearings, double smallest) {
     }
     const double slope = (n * sum_kb - sum_k * sum_b) / (n * sum_kk - sum_k * sum_k);
     Fan fan;
-    constexpr double kMostRays = 1e6;
-    if (!(k >= 0.0 && k < kMostRays)) return fan;  // no scanner's
+    if (!(k >= 0.0 && k < kMostScannerRays)) return fan;  // no scanner's
     fan.min_angle_rad = (sum_b - slope * sum_k) / n;
     fan.max_angle_rad = fan.min_angle_rad + slope * k;
     fan.count = static_cast<std::uint32_t>(k) + 1;

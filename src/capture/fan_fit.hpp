@@ -1,6 +1,7 @@
 // From points back to a fan's ranges, for formats that log ranges.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace hitos {
 
 /// The greatest range written where a scan does not say its own: the one of SICK scanners.
 inline constexpr double kUnknownMaxRange = 81.91;
+
+/// More rays than any laser has: what says so is damaged.
+inline constexpr std::uint32_t kMostScannerRays = 1'000'000;
 
 /// A scan as ranges. Rays without a point have range 0.
 struct Sweep {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 
 #include "hitos/base/message.hpp"
 #include "hitos/capture/fuente.hpp"
+#include "hitos/capture/held_damage.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
@@ -36,20 +36,20 @@ class Archivo final : public Fuente {
     std::optional<RawLine> read_odometry_line() override;
     std::optional<double> progress() const override;
     std::string name() const override;
-    std::optional<std::pair<std::uint64_t, Message>> take_damage() override;
+    std::optional<std::pair<std::uint64_t, Message>> take_damage() override {
+        return damage_.take();
+    }
     std::unique_ptr<Fuente> reopen() const override;
 
   private:
     struct Cursor;
     std::optional<RawLine> read(Cursor& cursor, LineKind wanted);
-    void note_damage(std::uint64_t line, Message reason);
 
     std::filesystem::path path_;
     const LogFormat& format_;
     std::unique_ptr<Cursor> scans_;
     std::unique_ptr<Cursor> odometry_;
-    std::deque<std::pair<std::uint64_t, Message>> damage_;
-    std::uint64_t damage_untold_ = 0;  ///< lines beyond those that damage_ may hold
+    HeldDamage damage_;
 };
 
 /// Opens a log: text, or a ROS recording, which may be a folder. With "auto" the format is found

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fan_fit.hpp"
 #include "hitos/base/error.hpp"
 
 namespace hitos {
@@ -14,9 +15,6 @@ constexpr float kNoReading = std::numeric_limits<float>::quiet_NaN();
 /// How far off its ray a bearing may lie, in steps: of lasers that are mounted apart by an angle
 /// that is no whole number of steps, the rays of one would be bent.
 constexpr double kOffRay = 0.05;
-
-/// Of two lasers together.
-constexpr double kMostRays = 1e6;
 
 }  // namespace
 
@@ -91,7 +89,7 @@ std::optional<MountedScan> merged(const MountedScan& a, const MountedScan& b) {
     constexpr double kRounding = 1e-6;
     if (!((high - low - 1.0) * step <= 2.0 * kPi + kRounding)) return std::nullopt;
     // Steps may be as small as a damaged file likes: then so many would lie between the two.
-    if (!(high - low <= kMostRays)) return std::nullopt;
+    if (!(high - low <= kMostScannerRays)) return std::nullopt;
 
     MountedScan both = a;
     both.stamp_ns = std::min(a.stamp_ns, b.stamp_ns);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fan_fit.hpp"
 #include "hitos/base/error.hpp"
 #include "ros/message_bytes.hpp"
 
@@ -71,12 +72,11 @@ LaserScanMessage decode_laser_scan(std::string_view raw, Encoding encoding) {
     scan.min_range_m = real("range_min");
     scan.max_range_m = real("range_max");
     const std::uint32_t rays = bytes.count(sizeof(float), "ranges");
-    constexpr std::uint32_t kMostRays = 1'000'000;
-    if (rays == 0 || rays > kMostRays) {
+    if (rays == 0 || rays > kMostScannerRays) {
         throw FormatError(
             {}, 0,
             message(HITOS_TEXT("Errors", "field \"%1\": found %2 rays, expected 1 to %3"), "ranges",
-                    rays, kMostRays));
+                    rays, kMostScannerRays));
     }
     scan.ranges_m.resize(rays);
     for (float& range : scan.ranges_m) range = bytes.take<float>("ranges");

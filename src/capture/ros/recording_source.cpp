@@ -14,9 +14,6 @@ constexpr std::size_t kScansHeld = 64;
 constexpr std::size_t kScanBytesHeld = std::size_t{32} << 20;
 constexpr std::size_t kReadingsHeld = 512;
 
-/// Reports are for people; beyond this many between two scans damage is only counted.
-constexpr std::size_t kDamageHeld = 64;
-
 }  // namespace
 
 struct RecordingSource::Cursor {
@@ -65,25 +62,6 @@ std::optional<double> RecordingSource::progress() const {
     return scans_->recording->progress();
 }
 
-void RecordingSource::note(std::uint64_t number, const Message& reason) {
-    if (damage_.size() < kDamageHeld) {
-        damage_.emplace_back(number, reason);
-    } else {
-        ++damage_untold_;
-    }
-}
-
-std::optional<std::pair<std::uint64_t, Message>> RecordingSource::take_damage() {
-    if (damage_.empty()) return std::nullopt;
-    if (damage_.size() == 1 && damage_untold_ > 0) {
-        --damage_untold_;  // the last one held stands for those that were only counted
-        return damage_.front();
-    }
-    std::pair<std::uint64_t, Message> first = std::move(damage_.front());
-    damage_.pop_front();
-    return first;
-}
-
 std::optional<RawLine> RecordingSource::read_scan_line() {
     for (;;) {
         if (std::optional<MountedScan> scan = held_scans_.pop(scans_->ended)) {
@@ -101,7 +79,7 @@ std::optional<RawLine> RecordingSource::read_scan_line() {
         if (scans_->ended) return std::nullopt;
         const std::optional<RecordedMessage> found = scans_->recording->next();
         while (std::optional<RecordingProblem> problem = scans_->recording->take_problem()) {
-            note(problem->number, problem->reason);
+            damage_.note(problem->number, std::move(problem->reason));
         }
         if (!found) {
             scans_->ended = true;
@@ -110,7 +88,7 @@ std::optional<RawLine> RecordingSource::read_scan_line() {
         try {
             take_in_scans(*found);
         } catch (const FormatError& error) {
-            note(found->number, message("%1: %2", found->topic->name, error.problem()));
+            damage_.note(found->number, message("%1: %2", found->topic->name, error.problem()));
         }
     }
 }

@@ -1,7 +1,6 @@
 // A ROS recording as a source of scans and odometry.
 #pragma once
 
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "hitos/capture/fuente.hpp"
+#include "hitos/capture/held_damage.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "ros/laser_fan.hpp"
 #include "ros/stamp_queue.hpp"
@@ -52,7 +52,9 @@ class RecordingSource final : public Fuente {
     std::optional<RawLine> read_odometry_line() override;
     std::optional<double> progress() const override;
     std::string name() const override { return plan_->path.string(); }
-    std::optional<std::pair<std::uint64_t, Message>> take_damage() override;
+    std::optional<std::pair<std::uint64_t, Message>> take_damage() override {
+        return damage_.take();
+    }
     std::unique_ptr<Fuente> reopen() const override;
 
   private:
@@ -66,7 +68,6 @@ class RecordingSource final : public Fuente {
     void take_in_scans(const RecordedMessage& found);
     MountedScan scan_of(const RecordedMessage& found) const;
     void take_in_odometry(const RecordedMessage& found);
-    void note(std::uint64_t number, const Message& reason);
 
     std::shared_ptr<const RecordingPlan> plan_;
     std::unique_ptr<Cursor> scans_;
@@ -76,8 +77,7 @@ class RecordingSource final : public Fuente {
     StampQueue<Reading> held_readings_;
     std::string scan_text_;
     std::string odometry_text_;
-    std::deque<std::pair<std::uint64_t, Message>> damage_;
-    std::uint64_t damage_untold_ = 0;
+    HeldDamage damage_;
 };
 
 /// Of such a source's lines.

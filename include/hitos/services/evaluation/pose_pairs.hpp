@@ -29,14 +29,13 @@ struct PosePair {
 /// Which pairs are taken (the way is the sum of the straight lines from pose to pose):
 /// - overlapping: for every pose the later one whose way (or time) from it is nearest to the
 ///   length, the first of several, where it misses the length by no more than the tolerance;
-/// - consecutive: the way (or time) is counted from the first pose; where it reaches the length,
-/// the
-///   pose is marked and counting begins anew at 0. The pairs are each marked pose and the next one,
-///   so what lies before the first mark is in no pair. A time that falls short by a microsecond
-///   counts as reached, since stamps of today have no finer steps.
+/// - consecutive: the way (or time) is counted from the first pose; where it reaches the length
+///   the pose is marked and counting begins anew at 0. The pairs are each marked pose and the next
+///   one, so what lies before the first mark is in no pair. A time that falls short by a
+///   microsecond counts as reached, since stamps of today have no finer steps.
 /// By distance these are the pairs of evo (M. Grupp, 2017) with `--delta_unit m`, with and without
-/// `--all_pairs`. The trajectory is in the order of its stamps; no length
-/// that is not positive and finite has pairs.
+/// `--all_pairs`. The trajectory is in the order of its stamps; no length that is not positive and
+/// finite has pairs.
 std::vector<PosePair> pose_pairs(const Trajectory& trajectory, const PairSpacing& spacing);
 
 }  // namespace hitos
