@@ -6,8 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/pose_algebra.hpp"
-#include "odometry_step.hpp"
 
 namespace hitos {
 

@@ -1,4 +1,4 @@
-#include "odometry_step.hpp"
+#include "hitos/registration/odometry_step.hpp"
 
 #include <cmath>
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/pose_algebra.hpp"
 #include "key_graph.hpp"
 #include "loop_closer.hpp"
-#include "odometry_step.hpp"
 #include "path_break.hpp"
 #include "scan_matcher.hpp"
 #include "step_matcher.hpp"
