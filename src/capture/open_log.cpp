@@ -199,12 +199,25 @@ bool is_recording(const std::filesystem::path& path) {
     }
 }
 
+namespace {
+
+/// SQLite's log of changes beside a file is read with it, also where it appears later.
+std::vector<std::filesystem::path> with_changes(std::vector<std::filesystem::path> files) {
+    const std::size_t count = files.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (files[i].extension() == ".db3") files.emplace_back(files[i].string() + "-wal");
+    }
+    return files;
+}
+
+}  // namespace
+
 std::vector<std::filesystem::path> log_files(const std::filesystem::path& path) {
     std::error_code error;
     const bool metadata = path.filename() == kRosbag2Metadata;
-    if (!metadata && !std::filesystem::is_directory(path, error)) return {path};
+    if (!metadata && !std::filesystem::is_directory(path, error)) return with_changes({path});
     try {
-        std::vector<std::filesystem::path> files = rosbag2_files(path);
+        std::vector<std::filesystem::path> files = with_changes(rosbag2_files(path));
         // What it says decides what is read, also where it appears later.
         files.push_back((metadata ? path.parent_path() : path) / kRosbag2Metadata);
         return files;

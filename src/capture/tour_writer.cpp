@@ -106,6 +106,7 @@ void TourWriter::put_rest() {
 void TourWriter::finish() {
     put_rest();
     if (!std::exchange(has_head_, true)) put_head(out_);
+    put_tail(out_);
     file_.write(out_);
     out_.clear();
     file_.commit();

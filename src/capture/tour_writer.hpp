@@ -36,6 +36,8 @@ class TourWriter : public LogWriter {
                               const Pose& pose_odom_robot) = 0;
     /// What the file begins with.
     virtual void put_head(std::string& out) { static_cast<void>(out); }
+    /// What it ends with.
+    virtual void put_tail(std::string& out) { static_cast<void>(out); }
 
   private:
     struct Pending {

@@ -59,7 +59,7 @@ std::string log_format_choices();
 /// "*.log *.clf": those of all formats, each once.
 std::string log_endings();
 
-/// "player, radish, normalized or carmen": those that can be written.
+/// "player, radish, normalized, carmen or mcap": those that can be written.
 std::string writable_formats();
 
 /// The word itself where it is "auto" or a format's. Throws ConfigError, under the name of the

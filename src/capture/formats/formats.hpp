@@ -20,6 +20,8 @@ LogFormat mcap_format();
 LogFormat db3_format();
 LogFormat rosbag2_format();
 
+std::unique_ptr<LogWriter> make_mcap_writer(const std::filesystem::path& path);
+
 /// The format of a recording, by its first bytes, or of a folder; null where the path is neither.
 /// Throws FileError.
 const LogFormat* recording_format(const std::filesystem::path& path);

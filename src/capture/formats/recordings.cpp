@@ -54,9 +54,11 @@ LogFormat rosbag_format() {
 }
 
 LogFormat mcap_format() {
-    return recording<open_mcap>(
-        {"mcap", HITOS_TEXT("ParameterChoice", "MCAP"), "recordings of ROS"}, "*.mcap",
-        begins_mcap);
+    LogFormat format =
+        recording<open_mcap>({"mcap", HITOS_TEXT("ParameterChoice", "MCAP"), "recordings of ROS"},
+                             "*.mcap", begins_mcap);
+    format.make_writer = make_mcap_writer;
+    return format;
 }
 
 LogFormat db3_format() {

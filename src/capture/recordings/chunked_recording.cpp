@@ -65,12 +65,14 @@ std::optional<RecordedMessage> ChunkedRecording::next() {
     while (!ended_) {
         Section& from = chunk_ ? *chunk_->content : records_;
         record_begin_ = chunk_ ? chunk_->size - from.left() : file_.position();
+        const std::uint64_t left = from.left();
+        opened_ = false;
         try {
             const Step step = read_record(from, found);
             if (step == Step::message) return found;
             if (step == Step::passed) continue;
             if (chunk_) {
-                leave_chunk();
+                leave_chunk(left > 0);
                 continue;
             }
         } catch (const FormatError& error) {
@@ -78,6 +80,10 @@ std::optional<RecordedMessage> ChunkedRecording::next() {
             if (chunk_ && !cut_) {
                 chunk_->packed.skip(chunk_->packed.left());
                 chunk_.reset();
+                continue;
+            }
+            if (!chunk_ && opened_ && records_.left() >= behind_record_) {
+                records_.skip(records_.left() - behind_record_);
                 continue;
             }
             ended_ = true;  // nothing says where the next record begins
@@ -106,7 +112,12 @@ Section ChunkedRecording::open_record(Section& from, std::uint64_t length, bool 
         cut_ = true;
         return {from, from.left()};
     }
-    return from.section(length);
+    Section record = from.section(length);
+    if (&from == &records_) {
+        behind_record_ = records_.left() - length;
+        opened_ = true;
+    }
+    return record;
 }
 
 void ChunkedRecording::enter_chunk(Section& record, std::string_view compression,
@@ -130,15 +141,16 @@ void ChunkedRecording::enter_chunk(Section& record, std::string_view compression
     chunk_ = std::move(chunk);
 }
 
-void ChunkedRecording::leave_chunk() {
+void ChunkedRecording::leave_chunk(bool short_of_size) {
     const bool wrong = chunk_->sums && chunk_->summed.sum() != chunk_->checksum;
     char beyond = 0;
     const bool more =
-        !cut_ && (chunk_->unpacker ? *chunk_->unpacker : static_cast<ByteSource&>(chunk_->packed))
-                         .read({&beyond, 1}) > 0;
-    if (cut_) {
+        !cut_ && !short_of_size &&
+        (chunk_->unpacker ? *chunk_->unpacker : static_cast<ByteSource&>(chunk_->packed))
+                .read({&beyond, 1}) > 0;
+    if (cut_ || short_of_size) {
         note_here(message(HITOS_TEXT("Errors", "the data end early")));
-        ended_ = true;
+        ended_ = cut_;
     } else if (more) {
         note_here(message(HITOS_TEXT("Errors", "found more than the %1 bytes that it says it has"),
                           chunk_->size));

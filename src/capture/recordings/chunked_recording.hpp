@@ -43,7 +43,7 @@ class ChunkedRecording : public Recording {
 
   private:
     struct Chunk;
-    void leave_chunk();
+    void leave_chunk(bool short_of_size);
     Message placed(const Message& problem) const;
     void note_here(const Message& problem);
 
@@ -51,7 +51,9 @@ class ChunkedRecording : public Recording {
     FileBytes file_;
     Section records_;
     std::unique_ptr<Chunk> chunk_;
-    std::uint64_t record_begin_ = 0;  ///< of the record, in its chunk or in the file
+    std::uint64_t record_begin_ = 0;   ///< of the record, in its chunk or in the file
+    std::uint64_t behind_record_ = 0;  ///< bytes of the file behind the record outside of chunks
+    bool opened_ = false;              ///< that record's length is sound
     std::string buffer_;
     bool cut_ = false;  ///< the last record is shorter than it says
     bool ended_ = false;

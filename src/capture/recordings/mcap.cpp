@@ -6,65 +6,68 @@
 
 #include "hitos/base/error.hpp"
 #include "recordings/chunked_recording.hpp"
+#include "recordings/mcap_ops.hpp"
 
 namespace hitos {
 namespace {
 
-constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
-
-enum Op : std::uint8_t {
-    footer = 0x02,
-    schema = 0x03,
-    channel = 0x04,
-    message_data = 0x05,
-    chunk = 0x06,
-    data_end = 0x0f
-};
+constexpr std::string_view kMagic = kMcapMagic;
+constexpr std::string_view kMagicOfAny = kMagic.substr(0, 5);
 
 class Mcap final : public ChunkedRecording {
   public:
     Mcap(const std::filesystem::path& path, RecordingUse use) : ChunkedRecording(path, use) {
         std::array<char, kMagic.size()> magic{};
-        const std::size_t got = records().read(magic);
-        if (std::string_view(magic.data(), got) != kMagic) {
+        const std::string_view found{magic.data(), records().read(magic)};
+        if (found != kMagic && found.starts_with(kMagicOfAny)) {
+            throw FormatError(
+                path.string(), 0,
+                message(HITOS_TEXT("Errors",
+                                   "is MCAP of the version \"%1\", expected version 0; convert it "
+                                   "with a program that knows both"),
+                        found.substr(kMagicOfAny.size(), 1)));
+        }
+        if (found != kMagic) {
             throw FormatError(path.string(), 0,
                               message(HITOS_TEXT("Errors", "does not begin as MCAP does")));
         }
         FileBytes tail(path);
         if (file_size() < 2 * kMagic.size()) return;
         tail.skip(file_size() - kMagic.size());
-        tail.read(magic);
-        closed_ = std::string_view{magic.data(), magic.size()} == kMagic;
+        const std::string_view last{magic.data(), tail.read(magic)};
+        closed_ = last == kMagic;
     }
 
   protected:
     Step read_record(Section& from, RecordedMessage& out) override {
+        const bool outside = !in_chunk();
+        // Behind the last record, where no end of the data was written.
+        if (outside && closed_ && from.left() == kMagic.size()) return Step::end;
         std::array<char, 1> first{};
         if (from.read(first) == 0) return Step::end;
-        const auto op = static_cast<std::uint8_t>(first.front());
+        const auto op = static_cast<McapOp>(first.front());
         const std::uint64_t length = from.take_u64();
-        const bool outside = !in_chunk();
-        Section record = open_record(from, length, op == Op::chunk && outside);
+        // Before its length is believed: zeros would be a record each nine.
+        if (op == McapOp::none) {
+            throw FormatError(
+                {}, 0, message(HITOS_TEXT("Errors", "found a record of the unknown kind %1"), 0));
+        }
+        Section record = open_record(from, length, op == McapOp::chunk && outside);
         switch (op) {
-            case Op::message_data:
+            case McapOp::message:
                 return read_message(record, out);
-            case Op::schema:
+            case McapOp::schema:
                 read_schema(record);
                 break;
-            case Op::channel:
+            case McapOp::channel:
                 read_channel(record);
                 break;
-            case Op::chunk:
+            case McapOp::chunk:
                 read_chunk(record);
                 return Step::passed;
-            case 0:
-                throw FormatError(
-                    {}, 0,
-                    message(HITOS_TEXT("Errors", "found a record of the unknown kind %1"),
-                            unsigned{op}));
             default:
                 // What follows repeats what was told before.
-                if (outside && (op == Op::data_end || op == Op::footer)) return Step::end;
+                if (outside && (op == McapOp::data_end || op == McapOp::footer)) return Step::end;
                 break;  // indexes, attachments, metadata, and what later versions add
         }
         record.finish();
@@ -87,6 +90,10 @@ class Mcap final : public ChunkedRecording {
 
     void read_schema(Section& record) {
         const std::uint16_t id = record.take_u16();
+        if (types_.size() == kMostTopics && !types_.contains(id)) {
+            throw FormatError({}, 0,
+                              message(HITOS_TEXT("Errors", "more than %1 types"), kMostTopics));
+        }
         types_.insert_or_assign(id, take_word(record));
     }
 
@@ -135,7 +142,7 @@ class Mcap final : public ChunkedRecording {
 }  // namespace
 
 bool begins_mcap(std::string_view beginning) {
-    return beginning.starts_with(kMagic);
+    return beginning.starts_with(kMagicOfAny);
 }
 
 std::unique_ptr<Recording> open_mcap(const std::filesystem::path& path, RecordingUse use) {

@@ -1,17 +1,10 @@
 #include "recordings/recording.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "hitos/base/error.hpp"
 
 namespace hitos {
-namespace {
-
-/// Problems are for people; a file of nothing else costs no memory.
-constexpr std::size_t kProblemsHeld = 256;
-
-}  // namespace
-
 Encoding encoding_of(std::string_view word) {
     if (word == "ros1") return Encoding::ros1;
     return word == "cdr" ? Encoding::cdr : Encoding::other;
@@ -22,14 +15,13 @@ Topic& Topics::of(std::string name, std::string type, std::string encoding) {
     if (const std::size_t at = type.find(kRos2); at != std::string::npos) {
         type.replace(at, kRos2.size(), "/");
     }
-    const auto known = std::ranges::find_if(topics_, [&](const Topic& topic) {
-        return topic.name == name && topic.type == type && topic.encoding == encoding;
-    });
-    if (known != topics_.end()) return *known;
+    std::tuple key(name, type, encoding);
+    if (const auto known = known_.find(key); known != known_.end()) return *known->second;
     if (topics_.size() == kMostTopics) {
         throw FormatError({}, 0, message(HITOS_TEXT("Errors", "more than %1 topics"), kMostTopics));
     }
     topics_.push_back({std::move(name), std::move(type), std::move(encoding)});
+    known_.emplace(std::move(key), &topics_.back());
     topics_.back().wanted = wanted_(topics_.back());
     return topics_.back();
 }
@@ -40,14 +32,13 @@ std::uint64_t Topics::count(Topic& topic) {
 }
 
 std::optional<RecordingProblem> Recording::take_problem() {
-    if (problems_.empty()) return std::nullopt;
-    RecordingProblem first = std::move(problems_.front());
-    problems_.pop_front();
-    return first;
+    std::optional<std::pair<std::uint64_t, Message>> first = problems_.take();
+    if (!first) return std::nullopt;
+    return RecordingProblem{first->first, std::move(first->second)};
 }
 
 void Recording::note(std::uint64_t number, Message reason) {
-    if (problems_.size() < kProblemsHeld) problems_.push_back({number, std::move(reason)});
+    problems_.note(number, std::move(reason));
 }
 
 }  // namespace hitos

@@ -5,14 +5,17 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "hitos/base/message.hpp"
+#include "hitos/capture/held_damage.hpp"
 
 namespace hitos {
 
@@ -56,6 +59,7 @@ class Topics {
   private:
     Wanted wanted_;
     std::deque<Topic> topics_;
+    std::map<std::tuple<std::string, std::string, std::string>, Topic*> known_;
     std::uint64_t messages_ = 0;
 };
 
@@ -84,14 +88,15 @@ class Recording {
     virtual std::optional<RecordedMessage> next() = 0;
     /// How much of it has been passed, 0 … 1.
     virtual double progress() const = 0;
-    /// A problem that has not been told yet.
+    /// A problem that has not been told yet. Beyond some they are only counted: the last one stands
+    /// for those.
     std::optional<RecordingProblem> take_problem();
 
   protected:
     void note(std::uint64_t number, Message reason);
 
   private:
-    std::deque<RecordingProblem> problems_;
+    HeldDamage problems_;
 };
 
 /// How to read; shared by the files of one recording.

@@ -24,6 +24,24 @@ std::string_view unquoted(std::string_view text) {
     return text;
 }
 
+/// A comment begins behind a blank, or with the line.
+std::string_view without_comment(std::string_view words) {
+    if (words.starts_with('#')) return {};
+    return input::trimmed(words.substr(0, words.find(" #")));
+}
+
+/// "[a.mcap, 'b.mcap']"
+void take_list(std::string_view words, std::vector<std::string>& out) {
+    words = input::trimmed(words);
+    if (!words.starts_with('[')) return;
+    words = words.substr(1, words.size() - 2);
+    while (!input::trimmed(words).empty()) {
+        const std::size_t comma = std::min(words.find(','), words.size());
+        out.emplace_back(unquoted(input::trimmed(words.substr(0, comma))));
+        words.remove_prefix(std::min(comma + 1, words.size()));
+    }
+}
+
 /// What metadata.yaml says of the files; as rosbag2 writes it, one fact a line.
 struct Metadata {
     std::vector<std::string> files;
@@ -35,13 +53,18 @@ Metadata read_metadata(const fs::path& path) {
     const std::string text = input::read_text(path, input::kLargestSettings);
     std::string_view rest = text;
     bool in_files = false;
+    constexpr std::string_view kFiles = "relative_file_paths:";
     while (const std::optional<std::string_view> line = input::next_line(rest)) {
-        const std::string_view words = input::trimmed(*line);
+        const std::string_view words = without_comment(input::trimmed(*line));
+        if (words.empty()) continue;
         if (in_files && words.starts_with("- ")) {
             metadata.files.emplace_back(unquoted(words.substr(2)));
             continue;
         }
-        in_files = words == "relative_file_paths:";
+        in_files = words == kFiles;
+        if (words.starts_with(kFiles) && words.ends_with(']')) {
+            take_list(words.substr(kFiles.size()), metadata.files);
+        }
         constexpr std::string_view kCompression = "compression_mode:";
         if (words.starts_with(kCompression)) {
             metadata.compression = unquoted(words.substr(kCompression.size()));

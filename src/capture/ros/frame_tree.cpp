@@ -58,6 +58,8 @@ std::optional<Transform> FrameTree::between(std::string_view a, std::string_view
     if (a == b) return Transform{};
     const auto above_a = upwards(a);
     for (const auto& [frame, frame_b] : upwards(b)) {
+        // Beyond these the robot moves: two frames that meet there are not fixed to each other.
+        if (frame != a && (is_odometry_frame(frame) || is_world_frame(frame))) break;
         const auto common =
             std::ranges::find(above_a, frame, [](const auto& p) { return p.first; });
         if (common != above_a.end()) return compose(inverse(common->second), frame_b);

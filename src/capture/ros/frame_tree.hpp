@@ -23,7 +23,8 @@ class FrameTree {
 
     bool empty() const { return links_.empty(); }
     bool knows(std::string_view frame) const { return links_.find(frame) != links_.end(); }
-    /// a_b: from frame b's coordinates to those of frame a; nothing where no chain joins them.
+    /// a_b: from frame b's coordinates to those of frame a; nothing where no chain joins them on
+    /// the robot: frames above b that are called odom, map or world end it.
     std::optional<Transform> between(std::string_view a, std::string_view b) const;
     /// The frame that moves in the world when the robot does, above `frame`: the first whose parent
     /// is called odom (or ends so), and that parent; else the last frame below a parent "map" or

@@ -22,6 +22,15 @@ MessageBytes::MessageBytes(std::string_view bytes, Encoding encoding)
                           ? 0xffffU
                           : static_cast<unsigned>(static_cast<unsigned char>(bytes[0])) << 8 |
                                 static_cast<unsigned char>(bytes[1]);
+    constexpr std::string_view kZstd = "\x28\xb5\x2f\xfd";
+    if (bytes.starts_with(kZstd)) {
+        throw FormatError(
+            {}, 0,
+            message(HITOS_TEXT("Errors",
+                               "the message is compressed by itself (rosbag2's compression_mode "
+                               "MESSAGE), which Hitos does not read; convert the recording with "
+                               "\"ros2 bag convert\"")));
+    }
     constexpr unsigned kPlain2 = 6;  // as 0 and 1, but for numbers of 8 bytes
     if (kind > 1 && kind != kPlain2 && kind != kPlain2 + 1) {
         throw FormatError({}, 0,

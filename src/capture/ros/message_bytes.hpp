@@ -35,8 +35,6 @@ class MessageBytes {
         std::memcpy(&value, raw.data(), sizeof(Number));
         return value;
     }
-    /// A finite number of believable size.
-    double number(const char* field) { return checked(take<double>(field), field); }
     std::string text(const char* field);
     /// How many items of at least so many bytes follow: no more than there is room for.
     std::uint32_t count(std::size_t item_bytes, const char* field);
@@ -45,6 +43,7 @@ class MessageBytes {
     /// Throws where more is left than padding.
     void expect_end() const;
 
+    /// A finite number of believable size. Throws FormatError.
     static double checked(double value, const char* field);
 
   private:

@@ -16,28 +16,60 @@ std::string without_slash(std::string frame) {
     return frame;
 }
 
-MessageHeader take_header(MessageBytes& bytes) {
-    MessageHeader header;
-    if (!bytes.is_cdr()) bytes.take<std::uint32_t>("seq");
-    // Unsigned in ROS 1; no clock comes near the difference.
-    const std::int64_t seconds = bytes.is_cdr() ? bytes.take<std::int32_t>("stamp")
-                                                : std::int64_t{bytes.take<std::uint32_t>("stamp")};
-    const auto rest_ns = bytes.take<std::uint32_t>("stamp");
-    if (rest_ns >= kSecondNs) {
+/// Does what may throw FormatError for values that were read whole; nothing where it does, and the
+/// reason then goes to `told`.
+template <class Check>
+auto sound(const Told& told, const Check& check) -> std::optional<decltype(check())> {
+    try {
+        return check();
+    } catch (const FormatError& error) {
+        if (told) told(error.problem());
+        return std::nullopt;
+    }
+}
+
+/// As it stands there.
+struct RawHeader {
+    std::int64_t seconds = 0;
+    std::uint32_t rest_ns = 0;
+    std::string frame;
+
+    /// Throws FormatError where the stamp is none.
+    MessageHeader checked() const {
+        if (rest_ns < kSecondNs) return {seconds * kSecondNs + rest_ns, frame};
         throw FormatError(
             {}, 0,
             message(HITOS_TEXT("Errors", "field \"%1\": found %2, expected less than %3"), "stamp",
                     rest_ns, kSecondNs));
     }
-    header.stamp_ns = seconds * kSecondNs + rest_ns;
+};
+
+RawHeader take_raw_header(MessageBytes& bytes) {
+    RawHeader header;
+    if (!bytes.is_cdr()) bytes.take<std::uint32_t>("seq");
+    // Unsigned in ROS 1; no clock comes near the difference.
+    header.seconds = bytes.is_cdr() ? bytes.take<std::int32_t>("stamp")
+                                    : std::int64_t{bytes.take<std::uint32_t>("stamp")};
+    header.rest_ns = bytes.take<std::uint32_t>("stamp");
     header.frame = without_slash(bytes.text("frame_id"));
     return header;
 }
 
-Transform take_transform(MessageBytes& bytes) {
+MessageHeader take_header(MessageBytes& bytes) {
+    return take_raw_header(bytes).checked();
+}
+
+Transform take_raw_transform(MessageBytes& bytes) {
     Transform t;
-    for (double* value : {&t.x, &t.y, &t.z}) *value = bytes.number("position");
-    for (double* value : {&t.qx, &t.qy, &t.qz, &t.qw}) *value = bytes.number("orientation");
+    for (double* value : {&t.x, &t.y, &t.z}) *value = bytes.take<double>("position");
+    for (double* value : {&t.qx, &t.qy, &t.qz, &t.qw}) *value = bytes.take<double>("orientation");
+    return t;
+}
+
+/// With a quaternion of length 1. Throws FormatError.
+Transform checked(Transform t) {
+    for (const double value : {t.x, t.y, t.z}) MessageBytes::checked(value, "position");
+    for (const double value : {t.qx, t.qy, t.qz, t.qw}) MessageBytes::checked(value, "orientation");
     const double length = std::sqrt(t.qx * t.qx + t.qy * t.qy + t.qz * t.qz + t.qw * t.qw);
     constexpr double kLeastLength = 1e-3;
     if (!(length > kLeastLength)) {
@@ -86,34 +118,45 @@ LaserScanMessage decode_laser_scan(std::string_view raw, Encoding encoding) {
     return scan;
 }
 
-OdometryMessage decode_odometry(std::string_view raw, Encoding encoding) {
+OdometryMessage decode_odometry(std::string_view raw, Encoding encoding, const Told& told) {
     constexpr std::size_t kCovariance = 36;
     MessageBytes bytes(raw, encoding);
     OdometryMessage odometry;
     odometry.header = take_header(bytes);
     odometry.child_frame = without_slash(bytes.text("child_frame_id"));
-    odometry.pose = take_transform(bytes);
+    odometry.pose = checked(take_raw_transform(bytes));
     bytes.pass(kCovariance, sizeof(double), "covariance");
-    odometry.twist.v = bytes.number("twist");
-    odometry.twist.v_lateral = bytes.number("twist");
+    Twist twist;
+    twist.v = bytes.take<double>("twist");
+    twist.v_lateral = bytes.take<double>("twist");
     for (int i = 0; i < 3; ++i) bytes.take<double>("twist");  // upward, roll, pitch
-    odometry.twist.w = bytes.number("twist");
+    twist.w = bytes.take<double>("twist");
     bytes.pass(kCovariance, sizeof(double), "covariance");
     bytes.expect_end();
+    odometry.twist = sound(told, [&twist] {
+        for (const double value : {twist.v, twist.v_lateral, twist.w}) {
+            MessageBytes::checked(value, "twist");
+        }
+        return twist;
+    });
     return odometry;
 }
 
-std::vector<StampedTransform> decode_transforms(std::string_view raw, Encoding encoding) {
+std::vector<StampedTransform> decode_transforms(std::string_view raw, Encoding encoding,
+                                                const Told& told) {
     constexpr std::size_t kLeastBytes = 7 * sizeof(double) + 4 * sizeof(std::uint32_t);
     MessageBytes bytes(raw, encoding);
     std::vector<StampedTransform> transforms;
     const std::uint32_t count = bytes.count(kLeastBytes, "transforms");
     transforms.reserve(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        StampedTransform& next = transforms.emplace_back();
-        next.header = take_header(bytes);
-        next.child_frame = without_slash(bytes.text("child_frame_id"));
-        next.transform = take_transform(bytes);
+        const RawHeader header = take_raw_header(bytes);
+        const std::string child = without_slash(bytes.text("child_frame_id"));
+        const Transform transform = take_raw_transform(bytes);
+        std::optional<StampedTransform> next = sound(told, [&] {
+            return StampedTransform{header.checked(), child, checked(transform)};
+        });
+        if (next) transforms.push_back(*std::move(next));
     }
     bytes.expect_end();
     return transforms;

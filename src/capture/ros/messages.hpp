@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
+#include "hitos/base/message.hpp"
 #include "recordings/recording.hpp"
 #include "ros/transform.hpp"
 
@@ -39,7 +42,7 @@ struct OdometryMessage {
     MessageHeader header;
     std::string child_frame;
     Transform pose;
-    Twist twist;  ///< in the child frame
+    std::optional<Twist> twist;  ///< in the child frame; nothing where its numbers are not finite
 };
 
 /// geometry_msgs/TransformStamped
@@ -51,10 +54,13 @@ struct StampedTransform {
 
 // The decoders throw FormatError that says what was found and expected, with neither path nor line:
 // lengths beyond the message, bytes left over, numbers that are not finite where they must be, a
-// quaternion without length, more than 1e6 rays.
+// quaternion without length, more than 1e6 rays. What can be read behind something wrong is kept:
+// one transform of several, or a pose without its twist, is left out and `told`.
+using Told = std::function<void(const Message& problem)>;
 LaserScanMessage decode_laser_scan(std::string_view bytes, Encoding encoding);
-OdometryMessage decode_odometry(std::string_view bytes, Encoding encoding);
-std::vector<StampedTransform> decode_transforms(std::string_view bytes, Encoding encoding);
+OdometryMessage decode_odometry(std::string_view bytes, Encoding encoding, const Told& told = {});
+std::vector<StampedTransform> decode_transforms(std::string_view bytes, Encoding encoding,
+                                                const Told& told = {});
 
 /// Seconds since 1970; to 0.2 µs at the stamps of today.
 double seconds_of(std::int64_t stamp_ns);

@@ -95,10 +95,13 @@ std::optional<RawLine> RecordingSource::read_scan_line() {
 
 void RecordingSource::take_in_scans(const RecordedMessage& found) {
     const Encoding encoding = encoding_of(found.topic->encoding);
+    const Told told = [&](const Message& problem) {
+        damage_.note(found.number, message("%1: %2", found.topic->name, problem));
+    };
     if (is_transforms(*found.topic)) {
-        frames_.hold(decode_transforms(found.bytes, encoding));
+        frames_.hold(decode_transforms(found.bytes, encoding, told));
     } else if (is_odometry(*found.topic)) {
-        decode_odometry(found.bytes, encoding);
+        decode_odometry(found.bytes, encoding, told);
     } else {
         MountedScan scan = scan_of(found);
         const std::size_t bytes = sizeof scan + scan.ranges_m.size() * sizeof(float);
@@ -117,7 +120,8 @@ MountedScan RecordingSource::scan_of(const RecordedMessage& found) const {
             {}, 0,
             message(HITOS_TEXT("Errors",
                                "no transform leads from the laser's frame \"%1\" to the robot's "
-                               "frame \"%2\", so where the laser sits is not known"),
+                               "frame \"%2\", so where the laser sits is not known; record "
+                               "/tf_static too, or choose another laser (--scan-topic)"),
                     scan.header.frame, robot));
     }
     MountedScan mounted = mounted_scan(scan, *robot_laser);

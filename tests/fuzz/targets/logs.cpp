@@ -49,7 +49,7 @@ bool check_db3(std::string_view input) {
         Procesador reader(open_log(file, "db3"));
         return read_tour(reader);
     });
-    if (tour) require_sound(*tour);
+    if (tour) require_sound(*tour, DamageIs::part);
     return tour.has_value();
 }
 

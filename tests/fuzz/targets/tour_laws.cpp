@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hitos/capture/archivo.hpp"
+#include "hitos/capture/log_format.hpp"
 #include "hitos/capture/log_writer.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "laws.hpp"
@@ -155,7 +156,7 @@ Tour read_tour(TourReader& reader, Order order) {
     return tour;
 }
 
-void require_sound(const Tour& tour) {
+void require_sound(const Tour& tour, DamageIs damage) {
     for (const Scan& scan : tour.scans) require_sound(scan);
     require(std::ranges::all_of(tour.odometry,
                                 [](const Odometria& reading) {
@@ -168,12 +169,13 @@ void require_sound(const Tour& tour) {
             "odometry's stamps advance");
     require(tour.report.scans == tour.scans.size(), "scans are counted");
     require(tour.report.odometry == tour.odometry.size(), "odometry is counted");
-    // A line is damage, or a scan, or odometry, or both of these.
+    // A line is damage, or a scan, or odometry, or both of these; of a message a part is damage.
     std::set<std::uint64_t> useful;
     for (const Scan& scan : tour.scans) useful.insert(scan.line);
     for (const Odometria& reading : tour.odometry) useful.insert(reading.line);
-    require(std::ranges::none_of(tour.report.examples,
-                                 [&](const auto& skip) { return useful.contains(skip.line); }),
+    require(damage == DamageIs::part ||
+                std::ranges::none_of(tour.report.examples,
+                                     [&](const auto& skip) { return useful.contains(skip.line); }),
             "no line is damage and used");
     require(tour.report.examples.size() ==
                 std::min<std::uint64_t>(tour.report.skipped, ReadReport::kExamples),
@@ -186,7 +188,8 @@ bool check_log(std::string_view input, std::string_view format) {
         unless_refused([&] { return std::make_unique<Procesador>(open_log(file, format)); });
     if (!reader) return false;
     const Tour tour = read_tour(**reader);
-    require_sound(tour);
+    const bool recording = log_formats().find(format).open != nullptr;
+    require_sound(tour, recording ? DamageIs::part : DamageIs::whole);
     constexpr std::uint32_t kLaws = 4;
     switch (turn_of(input, kLaws)) {
         case 0:
@@ -204,7 +207,11 @@ bool check_log(std::string_view input, std::string_view format) {
             if (is_of_this_world(tour)) check_normalized_copy(file, format, tour);
             break;
         default:
-            if (format != "normalized" && is_of_this_world(tour)) check_copy(file, format, tour);
+            // A recording without a scan is none of a laser.
+            if (format != "normalized" && is_of_this_world(tour) &&
+                !(recording && tour.scans.empty())) {
+                check_copy(file, format, tour);
+            }
     }
     return true;
 }

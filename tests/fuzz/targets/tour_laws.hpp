@@ -21,8 +21,11 @@ enum class Order { scans_first, odometry_first, in_turns };
 
 Tour read_tour(TourReader& reader, Order order = Order::scans_first);
 
+/// Whether what is damaged in a line is all of it, or may be a part, as of a recording's message.
+enum class DamageIs { whole, part };
+
 /// Finite values, in order, and a report that agrees with them.
-void require_sound(const Tour& tour);
+void require_sound(const Tour& tour, DamageIs damage = DamageIs::whole);
 
 /// Reads the log and, for some inputs, in every order, again, and through the formats' writers.
 /// Returns whether it is a log of the format.

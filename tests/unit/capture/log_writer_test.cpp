@@ -15,7 +15,7 @@ using test::TempDir;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const std::array<std::string, 4> kAll = {"player", "radish", "normalized", "carmen"};
+const std::array<std::string, 5> kAll = {"player", "radish", "normalized", "carmen", "mcap"};
 
 /// A scan with the given ranges; 0 is no return.
 Scan scan_of(double time_s, Fan fan, const std::vector<double>& ranges) {
@@ -135,6 +135,7 @@ TEST(LogWriter, GzipByName) {
     const TempDir folder;
     const Tour tour = tour_with(kHalf, 181);
     for (const std::string& format : kAll) {
+        if (format == "mcap") continue;  // never in gzip
         const auto path = write_tour(format, folder / (format + ".log.gz"), tour);
         EXPECT_EQ(content(path).substr(0, 2), "\x1f\x8b");
         EXPECT_EQ(test::read_log(path).scans.size(), tour.scans.size());

@@ -9,6 +9,7 @@ namespace {
 
 using test::TempDir;
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr const char* kPlayer = "1.0 16777343 6665 position2d 00 001 001 0 0 0 0 0 0 0\n";
@@ -110,12 +111,23 @@ TEST(OpenLog, WrongExplicitFormat) {
     EXPECT_NO_THROW(open_log(path, "carmen"));
 }
 
+// What SQLite holds back beside a file is read with it, and so belongs to what is watched.
+TEST(LogFiles, OfSqliteHaveItsLogOfChanges) {
+    const TempDir folder;
+    const auto single = folder.put("a.db3", "x");
+    EXPECT_THAT(log_files(single), ElementsAre(single, folder / "a.db3-wal"));
+    EXPECT_THAT(log_files(folder.path()),
+                ElementsAre(single, folder / "a.db3-wal", folder / "metadata.yaml"));
+    const auto text = folder.put("a.log", kCarmen);
+    EXPECT_THAT(log_files(text), ElementsAre(text));
+}
+
 TEST(LogFormats, AreListedWhereOneIsAskedFor) {
     EXPECT_EQ(log_formats().words(),
               "player, radish, normalized, carmen, rosbag, mcap, db3, rosbag2");
     EXPECT_EQ(log_format_choices(),
               "auto, player, radish, normalized, carmen, rosbag, mcap, db3 or rosbag2");
-    EXPECT_EQ(writable_formats(), "player, radish, normalized or carmen");
+    EXPECT_EQ(writable_formats(), "player, radish, normalized, carmen or mcap");
     for (const char* word :
          {"auto", "player", "radish", "normalized", "carmen", "rosbag", "rosbag2"}) {
         EXPECT_EQ(checked_log_format(word, "--format"), word);

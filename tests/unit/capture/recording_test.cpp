@@ -206,6 +206,60 @@ TEST(Mcap, ChannelZeroAndMessagesOfNoSchemaAreReadAndUnknownOnesTold) {
     EXPECT_THAT(none.problems, ElementsAre(HasSubstr("the channel 9, which nothing describes")));
 }
 
+// What is wrong with a record outside of chunks costs that record.
+TEST(Mcap, GoesOnBehindADamagedRecord) {
+    const TempFolder folder;
+    const std::string whole = test::mcap_of(messages());
+    const std::string bad = test::mcap_record(5, "short") +            // a message without a head
+                            test::mcap_record(4, std::string(9, 'x'))  // a channel
+                            + test::mcap_record(6, std::string(30, '\xff'));  // a chunk
+    const std::size_t behind_header = whole.find('\x03', test::kMcapMagic.size() + 9);
+    std::string file = whole;
+    file.insert(behind_header, bad);
+    const Read found = read(open_mcap, folder.put("a", file));
+    expect_first(found.all, messages().size());
+    EXPECT_EQ(found.problems.size(), 3U);
+    for (const std::string& problem : found.problems) {
+        EXPECT_THAT(problem, HasSubstr("at byte"));
+    }
+    // Of zeros nobody knows where they end.
+    file = whole;
+    file.insert(behind_header, std::string(9000, '\0'));
+    EXPECT_THAT(read(open_mcap, folder.put("a", file)).problems,
+                ElementsAre(HasSubstr("the unknown kind 0")));
+}
+
+// Reports are held for people: what goes beyond them is counted all the same.
+TEST(Mcap, CountsEveryProblem) {
+    const TempFolder folder;
+    std::string file(test::kMcapMagic);
+    for (int i = 0; i < 1000; ++i) file += test::mcap_record(5, "short");
+    file += test::kMcapMagic;
+    EXPECT_EQ(read(open_mcap, folder.put("a", file)).problems.size(), 1000U);
+}
+
+TEST(Mcap, AChunkThatHasLessThanItSaysIsTold) {
+    const TempFolder folder;
+    for (const bool packed : {true, false}) {
+        std::string file =
+            packed ? mcap_packed<test::packed_zstd>() : mcap_packed<test::unpacked>();
+        // Its size stands behind the record's head and two times.
+        const std::size_t chunk = file.find('\x06', test::kMcapMagic.size() + 9 + 17);
+        file[chunk + 9 + 16] = static_cast<char>(file[chunk + 9 + 16] + 1);
+        const Read found = read(open_mcap, folder.put("a", file));
+        expect_first(found.all, messages().size());
+        EXPECT_THAT(found.problems, ElementsAre(HasSubstr("the data end early")));
+    }
+}
+
+TEST(Mcap, AnotherVersionIsToldAsSuch) {
+    const TempFolder folder;
+    const auto file = folder.put("a", "\x89MCAP1\r\n and more");
+    EXPECT_TRUE(begins_mcap("\x89MCAP1\r\n"));
+    EXPECT_THAT(test::message_of<FormatError>([&] { read(open_mcap, file); }),
+                HasSubstr("is MCAP of the version \"1\", expected version 0"));
+}
+
 TEST(Mcap, ChecksumsAreCompared) {
     const TempFolder folder;
     test::McapLayout layout;
@@ -322,6 +376,18 @@ TEST_F(Rosbag2, ReadsItsFilesInTheOrderThatItSays) {
     expect_first(found.all, 10);
     EXPECT_EQ(found.numbers.back(), 10U);
     EXPECT_THAT(found.problems, IsEmpty());
+}
+
+TEST_F(Rosbag2, ReadsListsAsPeopleWriteThem) {
+    put_mcap("z_0.mcap", 0, 3);
+    put_mcap("a_1.mcap", 3, 10);
+    for (const char* list :
+         {"relative_file_paths:  # two\r\n\r\n  # the first\r\n    - \"z_0.mcap\"\r\n"
+          "\r\n    - a_1.mcap   # the second\r\n  files: []\r\n",
+          "  relative_file_paths: [z_0.mcap, 'a_1.mcap']\n  version: 5\n"}) {
+        static_cast<void>(folder_.put("metadata.yaml", list));
+        expect_first(read(open_rosbag2_folder, folder_.path()).all, 10);
+    }
 }
 
 TEST_F(Rosbag2, IsReadWithoutMetadataByTheNumbersOfItsFiles) {

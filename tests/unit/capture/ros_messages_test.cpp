@@ -48,7 +48,7 @@ TEST_P(EverySerialisation, HoldsOdometry) {
     EXPECT_EQ(odometry.pose.x, 1.0);
     EXPECT_EQ(odometry.pose.z, 3.0);
     EXPECT_NEAR(odometry.pose.yaw(), 0.75, 1e-14);
-    EXPECT_EQ(odometry.twist, (Twist{0.5, 0.0, -0.25}));
+    EXPECT_EQ(odometry.twist, std::optional(Twist{0.5, 0.0, -0.25}));
 }
 
 TEST_P(EverySerialisation, HoldsTransforms) {
@@ -94,6 +94,8 @@ TEST(RosMessages, SayWhatIsWrongWithThem) {
     const std::string sound = laser_message(laser);
     EXPECT_THAT(refusal_of(""), HasSubstr("ends in the field \"seq\""));
     EXPECT_THAT(refusal_of("\x09\x09__", Encoding::cdr), HasSubstr("does not begin as CDR"));
+    EXPECT_THAT(refusal_of("\x28\xb5\x2f\xfd____", Encoding::cdr),
+                HasSubstr("compression_mode MESSAGE"));
     laser.ranges = {};
     EXPECT_THAT(refusal_of(laser_message(laser)), HasSubstr("found 0 rays"));
     laser = {};
@@ -110,8 +112,9 @@ TEST(RosMessages, SayWhatIsWrongWithThem) {
     const std::string no_turn = test::transforms_message({{{1, 2}, "a", "b", {}}});
     std::string zeros = no_turn;  // but for the last number
     std::fill_n(zeros.end() - 8, 8, '\0');
-    EXPECT_THAT(test::message_of<FormatError>([&] { decode_transforms(zeros, Encoding::ros1); }),
-                HasSubstr("quaternion of length 0"));
+    std::string told;
+    decode_transforms(zeros, Encoding::ros1, [&told](const Message& m) { told = m.english(); });
+    EXPECT_THAT(told, HasSubstr("quaternion of length 0"));
 }
 
 TEST(RosMessages, StampsOfTodayKeepTheirPrecision) {

@@ -297,6 +297,46 @@ TEST_F(RosTour, DamagedMessagesAreCountedAndTold) {
     }
 }
 
+// One bad transform does not cost the others of its message, nor a bad twist its pose.
+TEST_F(RosTour, TheGoodRestOfAMessageIsKept) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Said> all = test::small_tour(cdr());
+    const Log expected = read(all);
+    all[0] = test::said_transforms({{{1, 0}, "base_link", "wheel", {kNan, 0.0}},
+                                    {{1, 0}, "base_link", "laser", {0.25, 0.0, 0.1}},
+                                    {{1, 2'000'000'000}, "base_link", "arm", {}}},
+                                   cdr(), "/tf_static");
+    all[3].bytes =
+        test::odometry_message({1'700'000'001, 250'000'000}, {0.1, 0.0}, kNan, 0.0, cdr());
+    const Log log = read(all);
+    EXPECT_EQ(log.scans, expected.scans);
+    EXPECT_EQ(log.odometry, expected.odometry);
+    EXPECT_EQ(log.report.skipped, 3U);
+    ASSERT_EQ(log.report.examples.size(), 3U);
+    EXPECT_THAT(log.report.examples[0].reason.english(),
+                HasSubstr("/tf_static: field \"position\""));
+    EXPECT_THAT(log.report.examples[1].reason.english(), HasSubstr("field \"stamp\""));
+    EXPECT_THAT(log.report.examples[2].reason.english(), HasSubstr("/odom: field \"twist\""));
+    ReadOptions logged;
+    logged.logged_velocities = true;
+    EXPECT_EQ(read(all, logged).odometry.size(), 4U);
+}
+
+// A laser that is fixed to the world moves against the robot: it has no mounting.
+TEST_F(RosTour, TheMountingIsSoughtOnTheRobotAlone) {
+    for (const char* meeting : {"odom", "map"}) {
+        std::vector<Said> all = test::small_tour(cdr());
+        all[0] = test::said_transforms({{{1, 0}, "odom", "base_link", {}},
+                                        {{1, 0}, "map", "odom", {}},
+                                        {{1, 0}, meeting, "laser", {1.0, 0.0}}},
+                                       cdr());
+        const Log log = read(all);
+        EXPECT_THAT(log.scans, IsEmpty()) << meeting;
+        EXPECT_THAT(log.report.examples.front().reason.english(),
+                    HasSubstr("record /tf_static too, or choose another laser"));
+    }
+}
+
 TEST_F(RosTour, ATiltedLaserIsTold) {
     std::vector<Said> all = test::small_tour(cdr());
     all[0] =
