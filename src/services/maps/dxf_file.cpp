@@ -5,23 +5,21 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <memory>
 #include <system_error>
 #include <vector>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "map_shapes.hpp"
 
 namespace hitos {
 namespace {
 
 constexpr double kSigmas = 3.0;
-constexpr int kBandSteps = 12;        // pieces of each side of a line's band, which is curved
 constexpr double kLeastRatio = 1e-6;  // of an ellipse's axes, below which CAD programs refuse
 constexpr double kMargin = 0.05;      // of the first view around the drawing
 constexpr const char* kByLayer = "BYLAYER";
@@ -61,124 +59,10 @@ class MemoryFile {
     int descriptor_;
 };
 
-struct Ellipse {
-    Point2 centre;
-    Point2 major;  // half axis
-    double ratio = 1.0;
-};
-
-/// Everything that is drawn, before a byte is written: the header states its extents.
-struct Drawing {
-    std::vector<std::pair<Point2, Point2>> lines;
-    std::vector<Point2> corners;
-    std::vector<Point2> path;
-    std::vector<Ellipse> ellipses;
-    std::vector<std::vector<Point2>> bands;
-    Bounds box;
-};
-
-/// Beyond it dxflib's buffers end, and no building.
-constexpr double kGreatestCoordinate = 1e9;  // m
-
-bool drawable(const Point2& point) {
-    return std::abs(point.x) <= kGreatestCoordinate && std::abs(point.y) <= kGreatestCoordinate;
-}
-
-void check_drawable(const Point2& point, const Message& what) {
-    if (drawable(point)) return;
-    throw Error(message(HITOS_TEXT("Errors",
-                                   "%1 is at (%2, %3) and cannot be drawn; expected coordinates up "
-                                   "to %4 m: check the log's readings and the motion noise"),
-                        what, point.x, point.y, fmt::format("{:g}", kGreatestCoordinate)));
-}
-
-bool known(const Eigen::Matrix2d& covariance) {
-    return covariance.allFinite() && !covariance.isZero(0.0);
-}
-
-void add_corner(Drawing& drawing, const Esquina& corner, const Eigen::Matrix2d& covariance) {
-    drawing.corners.push_back({corner.x, corner.y});
-    drawing.box.hold({corner.x, corner.y});
-    if (!known(covariance)) return;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance);  // least first
-    const double greatest = std::max(axes.eigenvalues()[1], 0.0);
-    const double least = std::max(axes.eigenvalues()[0], 0.0);
-    if (!(greatest > 0.0)) return;
-    const double wide = kSigmas * std::sqrt(std::max(covariance(0, 0), 0.0));
-    const double high = kSigmas * std::sqrt(std::max(covariance(1, 1), 0.0));
-    if (!drawable({std::abs(corner.x) + wide, std::abs(corner.y) + high})) return;
-    const Eigen::Vector2d major = kSigmas * std::sqrt(greatest) * axes.eigenvectors().col(1);
-    drawing.ellipses.push_back({{corner.x, corner.y},
-                                {major.x(), major.y()},
-                                std::max(std::sqrt(least / greatest), kLeastRatio)});
-    drawing.box.hold({corner.x - wide, corner.y - high});
-    drawing.box.hold({corner.x + wide, corner.y + high});
-}
-
-void add_band(Drawing& drawing, const LineExtent& segment, const Recta& line,
-              const Eigen::Matrix2d& covariance) {
-    if (!known(covariance)) return;
-    const PreparedRecta prepared(line);
-    std::vector<Point2> band;
-    for (const double side : {1.0, -1.0}) {
-        for (int i = 0; i <= kBandSteps; ++i) {
-            const double part = static_cast<double>(side > 0.0 ? i : kBandSteps - i) / kBandSteps;
-            const Point2 on{segment.a.x + part * (segment.b.x - segment.a.x),
-                            segment.a.y + part * (segment.b.y - segment.a.y)};
-            const double t = prepared.along(on);
-            const double variance =
-                covariance(0, 0) - 2.0 * t * covariance(0, 1) + t * t * covariance(1, 1);
-            const double across = side * kSigmas * std::sqrt(std::max(variance, 0.0));
-            band.push_back({on.x + across * prepared.c, on.y + across * prepared.s});
-        }
-    }
-    if (!std::ranges::all_of(band, drawable)) return;
-    std::ranges::for_each(band, [&](const Point2& point) { drawing.box.hold(point); });
-    drawing.bands.push_back(std::move(band));
-}
-
-Drawing drawing_of(const LandmarkMap& map, std::span<const LineExtent> segments,
-                   const Trajectory& path) {
-    Drawing drawing;
-    for (std::size_t i = 0; i < map.size(); ++i) {
-        check_drawable(map[i].point(), message(HITOS_TEXT("Errors", "landmark %1"), i));
-        if (const auto* corner = std::get_if<Esquina>(&map[i].value)) {
-            add_corner(drawing, *corner, map[i].covariance);
-        }
-    }
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        const LineExtent& segment = segments[i];
-        const auto index = static_cast<std::size_t>(segment.landmark);
-        const Recta* line = segment.landmark < 0 || index >= map.size()
-                                ? nullptr
-                                : std::get_if<Recta>(&map[index].value);
-        if (line == nullptr) {
-            throw Error(message(
-                HITOS_TEXT("Errors",
-                           "segment %1 belongs to landmark %2, which is no line of the map"),
-                i, segment.landmark));
-        }
-        for (const Point2& end : {segment.a, segment.b}) {
-            check_drawable(end, message(HITOS_TEXT("Errors", "an end of segment %1"), i));
-            drawing.box.hold(end);
-        }
-        drawing.lines.emplace_back(segment.a, segment.b);
-        add_band(drawing, segment, *line, map[index].covariance);
-    }
-    for (const StampedPose& stamped : path) {
-        const Point2 place{stamped.pose.x, stamped.pose.y};
-        check_drawable(place, message(HITOS_TEXT("Errors", "the path")));
-        if (drawing.path.empty() || drawing.path.back() != place) drawing.path.push_back(place);
-    }
-    if (drawing.path.size() < 2) drawing.path.clear();
-    std::ranges::for_each(drawing.path, [&](const Point2& point) { drawing.box.hold(point); });
-    return drawing;
-}
-
 /// Writes a drawing with dxflib, section by section as its manual has them.
 class Writer {
   public:
-    Writer(const Drawing& drawing, const std::string& name)
+    Writer(const MapShapes& drawing, const std::string& name)
         : drawing_(drawing), out_(dxf_.out(name.c_str(), DL_Codes::AC1015)) {
         if (out_ == nullptr) {
             throw Error(message(HITOS_TEXT("Errors", "%1: a drawing cannot be made there"), name));
@@ -301,8 +185,8 @@ class Writer {
         if (!drawing_.path.empty()) write_polyline(drawing_.path, false, on(kDxfPath));
         for (const auto& [centre, major, ratio] : drawing_.ellipses) {
             dxf_.writeEllipse(*out_,
-                              DL_EllipseData(centre.x, centre.y, 0.0, major.x, major.y, 0.0, ratio,
-                                             0.0, 2.0 * kPi),
+                              DL_EllipseData(centre.x, centre.y, 0.0, major.x, major.y, 0.0,
+                                             std::max(ratio, kLeastRatio), 0.0, 2.0 * kPi),
                               on(kDxfCovariance));
         }
         for (const std::vector<Point2>& band : drawing_.bands) {
@@ -325,7 +209,7 @@ class Writer {
         return {layer, kColourByLayer, -1, kByLayer, 1.0};
     }
 
-    const Drawing& drawing_;
+    const MapShapes& drawing_;
     DL_Dxf dxf_;
     std::unique_ptr<DL_WriterA> out_;
 };
@@ -334,7 +218,7 @@ class Writer {
 
 std::string dxf_text(const LandmarkMap& map, std::span<const LineExtent> segments,
                      const Trajectory& path) {
-    const Drawing drawing = drawing_of(map, segments, path);
+    const MapShapes drawing = map_shapes(map, segments, path, kSigmas);
     const MemoryFile memory;
     Writer(drawing, memory.name()).write();
     std::string text = memory.content();

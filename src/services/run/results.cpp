@@ -72,6 +72,11 @@ ordered_json json_of(const RunQuality& quality) {
     return json;
 }
 
+/// Text from a damaged log may be no UTF-8: what is not is replaced, instead of failing.
+std::string text_of(const ordered_json& json) {
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
 /// Writes everything but the summary.
 void write_files(const FinishedRun& finished, RunSummary& summary, const StagedFolder& folder,
                  const WritingObserver& told) {
@@ -176,8 +181,17 @@ std::string to_json(const RunSummary& summary, double seconds) {
             {{"file", missing.file}, {"reason", missing.reason.english()}});
     }
     json["files"] = json_of(summary.files);
-    // Text from a damaged log may be no UTF-8: replace what is not instead of failing.
-    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return text_of(json);
+}
+
+std::string to_json(const ReadReport& report) {
+    return text_of(json_of(report));
+}
+
+std::string to_json(std::span<const MeasuredDistance> distances) {
+    ordered_json json = ordered_json::array();
+    for (const MeasuredDistance& measured : distances) json.push_back(json_of(measured));
+    return text_of(json);
 }
 
 void prepare_output_folder(const std::filesystem::path& folder) {
@@ -240,10 +254,10 @@ StagedFolder results_folder(const std::filesystem::path& folder) {
 
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          StagedFolder& folder, const WritingObserver& told,
-                         OdometryGridAhead* ahead) {
+                         OdometryGridAhead* ahead, std::span<const std::string> also) {
     RunSummary summary = summarize(run, references);
     FinishedRun finished{run, references, summary, run.best_trajectory(), run.filter().best_map(),
-                         {},  ahead};
+                         {},  ahead,      also};
     finished.segments = run.line_extents().of(finished.map, finished.best);
     try {
         write_files(finished, summary, folder, told);

@@ -6,7 +6,12 @@
 #include <system_error>
 #include <utility>
 
+#include "../maps/ieee_map_file.hpp"
+#include "../maps/landmark_table.hpp"
+#include "../maps/map_figure.hpp"
+#include "../maps/map_server_file.hpp"
 #include "../maps/odometry_scans_picture.hpp"
+#include "corrected_tour.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
@@ -14,6 +19,7 @@
 #include "hitos/services/maps/segment_file.hpp"
 #include "hitos/services/run/grid_builder.hpp"
 #include "json_input.hpp"
+#include "run_graph.hpp"
 
 namespace hitos {
 namespace {
@@ -146,7 +152,7 @@ RunOutput paths() {
         return finished.references.trajectory.has_value();
     };
     output.write = [](const FinishedRun& finished, const Folder& folder) {
-        const auto& [run, references, summary, best, map, segments, ahead] = finished;
+        const auto& [run, references, summary, best, map, segments, ahead, also] = finished;
         // True walls hold the true path to the frame of the tour's start.
         std::optional<Pose> pose_reference_run;
         if (references.walls.empty() && summary.trajectory_error) {
@@ -186,6 +192,50 @@ RunOutput uncertainty() {
     return output;
 }
 
+/// Files that are written where they are asked for, by the word or by one of their names.
+template <class Write>
+RunOutput asked(const char* word, const std::vector<std::string>& files, const char* purpose,
+                Write write) {
+    RunOutput output = named(files);
+    output.word = word;
+    output.purpose = purpose;
+    output.names = files;
+    output.wanted = [word](const FinishedRun& finished) {
+        return std::ranges::count(finished.also, word) > 0;
+    };
+    output.write = [write](const FinishedRun& finished, const Folder& folder) {
+        write(finished, folder);
+        return Message();
+    };
+    return output;
+}
+
+/// One such file, of a text.
+template <class Text>
+RunOutput asked_text(const char* word, const char* file, const char* purpose, Text text) {
+    return asked(word, {file}, purpose,
+                 [file, text](const FinishedRun& finished, const Folder& folder) {
+                     write_file(folder / file, text(finished));
+                 });
+}
+
+VectorDrawing figure(const FinishedRun& finished) {
+    return map_figure({finished.summary.source, finished.map, finished.segments, finished.best,
+                       odometry_path(finished)});
+}
+
+void write_map_server(const FinishedRun& finished, const Folder& folder) {
+    const Grid grid = built(finished, finished.best);
+    write_file(folder / "map.pgm", map_server_pgm(grid));
+    write_file(folder / "map.yaml", map_server_yaml(grid, "map.pgm"));
+}
+
+std::string map_data(const FinishedRun& finished) {
+    const Grid grid = built(finished, finished.best);
+    return ieee_map_xml({finished.summary.source, finished.summary.algorithm, finished.map,
+                         finished.segments, grid});
+}
+
 std::vector<RunOutput> make_outputs() {
     using Run = FinishedRun;
     return {
@@ -221,6 +271,22 @@ std::vector<RunOutput> make_outputs() {
         uncertainty(),
         always("map.dxf", [](const Run& r,
                              const Folder& file) { write_dxf(r.map, r.segments, r.best, file); }),
+        asked_text("svg", "map.svg", "the map as a figure for papers, to edit",
+                   [](const Run& r) { return svg_text(figure(r)); }),
+        asked_text("pdf", "map.pdf", "the same figure, to include",
+                   [](const Run& r) { return pdf_text(figure(r)); }),
+        asked("map-server", {"map.yaml", "map.pgm"}, "occupancy grid for ROS's map_server",
+              write_map_server),
+        asked_text("ieee-1873", "map.xml", "landmarks and grid as map data of IEEE 1873-2015",
+                   map_data),
+        asked_text("landmarks", "landmarks.csv", "every landmark with its covariance",
+                   [](const Run& r) { return landmark_table(r.map); }),
+        asked_text("g2o", "graph.g2o", "the best hypothesis' poses, landmarks and measurements",
+                   [](const Run& r) { return g2o_text(graph_of(r.run)); }),
+        asked("carmen", {"corrected.log"}, "the tour as a CARMEN log with corrected poses",
+              [](const Run& r, const Folder& folder) {
+                  write_corrected_tour(r.run, r.best, folder / "corrected.log");
+              }),
     };
 }
 

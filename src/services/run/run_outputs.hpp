@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct FinishedRun {
     LandmarkMap map;
     std::vector<LineExtent> segments;  ///< of the map's lines
     OdometryGridAhead* odometry_grid = nullptr;
+    std::span<const std::string> also = {};  ///< words of outputs that are asked for
 };
 
 /// A file of a run, or several that belong together.
@@ -34,6 +36,10 @@ struct RunOutput {
     /// message. Throws Error.
     std::function<Message(const FinishedRun&, const std::filesystem::path& folder)> write;
     bool essential = false;  ///< whether the run fails without it
+    /// By which it is asked for, and half a sentence for help texts; empty: it needs no asking.
+    std::string word = {};
+    std::string purpose = {};
+    std::vector<std::string> names = {};  ///< its files, the same of every run
 };
 
 /// In the order in which they are written, the essential ones first; summary.json, which comes

@@ -198,6 +198,7 @@ void RunWorker::work(const std::stop_token& stop) {
             busy_ = false;
             progress_.state = Progress::State::failed;
             progress_.error = message_of(failure);
+            progress_.failure = std::current_exception();
             idle_.notify_all();
         }
     }
@@ -256,12 +257,14 @@ void RunWorker::work_until(const std::stop_token& stop) {
 
 void RunWorker::do_restart() {
     Message error;
+    std::exception_ptr cause;
     grid_.begin_anew();
     checkpoints_.clear();
     try {
         run_.restart();
     } catch (const std::exception& failure) {
         error = message_of(failure);
+        cause = std::current_exception();
     }
     const std::scoped_lock lock(mutex_);
     snapshot_ = nullptr;
@@ -269,10 +272,12 @@ void RunWorker::do_restart() {
     budget_ = 0;
     progress_.state = Progress::State::failed;
     progress_.error = error;
+    progress_.failure = cause;
 }
 
 void RunWorker::do_seek(std::uint64_t steps, std::uint64_t orders) {
     Message error;
+    std::exception_ptr cause;
     try {
         // Past the end the path is smoothed: that is no state after a scan.
         const bool back = run_.steps() > steps || run_.finished();
@@ -286,6 +291,7 @@ void RunWorker::do_seek(std::uint64_t steps, std::uint64_t orders) {
         }
     } catch (const std::exception& failure) {
         error = message_of(failure);
+        cause = std::current_exception();
     }
     const std::scoped_lock lock(mutex_);
     stepping_ = false;
@@ -300,6 +306,7 @@ void RunWorker::do_seek(std::uint64_t steps, std::uint64_t orders) {
         seek_wanted_.reset();
         progress_.state = Progress::State::failed;
         progress_.error = error;
+        progress_.failure = cause;
         return;
     }
     if (seek_wanted_) return;  // a newer one
@@ -312,10 +319,12 @@ void RunWorker::do_step() {
     const auto begin = std::chrono::steady_clock::now();
     bool more = false;
     Message error;
+    std::exception_ptr cause;
     try {
         more = run_.step();
     } catch (const std::exception& failure) {
         error = message_of(failure);
+        cause = std::current_exception();
     }
     const auto end = std::chrono::steady_clock::now();
     if (more) {
@@ -344,6 +353,7 @@ void RunWorker::do_step() {
     budget_ = 0;
     progress_.state = error.empty() ? Progress::State::finished : Progress::State::failed;
     progress_.error = error;
+    progress_.failure = cause;
     if (error.empty()) progress_.fraction = 1.0;
 }
 

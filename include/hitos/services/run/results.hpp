@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,12 @@ RunSummary summarize(const Algoritmo& run, const References& references);
 /// The summary as JSON text; units stand in the names. `seconds` is the wall time of the run.
 std::string to_json(const RunSummary& summary, double seconds);
 
+/// What was damaged in a log, as the summary states it under "log".
+std::string to_json(const ReadReport& report);
+
+/// Measured distances, as the summary states them under "distances".
+std::string to_json(std::span<const MeasuredDistance> distances);
+
 /// Makes the folder (and its parents) and makes sure that files can be written there. Throws
 /// FileError.
 void prepare_output_folder(const std::filesystem::path& folder);
@@ -112,10 +119,12 @@ using WritingObserver = std::function<void(const WritingProgress&)>;
 /// once all are written: whatever happens before, the folder is what it was. Map, trajectories and
 /// configuration come first, and without them the run fails (FileError); of the others each may be
 /// missing, and the summary says why. Several threads write, as many as the run has, up to three;
-/// `ahead` may have the grid along the odometry. Returns the summary.
+/// `ahead` may have the grid along the odometry; `also` are words of optional_outputs(), of which
+/// the files are written too. Returns the summary.
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          StagedFolder& folder, const WritingObserver& told = {},
-                         OdometryGridAhead* ahead = nullptr);
+                         OdometryGridAhead* ahead = nullptr,
+                         std::span<const std::string> also = {});
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          const std::filesystem::path& folder, const WritingObserver& told = {});
 

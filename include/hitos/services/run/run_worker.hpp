@@ -91,6 +91,7 @@ struct Progress {
     bool waits = false;                        ///< running, for its pace: it has time to spare
     StopReason stopped_by = StopReason::none;  ///< of the rules that the run was given
     Message error;                             ///< what ended a failed run
+    std::exception_ptr failure;                ///< the same, to be thrown again
 };
 
 /// A run on its own thread. Every member may be called from any thread and returns without waiting

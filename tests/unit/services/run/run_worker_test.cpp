@@ -250,6 +250,14 @@ TEST(RunWorker, AFailureIsToldAndEndsTheRun) {
     worker.wait();
     EXPECT_EQ(worker.progress().state, State::failed);
     EXPECT_NE(worker.progress().error.english().find("no readable scan"), std::string::npos);
+    // Whoever asks gets it with its type and place, as often as he likes.
+    for (int i = 0; i < 2; ++i) {
+        try {
+            std::rethrow_exception(worker.progress().failure);
+        } catch (const FormatError& error) {
+            EXPECT_EQ(error.path(), configuration.source.file);
+        }
+    }
     // A source that has gone meanwhile: restarting fails, and says so.
     std::filesystem::remove(configuration.source.file);
     worker.restart();

@@ -1,0 +1,159 @@
+#include "maps/map_figure.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hitos/base/error.hpp"
+#include "map_drawings.hpp"
+#include "support.hpp"
+
+namespace hitos {
+namespace {
+
+using test::message_of;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class MapFigureTest : public testing::Test {
+  protected:
+    VectorDrawing figure() const {
+        return map_figure(
+            {"log <1> & (2) \xc3\xa9", map_.map, map_.segments, map_.path, odometry_});
+    }
+    static const DrawnLayer* layer(const VectorDrawing& drawing, const std::string& name) {
+        const auto found = std::ranges::find(drawing.layers, name, &DrawnLayer::name);
+        return found == drawing.layers.end() ? nullptr : &*found;
+    }
+    test::SmallMap map_;
+    Trajectory odometry_ = {{0.0, {0.0, 0.0, 0.0}}, {1.0, {100.0, 3.0, 0.0}}};
+};
+
+TEST_F(MapFigureTest, ShowsTheMapToScaleInItsFrame) {
+    const VectorDrawing drawing = figure();
+    const DrawnLayer* walls = layer(drawing, "lines");
+    ASSERT_NE(walls, nullptr);
+    ASSERT_EQ(walls->lines.size(), 3U);
+    const auto length = [](const std::vector<Point2>& line) {
+        return std::hypot(line[1].x - line[0].x, line[1].y - line[0].y);
+    };
+    const double mm_per_m = length(walls->lines[0]) / 2.0;
+    EXPECT_NEAR(length(walls->lines[1]), 3.0 * mm_per_m, 1e-9);
+    EXPECT_NEAR(length(walls->lines[2]), 4.0 * mm_per_m, 1e-9);
+    EXPECT_GT(walls->lines[2][0].y, walls->lines[2][1].y) << "y of the paper grows downwards";
+    EXPECT_LE(drawing.width_mm, 85.0);
+    // The odometry goes far out and is cut; everything else is inside.
+    EXPECT_TRUE(layer(drawing, "odometry")->clipped);
+    for (const char* name : {"lines", "path", "uncertainty"}) {
+        for (const auto& line : layer(drawing, name)->lines) {
+            for (const Point2& point : line) {
+                EXPECT_GE(point.x, drawing.frame.low.x) << name;
+                EXPECT_LE(point.x, drawing.frame.high.x) << name;
+                EXPECT_GE(point.y, drawing.frame.low.y) << name;
+                EXPECT_LE(point.y, drawing.frame.high.y) << name;
+            }
+        }
+    }
+    // The scale bar is as long as it says.
+    const DrawnLayer* bar = layer(drawing, "scale-bar");
+    const double bar_m = length(bar->lines[1]) / mm_per_m;
+    const auto& words = layer(drawing, "legend")->texts;
+    EXPECT_TRUE(std::ranges::any_of(words, [&](const DrawnText& text) {
+        return text.text.ends_with(" m") && std::abs(std::stod(text.text) - bar_m) < 1e-9;
+    }));
+}
+
+TEST_F(MapFigureTest, RegionsHoldTwoSigma) {
+    const VectorDrawing drawing = figure();
+    const DrawnLayer* regions = layer(drawing, "uncertainty");
+    ASSERT_EQ(regions->lines.size(), 2U);  // of the line that is uncertain
+    ASSERT_EQ(regions->ellipses.size(), 1U);
+    const auto& wall = layer(drawing, "lines")->lines[0];
+    const double mm_per_m = (wall[1].x - wall[0].x) / 2.0;
+    const DrawnEllipse& ellipse = regions->ellipses[0];
+    EXPECT_NEAR(std::abs(ellipse.first.x), 2.0 * 0.2 * mm_per_m, 1e-9);
+    EXPECT_NEAR(std::abs(ellipse.second.y), 2.0 * 0.1 * mm_per_m, 1e-9);
+    // At (-1, 2) the line is at t = 1 along itself, which grows to the left of its normal.
+    const double sigma = std::sqrt(0.01 - 2.0 * 0.001 + 0.0004);
+    const std::vector<Point2>& band = regions->lines[0];
+    EXPECT_NEAR(std::abs(band.front().y - wall[0].y), 2.0 * sigma * mm_per_m, 1e-9);
+    const auto& words = layer(drawing, "legend")->texts;
+    EXPECT_TRUE(std::ranges::any_of(
+        words, [](const DrawnText& text) { return text.text == "uncertainty, 2 sigma"; }));
+}
+
+TEST_F(MapFigureTest, LegendNamesWhatIsThere) {
+    for (ICaracteristica& landmark : map_.map) landmark.covariance.setZero();
+    map_.map.pop_back();
+    odometry_.clear();
+    const std::string svg = svg_text(figure());
+    EXPECT_THAT(svg, HasSubstr(">line landmarks<"));
+    for (const char* absent : {"uncertainty", "corner", "odometry"}) {
+        EXPECT_THAT(svg, Not(HasSubstr(absent)));
+    }
+}
+
+TEST_F(MapFigureTest, NothingButAPlaceIsAFigureToo) {
+    map_.map.clear();
+    map_.segments.clear();
+    map_.path.resize(1);
+    odometry_.clear();
+    const VectorDrawing drawing = figure();
+    EXPECT_EQ(layer(drawing, "lines"), nullptr);
+    EXPECT_NE(layer(drawing, "start"), nullptr);
+    EXPECT_GT(drawing.height_mm, 20.0);
+}
+
+TEST_F(MapFigureTest, FarRegionsDoNotShrinkTheMap) {
+    const double before = figure().frame.high.x;
+    const auto wall_mm = [this] {
+        const VectorDrawing drawing = figure();
+        const auto& wall = layer(drawing, "lines")->lines[0];
+        return wall[1].x - wall[0].x;
+    };
+    const double sure = wall_mm();
+    map_.map[2].covariance << 1e4, 0.0, 0.0, 1e4;
+    EXPECT_GT(wall_mm(), 0.6 * sure);
+    EXPECT_NEAR(figure().frame.high.x, before, 1e-9);
+}
+
+TEST_F(MapFigureTest, WhatIsNotFiniteIsRefused) {
+    map_.map[2].value = Esquina{std::numeric_limits<double>::quiet_NaN(), 0.0};
+    EXPECT_THAT(message_of<Error>([this] { figure(); }), HasSubstr("landmark 2"));
+}
+
+TEST_F(MapFigureTest, SvgEscapesAndRepeats) {
+    const std::string svg = svg_text(figure());
+    EXPECT_THAT(svg, HasSubstr("<title>log &lt;1&gt; &amp; (2) \xc3\xa9</title>"));
+    EXPECT_THAT(svg, HasSubstr(R"(<g id="lines" fill="none" stroke="#000000")"));
+    EXPECT_EQ(svg, svg_text(figure()));
+}
+
+TEST_F(MapFigureTest, PdfSaysWhereItsObjectsAre) {
+    const std::string pdf = pdf_text(figure());
+    EXPECT_TRUE(pdf.starts_with("%PDF-1.4\n"));
+    EXPECT_EQ(pdf, pdf_text(figure()));
+    const std::size_t table = std::stoul(pdf.substr(pdf.find("startxref\n") + 10));
+    EXPECT_EQ(pdf.substr(table, 9), "xref\n0 7\n");
+    for (int number = 1; number <= 6; ++number) {
+        const std::size_t entry = table + 9 + 20 * static_cast<std::size_t>(number);
+        const std::size_t place = std::stoul(pdf.substr(entry, 10));
+        EXPECT_EQ(pdf.substr(place, 8), std::to_string(number) + " 0 obj\n") << number;
+    }
+    const std::size_t begin = pdf.find("stream\n") + 7;
+    const std::size_t length = std::stoul(pdf.substr(pdf.find("/Length ") + 8));
+    EXPECT_EQ(pdf.substr(begin + length, 9), "endstream");
+    EXPECT_THAT(pdf, HasSubstr("00E9>")) << "the title is in UTF-16";
+}
+
+TEST_F(MapFigureTest, WordsAreAsWideAsHelveticaIs) {
+    EXPECT_NEAR(text_width_mm("@~", 10.0), 15.99, 1e-9);
+    EXPECT_NEAR(text_width_mm(" 0Wm", 1.0), 0.278 + 0.556 + 0.944 + 0.833, 1e-9);
+    EXPECT_NEAR(text_width_mm("\xc3\xa9", 1.0), 0.556, 1e-9);
+}
+
+}  // namespace
+}  // namespace hitos
