@@ -1,0 +1,75 @@
+// Runs, step by step or to the end.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bindings.hpp"
+#include "hitos/base/input_files.hpp"
+#include "hitos/base/staged_folder.hpp"
+#include "hitos/services/run/results.hpp"
+#include "hitos/services/run/run_worker.hpp"
+#include "snapshots.hpp"
+#include "tours.hpp"
+
+namespace hitos::python {
+
+class Result;
+
+/// A run, for one thread of Python at a time. All functions want the interpreter's lock and let go
+/// of it while the run computes.
+class Run : public std::enable_shared_from_this<Run> {
+  public:
+    Run(const TourArgument& tour, Configuracion configuration, References references,
+        bool uncertainty);
+
+    /// So many scans further, or to the end. `told` is called now and then with the progress;
+    /// False stops the run. What Ctrl+C, `told` or the run itself raise is thrown when the run
+    /// rests.
+    void advance(std::uint64_t scans, const py::object& told);
+    Progress progress() const;
+    std::shared_ptr<State> snapshot();
+    std::shared_ptr<Result> result();
+    const Configuracion& configuration() const { return configuration_; }
+
+    /// What summary.json says; the run must still be at this revision.
+    std::string summary(std::uint64_t revision);
+    /// Writes the results of the run as it is.
+    std::string write(std::uint64_t revision, StagedFolder& folder);
+    /// Kept for the results of this run, which may not take the place of what it reads.
+    std::unique_ptr<StagedFolder> folder_for(const std::filesystem::path& path) const;
+
+  private:
+    /// Refuses a second user while it lives.
+    class Turn;
+    std::shared_ptr<const Snapshot> newest_snapshot();
+    void check_revision(std::uint64_t revision) const;
+
+    Configuracion configuration_;
+    References references_;
+    InputFiles inputs_;
+    std::shared_ptr<RunWorker> worker_;
+    double seconds_ = 0.0;  // of wall time
+    mutable std::atomic<bool> taken_ = false;
+};
+
+/// A run where it was left or has ended.
+class Result : public State {
+  public:
+    Result(std::shared_ptr<Run> run, std::shared_ptr<const Snapshot> shown, bool finished,
+           std::shared_ptr<const GridArray> grid, const std::vector<StepFigures>& figures);
+
+    const std::shared_ptr<Run>& run() const { return run_; }
+    const std::shared_ptr<const std::vector<FiguresRow>>& figures() const { return figures_; }
+
+  private:
+    std::shared_ptr<Run> run_;
+    std::shared_ptr<const std::vector<FiguresRow>> figures_;
+};
+
+}  // namespace hitos::python

@@ -1,0 +1,314 @@
+// Studies: run_studies(), which window and command line use too.
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <future>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "arrays.hpp"
+#include "configuration.hpp"
+#include "hitos/services/study/study.hpp"
+#include "hitos/simulation/odometry_noise.hpp"
+#include "hitos/workbench/study_noise.hpp"
+#include "python_calls.hpp"
+#include "references.hpp"
+#include "tours.hpp"
+
+namespace hitos::python {
+namespace {
+
+using std::filesystem::path;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// A finished study; immutable.
+struct StudyTable {
+    StudyOutcome outcome;
+    std::vector<StudyCell> cells;
+    path folder;
+};
+
+struct RunRow {
+    std::uint64_t seed, scans;
+    std::int64_t cell;
+    double error, aligned_error, trajectory_error, odometry_error, blur, seconds;
+    std::int32_t lines, corners;
+    bool ok;
+};
+
+py::array runs_of(const StudyTable& table) {
+    auto rows = std::make_shared<std::vector<RunRow>>();
+    const StudyPlan& plan = table.outcome.plan;
+    for (std::size_t run = 0; run < table.outcome.records.size(); ++run) {
+        const StudyRecord& record = table.outcome.records[run];
+        rows->push_back({plan.seed_of(run), record.scans,
+                         static_cast<std::int64_t>(plan.cell_of(run)),
+                         record.error_m.value_or(kNone), record.aligned_error_m.value_or(kNone),
+                         record.trajectory_error_m.value_or(kNone),
+                         record.odometry_error_m.value_or(kNone), record.blur_m2.value_or(kNone),
+                         record.seconds, record.lines, record.corners, record.ok});
+    }
+    return view_of_rows<RunRow>(std::move(rows),
+                                {{"cell", "i8", offsetof(RunRow, cell)},
+                                 {"seed", "u8", offsetof(RunRow, seed)},
+                                 {"ok", "?", offsetof(RunRow, ok)},
+                                 {"error", "f8", offsetof(RunRow, error)},
+                                 {"aligned_error", "f8", offsetof(RunRow, aligned_error)},
+                                 {"trajectory_error", "f8", offsetof(RunRow, trajectory_error)},
+                                 {"odometry_error", "f8", offsetof(RunRow, odometry_error)},
+                                 {"blur", "f8", offsetof(RunRow, blur)},
+                                 {"lines", "i4", offsetof(RunRow, lines)},
+                                 {"corners", "i4", offsetof(RunRow, corners)},
+                                 {"scans", "u8", offsetof(RunRow, scans)},
+                                 {"seconds", "f8", offsetof(RunRow, seconds)}});
+}
+
+py::object dict_of(const std::optional<Spread>& spread) {
+    if (!spread) return py::none();
+    py::dict values;
+    values["count"] = spread->count;
+    values["mean"] = spread->mean;
+    values["variance"] = spread->variance;
+    values["minimum"] = spread->minimum;
+    values["maximum"] = spread->maximum;
+    return static_cast<py::object>(values);
+}
+
+py::list cells_of(const StudyTable& table) {
+    const std::vector<std::string> keys = table.outcome.plan.keys();
+    py::list all;
+    for (const StudyCell& cell : table.cells) {
+        py::dict values;
+        py::dict set;
+        for (std::size_t i = 0; i < keys.size(); ++i) set[py::str(keys[i])] = cell.texts.at(i);
+        values["values"] = set;
+        values["finished"] = cell.finished;
+        values["failed"] = cell.failed;
+        values["error"] = dict_of(cell.error_m);
+        values["aligned_error"] = dict_of(cell.aligned_error_m);
+        values["trajectory_error"] = dict_of(cell.trajectory_error_m);
+        values["odometry_error"] = dict_of(cell.odometry_error_m);
+        values["blur"] = dict_of(cell.blur_m2);
+        values["landmarks"] = dict_of(cell.landmarks);
+        all.append(values);
+    }
+    return all;
+}
+
+/// "10:100:10" as the command line has it, or a list of values; the values of a name that sets
+/// several keys are tuples.
+StudyParameter parameter_of(const std::string& name, const py::handle& values) {
+    if (py::isinstance<py::str>(values)) {
+        return parse_study_parameter(name + "=" + py::cast<std::string>(values));
+    }
+    StudyParameter parameter = find_study_parameter(name);
+    std::vector<std::string> words;
+    for (const py::handle value : py::reinterpret_borrow<py::object>(values)) {
+        if (py::isinstance<py::tuple>(value) || py::isinstance<py::list>(value)) {
+            for (const py::handle part : py::reinterpret_borrow<py::object>(value)) {
+                words.push_back(text_of(part));
+            }
+        } else {
+            words.push_back(text_of(value));
+        }
+    }
+    set_values(parameter, words);
+    return parameter;
+}
+
+/// The newest that the study has said; written by its threads, read by Python's.
+class Said {
+  public:
+    void note(const StudyProgress& now) {
+        const std::scoped_lock lock(mutex_);
+        newest_ = now;
+    }
+    std::optional<StudyProgress> take() {
+        const std::scoped_lock lock(mutex_);
+        return std::exchange(newest_, std::nullopt);
+    }
+
+  private:
+    std::mutex mutex_;
+    std::optional<StudyProgress> newest_;
+};
+
+StudyOutcome conducted(const Study& study, int threads, const py::object& told) {
+    Said said;
+    std::stop_source stop;
+    StudyOptions how;
+    how.threads = threads;
+    how.stop = stop.get_token();
+    if (!told.is_none()) how.observer = [&said](const StudyProgress& now) { said.note(now); };
+    std::future<StudyOutcome> under_way = std::async(std::launch::async, [&] {
+        return std::move(run_studies({&study, 1}, how).front());
+    });
+    const auto end = [&] {
+        stop.request_stop();
+        without_python([&] { under_way.wait(); });
+    };
+    bool going = true;
+    while (going) {
+        going =
+            without_python([&] { return under_way.wait_for(kPoll) != std::future_status::ready; });
+        try {
+            if (interrupted()) throw py::error_already_set();
+            const std::optional<StudyProgress> now = said.take();
+            if (now && told(*now).ptr() == Py_False) end();
+        } catch (const py::error_already_set&) {
+            end();
+            throw;
+        }
+    }
+    return without_python([&] { return under_way.get(); });
+}
+
+[[noreturn]] void all_failed(const StudyOutcome& outcome) {
+    for (const StudyRecord& record : outcome.records) {
+        if (record.problem.empty()) continue;
+        throw Error(
+            verbatim(fmt::format("every run failed; the first: {}", record.problem.english())));
+    }
+    throw Error(verbatim("no run succeeded"));
+}
+
+struct StudyArguments {
+    py::object tour;
+    py::dict vary;
+    py::object configuration;
+    path out;
+    int runs = 5;
+    std::uint64_t first_seed = 1;
+    int threads = 0;
+    std::optional<path> reference;
+    py::object reference_trajectory;
+    double odometry_noise = 0.0;
+    std::string noise_kind;
+    std::string pictures;
+    py::object progress;
+};
+
+std::shared_ptr<StudyTable> studied(const StudyArguments& arguments) {
+    Study study;
+    study.configuration = configuration_for(tour_argument(arguments.tour), arguments.configuration);
+    if (arguments.reference) study.reference = read_map(*arguments.reference);
+    study.reference_trajectory = reference_trajectory_of(arguments.reference_trajectory);
+    for (const auto& [name, values] : arguments.vary) {
+        study.parameters.push_back(parameter_of(py::cast<std::string>(name), values));
+    }
+    study.seeds = arguments.runs;
+    study.first_seed = arguments.first_seed;
+    study.pictures = parse_study_pictures(arguments.pictures, "pictures");
+    study.layout = study_in_folder(arguments.out);
+    set_study_source(study, arguments.odometry_noise,
+                     parse_noise_kind(arguments.noise_kind, "noise_kind"));
+    auto table = std::make_shared<StudyTable>();
+    table->outcome = conducted(study, arguments.threads, arguments.progress);
+    table->folder = study.layout.folder;
+    const StudyOutcome& outcome = table->outcome;
+    if (!outcome.stopped && outcome.failed > 0 &&
+        outcome.failed == outcome.computed + outcome.reused) {
+        all_failed(outcome);
+    }
+    table->cells = summarize(outcome.plan, outcome.records);
+    return table;
+}
+
+void bind_progress(py::module_& module) {
+    py::class_<StudyProgress>(module, "StudyProgress", "How far a study has come.")
+        .def_readonly("runs", &StudyProgress::runs, "Runs to do, without those found done.")
+        .def_readonly("finished", &StudyProgress::finished, "Of these, the failed among them.")
+        .def_readonly("failed", &StudyProgress::failed, "Runs that failed.")
+        .def_readonly("reused", &StudyProgress::reused, "Runs found done in the folder.")
+        .def_readonly("fraction", &StudyProgress::fraction, "Part of the runs to do, 0 … 1.")
+        .def_readonly("running", &StudyProgress::running, "What a run under way is.")
+        .def_readonly("failure", &StudyProgress::failure,
+                      "A run that has just failed, with the reason; else \"\".");
+}
+
+void bind_table(py::module_& module) {
+    py::class_<StudyTable, std::shared_ptr<StudyTable>>(module, "Study", R"(What a study has found:
+values of parameters, each run with several seeds.)")
+        .def_property_readonly("runs", &runs_of,
+                               R"(A structured array with a row for every run: cell (the place in
+cells), seed, ok, error and aligned_error of the map [m], trajectory_error and odometry_error (ATE)
+[m], blur [m^2], lines, corners, scans, seconds; nan where there is nothing to measure against.)")
+        .def_property_readonly(
+            "cells", &cells_of,
+            R"(One dict for every value, or pair of values: "values" (key to text),
+"finished" and "failed" runs, and for error, aligned_error, trajectory_error, odometry_error, blur and
+landmarks a dict of count, mean, variance, minimum and maximum over the runs, or None.)")
+        .def_property_readonly(
+            "keys", [](const StudyTable& t) { return t.outcome.plan.keys(); },
+            "The keys that were varied.")
+        .def_property_readonly(
+            "computed", [](const StudyTable& t) { return t.outcome.computed; },
+            "Runs done by this call.")
+        .def_property_readonly(
+            "reused", [](const StudyTable& t) { return t.outcome.reused; },
+            "Runs found done in the folder.")
+        .def_property_readonly(
+            "failed", [](const StudyTable& t) { return t.outcome.failed; }, "Runs that failed.")
+        .def_property_readonly(
+            "stopped", [](const StudyTable& t) { return t.outcome.stopped; },
+            "Whether it was stopped before every run was done.")
+        .def_property_readonly(
+            "folder", [](const StudyTable& t) { return t.folder.string(); },
+            "Where its files lie: tables, plots, the map of every run.")
+        .def(
+            "to_csv", [](const StudyTable& t) { return summary_csv(t.outcome.plan, t.cells); },
+            "The summary as comma-separated text.")
+        .def(
+            "to_markdown",
+            [](const StudyTable& t) { return summary_markdown(t.outcome.plan, t.cells); },
+            "The summary as a table.")
+        .def("__repr__", [](const StudyTable& t) {
+            return fmt::format("<Study of {} values, {} runs>", t.cells.size(),
+                               t.outcome.records.size());
+        });
+}
+
+}  // namespace
+
+void bind_studies(py::module_& module) {
+    bind_progress(module);
+    bind_table(module);
+    module.def(
+        "study",
+        [](py::object tour, py::dict vary, py::object configuration, path out, int runs,
+           std::uint64_t first_seed, int threads, std::optional<path> reference,
+           py::object reference_trajectory, double odometry_noise, std::string noise_kind,
+           std::string pictures, py::object progress) {
+            return studied({std::move(tour), std::move(vary), std::move(configuration),
+                            std::move(out), runs, first_seed, threads, std::move(reference),
+                            std::move(reference_trajectory), odometry_noise, std::move(noise_kind),
+                            std::move(pictures), std::move(progress)});
+        },
+        py::arg("tour"), py::arg("vary"), py::arg("configuration") = py::none(), py::kw_only(),
+        py::arg("out"), py::arg("runs") = 5, py::arg("first_seed") = 1, py::arg("threads") = 0,
+        py::arg("reference") = py::none(), py::arg("reference_trajectory") = py::none(),
+        py::arg("odometry_noise") = 0.0, py::arg("noise_kind") = "relative-sigma",
+        py::arg("pictures") = "none", py::arg("progress") = py::none(),
+        R"(Runs values of parameters with several seeds each, as `hitos-cli study` does, and gives a
+Study. Tables, plots and the runs lie in the folder `out`; a study that was stopped goes on there.
+
+vary: the values of none, one or two parameters, by key or by the thesis's name:
+{"filter.particles": [20, 50, 100]}, {"p": "20:100:20"}, {"sensor": [(0.04, 0.00122)]}.
+runs: runs of each value, with the seeds from first_seed on. threads: runs at a time, 0 for as many
+as the machine has. reference, reference_trajectory: as in hitos.run(). odometry_noise: level of the
+noise that every run gets on its odometry; the thesis uses 0.1. pictures: "none", "first" or "all".
+progress: called with a StudyProgress; False stops the study. Ctrl+C stops it and raises
+KeyboardInterrupt; what is done stays done.)");
+}
+
+}  // namespace hitos::python
