@@ -1,5 +1,9 @@
 #include "hitos/base/process.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -10,9 +14,13 @@
 #include <cstring>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
 
 namespace hitos {
 namespace {
@@ -120,8 +128,81 @@ StopSource::StopSource()
           }
       }) {}
 
+namespace {
+
+[[noreturn]] void fail_to_keep(const std::filesystem::path& folder) {
+    throw FileError("/dev/stdin",
+                    message(HITOS_TEXT("Errors",
+                                       "cannot be kept in %1 to be read more than once: %2; make "
+                                       "room there, or name another folder in TMPDIR"),
+                            folder.string(), system_message(errno)));
+}
+
+/// A file for reading and writing that has no name. Throws FileError.
+int nameless_file(const std::filesystem::path& folder) {
+    constexpr mode_t kOwn = 0600;
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has it no other way
+    const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kOwn);
+    if (file >= 0) return file;
+    std::string name = folder / "hitos-XXXXXX";  // where the file system knows no other way
+    const int named = ::mkstemp(name.data());
+    if (named < 0) fail_to_keep(folder);
+    ::unlink(name.c_str());
+    return named;
+}
+
+/// All bytes that come from standard input go into the file. Throws FileError.
+void keep_standard_input(int file, const std::filesystem::path& folder) {
+    std::vector<char> block(std::size_t{1} << 16);
+    for (;;) {
+        const ssize_t got = ::read(STDIN_FILENO, block.data(), block.size());
+        if (got == 0) return;
+        if (got < 0) {
+            if (errno == EINTR) continue;
+            throw FileError("/dev/stdin", message(HITOS_TEXT("Errors", "cannot be read: %1"),
+                                                  system_message(errno)));
+        }
+        for (ssize_t put = 0; put < got;) {
+            const ssize_t now =
+                ::write(file, block.data() + put, static_cast<std::size_t>(got - put));
+            if (now < 0 && errno != EINTR) fail_to_keep(folder);
+            if (now > 0) put += now;
+        }
+    }
+}
+
+}  // namespace
+
+std::string input_named(const std::string& name) {
+    constexpr const char* kStandardInput = "/dev/stdin";
+    if (name != "-" && name != kStandardInput) return name;
+    struct stat state {};
+    if (::fstat(STDIN_FILENO, &state) != 0 || S_ISREG(state.st_mode)) return kStandardInput;
+    if (isatty(STDIN_FILENO) != 0) {
+        throw FileError(kStandardInput,
+                        message(HITOS_TEXT("Errors",
+                                           "is a terminal; expected a file or what another "
+                                           "program writes: hitos-cli … - < FILE")));
+    }
+    const char* named = std::getenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe)
+    const std::filesystem::path folder = named != nullptr && *named != '\0' ? named : "/tmp";
+    const int file = nameless_file(folder);
+    // From here on standard input is that file, also for who asks again.
+    try {
+        keep_standard_input(file, folder);
+    } catch (...) {
+        ::close(file);
+        throw;
+    }
+    const bool put = ::dup2(file, STDIN_FILENO) >= 0;
+    ::close(file);
+    if (!put) fail_to_keep(folder);
+    return kStandardInput;
+}
+
 int run_program(const char* program, const std::function<int()>& run) {
     int status = 1;
+    bool cut_short = false;
     program_name = program;
     const std::terminate_handler before = std::set_terminate(end_for_want_of_memory);
     if (before != end_for_want_of_memory) end_otherwise = before;
@@ -130,12 +211,15 @@ int run_program(const char* program, const std::function<int()>& run) {
     } catch (const std::bad_alloc&) {
         tell_of_memory(program);
     } catch (const std::exception& error) {
-        if (std::ferror(stdout) == 0) std::fprintf(stderr, "%s: %s\n", program, error.what());
+        cut_short = std::ferror(stdout) != 0;  // and that is the error
+        if (!cut_short) std::fprintf(stderr, "%s: %s\n", program, error.what());
     }
     const int earlier = errno;
     errno = 0;
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
     const int reason = errno != 0 ? errno : earlier;
+    constexpr int kSignalled = 128;
+    if (reason == EPIPE) return status == 0 || cut_short ? kSignalled + SIGPIPE : status;
     std::fprintf(stderr, "%s: standard output: %s; not all that it says has arrived\n", program,
                  std::strerror(reason));  // NOLINT(concurrency-mt-unsafe)
     return status == 0 ? 1 : status;

@@ -1,6 +1,8 @@
 #include "hitos/workbench/shipped_data.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
+#include <link.h>
 
 #include <algorithm>
 
@@ -14,11 +16,25 @@ std::filesystem::path worlds_folder() {
     return shipped_file("data/worlds");
 }
 
+/// What this function is part of: a program, or a module that another program has loaded.
+std::filesystem::path own_file() {
+    std::error_code ignored;
+    static const char here = 0;
+    Dl_info info{};
+    link_map* loaded = nullptr;
+    void* place = nullptr;
+    if (dladdr1(&here, &info, &place, RTLD_DL_LINKMAP) != 0) loaded = static_cast<link_map*>(place);
+    if (loaded != nullptr && loaded->l_name != nullptr && *loaded->l_name != '\0') {
+        return std::filesystem::canonical(loaded->l_name, ignored);
+    }
+    return std::filesystem::read_symlink("/proc/self/exe", ignored);
+}
+
 }  // namespace
 
 std::filesystem::path shipped_file(const std::filesystem::path& relative) {
     std::error_code ignored;
-    std::filesystem::path above = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    std::filesystem::path above = own_file();
     while (above.has_relative_path()) {
         above = above.parent_path();
         for (const std::filesystem::path& place :

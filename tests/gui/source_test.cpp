@@ -118,6 +118,19 @@ void SourceTest::damaged_lines_are_counted() {
     QVERIFY(f.window->findChild<QLabel*>("status_skipped")->text().contains('1'));
 }
 
+void SourceTest::topics_of_another_recording_are_forgotten() {
+    Fixture f;
+    SourceParams source = f.session.configuration().source;
+    source.read.scan_topic = "/front";
+    source.read.odom_topic = "tf";
+    SourceDialog dialog(source, f.prompts, {}, nullptr);
+    QCOMPARE(dialog.source().read.scan_topic, "/front");
+    dialog.set_path("/nowhere/tour.bag");
+    QCOMPARE(dialog.source().read.scan_topic, "");
+    QCOMPARE(dialog.source().read.odom_topic, "");
+    wait_for_check(dialog);
+}
+
 void SourceTest::cancel_changes_nothing() {
     Fixture f;
     f.run_steps(5);

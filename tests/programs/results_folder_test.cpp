@@ -65,10 +65,11 @@ TEST_F(ResultsFolder, IsOfOneRunAfterEveryKill) {
 }
 
 TEST_F(ResultsFolder, ASecondRunIsToldWhoWritesIt) {
+    // The first one, long enough to be met at it, stands still while the second one comes.
     const Outcome both =
-        shell(fmt::format("{0} > {1} 2>&1 & while [ ! -e {2} ]; do sleep 0.01; done; sleep 0.05; "
-                          "{3}; echo second $?; "
-                          "wait $!; echo first $?",
+        shell(fmt::format("{0} --set filter.particles=3000 > {1} 2>&1 & while [ ! -e {2} ]; do "
+                          "sleep 0.01; done; sleep 0.05; kill -STOP $!; {3}; echo second $?; "
+                          "kill -CONT $!; wait $!; echo first $?",
                           run(1), path("said"), path(".out.hitos-lock"), run(2)));
     EXPECT_NE(both.output.find("is being written by process "), std::string::npos) << both.output;
     EXPECT_NE(both.output.find("second 1"), std::string::npos) << both.output;
@@ -199,13 +200,24 @@ class Streams : public test::ProgramTest {
 };
 
 TEST_F(Streams, AFullOrClosedStandardOutputIsAnError) {
-    for (const std::string where : {"> /dev/full", "| true"}) {
-        const Outcome outcome = shell(
-            fmt::format("{{ sleep 0.5; {} parameters; echo status $? >&2; }} {}", cli_, where));
-        EXPECT_NE(outcome.output.find("status 1"), std::string::npos) << outcome.output;
-        EXPECT_NE(outcome.output.find("standard output: "), std::string::npos) << outcome.output;
-    }
+    const Outcome outcome =
+        shell(fmt::format("{{ {} parameters; echo status $? >&2; }} > /dev/full", cli_));
+    EXPECT_NE(outcome.output.find("status 1"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("standard output: "), std::string::npos) << outcome.output;
     EXPECT_EQ(shell(cli_ + " parameters >&- ").status, 1);
+}
+
+TEST_F(Streams, WhoReadsNoFurtherHearsNoComplaint) {
+    const Outcome outcome =
+        shell(fmt::format("{{ sleep 0.5; {} parameters; echo status $? >&2; }} | true", cli_));
+    EXPECT_EQ(outcome.output, "status 141\n");
+    // What the command is for is done all the same.
+    const Outcome run =
+        shell(fmt::format("{{ {} run {}/data/logs/radish.log.gz --set filter.particles=5 --out {} "
+                          "2> /dev/null; echo status $? >&2; }} | true",
+                          cli_, test::kSource, path("run")));
+    EXPECT_EQ(run.output, "status 141\n");
+    EXPECT_EQ(shell(cli_ + " verify " + path("run")).status, 0);
 }
 
 TEST_F(Streams, ASignalLeavesNoTemporaryFile) {

@@ -14,6 +14,8 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
+#include "manual/describe.hpp"
+#include "options.hpp"
 #include "study_console.hpp"
 
 namespace hitos::cli {
@@ -102,11 +104,12 @@ int run_program(int argc, char** argv) {
                     "depend on it")
         ->check(CLI::Range(0, 256));
     add_study_options(program, options.runs);
+    manual::add_description(program);
     try {
         program.parse(argc, argv);
         return batch(options);
     } catch (const CLI::ParseError& error) {
-        return program.exit(error);
+        return exit_status(program, error);
     }
 }
 

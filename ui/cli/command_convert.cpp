@@ -10,12 +10,15 @@
 #include "damage.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
+#include "hitos/base/process.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/services/run/open_source.hpp"
+#include "hitos/services/run/results.hpp"
 #include "hitos/simulation/noisy_reader.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
+#include "report.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -28,12 +31,13 @@ struct ConvertOptions {
     double noise = 0.0;
     std::string noise_kind = "relative-sigma";
     std::uint64_t seed = 1;
+    bool json = false;
 };
 
 void convert(const ConvertOptions& options) {
     const std::string target = checked_target_format(options.to, "--to");
     SourceParams source;
-    source.file = options.log;
+    source.file = input_named(options.log);
     options.source.choose(source);
     const std::filesystem::path out = options.out;
     check_apart({&out, 1}, log_files(source.file));
@@ -46,12 +50,16 @@ void convert(const ConvertOptions& options) {
     const ReadReport& report = reader->report();
     write_tour(*reader, *writer, [&] { line.show(report.scans, reader->progress()); });
     if (report.scans == 0) {
-        throw FormatError(options.log, 0, verbatim("found no readable scan; nothing was written"));
+        throw FormatError(source.file, 0, verbatim("found no readable scan; nothing was written"));
     }
     writer->finish();
     line.finish(report.scans);
-    fmt::print("{}: {} scans, {} odometry readings", options.out, report.scans, report.odometry);
-    fmt::print("\n{}", damage_text(report));
+    Report said(options.json);
+    said.say("{}: {} scans, {} odometry readings\n{}", options.out, report.scans, report.odometry,
+             damage_text(report));
+    said.object() = {{"file", options.out}, {"format", target}, {"scans", report.scans}};
+    said.object()["log"] = parsed_object(to_json(report));
+    said.end();
 }
 
 }  // namespace
@@ -60,7 +68,9 @@ void add_convert(CLI::App& program) {
     auto options = std::make_shared<ConvertOptions>();
     CLI::App* command = program.add_subcommand(
         "convert", "Write a log in another format, with noise on its odometry if wished");
-    command->add_option("log", options->log, "Log file, plain or .gz, or ROS recording")
+    command
+        ->add_option("log", options->log,
+                     "Log file, plain or .gz, or ROS recording; - for standard input")
         ->required();
     add_source_options(*command, options->source);
     command->add_option("--to", options->to, writable_formats())->required();
@@ -70,6 +80,7 @@ void add_convert(CLI::App& program) {
     command->add_option("--odometry-noise-kind", options->noise_kind,
                         noise_kind_choices() + " (default: relative-sigma)");
     command->add_option("--seed", options->seed, "Seed of the noise (default: 1)");
+    add_report_option(*command, options->json);
     command->callback([options] { convert(*options); });
 }
 

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/process.hpp"
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/evaluation/path_crispness.hpp"
@@ -19,6 +20,7 @@
 #include "hitos/services/run/kept_run.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/workbench/open_tour.hpp"
+#include "report.hpp"
 #include "spacing_options.hpp"
 
 namespace hitos::cli {
@@ -37,6 +39,7 @@ struct EvaluateOptions {
     std::optional<double> rpe_time_s;
     PairSpacing rpe;
     double tolerance_s = kSameStamp;
+    bool json = false;
 };
 
 std::filesystem::path out_file(const EvaluateOptions& options, const char* name) {
@@ -44,7 +47,7 @@ std::filesystem::path out_file(const EvaluateOptions& options, const char* name)
     return std::filesystem::path(options.out) / name;
 }
 
-void evaluate_map(const EvaluateOptions& options) {
+void evaluate_map(const EvaluateOptions& options, Report& report) {
     const LandmarkMap map = read_map(options.map);
     const LandmarkMap reference = read_map(options.reference);
     const auto error = map_error(map, reference);
@@ -53,22 +56,24 @@ void evaluate_map(const EvaluateOptions& options) {
         throw FormatError(options.map, 0,
                           verbatim("has no landmark of a kind that the reference holds"));
     }
-    fmt::print("map_error_m {:.6f}\n", error->mean_m);
-    fmt::print("map_error_aligned_m {:.6f}\n", aligned->error.mean_m);
-    fmt::print("map_error_maximum_m {:.6f}\n", error->maximum_m);
-    fmt::print("landmarks {}\nlines {}\ncorners {}\n", error->landmarks + error->without_reference,
-               error->lines, error->corners);
-    fmt::print("reference_landmarks {}\nreference_found {}\n", error->reference_landmarks,
-               error->reference_found);
+    report.figure("map_error_m", error->mean_m, 6);
+    report.figure("map_error_aligned_m", aligned->error.mean_m, 6);
+    report.figure("map_error_maximum_m", error->maximum_m, 6);
+    report.count("landmarks", error->landmarks + error->without_reference);
+    report.count("lines", error->lines);
+    report.count("corners", error->corners);
+    report.count("reference_landmarks", error->reference_landmarks);
+    report.count("reference_found", error->reference_found);
 }
 
-void evaluate_distances(const EvaluateOptions& options) {
+void evaluate_distances(const EvaluateOptions& options, Report& report) {
     const std::vector<MeasuredDistance> measured =
         measure_distances(read_map(options.map), read_distances(options.distances));
     if (!options.out.empty()) {
         write_file(out_file(options, "distances.csv"), distances_csv(measured));
     }
-    fmt::print("{}", distance_table(measured));
+    report.say("{}", distance_table(measured));
+    report.object()["distances"] = parsed_object(to_json(measured));
 }
 
 [[noreturn]] void fail_without_common_stamp(const EvaluateOptions& options, const char* what) {
@@ -78,39 +83,51 @@ void evaluate_distances(const EvaluateOptions& options) {
                              options.tolerance_s, what)));
 }
 
-void evaluate_trajectory(const EvaluateOptions& options) {
+void evaluate_trajectory(const EvaluateOptions& options, Report& report) {
     const auto error =
         trajectory_error(read_trajectory(options.trajectory),
                          read_trajectory(options.reference_trajectory), options.tolerance_s);
     if (!error) fail_without_common_stamp(options, "one of the reference");
-    fmt::print("ate_rmse_m {:.6f}\nate_mean_m {:.6f}\nate_maximum_m {:.6f}\n", error->rmse_m,
-               error->mean_m, error->maximum_m);
-    fmt::print("heading_rmse_rad {:.6f}\nposes {}\n", error->heading_rmse_rad, error->poses);
+    report.figure("ate_rmse_m", error->rmse_m, 6);
+    report.figure("ate_mean_m", error->mean_m, 6);
+    report.figure("ate_maximum_m", error->maximum_m, 6);
+    report.figure("heading_rmse_rad", error->heading_rmse_rad, 6);
+    report.count("poses", error->poses);
 }
 
-void print_figures(const std::string& what, const char* unit, const ErrorFigures& figures,
-                   double scale = 1.0) {
-    fmt::print("{}_rmse_{} {:.9f}\n", what, unit, figures.rmse * scale);
-    fmt::print("{}_mean_{} {:.9f}\n", what, unit, figures.mean * scale);
-    fmt::print("{}_deviation_{} {:.9f}\n", what, unit, figures.deviation * scale);
-    fmt::print("{}_median_{} {:.9f}\n", what, unit, figures.median * scale);
-    fmt::print("{}_maximum_{} {:.9f}\n", what, unit, figures.maximum * scale);
+constexpr int kErrorDecimals = 9;  // as evo prints them
+
+void tell_figures(Report& report, const std::string& what, const char* unit,
+                  const ErrorFigures& figures, double scale = 1.0) {
+    const auto tell = [&](const char* which, double value) {
+        report.figure(fmt::format("{}_{}_{}", what, which, unit), value * scale, kErrorDecimals);
+    };
+    tell("rmse", figures.rmse);
+    tell("mean", figures.mean);
+    tell("deviation", figures.deviation);
+    tell("median", figures.median);
+    tell("maximum", figures.maximum);
 }
 
-void print_squares(const char* what, const char* unit, const ErrorFigures& squares) {
-    fmt::print("{0}_mean_{1} {2:.9f}\n{0}_deviation_{1} {3:.9f}\n{0}_maximum_{1} {4:.9f}\n", what,
-               unit, squares.mean, squares.deviation, squares.maximum);
+void tell_squares(Report& report, const char* what, const char* unit, const ErrorFigures& squares) {
+    const auto tell = [&](const char* which, double value) {
+        report.figure(fmt::format("{}_{}_{}", what, which, unit), value, kErrorDecimals);
+    };
+    tell("mean", squares.mean);
+    tell("deviation", squares.deviation);
+    tell("maximum", squares.maximum);
 }
 
-void print_errors(const std::string& what, const ErrorFigures& translation_m,
-                  const ErrorFigures& rotation_rad) {
+void tell_errors(Report& report, const std::string& what, const ErrorFigures& translation_m,
+                 const ErrorFigures& rotation_rad) {
     constexpr double kDegrees = 180.0 / kPi;
-    print_figures(what + "_translation", "m", translation_m);
-    print_figures(what + "_rotation", "rad", rotation_rad);
-    print_figures(what + "_rotation", "deg", rotation_rad, kDegrees);
+    tell_figures(report, what + "_translation", "m", translation_m);
+    tell_figures(report, what + "_rotation", "rad", rotation_rad);
+    tell_figures(report, what + "_rotation", "deg", rotation_rad, kDegrees);
 }
 
-void evaluate_relative(const EvaluateOptions& options, PairSpacing::By by, double length) {
+void evaluate_relative(const EvaluateOptions& options, PairSpacing::By by, double length,
+                       Report& report) {
     const bool time = by == PairSpacing::By::time;
     PairSpacing spacing = options.rpe;
     spacing.by = by;
@@ -126,11 +143,14 @@ void evaluate_relative(const EvaluateOptions& options, PairSpacing::By by, doubl
                                                time ? "--rpe-time" : "--rpe-distance")));
     }
     const std::string name = time ? "rpe_time" : "rpe_distance";
-    fmt::print("{}_{} {:g}\n{}_pairs {}\n", name, time ? "s" : "m", length, name, error->pairs);
-    print_errors(name, error->translation_m, error->rotation_rad);
+    const std::string spacing_name = fmt::format("{}_{}", name, time ? "s" : "m");
+    report.say("{} {:g}\n", spacing_name, length);
+    report.object()[spacing_name] = length;
+    report.count(name + "_pairs", error->pairs);
+    tell_errors(report, name, error->translation_m, error->rotation_rad);
 }
 
-void evaluate_relations(const EvaluateOptions& options) {
+void evaluate_relations(const EvaluateOptions& options, Report& report) {
     const std::vector<MeasuredRelation> measured =
         measure_relations(read_trajectory(options.trajectory), read_relations(options.relations),
                           options.tolerance_s);
@@ -141,31 +161,32 @@ void evaluate_relations(const EvaluateOptions& options) {
     if (errors.used == 0) {
         fail_without_common_stamp(options, "both times of any of the relations");
     }
-    fmt::print("relations {}\nrelations_used {}\n", measured.size(), errors.used);
-    fmt::print(
-        "relations_without_pose_at_t1 {}\nrelations_without_pose_at_t2 {}\n"
-        "relations_without_both_poses {}\n",
-        errors.without_from, errors.without_to, errors.without_both);
-    print_errors("relation", errors.translation_m, errors.rotation_rad);
-    print_squares("relation_translation_squared", "m2", errors.translation_squared_m2);
-    print_squares("relation_rotation_squared", "rad2", errors.rotation_squared_rad2);
+    report.count("relations", measured.size());
+    report.count("relations_used", errors.used);
+    report.count("relations_without_pose_at_t1", errors.without_from);
+    report.count("relations_without_pose_at_t2", errors.without_to);
+    report.count("relations_without_both_poses", errors.without_both);
+    tell_errors(report, "relation", errors.translation_m, errors.rotation_rad);
+    tell_squares(report, "relation_translation_squared", "m2", errors.translation_squared_m2);
+    tell_squares(report, "relation_rotation_squared", "rad2", errors.rotation_squared_rad2);
 }
 
-void print_crispness(const char* before, const PathCrispness& crispness) {
-    fmt::print("{}cells_per_point {:.6f}\n", before, crispness.cells_per_point);
+void tell_crispness(Report& report, const std::string& before, const PathCrispness& crispness) {
+    report.figure(before + "cells_per_point", crispness.cells_per_point, 6);
     if (!crispness.grid_blur_m2) return;
-    fmt::print("{}grid_blur_m2 {:.6f}\n", before, *crispness.grid_blur_m2);
-    fmt::print("{}grid_entropy_bits {:.3f}\n", before, *crispness.grid_entropy_bits);
+    report.figure(before + "grid_blur_m2", *crispness.grid_blur_m2, 6);
+    report.figure(before + "grid_entropy_bits", *crispness.grid_entropy_bits, 3);
 }
 
-void evaluate_crispness(const EvaluateOptions& options) {
-    const KeptRun run = read_results(options.run);
+void evaluate_crispness(const EvaluateOptions& options, Report& report) {
+    KeptRun run = read_results(options.run);
+    run.configuration.source.file = input_named(run.configuration.source.file);
     const std::unique_ptr<TourReader> tour = open_tour(run.configuration);
     const PathCrispness path = path_crispness(*tour, run.path, run.configuration.grid);
     const PathCrispness odometry = path_crispness(*tour, run.odometry, run.configuration.grid);
-    fmt::print("scans {}\n", path.scans);
-    print_crispness("", path);
-    print_crispness("odometry_", odometry);
+    report.count("scans", path.scans);
+    tell_crispness(report, "", path);
+    tell_crispness(report, "odometry_", odometry);
 }
 
 void check_choices(const EvaluateOptions& options) {
@@ -204,18 +225,25 @@ void evaluate(EvaluateOptions options) {
             options.trajectory = (run / "trajectory.tum").string();
         }
     }
+    for (std::string* file :
+         {&options.map, &options.reference, &options.trajectory, &options.reference_trajectory,
+          &options.distances, &options.relations}) {
+        *file = input_named(*file);
+    }
     check_choices(options);
-    if (!options.run.empty()) evaluate_crispness(options);
-    if (!options.reference.empty()) evaluate_map(options);
-    if (!options.distances.empty()) evaluate_distances(options);
-    if (!options.reference_trajectory.empty()) evaluate_trajectory(options);
+    Report report(options.json);
+    if (!options.run.empty()) evaluate_crispness(options, report);
+    if (!options.reference.empty()) evaluate_map(options, report);
+    if (!options.distances.empty()) evaluate_distances(options, report);
+    if (!options.reference_trajectory.empty()) evaluate_trajectory(options, report);
     if (options.rpe_distance_m) {
-        evaluate_relative(options, PairSpacing::By::distance, *options.rpe_distance_m);
+        evaluate_relative(options, PairSpacing::By::distance, *options.rpe_distance_m, report);
     }
     if (options.rpe_time_s) {
-        evaluate_relative(options, PairSpacing::By::time, *options.rpe_time_s);
+        evaluate_relative(options, PairSpacing::By::time, *options.rpe_time_s, report);
     }
-    if (!options.relations.empty()) evaluate_relations(options);
+    if (!options.relations.empty()) evaluate_relations(options, report);
+    report.end();
 }
 
 }  // namespace
@@ -250,6 +278,7 @@ void add_evaluate(CLI::App& program) {
     add_spacing_options(*command, "rpe-", options->rpe);
     command->add_option("--tolerance", options->tolerance_s,
                         "Greatest difference of stamps of a pair of poses [s] (default: 0.02)");
+    add_report_option(*command, options->json);
     command->callback([options] { evaluate(*options); });
 }
 

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "report.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -51,24 +52,49 @@ bool names(std::string_view word, const ConfigParameter& parameter) {
     return word == parameter.key || word == parameter.table();
 }
 
-void list(const std::vector<std::string>& words) {
+nlohmann::ordered_json object_of(const ConfigParameter& parameter) {
+    static const Configuracion defaults;
+    nlohmann::ordered_json object{{"key", parameter.key},
+                                  {"default", parameter.text(defaults)},
+                                  {"unit", parameter.unit},
+                                  {"symbol", parameter.symbol},
+                                  {"meaning", parameter.description},
+                                  {"allowed", parameter.allowed()}};
+    object["read_where"] = nlohmann::ordered_json::array();
+    for (const ConfigParameter::Condition& condition : parameter.conditions) {
+        object["read_where"].push_back({{"key", condition.key}, {"is", condition.needed}});
+    }
+    object["choices"] = nlohmann::ordered_json::array();
+    for (const ParameterChoice& choice : parameter.choices) {
+        object["choices"].push_back({{"word", choice.word}, {"purpose", choice.purpose}});
+    }
+    return object;
+}
+
+void list(const std::vector<std::string>& words, bool json) {
     for (const std::string& word : words) {
         const bool known =
             std::ranges::any_of(parameters(), [&](const auto& p) { return names(word, p); });
         if (!known) find_parameter(word);  // throws, and names near keys
     }
+    Report report(json);
     std::string_view table;
     for (const ConfigParameter& parameter : parameters()) {
         const bool wanted = words.empty() || std::ranges::any_of(words, [&](const auto& word) {
                                 return names(word, parameter);
                             });
         if (!wanted) continue;
+        if (json) {
+            report.object()["parameters"].push_back(object_of(parameter));
+            continue;
+        }
         if (parameter.table() != table) {
             fmt::print("{}[{}]\n", table.empty() ? "" : "\n", parameter.table());
             table = parameter.table();
         }
         print(parameter);
     }
+    report.end();
 }
 
 }  // namespace
@@ -82,9 +108,11 @@ void add_parameters(CLI::App& program) {
                         "Keys, or tables such as split_merge, to list (default: all)");
     command->add_option("--write", *file,
                         "Write a configuration file with the default of every key instead");
-    command->callback([words, file] {
+    auto json = std::make_shared<bool>(false);
+    add_report_option(*command, *json);
+    command->callback([words, file, json] {
         if (file->empty()) {
-            list(*words);
+            list(*words, *json);
         } else {
             const Configuracion values;
             ArchivoConfiguracion::write(values, *file);

@@ -13,8 +13,10 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
+#include "hitos/base/process.hpp"
 #include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
+#include "report.hpp"
 #include "spacing_options.hpp"
 
 namespace hitos::cli {
@@ -26,9 +28,11 @@ struct RelationsOptions {
     std::optional<double> distance_m;
     std::optional<double> time_s;
     PairSpacing spacing;
+    bool json = false;
 };
 
 void make_relations(RelationsOptions options) {
+    options.trajectory = input_named(options.trajectory);
     const std::filesystem::path out = options.out;
     const std::filesystem::path in = options.trajectory;
     check_apart({&out, 1}, {&in, 1});
@@ -49,8 +53,12 @@ void make_relations(RelationsOptions options) {
                                  options.spacing.length, options.time_s ? "s" : "m of way")));
     }
     write_file(out, relations_text(relations));
-    fmt::print("{} relations of {} poses in {}\n", relations.size(), trajectory.size(),
+    Report report(options.json);
+    report.say("{} relations of {} poses in {}\n", relations.size(), trajectory.size(),
                options.out);
+    report.object() = {
+        {"file", options.out}, {"relations", relations.size()}, {"poses", trajectory.size()}};
+    report.end();
 }
 
 }  // namespace
@@ -71,6 +79,7 @@ void add_relations(CLI::App& program) {
         ->check(CLI::PositiveNumber)
         ->excludes(distance);
     add_spacing_options(*command, "", options->spacing);
+    add_report_option(*command, options->json);
     command->callback([options] { make_relations(*options); });
 }
 

@@ -17,6 +17,7 @@
 #include "hitos/workbench/reproduction_maps.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "progress_line.hpp"
+#include "report.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -31,6 +32,7 @@ struct CommandOptions {
     std::string reading = readings().front().name;
     bool as_published = false;
     bool hypotheses = false;
+    bool json = false;
 };
 
 /// Runs of one reading, told on a line of its own.
@@ -83,7 +85,7 @@ bool tell_failures(const Reproduction& result) {
 }
 
 /// The figures with tables of errors.
-int reproduce_tables(CommandOptions options) {
+int reproduce_tables(CommandOptions options, Report& report) {
     Teller teller;
     options.reproduction.observer = teller.observer();
     const Reproduction result = hitos::reproduce(options.reproduction);
@@ -103,9 +105,15 @@ int reproduce_tables(CommandOptions options) {
         fmt::print(stderr, "no plots: {}; their scripts are in {}\n", result.plot_problem,
                    (options.reproduction.out / "plots").string());
     }
-    fmt::print("{} runs done, {} found done, {} failed: {}\n",
-               result.computed - result.failures.size(), result.reused, result.failures.size(),
-               (options.reproduction.out / "reproduction.md").string());
+    const std::string document = (options.reproduction.out / "reproduction.md").string();
+    const std::size_t done = result.computed - result.failures.size();
+    report.say("{} runs done, {} found done, {} failed: {}\n", done, result.reused,
+               result.failures.size(), document);
+    report.object()["tables"] = {{"document", document},
+                                 {"figures", document.substr(0, document.size() - 2) + "csv"},
+                                 {"runs_done", done},
+                                 {"runs_found_done", result.reused},
+                                 {"failures", result.failures}};
     bool failed = tell_failures(result);
     for (const Reproduction& other : tried) failed = tell_failures(other) || failed;
     return failed ? kSomeFailed : 0;
@@ -117,7 +125,8 @@ std::filesystem::path maps_report(const std::filesystem::path& report) {
 }
 
 /// The experiments that are shown by maps and counts.
-int reproduce_experiments(const CommandOptions& options, const std::vector<std::string>& only) {
+int reproduce_experiments(const CommandOptions& options, const std::vector<std::string>& only,
+                          Report& report) {
     MapReproductionOptions maps;
     maps.only = only;
     maps.threads = options.reproduction.threads;
@@ -134,15 +143,27 @@ int reproduce_experiments(const CommandOptions& options, const std::vector<std::
     if (!options.report.empty() && !result.experiments.empty()) {
         write_map_report(result, maps_report(options.report), maps.out / "maps");
     }
-    fmt::print("{} runs shown by maps and counts done, {} found done, {} failed: {}\n",
-               result.computed - result.failures.size(), result.reused, result.failures.size(),
-               (maps.out / "reproduction-maps.md").string());
+    const std::string document = (maps.out / "reproduction-maps.md").string();
+    const std::size_t done = result.computed - result.failures.size();
+    report.say("{} runs shown by maps and counts done, {} found done, {} failed: {}\n", done,
+               result.reused, result.failures.size(), document);
+    nlohmann::ordered_json times = nlohmann::ordered_json::array();
     for (const ParticleTime& time : result.times) {
-        fmt::print("{:4} particles: {:.3f} s for {} scans\n", time.particles, time.cpu_seconds,
+        report.say("{:4} particles: {:.3f} s for {} scans\n", time.particles, time.cpu_seconds,
                    time.scans);
+        times.push_back({{"particles", time.particles},
+                         {"cpu_seconds", time.cpu_seconds},
+                         {"scans", time.scans}});
     }
+    report.object()["maps"] = {{"document", document},
+                               {"figures", document.substr(0, document.size() - 2) + "csv"},
+                               {"runs_done", done},
+                               {"runs_found_done", result.reused},
+                               {"failures", result.failures},
+                               {"left_out", result.left_out},
+                               {"times", times}};
     if (!result.left_out.empty()) {
-        fmt::print("{} experiments on recorded tours left out, the first: {}\n",
+        report.say("{} experiments on recorded tours left out, the first: {}\n",
                    result.left_out.size(), result.left_out.front());
     }
     for (const std::string& failure : result.failures) {
@@ -179,10 +200,14 @@ int reproduce(CommandOptions options) {
     options.reproduction.stop = stop.token();
     try {
         int status = 0;
-        if (words.empty() || !options.reproduction.only.empty()) status = reproduce_tables(options);
-        if (words.empty() || !maps.empty()) {
-            status = std::max(status, reproduce_experiments(options, maps));
+        Report report(options.json);
+        if (words.empty() || !options.reproduction.only.empty()) {
+            status = reproduce_tables(options, report);
         }
+        if (words.empty() || !maps.empty()) {
+            status = std::max(status, reproduce_experiments(options, maps, report));
+        }
+        report.end();
         return status;
     } catch (const StudyStopped& stopped) {
         fmt::print(stderr, "{}; the same command goes on with the rest\n", stopped.what());
@@ -242,6 +267,7 @@ void add_reproduce(CLI::App& program) {
         ->add_option("--set", options->reproduction.settings,
                      "KEY=VALUE: change one parameter beside the thesis's; may be repeated")
         ->allow_extra_args(false);
+    add_report_option(*command, options->json);
     command->callback([options] {
         const int status = reproduce(*options);
         if (status != 0) throw CLI::RuntimeError(status);

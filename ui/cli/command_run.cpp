@@ -1,11 +1,12 @@
 // hitos-cli run: one log in; map, trajectory, pictures and summary out.
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/optional_outputs.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
 #include "hitos/slam/filters.hpp"
@@ -28,6 +30,7 @@
 #include "hitos/workbench/shipped_data.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
+#include "report.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -43,53 +46,55 @@ struct RunOptions {
     bool uncertainty = false;
     bool strict = false;
     std::optional<std::size_t> grid_of;
+    std::string write;
     std::string out;
+    bool json = false;
 };
 
 constexpr int kNotWhole = 2;  // the program's status
 
-void print_summary(const RunSummary& summary, const std::string& folder) {
-    fmt::print("{} scans in {:.1f} s of tour, {} lines and {} corners\n", summary.scans,
+void tell_summary(const RunSummary& summary, const std::string& folder, const Report& report) {
+    report.say("{} scans in {:.1f} s of tour, {} lines and {} corners\n", summary.scans,
                summary.duration_s, summary.lines, summary.corners);
-    fmt::print("{}", damage_text(summary.report));
+    report.say("{}", damage_text(summary.report));
     if (summary.searches_cut > 0) {
-        fmt::print("{} joint associations were cut short; each has the best found until then\n",
+        report.say("{} joint associations were cut short; each has the best found until then\n",
                    summary.searches_cut);
     }
     if (summary.map_error) {
-        fmt::print(
+        report.say(
             "map error {:.3f} m (after rigid alignment {:.3f} m), {} of {} landmarks found\n",
             summary.map_error->mean_m, summary.aligned_map_error->error.mean_m,
             summary.map_error->reference_found, summary.map_error->reference_landmarks);
     }
     if (summary.trajectory_error && summary.odometry_error) {
-        fmt::print(
+        report.say(
             "trajectory error (ATE) {:.3f} m, while driving {:.3f} m, odometry alone {:.3f} m\n",
             summary.trajectory_error->rmse_m, summary.online_error->rmse_m,
             summary.odometry_error->rmse_m);
         if (static_cast<std::uint64_t>(summary.trajectory_error->poses) < summary.scans) {
-            fmt::print(
+            report.say(
                 "  over {} of {} scans: the reference has no pose at the times of the others\n",
                 summary.trajectory_error->poses, summary.scans);
         }
     }
-    if (!summary.distances.empty()) fmt::print("{}", distance_table(summary.distances));
+    if (!summary.distances.empty()) report.say("{}", distance_table(summary.distances));
     if (const auto& figures = summary.quality.registration; figures && figures->scans > 0) {
-        fmt::print("{} of {} scans fitted, {} loop{} closed, largest correction {:.2f} m\n",
+        report.say("{} of {} scans fitted, {} loop{} closed, largest correction {:.2f} m\n",
                    figures->scans - figures->unmatched, figures->scans, summary.quality.loops,
                    summary.quality.loops == 1 ? "" : "s", figures->largest_correction_m);
     }
     for (const Advice& warning : summary.quality.warnings) {
-        fmt::print("warning: {}\n", warning.words());
+        report.warn(warning.words());
     }
-    for (const Advice& advice : summary.advice) fmt::print("note: {}\n", advice.words());
+    for (const Advice& advice : summary.advice) report.note(advice.words());
     for (const NotWritten& missing : summary.not_written) {
-        fmt::print("warning: not written: {}: {}\n", missing.file, missing.reason.english());
+        report.warn(fmt::format("not written: {}: {}", missing.file, missing.reason.english()));
     }
     if (!summary.finished) {
-        fmt::print("stopped: these are the results of the first {} scans\n", summary.scans);
+        report.say("stopped: these are the results of the first {} scans\n", summary.scans);
     }
-    fmt::print("results in {}\n", folder);
+    report.say("results in {}\n", folder);
 }
 
 void check_particle(const std::optional<std::size_t>& particle,
@@ -141,17 +146,19 @@ void check_outputs(const RunOptions& options, std::vector<std::filesystem::path>
 }
 
 void run(const RunOptions& options) {
-    const std::string source = source_named(options.log);
+    const std::string source = source_named(input_named(options.log));
     Configuracion configuration = load(options.configuration, source);
     configuration.source.file = source;
     options.source.choose(configuration.source);
     check_particle(options.grid_of, configuration);
+    const std::vector<std::string> also = chosen_outputs(options.write, "--write");
     References references;
-    if (!options.reference.empty()) references.map = read_map(options.reference);
+    if (!options.reference.empty()) references.map = read_map(input_named(options.reference));
     if (!options.reference_trajectory.empty()) {
-        references.trajectory = read_trajectory(options.reference_trajectory);
+        references.trajectory = read_trajectory(input_named(options.reference_trajectory));
     }
-    if (!options.distances.empty()) references.distances = read_distances(options.distances);
+    if (!options.distances.empty())
+        references.distances = read_distances(input_named(options.distances));
     const std::vector<std::filesystem::path> tour = tour_files(source);
     check_outputs(options, tour);
     StagedFolder folder = results_folder(options.out);
@@ -203,11 +210,16 @@ void run(const RunOptions& options) {
         worker
             .with_run([&](const Algoritmo& finished) {
                 return write_results(finished, references, seconds, folder, told,
-                                     odometry_grid ? &*odometry_grid : nullptr);
+                                     odometry_grid ? &*odometry_grid : nullptr, also);
             })
             .get();
     files.finish(summary.files.size());
-    print_summary(summary, options.out);
+    Report report(options.json);
+    tell_summary(summary, options.out, report);
+    if (report.is_json()) {
+        report.object() = {{"folder", options.out}};
+        report.object().update(parsed_object(to_json(summary, seconds)));
+    }
     bool whole = summary.not_written.empty();
     try {
         if (!options.figures.empty()) {
@@ -216,11 +228,24 @@ void run(const RunOptions& options) {
                           options.figures);
         }
     } catch (const Error& error) {
-        fmt::print("warning: not written: {}\n", error.what());
+        report.warn(fmt::format("not written: {}", error.what()));
+        report.object()["not_written"].push_back(
+            {{"file", options.figures}, {"reason", error.what()}});
         whole = false;
     }
+    report.end();
     if (stopped) throw CLI::RuntimeError(StopByRequest::status());
     if (options.strict && !whole) throw CLI::RuntimeError(kNotWhole);
+}
+
+/// "svg (map.svg: a figure), …": all that --write knows.
+std::string write_choices() {
+    std::string text;
+    for (const OptionalOutput& output : optional_outputs()) {
+        fmt::format_to(std::back_inserter(text), "{}{} ({}: {})", text.empty() ? "" : "; ",
+                       output.word, fmt::join(output.files, ", "), output.purpose);
+    }
+    return text;
 }
 
 }  // namespace
@@ -233,7 +258,8 @@ void add_run(CLI::App& program) {
         ->add_option(
             "log", options->log,
             "Log file, plain or .gz, ROS recording (bag, MCAP, .db3, folder), or a world file "
-            "(.toml) to simulate, or the name of a world that comes with Hitos")
+            "(.toml) to simulate, or the name of a world that comes with Hitos; - for standard "
+            "input")
         ->required();
     add_source_options(*command, options->source);
     add_configuration_options(*command, options->configuration);
@@ -254,10 +280,15 @@ void add_run(CLI::App& program) {
     command->add_option("--figures", options->figures,
                         "Write the figures of every scan (Neff, weights, landmarks, features, "
                         "events, position error, time) into this CSV file (docs/formats.md)");
+    command->add_option("--write", options->write,
+                        "Write further files (docs/formats.md), by their names or these words with "
+                        "commas between, or all: " +
+                            write_choices());
     command->add_flag("--strict", options->strict,
                       "End with status 2 where a file that a run can do without was not written");
     command->add_option("--out", options->out, "Folder for the results, made if missing")
         ->required();
+    add_report_option(*command, options->json);
     command->callback([options] { run(*options); });
 }
 

@@ -21,6 +21,7 @@
 #include "hitos/workbench/tour_picture.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
+#include "report.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -39,6 +40,7 @@ struct SimulateOptions {
     std::string laser_sigma;
     std::string noise;
     std::string noise_kind;
+    bool json = false;
 };
 
 World load_world(const SimulateOptions& options) {
@@ -80,8 +82,19 @@ void simulate(const SimulateOptions& options) {
         writer->finish();
         line.finish(tour->scans());
     }
-    fmt::print("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n", tour->world().name,
+    Report report(options.json);
+    report.say("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n", tour->world().name,
                tour->path().length_m(), tour->path().duration_s(), tour->scans(), tour->readings());
+    report.object() = {{"world", tour->world().name},
+                       {"distance_m", tour->path().length_m()},
+                       {"duration_s", tour->path().duration_s()},
+                       {"scans", tour->scans()},
+                       {"odometry_readings", tour->readings()}};
+    report.object()["files"] = nlohmann::ordered_json::array();
+    for (const std::filesystem::path& file : outputs) {
+        if (!file.empty()) report.object()["files"].push_back(file.string());
+    }
+    report.end();
 }
 
 std::string footer() {
@@ -127,6 +140,7 @@ void add_simulate(CLI::App& program) {
                         "Reference map to write, computed from the walls");
     command->add_option("--picture", options->picture,
                         "Picture to draw (.png or .jpg): walls, true path, odometry, way points");
+    add_report_option(*command, options->json);
     command->footer(footer);
     command->callback([options] { simulate(*options); });
 }

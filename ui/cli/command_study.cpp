@@ -30,6 +30,7 @@ struct MergeOptions {
     std::string out;
     std::vector<std::string> shards;
     bool csv = false;
+    bool json = false;
 };
 
 void require(const std::string& value, const char* name, const char* what) {
@@ -50,6 +51,10 @@ int study(CommandOptions options) {
     options.runs.threads = options.configuration.values.threads.value_or(0);
 
     Study study;
+    if (options.log == "-") {
+        throw ConfigError("study", verbatim("reads its log for every run and goes on with it "
+                                            "another day; found standard input, give a file"));
+    }
     const std::string source = source_named(options.log);
     study.configuration = load(options.configuration, source);
     study.configuration.source.file = source;
@@ -66,7 +71,7 @@ int merge(const MergeOptions& options) {
     const StudyLayout layout = study_in_folder(options.out);
     std::vector<StudyLayout> shards;
     for (const std::string& folder : options.shards) shards.push_back(study_in_folder(folder));
-    return report(merge_study(layout, shards), layout, options.csv);
+    return report(merge_study(layout, shards), layout, summary_form(options.csv, options.json));
 }
 
 /// The exit status of a command that has said all there is to say.
@@ -82,7 +87,7 @@ void add_merge(CLI::App& study) {
     command->add_option("shards", options->shards,
                         "Folders of the shards, where each had its own (default: all of them "
                         "wrote to OUT)");
-    command->add_flag("--csv", options->csv, "Print the summary as CSV instead of a table");
+    add_summary_form(*command, options->csv, options->json);
     command->callback([options] { leave(merge(*options)); });
 }
 

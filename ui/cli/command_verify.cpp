@@ -12,102 +12,142 @@
 #include "hitos/base/error.hpp"
 #include "hitos/services/run/results_check.hpp"
 #include "hitos/services/study/study_check.hpp"
+#include "report.hpp"
 
 namespace hitos::cli {
 namespace {
 
 constexpr int kSomeMissing = 2;
 
+struct FolderOptions {
+    std::string folder;
+    bool json = false;
+};
+
 /// A study has a folder of its own, or lies beside its quality file, as BatchSLAM's.
 StudyLayout study_at(const std::string& place) {
     return std::filesystem::is_regular_file(place) ? study_beside(place) : study_in_folder(place);
 }
 
-void tell(const std::vector<std::string>& files, const char* what) {
-    for (const std::string& file : files) fmt::print("{}: {}\n", file, what);
+/// Files with what is wrong with them; `name` is that of their list with --json.
+void tell(Report& report, const std::string& part, const char* name,
+          const std::vector<std::string>& files, const char* what) {
+    for (const std::string& file : files) report.say("{}: {}\n", file, what);
+    report.object()[part][name] = files;
 }
 
-void verify_run(const std::string& folder) {
+bool verify_run(const std::string& folder, Report& report) {
     const ResultsCheck check = check_results(folder);
-    tell(check.missing, "missing");
-    tell(check.changed, "changed since it was written, or of another run");
-    tell(check.left_over, "left over: not of this run");
-    if (!check.whole()) throw CLI::RuntimeError(1);
-    fmt::print("whole: {} files as they were written\n", check.files);
-    if (!check.finished) fmt::print("of a run that was stopped before the end of its tour\n");
+    const std::string part = "run";
+    tell(report, part, "missing", check.missing, "missing");
+    tell(report, part, "changed", check.changed, "changed since it was written, or of another run");
+    tell(report, part, "left_over", check.left_over, "left over: not of this run");
+    nlohmann::ordered_json& object = report.object()[part];
+    object["files"] = check.files;
+    object["finished"] = check.finished;
+    object["whole"] = check.whole();
+    if (!check.whole()) return false;
+    report.say("whole: {} files as they were written\n", check.files);
+    if (!check.finished) report.say("of a run that was stopped before the end of its tour\n");
+    return true;
 }
 
-void verify_study(const StudyLayout& layout) {
+bool verify_study(const StudyLayout& layout, Report& report) {
     const StudyCheck check = check_study(layout);
-    tell(check.missing, "the run is missing, changed or of another plan");
-    tell(check.changed, "missing, changed since it was written, or not of these runs");
-    tell(check.left_over, "left over: not of this study");
+    const std::string part = "study";
+    tell(report, part, "missing", check.missing, "the run is missing, changed or of another plan");
+    tell(report, part, "changed", check.changed,
+         "missing, changed since it was written, or not of these runs");
+    tell(report, part, "left_over", check.left_over, "left over: not of this study");
     if (check.interrupted) {
-        fmt::print(
+        report.say(
             "its files were being put in place: another process is at it, or hitos-cli recover "
             "ends it\n");
     } else if (!check.finished) {
-        fmt::print("not finished: the same command goes on with it\n");
+        report.say("not finished: the same command goes on with it\n");
     }
     if (check.another) {
-        fmt::print(
+        report.say(
             "another study in this folder is under way or was stopped; when it is complete it "
             "takes the place of this one\n");
     }
-    if (!check.whole()) throw CLI::RuntimeError(1);
-    fmt::print("whole: {} runs, {} of them failed, and their tables\n", check.runs, check.failed);
+    nlohmann::ordered_json& object = report.object()[part];
+    object["runs"] = check.runs;
+    object["runs_failed"] = check.failed;
+    object["finished"] = check.finished;
+    object["interrupted"] = check.interrupted;
+    object["another_under_way"] = check.another;
+    object["whole"] = check.whole();
+    if (!check.whole()) return false;
+    report.say("whole: {} runs, {} of them failed, and their tables\n", check.runs, check.failed);
+    return true;
 }
 
-void verify(const std::string& folder) {
-    const StudyLayout layout = study_at(folder);
+void verify(const FolderOptions& options) {
+    const StudyLayout layout = study_at(options.folder);
     const bool study = is_study(layout);
     std::error_code ignored;
+    Report report(options.json);
+    bool whole = true;
     // Both may share a folder.
     if (!study ||
-        std::filesystem::exists(std::filesystem::path(folder) / "summary.json", ignored)) {
-        verify_run(folder);
+        std::filesystem::exists(std::filesystem::path(options.folder) / "summary.json", ignored)) {
+        whole = verify_run(options.folder, report);
     }
-    if (study) verify_study(layout);
+    if (study) whole = verify_study(layout, report) && whole;
+    report.end();
+    if (!whole) throw CLI::RuntimeError(1);
 }
 
-void recover(const std::string& folder) {
-    const StudyLayout layout = study_at(folder);
+void recover(const FolderOptions& options) {
+    const StudyLayout layout = study_at(options.folder);
     if (!is_study(layout)) {
-        throw FileError(folder, verbatim("is no folder of a study: it has no study.json; expected "
-                                         "the --out of hitos-cli study"));
+        throw FileError(options.folder,
+                        verbatim("is no folder of a study: it has no study.json; expected "
+                                 "the --out of hitos-cli study"));
     }
     const StudyOutcome outcome = recover_study(layout);
     for (const Message& problem : {outcome.plot_problem, outcome.picture_problem}) {
         if (!problem.empty()) fmt::print(stderr, "not drawn: {}\n", problem.english());
     }
-    fmt::print("tables made anew of {} of {} runs\n", outcome.reused, outcome.records.size());
-    if (outcome.failed == 0) return;
-    fmt::print("the others stand in them as failed; the command of the study goes on with them\n");
-    throw CLI::RuntimeError(kSomeMissing);
+    Report report(options.json);
+    report.say("tables made anew of {} of {} runs\n", outcome.reused, outcome.records.size());
+    if (outcome.failed != 0) {
+        report.say(
+            "the others stand in them as failed; the command of the study goes on with them\n");
+    }
+    report.object() = {{"runs", outcome.records.size()},
+                       {"runs_found", outcome.reused},
+                       {"runs_failed", outcome.failed}};
+    report.end();
+    if (outcome.failed != 0) throw CLI::RuntimeError(kSomeMissing);
 }
 
 }  // namespace
 
 void add_verify(CLI::App& program) {
-    auto folder = std::make_shared<std::string>();
+    auto options = std::make_shared<FolderOptions>();
     CLI::App* command = program.add_subcommand(
         "verify", "Check a folder of a run or a study: files missing, changed or left over");
     command->footer("Ends with status 0 where all is as it was written, else with 1.");
     command
         ->add_option(
-            "folder", *folder,
+            "folder", options->folder,
             "Folder that run, study or Save all results has written, or BatchSLAM's quality file")
         ->required();
-    command->callback([folder] { verify(*folder); });
+    add_report_option(*command, options->json);
+    command->callback([options] { verify(*options); });
 }
 
 void add_recover(CLI::App& program) {
-    auto folder = std::make_shared<std::string>();
+    auto options = std::make_shared<FolderOptions>();
     CLI::App* command = program.add_subcommand(
         "recover", "Make the tables and plots of a study anew of the runs that are there");
-    command->add_option("folder", *folder, "Folder of the study, or BatchSLAM's quality file")
+    command
+        ->add_option("folder", options->folder, "Folder of the study, or BatchSLAM's quality file")
         ->required();
-    command->callback([folder] { recover(*folder); });
+    add_report_option(*command, options->json);
+    command->callback([options] { recover(*options); });
 }
 
 }  // namespace hitos::cli

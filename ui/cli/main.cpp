@@ -5,6 +5,8 @@
 #include "commands.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/run/results.hpp"
+#include "manual/describe.hpp"
+#include "options.hpp"
 
 namespace {
 
@@ -19,7 +21,9 @@ int run(int argc, char** argv) {
     hitos::cli::add_run(program);
     hitos::cli::add_simulate(program);
     hitos::cli::add_convert(program);
+    hitos::cli::add_info(program);
     hitos::cli::add_evaluate(program);
+    hitos::cli::add_compare(program);
     hitos::cli::add_relations(program);
     hitos::cli::add_study(program);
     hitos::cli::add_reproduce(program);
@@ -27,10 +31,11 @@ int run(int argc, char** argv) {
     hitos::cli::add_presets(program);
     hitos::cli::add_verify(program);
     hitos::cli::add_recover(program);
+    hitos::manual::add_description(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return program.exit(error);
+        return hitos::cli::exit_status(program, error);
     }
     return 0;
 }

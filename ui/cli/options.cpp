@@ -1,5 +1,8 @@
 #include "options.hpp"
 
+#include <sysexits.h>
+
+#include "hitos/base/process.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
@@ -10,8 +13,8 @@ namespace hitos::cli {
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options) {
     CLI::Option* file = command.add_option(
         "--config", options.file,
-        "Configuration file (default: the thesis's recommended values; for a world "
-        "the preset simulated)");
+        "Configuration file, - for standard input (default: the thesis's recommended values; for a "
+        "world the preset simulated)");
     command
         .add_option("--preset", options.preset,
                     "Configuration that comes with Hitos: " + preset_words() +
@@ -55,9 +58,16 @@ void SourceOptions::choose(SourceParams& source) const {
     if (!odom_topic.empty()) source.read.odom_topic = odom_topic;
 }
 
+int exit_status(const CLI::App& program, const CLI::ParseError& error) {
+    const int status = program.exit(error);
+    if (status == 0 || dynamic_cast<const CLI::RuntimeError*>(&error) != nullptr) return status;
+    return EX_USAGE;
+}
+
 Configuracion load(const ConfigurationOptions& options, const std::string& source) {
     Configuracion configuration;
-    if (!options.file.empty()) configuration = ArchivoConfiguracion::read(options.file);
+    if (!options.file.empty())
+        configuration = ArchivoConfiguracion::read(input_named(options.file));
     if (!options.preset.empty()) {
         configuration = preset_configuration(options.preset);
     } else if (options.file.empty() && is_world_file(source)) {

@@ -33,6 +33,11 @@ struct SourceOptions {
 
 void add_source_options(CLI::App& command, SourceOptions& options);
 
+/// Tells what is wrong with the command line, or the help that was asked for. Gives the program's
+/// status: that of the command that left with one of its own, 0 after help, 64 (EX_USAGE of
+/// sysexits.h) for a command line that is none.
+int exit_status(const CLI::App& program, const CLI::ParseError& error);
+
 /// The values of the file or the preset (else the defaults), and the choices over them.
 /// Without file and preset a world has the preset "simulated", a log the defaults.
 Configuracion load(const ConfigurationOptions& options, const std::string& source);

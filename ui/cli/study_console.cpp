@@ -11,6 +11,7 @@
 #include "hitos/workbench/study_noise.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
+#include "report.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -36,6 +37,17 @@ void tell_damage(const StudyOutcome& outcome) {
 
 }  // namespace
 
+void add_summary_form(CLI::App& command, bool& csv, bool& json) {
+    CLI::Option* option =
+        command.add_flag("--csv", csv, "Print the summary as CSV instead of a table");
+    add_report_option(command, json)->excludes(option);
+}
+
+SummaryForm summary_form(bool csv, bool json) {
+    if (json) return SummaryForm::json;
+    return csv ? SummaryForm::csv : SummaryForm::table;
+}
+
 void add_study_options(CLI::App& command, StudyRunOptions& options) {
     command.add_option("--runs", options.runs,
                        "Runs of each value, with one seed after the other (default: 5)");
@@ -50,7 +62,7 @@ void add_study_options(CLI::App& command, StudyRunOptions& options) {
     command.add_flag("--pictures{first}", options.pictures,
                      "Save the grid map of each value's first run as a picture, and all of them on "
                      "contact-sheet.png; --pictures=all: of every run");
-    command.add_flag("--csv", options.csv, "Print the summary as CSV instead of a table");
+    add_summary_form(command, options.csv, options.json);
 }
 
 void apply(const StudyRunOptions& options, Study& study) {
@@ -97,19 +109,36 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
         all_failed(outcome);
     }
     if (!shard.whole()) tell_damage(outcome);
-    if (shard.whole()) return report(outcome, study.layout, options.csv);
-    fmt::print(
+    if (shard.whole()) {
+        return report(outcome, study.layout, summary_form(options.csv, options.json));
+    }
+    Report said(options.json);
+    said.say(
         "shard {} of {}: {} runs done, {} found done, {} failed; put the shards together "
         "with: hitos-cli study merge {}\n",
         shard.index, shard.count, outcome.computed - outcome.failed, outcome.reused, outcome.failed,
         study.layout.folder.string());
+    said.object() = {{"shard", shard.index},
+                     {"shards", shard.count},
+                     {"runs_done", outcome.computed - outcome.failed},
+                     {"runs_found_done", outcome.reused},
+                     {"runs_failed", outcome.failed},
+                     {"folder", study.layout.folder.string()}};
+    said.end();
     return outcome.failed == 0 ? 0 : kSomeFailed;
 }
 
-int report(const StudyOutcome& outcome, const StudyLayout& layout, bool csv) {
+int report(const StudyOutcome& outcome, const StudyLayout& layout, SummaryForm form) {
     const std::vector<StudyCell> cells = summarize(outcome.plan, outcome.records);
-    fmt::print("{}",
-               csv ? summary_csv(outcome.plan, cells) : summary_markdown(outcome.plan, cells));
+    Report said(form == SummaryForm::json);
+    if (said.is_json()) {
+        said.object() = parsed_object(summary_json(outcome.plan, cells));
+        said.object()["quality_file"] = layout.quality_file().string();
+        said.end();
+    } else {
+        said.say("{}", form == SummaryForm::csv ? summary_csv(outcome.plan, cells)
+                                                : summary_markdown(outcome.plan, cells));
+    }
     std::fflush(stdout);
     if (!outcome.plot_problem.empty()) {
         fmt::print(stderr, "no plots: {}; their scripts are beside {}\n",

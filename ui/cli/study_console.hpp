@@ -9,6 +9,11 @@
 
 namespace hitos::cli {
 
+/// The form of a study's summary on standard output.
+enum class SummaryForm { table, csv, json };
+void add_summary_form(CLI::App& command, bool& csv, bool& json);
+SummaryForm summary_form(bool csv, bool json);
+
 /// How the runs of a study are done.
 struct StudyRunOptions {
     int runs = 5;
@@ -19,9 +24,11 @@ struct StudyRunOptions {
     std::string reference_trajectory;
     std::string pictures = "none";
     bool csv = false;
+    bool json = false;
 };
 
-/// --runs, --odometry-noise, --odometry-noise-kind, --reference-trajectory, --pictures and --csv.
+/// --runs, --odometry-noise, --odometry-noise-kind, --reference-trajectory, --pictures, --csv
+/// and --json.
 void add_study_options(CLI::App& command, StudyRunOptions& options);
 
 /// Puts runs, seeds, noise, reference trajectory and pictures into the study.
@@ -33,6 +40,6 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
 
 /// The summary of a whole study on stdout, and what is wrong with it on stderr; gives the exit
 /// status.
-int report(const StudyOutcome& outcome, const StudyLayout& layout, bool csv);
+int report(const StudyOutcome& outcome, const StudyLayout& layout, SummaryForm form);
 
 }  // namespace hitos::cli

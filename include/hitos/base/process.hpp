@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <stop_token>
+#include <string>
 #include <thread>
 
 namespace hitos {
@@ -37,8 +38,14 @@ class StopSource {
     std::jthread watch_;
 };
 
+/// The name of an input file; where it is "-" or "/dev/stdin", standard input is made one that can
+/// be read as often as one likes, and its name is "/dev/stdin": what comes through a pipe is kept
+/// in a file without a name in the folder for temporary files. Throws FileError.
+std::string input_named(const std::string& name);
+
 /// Runs the program and tells its errors on stderr. Gives its status once all that it said has
-/// arrived: what standard output cannot take is an error.
+/// arrived: what standard output cannot take is an error. Where nobody reads on (`| head`), the
+/// program ends without a word and with the status that SIGPIPE gives.
 int run_program(const char* program, const std::function<int()>& run);
 
 }  // namespace hitos

@@ -8,8 +8,9 @@
 namespace hitos {
 
 /// A file or folder that comes with Hitos, by its place in the source tree ("data/worlds"): looked
-/// for from the program's own place upwards, there, in share/hitos and share/doc/hitos, then in the
-/// current folder. Empty where there is none.
+/// for from the place of the program, or of the module that another program has loaded, upwards,
+/// there, in share/hitos and share/doc/hitos, then in the current folder. Empty where there is
+/// none.
 std::filesystem::path shipped_file(const std::filesystem::path& relative);
 
 /// The path itself where it exists or is more than a bare name; else the world of that name among

@@ -1,31 +1,16 @@
 // The figures of a study as text: CSV with every digit, Markdown and LaTeX for people.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
+#include "hitos/base/text_table.hpp"
 #include "hitos/services/study/study_result.hpp"
 
 namespace hitos {
 namespace {
-
-std::string csv_field(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    if (text.find_first_of(",\"\r") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + '"';
-}
-
-std::string csv_line(std::vector<std::string> fields) {
-    for (std::string& field : fields) field = csv_field(std::move(field));
-    return fmt::format("{}\n", fmt::join(fields, ","));
-}
 
 /// The shortest digits that read back the same; empty for nothing.
 std::string exact(const std::optional<double>& value) {
@@ -41,7 +26,7 @@ std::string variance(const std::optional<Spread>& spread) {
 }
 
 std::string rounded(const std::optional<double>& value, int decimals) {
-    return value ? fmt::format("{:.{}f}", *value, decimals) : "–";
+    return value ? fmt::format("{:.{}f}", *value, decimals) : kNoFigure;
 }
 
 std::optional<double> mean_value(const std::optional<Spread>& spread) {
@@ -78,14 +63,9 @@ bool has_figures(std::span<const StudyCell> cells, std::optional<Spread> StudyCe
     return std::ranges::any_of(cells, [&](const StudyCell& c) { return (c.*figures).has_value(); });
 }
 
-struct PrettyTable {
-    std::vector<std::string> head;
-    std::vector<std::vector<std::string>> rows;
-};
-
-PrettyTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells,
-                         const char* Column::*name) {
-    PrettyTable table;
+TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells,
+                       const char* Column::*name) {
+    TextTable table;
     for (const StudyPlan::Axis& axis : plan.axes) {
         for (std::size_t i = 0; i < axis.keys.size(); ++i) {
             const std::string& key = axis.keys.size() == 1 ? axis.name : axis.keys[i];
@@ -151,32 +131,6 @@ std::string reference_sentence(const StudyPlan& plan, std::span<const StudyCell>
 std::string reference_count(const StudyPlan& plan) {
     return plan.has_reference() ? fmt::format("{}", plan.reference_lines + plan.reference_corners)
                                 : "";
-}
-
-std::string escaped(const std::string& text, std::string_view special, std::string_view with) {
-    std::string result;
-    for (const char c : text) {
-        if (special.find(c) != std::string_view::npos) result += with;
-        result += c;
-    }
-    return result;
-}
-
-std::string latex(const std::string& text) {
-    std::string result;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '\\') {
-            result += "\\textbackslash{}";
-        } else if (c == '~') {
-            result += "\\~{}";
-        } else if (c == '^' && i + 1 < text.size()) {
-            result += fmt::format("$^{}$", text[++i]);  // of a unit such as m^2
-        } else {
-            result += escaped(std::string(1, c), "&%$#_{}^", "\\");
-        }
-    }
-    return result;
 }
 
 }  // namespace
@@ -367,34 +321,58 @@ std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells)
 }
 
 std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    const PrettyTable table = pretty_table(plan, cells, &Column::markdown);
-    const auto line = [](const std::vector<std::string>& fields) {
-        std::string text = "|";
-        for (const std::string& field : fields) text += " " + escaped(field, "|\\", "\\") + " |";
-        return text + "\n";
-    };
-    std::string text = line(table.head) + "|";
-    for (std::size_t i = 0; i < table.head.size(); ++i) text += "---:|";
-    text += "\n";
-    for (const std::vector<std::string>& row : table.rows) text += line(row);
-    return text + "\n" + reference_sentence(plan, cells) + damage_sentence(cells) + "\n";
+    return fmt::format("{}\n{}{}\n", markdown(pretty_table(plan, cells, &Column::markdown)),
+                       reference_sentence(plan, cells), damage_sentence(cells));
 }
 
 std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    const PrettyTable table = pretty_table(plan, cells, &Column::latex);
-    const auto line = [](const std::vector<std::string>& fields) {
-        std::vector<std::string> cells_text;
-        cells_text.reserve(fields.size());
-        for (const std::string& field : fields)
-            cells_text.push_back(field == "–" ? "--" : latex(field));
-        return fmt::format("{} \\\\\n", fmt::join(cells_text, " & "));
-    };
-    std::string text =
-        fmt::format("\\begin{{tabular}}{{{}}}\n\\hline\n", std::string(table.head.size(), 'r'));
-    text += line(table.head) + "\\hline\n";
-    for (const std::vector<std::string>& row : table.rows) text += line(row);
-    return text + "\\hline\n\\end{tabular}\n% " + reference_sentence(plan, cells) +
-           damage_sentence(cells) + "\n";
+    return fmt::format("{}% {}{}\n", latex(pretty_table(plan, cells, &Column::latex)),
+                       reference_sentence(plan, cells), damage_sentence(cells));
+}
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json json_of(const std::optional<Spread>& spread) {
+    if (!spread) return nullptr;
+    ordered_json json{{"measured", spread->count},
+                      {"mean", spread->mean},
+                      {"minimum", spread->minimum},
+                      {"maximum", spread->maximum}};
+    json["variance"] = spread->variance ? ordered_json(*spread->variance) : ordered_json();
+    return json;
+}
+
+}  // namespace
+
+std::string summary_json(const StudyPlan& plan, std::span<const StudyCell> cells) {
+    ordered_json rows = ordered_json::array();
+    const std::vector<std::string> keys = plan.keys();
+    for (const StudyCell& cell : cells) {
+        ordered_json values;
+        for (std::size_t i = 0; i < keys.size(); ++i) values[keys[i]] = cell.texts[i];
+        rows.push_back({{"values", values},
+                        {"runs", cell.finished},
+                        {"failed", cell.failed},
+                        {"error_m", json_of(cell.error_m)},
+                        {"aligned_error_m", json_of(cell.aligned_error_m)},
+                        {"trajectory_error_m", json_of(cell.trajectory_error_m)},
+                        {"odometry_error_m", json_of(cell.odometry_error_m)},
+                        {"blur_m2", json_of(cell.blur_m2)},
+                        {"landmarks", json_of(cell.landmarks)},
+                        {"lines", json_of(cell.lines)},
+                        {"corners", json_of(cell.corners)},
+                        {"skipped_lines", cell.skipped_lines},
+                        {"stamps_backwards", cell.stamps_backwards}});
+    }
+    ordered_json reference;
+    if (plan.has_reference()) {
+        reference = {{"lines", plan.reference_lines}, {"corners", plan.reference_corners}};
+    }
+    // Values of text parameters may be no UTF-8: replace what is not instead of failing.
+    return ordered_json{{"reference", reference}, {"summary", rows}}.dump(
+        2, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 }  // namespace hitos

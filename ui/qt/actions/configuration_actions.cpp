@@ -13,6 +13,7 @@
 #include "dialogs/parameter_text.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/workbench/presets.hpp"
 
@@ -26,6 +27,7 @@ bool is_source(const std::string& named) {
 /// Why a file was refused, and how it begins, to see what it is instead.
 QString with_beginning(const QString& reason, const std::string& file) {
     constexpr std::size_t kMostLines = 5;
+    if (is_recording(file)) return reason;  // its topics take a pass over the whole file
     std::vector<Message> lines = beginning_of(file);
     lines.resize(std::min(lines.size(), kMostLines));
     if (lines.empty()) return reason;

@@ -13,6 +13,7 @@
 #include "hitos/services/run/kept_run.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
+#include "manual/describe.hpp"
 
 namespace hitos::window {
 namespace {
@@ -103,6 +104,7 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
                                "configuration", "run-until", "best-map", "odometry", "study"}));
     program.add_flag("--benchmark", out.benchmark,
                      "Run the log with and without the window; print speeds and response times");
+    manual::add_description(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -136,6 +138,10 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     if (!named.isEmpty() && !named_configuration && !named_results) {
         configuration.source.file = source_named(line.open);
         configuration.source.format = kAutoFormat;
+        if (line.config.empty()) {  // what was set is of another recording
+            configuration.source.read.scan_topic.clear();
+            configuration.source.read.odom_topic.clear();
+        }
     }
     if (configuration.source.file.empty()) {
         configuration.source.file = shipped_file(kReadyTour).string();

@@ -152,9 +152,9 @@ int run(int argc, char** argv, const CommandLine& line) {
 
 int main(int argc, char** argv) {
     hitos::prepare_process();
-    CommandLine line;
-    if (const auto code = parse(argc, argv, line)) return *code;
     try {
+        CommandLine line;
+        if (const auto code = parse(argc, argv, line)) return *code;
         return run(argc, argv, line);
     } catch (const std::exception& error) {
         fmt::print(stderr, "hitos: {}\n", error.what());

@@ -58,7 +58,11 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     ui_->scan_topic->setText(QString::fromStdString(source_.read.scan_topic));
     ui_->odom_topic->setText(QString::fromStdString(source_.read.odom_topic));
     show_topics(needs_topics(source_.file));
-    connect(ui_->path, &QLineEdit::textChanged, this, &SourceDialog::begin_check);
+    connect(ui_->path, &QLineEdit::textChanged, this, [this] {
+        ui_->scan_topic->clear();  // names of another recording
+        ui_->odom_topic->clear();
+        begin_check();
+    });
     connect(ui_->scan_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_topics);
     connect(ui_->odom_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_topics);
     connect(ui_->type, &QComboBox::currentIndexChanged, this, &SourceDialog::begin_check);

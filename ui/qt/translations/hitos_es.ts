@@ -1646,10 +1646,6 @@
         <translation>campo «%1»: se encontraron %2 rayos, se esperaban de 1 a %3</translation>
     </message>
     <message>
-        <source>no transform leads from the laser&apos;s frame &quot;%1&quot; to the robot&apos;s frame &quot;%2&quot;, so where the laser sits is not known</source>
-        <translation>ninguna transformación lleva del marco del láser «%1» al del robot «%2», así que no se sabe dónde va montado el láser</translation>
-    </message>
-    <message>
         <source>found &quot;%1&quot;, expected one of the topics of %2: %3</source>
         <translation>se encontró «%1», se esperaba uno de los temas de %2: %3</translation>
     </message>
@@ -1688,6 +1684,62 @@
     <message>
         <source>does not begin as MCAP does</source>
         <translation>no empieza como un MCAP</translation>
+    </message>
+    <message>
+        <source>cannot be kept in %1 to be read more than once: %2; make room there, or name another folder in TMPDIR</source>
+        <translation>no puede guardarse en %1 para leerse más de una vez: %2; haga sitio allí o indique otra carpeta en TMPDIR</translation>
+    </message>
+    <message>
+        <source>is a terminal; expected a file or what another program writes: hitos-cli … - &lt; FILE</source>
+        <translation>es un terminal; se esperaba un archivo o lo que escribe otro programa: hitos-cli … - &lt; FILE</translation>
+    </message>
+    <message>
+        <source>cannot be written: MCAP is compressed inside, and no program reads it inside of gzip; choose a name without .gz</source>
+        <translation>no se puede escribir: MCAP se comprime por dentro, y ningún programa lo lee dentro de gzip; elija un nombre sin .gz</translation>
+    </message>
+    <message>
+        <source>the time %1 cannot be a stamp of ROS, which has 0 to %2 seconds; write the normalized format</source>
+        <translation>el tiempo %1 no puede ser una marca de tiempo de ROS, que va de 0 a %2 segundos; escriba el formato normalizado</translation>
+    </message>
+    <message>
+        <source>its lasers sit in more than %1 places; write the normalized format</source>
+        <translation>sus láseres están en más de %1 lugares; escriba el formato normalizado</translation>
+    </message>
+    <message>
+        <source>is MCAP of the version &quot;%1&quot;, expected version 0; convert it with a program that knows both</source>
+        <translation>es MCAP de la versión «%1», se esperaba la versión 0; conviértalo con un programa que conozca ambas</translation>
+    </message>
+    <message>
+        <source>more than %1 types</source>
+        <translation>más de %1 tipos</translation>
+    </message>
+    <message>
+        <source>the message is compressed by itself (rosbag2&apos;s compression_mode MESSAGE), which Hitos does not read; convert the recording with &quot;ros2 bag convert&quot;</source>
+        <translation>el mensaje está comprimido por sí mismo (compression_mode MESSAGE de rosbag2), lo que Hitos no lee; convierta la grabación con «ros2 bag convert»</translation>
+    </message>
+    <message>
+        <source>no transform leads from the laser&apos;s frame &quot;%1&quot; to the robot&apos;s frame &quot;%2&quot;, so where the laser sits is not known; record /tf_static too, or choose another laser (--scan-topic)</source>
+        <translation>ninguna transformación lleva del marco del láser «%1» al del robot «%2», así que no se sabe dónde va montado el láser; grabe también /tf_static o elija otro láser (--scan-topic)</translation>
+    </message>
+    <message>
+        <source>the graph has a number that is not finite and cannot be written</source>
+        <translation>el grafo tiene un número que no es finito y no se puede escribir</translation>
+    </message>
+    <message>
+        <source>landmark %1 of the map is not finite and cannot be written</source>
+        <translation>el hito %1 del mapa no es finito y no se puede escribir</translation>
+    </message>
+    <message>
+        <source>the tour has no scan to write</source>
+        <translation>el recorrido no tiene ningún barrido que escribir</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, which is no file of a run that can be asked for; there are %2</source>
+        <translation>se encontró «%1», que no es ningún fichero de una ejecución que se pueda pedir; hay %2</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, which is no file of a run that can be asked for; did you mean %2? There are %3</source>
+        <translation>se encontró «%1», que no es ningún fichero de una ejecución que se pueda pedir; ¿quería decir %2? Hay %3</translation>
     </message>
 </context>
 <context>

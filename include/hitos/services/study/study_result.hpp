@@ -168,5 +168,8 @@ std::string timing_csv(const StudyPlan& plan, std::span<const StudyRecord> recor
 std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells);
 std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> cells);
 std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cells);
+/// The same with every digit, as one JSON object: "reference" (null where there is none) and
+/// "summary", an object for each cell; null where nothing was measured.
+std::string summary_json(const StudyPlan& plan, std::span<const StudyCell> cells);
 
 }  // namespace hitos

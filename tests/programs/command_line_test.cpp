@@ -1,0 +1,214 @@
+// Manners of the command line: reports for programs, status, standard input, colours.
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace hitos::test {
+namespace {
+
+using nlohmann::json;
+
+class CommandLine : public ProgramTest {
+  protected:
+    /// What a command says on standard output alone.
+    Outcome said(const std::string& arguments) const {
+        return shell(fmt::format("{} {} 2> {}", cli_, arguments, path("stderr")));
+    }
+    /// The object that a command says with --json.
+    json object(const std::string& arguments, int status = 0) const {
+        const Outcome outcome = said(arguments + " --json");
+        EXPECT_EQ(outcome.status, status) << outcome.output << content(path("stderr"));
+        return json::parse(outcome.output);
+    }
+    std::string run(const std::string& name, const std::string& more = "") const {
+        return fmt::format("run {} --set filter.particles=5 --seed 3 --out {} {}", short_log_,
+                           path(name), more);
+    }
+
+    const std::string short_log_ = kSource + "/data/logs/radish.log.gz";
+};
+
+TEST_F(CommandLine, ARunSaysItsSummaryAsJson) {
+    const json whole = object(run("run"));
+    json summary = json::parse(content(path("run/summary.json")));
+    EXPECT_EQ(whole.at("folder"), path("run"));
+    for (const auto& [name, value] : summary.items()) EXPECT_EQ(whole.at(name), value) << name;
+    // A table that could not be written is in it too, and the status says so where it is asked.
+    const json missing = object(run("again", "--strict --figures " + path("again") + "/no.csv"), 0);
+    EXPECT_TRUE(missing.at("not_written").empty());
+}
+
+TEST_F(CommandLine, EveryReportHasItsJson) {
+    ASSERT_EQ(said(run("run")).status, 0);
+    EXPECT_EQ(object("info " + short_log_).at("scans"), object(run("b")).at("scans"));
+    EXPECT_EQ(object("verify " + path("run")).at("run").at("whole"), true);
+    EXPECT_GT(object("evaluate " + path("run")).at("cells_per_point").get<double>(), 0.0);
+    const json evaluated =
+        object(fmt::format("evaluate --trajectory {0} --reference-trajectory "
+                           "{0} --rpe-distance 0.1",
+                           path("run/trajectory.tum")));
+    EXPECT_LT(evaluated.at("ate_rmse_m").get<double>(), 1e-9);
+    EXPECT_GT(evaluated.at("rpe_distance_pairs").get<int>(), 0);
+    EXPECT_EQ(object(fmt::format("convert {} --to carmen --out {}", short_log_, path("x.log")))
+                  .at("file"),
+              path("x.log"));
+    EXPECT_EQ(object("simulate bigloop --out " + path("w.log")).at("files").size(), 1U);
+    EXPECT_GT(object(fmt::format("relations {} --distance 0.1 --out {}", path("run/trajectory.tum"),
+                                 path("r.txt")))
+                  .at("relations")
+                  .get<int>(),
+              0);
+    const json parameters = object("parameters filter.particles").at("parameters");
+    ASSERT_EQ(parameters.size(), 1U);
+    EXPECT_EQ(parameters[0].at("key"), "filter.particles");
+    EXPECT_GT(object("presets").at("presets").size(), 3U);
+    const json study = object(fmt::format("study {} --vary filter.particles=5,6 --runs 2 --out {}",
+                                          short_log_, path("study")));
+    ASSERT_EQ(study.at("summary").size(), 2U);
+    EXPECT_EQ(study["summary"][1]["values"]["filter.particles"], "6");
+    EXPECT_EQ(study["summary"][1]["landmarks"]["measured"], 2);
+    EXPECT_EQ(object("verify " + path("study")).at("study").at("runs"), 4);
+    EXPECT_EQ(object("recover " + path("study")).at("runs_found"), 4);
+}
+
+TEST_F(CommandLine, VerifySaysWhatIsWrongAsJson) {
+    ASSERT_EQ(said(run("run")).status, 0);
+    std::filesystem::remove(path("run/map.dxf"));
+    const json check = object("verify " + path("run"), 1).at("run");
+    EXPECT_EQ(check.at("whole"), false);
+    EXPECT_EQ(check.at("missing"), json::array({"map.dxf"}));
+}
+
+TEST_F(CommandLine, InfoSaysWhatALogHolds) {
+    const json info = object("info " + log_);
+    EXPECT_EQ(info.at("format"), "player");
+    EXPECT_EQ(info.at("scans"), 1050);
+    EXPECT_EQ(info.at("log").at("duplicate_scans"), 291);
+    EXPECT_FALSE(info.at("first_lines").empty());
+    const Outcome words = said("info " + short_log_);
+    EXPECT_NE(words.output.find(": radish\n"), std::string::npos) << words.output;
+    EXPECT_NE(words.output.find("laser: 181 rays"), std::string::npos) << words.output;
+    // A world is driven.
+    EXPECT_EQ(object("info bigloop").at("format"), "world");
+    // What is no log is told as everywhere.
+    EXPECT_EQ(said("info " + file("no.log", "hello\nworld\n")).status, 1);
+}
+
+TEST_F(CommandLine, RunsAreSetSideBySide) {
+    ASSERT_EQ(said(run("five")).status, 0);
+    ASSERT_EQ(said(run("seven", "--set filter.particles=7")).status, 0);
+    const std::string both = path("five") + " " + path("seven");
+    const Outcome table = said("compare " + both);
+    EXPECT_EQ(table.output.find("| run | five | seven |"), 0U) << table.output;
+    EXPECT_NE(table.output.find("\n| filter.particles | 5 | 7 |\n"), std::string::npos)
+        << table.output;
+    const Outcome latex = said("compare " + both + " --as latex");
+    EXPECT_EQ(latex.output.find("\\begin{tabular}{rrr}"), 0U) << latex.output;
+    EXPECT_NE(latex.output.find("filter.particles"), std::string::npos);
+    ASSERT_EQ(said("compare " + both + " --as csv --out " + path("t.csv")).status, 0);
+    EXPECT_EQ(content(path("t.csv")).find("run,filter.particles,scans,"), 0U);
+    const json runs = object("compare " + both).at("runs");
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_EQ(runs[0].at("settings"), (json{{"filter.particles", "5"}}));
+    const json summary = json::parse(content(path("seven/summary.json")));
+    EXPECT_EQ(runs[1].at("figures").at("cells_per_point"),
+              summary.at("quality").at("cells_per_point"));
+    // Folders of one name are told apart, and so are logs.
+    std::filesystem::create_directory(path("other"));
+    ASSERT_EQ(said("run bigloop --set filter.particles=5 --world-set tour.laps=1 --out " +
+                   path("other/five"))
+                  .status,
+              0);
+    const Outcome logs = said(fmt::format("compare {} {}", path("five"), path("other/five")));
+    EXPECT_NE(logs.output.find("\n| log | radish.log.gz | bigloop.toml |\n"), std::string::npos)
+        << logs.output;
+    EXPECT_NE(logs.output.find(" | " + path("other/five") + " |"), std::string::npos);
+    EXPECT_NE(logs.output.find("ATE (m)"), std::string::npos);  // of the world alone
+    EXPECT_EQ(said("compare " + path("five") + " " + path("none")).status, 1);
+}
+
+TEST_F(CommandLine, StandardInputIsReadAsAFileIs) {
+    const std::string unpacked = fmt::format("zcat {} | {} ", short_log_, cli_);
+    ASSERT_EQ(said(run("file")).status, 0);
+    ASSERT_EQ(shell(fmt::format("{}run - --set filter.particles=5 --seed 3 --out {} 2>&1", unpacked,
+                                path("pipe")))
+                  .status,
+              0);
+    for (const char* name : {"map.txt", "trajectory.tum", "grid_best.png", "odometry.tum"}) {
+        EXPECT_EQ(content(path("pipe/") + name), content(path("file/") + name)) << name;
+    }
+    EXPECT_EQ(json::parse(content(path("pipe/summary.json"))).at("source"), "/dev/stdin");
+    // Packed, and from a file.
+    EXPECT_EQ(shell(fmt::format("{} convert - --to carmen --out {} < {} 2>&1", cli_, path("a.log"),
+                                short_log_))
+                  .status,
+              0);
+    ASSERT_EQ(
+        said(fmt::format("convert {} --to carmen --out {}", short_log_, path("b.log"))).status, 0);
+    EXPECT_EQ(content(path("a.log")), content(path("b.log")));
+    // A run whose log came that way is measured against it the same way.
+    EXPECT_EQ(shell(unpacked + "evaluate " + path("pipe")).output,
+              said("evaluate " + path("file")).output);
+    // Configurations and trajectories too.
+    EXPECT_EQ(shell(fmt::format("cat {0}/file/config.cfg | {1} run {2} --config - --out {0}/c "
+                                "2>&1 && cmp {0}/c/map.txt {0}/file/map.txt",
+                                folder_.path().string(), cli_, short_log_))
+                  .status,
+              0);
+    EXPECT_EQ(shell(fmt::format("cat {0} | {1} evaluate --trajectory - --reference-trajectory {0} "
+                                "| grep 'ate_rmse_m 0.0000'",
+                                path("file/trajectory.tum"), cli_))
+                  .status,
+              0);
+}
+
+TEST_F(CommandLine, StandardInputWithoutALogIsTold) {
+    const Outcome empty = shell(cli_ + " run - --out " + path("out") + " < /dev/null");
+    EXPECT_EQ(empty.status, 1);
+    EXPECT_NE(empty.output.find("/dev/stdin"), std::string::npos) << empty.output;
+    const Outcome study = shell("zcat " + short_log_ + " | " + cli_ +
+                                " study - --vary filter.particles=5,6 --out " + path("out"));
+    EXPECT_EQ(study.status, 1);
+    EXPECT_NE(study.output.find("give a file"), std::string::npos) << study.output;
+    // No room to keep it, and no such folder.
+    const Outcome folder =
+        shell(fmt::format("zcat {} | TMPDIR={} {} info -", short_log_, path("none"), cli_));
+    EXPECT_EQ(folder.status, 1);
+    EXPECT_NE(folder.output.find("TMPDIR"), std::string::npos) << folder.output;
+    EXPECT_FALSE(std::filesystem::exists(path("out/summary.json")));
+}
+
+TEST_F(CommandLine, AWrongCommandLineHasAStatusOfItsOwn) {
+    EXPECT_EQ(shell(cli_).status, 64);
+    EXPECT_EQ(shell(cli_ + " run").status, 64);
+    EXPECT_EQ(shell(cli_ + " presets --no-such-option").status, 64);
+    EXPECT_EQ(shell(cli_ + " compare a --as word").status, 64);
+    EXPECT_EQ(shell(batch_ + " a b").status, 64);
+    EXPECT_EQ(shell(cli_ + " run --help").status, 0);
+    EXPECT_EQ(shell(cli_ + " --version").status, 0);
+    EXPECT_EQ(shell(cli_ + " info " + path("none.log")).status, 1);
+}
+
+TEST_F(CommandLine, ColoursAreForTerminalsAlone) {
+    // A recording without registration brings a note.
+    const std::string command = cli_ + " " + run("run");
+    EXPECT_EQ(shell(command).output.find('\033'), std::string::npos);
+    if (shell("command -v script").status != 0) GTEST_SKIP() << "without script(1) no terminal";
+    const auto on_terminal = [&](const std::string& variables) {
+        return shell(fmt::format("script -qec '{} {} 2> /dev/null' /dev/null", variables, command))
+            .output;
+    };
+    const std::string words = on_terminal("TERM=xterm NO_COLOR=");
+    ASSERT_TRUE(words.find("note:") != std::string::npos ||
+                words.find("warning:") != std::string::npos)
+        << words;
+    EXPECT_NE(words.find('\033'), std::string::npos) << words;
+    EXPECT_EQ(on_terminal("TERM=xterm NO_COLOR=1").find('\033'), std::string::npos);
+    EXPECT_EQ(on_terminal("TERM=dumb NO_COLOR=").find('\033'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hitos::test

@@ -1,0 +1,116 @@
+// hitos-cli info: what a log, a recording or a world holds, as the window's source dialog says it.
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "damage.hpp"
+#include "hitos/base/process.hpp"
+#include "hitos/services/run/results.hpp"
+#include "hitos/workbench/open_tour.hpp"
+#include "hitos/workbench/shipped_data.hpp"
+#include "hitos/workbench/source_inspection.hpp"
+#include "options.hpp"
+#include "progress_line.hpp"
+#include "report.hpp"
+
+namespace hitos::cli {
+namespace {
+
+struct InfoOptions {
+    ConfigurationOptions configuration;
+    std::string log;
+    SourceOptions source;
+    bool json = false;
+};
+
+constexpr double kDegrees = 180.0 / kPi;
+
+double per_second(std::uint64_t count, double seconds) {
+    return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
+}
+
+void tell_laser(const Fan& fan, Report& report) {
+    if (fan.count == 0) {
+        report.say("laser: the log gives points, not rays\n");
+        return;
+    }
+    report.say("laser: {} rays from {:.2f} to {:.2f} degrees", fan.count,
+               fan.min_angle_rad * kDegrees, fan.max_angle_rad * kDegrees);
+    if (fan.max_range_m > 0.0) report.say(", up to {:g} m", fan.max_range_m);
+    const Pose& mounting = fan.pose_robot_laser;
+    report.say("; on the robot at ({:.3f}, {:.3f}) m, {:.2f} degrees\n", mounting.x, mounting.y,
+               mounting.theta * kDegrees);
+    report.object()["laser"] = {{"rays", fan.count},
+                                {"first_angle_rad", fan.min_angle_rad},
+                                {"last_angle_rad", fan.max_angle_rad},
+                                {"max_range_m", fan.max_range_m},
+                                {"pose_robot_laser", {mounting.x, mounting.y, mounting.theta}}};
+}
+
+void tell(const std::string& source, const SourceInspection& found, Report& report) {
+    const TourSummary& tour = found.tour;
+    const double scan_rate = per_second(tour.report.scans, tour.duration_s);
+    const double odometry_rate = per_second(tour.report.odometry, tour.duration_s);
+    report.say("{}: {}\n", source, tour.format);
+    report.say("{} scans ({:.1f}/s), {} odometry readings ({:.1f}/s)\n", tour.report.scans,
+               scan_rate, tour.report.odometry, odometry_rate);
+    report.say("{:.1f} s from {:.6f} s on, {:.1f} m by the odometry\n", tour.duration_s,
+               tour.first_stamp_s, tour.distance_m);
+    report.object() = {{"source", source},
+                       {"format", tour.format},
+                       {"scans", tour.report.scans},
+                       {"scans_per_second", scan_rate},
+                       {"odometry_per_second", odometry_rate},
+                       {"first_stamp_s", tour.first_stamp_s},
+                       {"duration_s", tour.duration_s},
+                       {"odometry_distance_m", tour.distance_m}};
+    tell_laser(tour.fan, report);
+    report.say("{}", damage_text(tour.report));
+    if (tour.report.scans == 0) report.warn("not one scan that can be read");
+    report.object()["log"] = parsed_object(to_json(tour.report));
+    report.say("it begins with:\n");
+    report.object()["first_lines"] = nlohmann::ordered_json::array();
+    for (const Message& line : found.first_lines) {
+        report.say("  {}\n", line.english());
+        report.object()["first_lines"].push_back(line.english());
+    }
+}
+
+void info(const InfoOptions& options) {
+    const std::string source = source_named(input_named(options.log));
+    Configuracion configuration = load(options.configuration, source);
+    configuration.source.file = source;
+    options.source.choose(configuration.source);
+    ProgressLine line("parts");
+    const SourceInspection found = inspect_source(configuration.source, [&line](double fraction) {
+        constexpr double kParts = 100.0;
+        line.show(static_cast<std::uint64_t>(fraction * kParts), fraction);
+        return true;
+    });
+    Report report(options.json);
+    tell(source, found, report);
+    report.end();
+}
+
+}  // namespace
+
+void add_info(CLI::App& program) {
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = program.add_subcommand(
+        "info", "Say what a log, a recording or a world holds, and what of it is damaged");
+    command
+        ->add_option("log", options->log,
+                     "Log file, plain or .gz, ROS recording, world file or the name of a world; - "
+                     "for standard input")
+        ->required();
+    add_source_options(*command, options->source);
+    add_configuration_options(*command, options->configuration);
+    add_report_option(*command, options->json);
+    command->callback([options] { info(*options); });
+}
+
+}  // namespace hitos::cli
