@@ -22,9 +22,9 @@ struct CompareOptions {
 };
 
 const std::map<std::string, std::string (*)(const TextTable&)>& forms() {
-    static const std::map<std::string, std::string (*)(const TextTable&)> kForms{
+    static const std::map<std::string, std::string (*)(const TextTable&)> by_word{
         {"markdown", &markdown}, {"latex", &latex}, {"csv", &csv}};
-    return kForms;
+    return by_word;
 }
 
 void compare(const CompareOptions& options) {

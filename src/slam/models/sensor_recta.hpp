@@ -225,9 +225,13 @@ struct SensorRecta {
         const std::span<const Point2> points = observation.support_of(line);
         if (points.empty()) return {};
         const PreparedRecta prepared(line.recta);
-        const auto [low, high] =
-            std::ranges::minmax(points, {}, [&](const Point2& p) { return prepared.along(p); });
-        return {true, false, prepared.at(prepared.along(low)), prepared.at(prepared.along(high))};
+        double low = prepared.along(points.front());
+        double high = low;
+        for (const Point2& point : points) {
+            low = std::min(low, prepared.along(point));
+            high = std::max(high, prepared.along(point));
+        }
+        return {true, false, prepared.at(low), prepared.at(high)};
     }
     /// Where on the landmark that is, seen from the pose.
     static Extent placed(const SeenReach& reach, const Pose& pose, const Recta& landmark) {
