@@ -54,7 +54,13 @@ void remove_leftovers(const fs::path& folder) {
     for (const fs::directory_entry& entry : folder_entries(folder, ignored)) {
         const std::string name = entry.path().filename().string();
         const bool unfinished = name.ends_with(".tmp") || name.ends_with("-plots");
-        if (name.starts_with(".hitos-") && unfinished) fs::remove_all(entry.path(), ignored);
+        if (!name.starts_with(".hitos-") || !unfinished) continue;
+        // A gnuplot whose caller was killed may still put a file there.
+        constexpr int kTries = 4;
+        for (int i = 0; i < kTries; ++i) {
+            fs::remove_all(entry.path(), ignored);
+            if (!fs::exists(entry.path(), ignored)) break;
+        }
     }
 }
 

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 class Workshop {
   public:
     explicit Workshop(const fs::path& beside)
-        : path_(beside / fmt::format(".hitos-{}-plots-{}", ::getpid(), ++made())) {
+        : path_(beside / fmt::format(".hitos-{}-{}-plots", ::getpid(), ++made())) {
         std::error_code error;
         fs::remove_all(path_, error);
         fs::create_directory(path_, error);
