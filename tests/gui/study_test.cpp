@@ -261,7 +261,7 @@ void StudyTest::runs_that_fail_are_told_and_the_others_go_on() {
 }
 
 void StudyTest::a_stopped_study_goes_on_where_it_was() {
-    StudyFixture f(40);
+    StudyFixture f(1000);
     f.study.findChild<QSpinBox*>("threads")->setValue(1);
     f.press("start");
     QVERIFY(f.study.running());
