@@ -8,6 +8,8 @@
 
 #include "commands.hpp"
 #include "hitos/base/atomic_file.hpp"
+#include "hitos/base/folder_entries.hpp"
+#include "hitos/base/input_files.hpp"
 #include "hitos/services/run/run_comparison.hpp"
 #include "report.hpp"
 
@@ -27,7 +29,19 @@ const std::map<std::string, std::string (*)(const TextTable&)>& forms() {
     return by_word;
 }
 
+/// A table in the place of a run's own file would end the run.
+void check_out(const CompareOptions& options) {
+    std::vector<std::filesystem::path> inputs;
+    for (const std::string& run : options.runs) {
+        std::error_code told_later;
+        for (const auto& entry : folder_entries(run, told_later)) inputs.push_back(entry.path());
+    }
+    const std::filesystem::path out = options.out;
+    check_apart({&out, 1}, inputs);
+}
+
 void compare(const CompareOptions& options) {
+    if (!options.out.empty()) check_out(options);
     const RunComparison comparison =
         compare_runs(std::vector<std::filesystem::path>(options.runs.begin(), options.runs.end()));
     Report report(options.json);

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/input_files.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/measures.hpp"
@@ -44,7 +45,15 @@ struct EvaluateOptions {
 
 std::filesystem::path out_file(const EvaluateOptions& options, const char* name) {
     prepare_output_folder(options.out);
-    return std::filesystem::path(options.out) / name;
+    const std::filesystem::path file = std::filesystem::path(options.out) / name;
+    std::vector<std::filesystem::path> inputs;
+    for (const std::string& input :
+         {options.map, options.reference, options.trajectory, options.reference_trajectory,
+          options.distances, options.relations}) {
+        if (!input.empty()) inputs.emplace_back(input);
+    }
+    check_apart({&file, 1}, inputs);
+    return file;
 }
 
 void evaluate_map(const EvaluateOptions& options, Report& report) {
@@ -270,14 +279,16 @@ void add_evaluate(CLI::App& program) {
     command
         ->add_option("--rpe-distance", options->rpe_distance_m,
                      "Relative pose error over so much way [m], against the reference trajectory")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1e-9, 1e9));
     command
         ->add_option("--rpe-time", options->rpe_time_s,
                      "Relative pose error over so much time [s], likewise")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1e-9, 1e9));
     add_spacing_options(*command, "rpe-", options->rpe);
-    command->add_option("--tolerance", options->tolerance_s,
-                        "Greatest difference of stamps of a pair of poses [s] (default: 0.02)");
+    command
+        ->add_option("--tolerance", options->tolerance_s,
+                     "Greatest difference of stamps of a pair of poses [s] (default: 0.02)")
+        ->check(CLI::Range(0.0, 1e9));
     add_report_option(*command, options->json);
     command->callback([options] { evaluate(*options); });
 }

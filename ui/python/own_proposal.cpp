@@ -3,6 +3,8 @@
 #include <pybind11/numpy.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -52,6 +54,10 @@ void take_poses(const py::object& returned, std::span<Pose> poses) {
     }
     const auto at = numbers.unchecked<2>();
     for (py::ssize_t i = 0; i < count; ++i) {
+        if (!std::isfinite(at(i, 0)) || !std::isfinite(at(i, 1)) || !std::isfinite(at(i, 2))) {
+            throw py::value_error("a proposal returned a pose that is not finite for particle " +
+                                  std::to_string(i));
+        }
         poses[static_cast<std::size_t>(i)] = {at(i, 0), at(i, 1), wrap_angle(at(i, 2))};
     }
 }
@@ -62,7 +68,13 @@ double log_weight_of(const py::object& returned) {
         throw py::value_error("a weighted proposal returned " + std::to_string(numbers.size()) +
                               " log weights for one particle");
     }
-    return *numbers.data();
+    const double weight = *numbers.data();
+    // That a particle is impossible may be said; that nobody knows may not.
+    if (std::isnan(weight) || weight == std::numeric_limits<double>::infinity()) {
+        throw py::value_error("a weighted proposal returned the log weight " +
+                              std::to_string(weight) + "; expected a number, or -inf");
+    }
+    return weight;
 }
 
 class OwnProposal final : public Proposal {

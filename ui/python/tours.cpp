@@ -20,7 +20,7 @@ namespace hitos::python {
 namespace {
 
 std::string file_of(const py::object& name) {
-    return source_named(py::cast<std::string>(py::module_::import("os").attr("fsdecode")(name)));
+    return source_named(py::cast<std::string>(py::module_::import("os").attr("fsencode")(name)));
 }
 
 struct OpenOptions {

@@ -95,8 +95,9 @@ class Db3 final : public Recording {
         // Without a log of changes beside it the file is complete; saying so lets one be read where
         // nothing may be written.
         std::error_code error;
-        const bool complete =
-            std::filesystem::file_size(path_.string() + "-wal", error) == 0 || error;
+        const std::uint64_t beside = std::filesystem::file_size(path_.string() + "-wal", error);
+        const bool complete = error || beside == 0;
+        if (!complete) size += beside;
         const std::string uri =
             "file:" + escaped(std::filesystem::absolute(path_)) + (complete ? "?immutable=1" : "");
         const int result =

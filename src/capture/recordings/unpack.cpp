@@ -30,10 +30,15 @@ class Unpacker : public ByteSource {
                 input_ = std::span(buffer_).first(packed_.read(buffer_));
                 drained_ = input_.empty();
             }
+            if (drained_ && frame_ended_) {
+                ended_ = true;
+                break;
+            }
+            frame_ended_ = false;
             const std::size_t before = input_.size();
             const std::size_t got = unpack(input_, out.subspan(done));
             done += got;
-            if (ended_ || got > 0 || input_.size() < before) continue;
+            if (ended_ || frame_ended_ || got > 0 || input_.size() < before) continue;
             if (drained_) {
                 throw FormatError({}, 0,
                                   message(HITOS_TEXT("Errors", "the compressed data end early")));
@@ -48,6 +53,8 @@ class Unpacker : public ByteSource {
     /// behind the last byte.
     virtual std::size_t unpack(std::span<char>& input, std::span<char> out) = 0;
     void end() { ended_ = true; }
+    /// Called in its place where another frame may follow.
+    void end_frame() { frame_ended_ = true; }
 
   private:
     ByteSource& packed_;
@@ -55,6 +62,7 @@ class Unpacker : public ByteSource {
     std::span<char> input_;
     bool drained_ = false;
     bool ended_ = false;
+    bool frame_ended_ = false;  // and nothing of another one is seen yet
 };
 
 class Bzip2 final : public Unpacker {
@@ -103,7 +111,7 @@ class Lz4 final : public Unpacker {
         const std::size_t hint =
             LZ4F_decompress(context_, out.data(), &given, input.data(), &taken, nullptr);
         if (LZ4F_isError(hint) != 0) fail_damaged();
-        if (hint == 0) end();
+        if (hint == 0) end_frame();
         input = input.subspan(taken);
         return given;
     }
@@ -125,7 +133,7 @@ class Zstd final : public Unpacker {
         ZSTD_outBuffer given{out.data(), out.size(), 0};
         const std::size_t hint = ZSTD_decompressStream(stream_.get(), &given, &in);
         if (ZSTD_isError(hint) != 0) fail_damaged();
-        if (hint == 0) end();
+        if (hint == 0) end_frame();
         input = input.subspan(in.pos);
         return given.pos;
     }
