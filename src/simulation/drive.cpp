@@ -1,11 +1,12 @@
 // The robot's driver: where to turn and how fast to go, without noise and without chance.
+#include "drive.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "hitos/base/error.hpp"
-#include "hitos/simulation/driven_path.hpp"
 
 namespace hitos {
 namespace {
@@ -35,14 +36,18 @@ class Driver {
         : world_(world),
           robot_(world.robot),
           period_s_(1.0 / world.robot.control_rate_hz),
-          path_(world.tour.start, world.robot.control_rate_hz) {}
+          motion_(world) {}
 
-    DrivenPath drive() {
+    RobotMotion drive() {
         check_start();
         check_spacing();
         for (double t = 0.0; t + 0.5 * period_s_ < world_.tour.rest_s; t += period_s_)
-            path_.append({});
+            motion_.command(0.0, 0.0);
         if (world_.tour.look_around) look_around();
+        if (!world_.tour.commands.empty()) {
+            follow_commands();
+            return std::move(motion_);
+        }
         const std::size_t count = world_.tour.way_points.size();
         const std::size_t goals = count * static_cast<std::size_t>(world_.tour.laps);
         for (goal_ = 0; goal_ < goals; ++goal_) {
@@ -50,12 +55,13 @@ class Driver {
             drive_to(at(goal_), next);
         }
         --goal_;  // where it stops, for messages
-        while (twist_.v != 0.0 || twist_.w != 0.0) command(0.0, 0.0);
-        return std::move(path_);
+        while (twist().v != 0.0 || twist().w != 0.0) command(0.0, 0.0);
+        return std::move(motion_);
     }
 
   private:
-    const Pose& pose() const { return path_.poses().back(); }
+    const Pose& pose() const { return motion_.pose(); }
+    const Twist& twist() const { return motion_.twist(); }
     const WayPoint& way_point(std::size_t goal) const {
         const std::size_t count = world_.tour.way_points.size();
         const std::size_t at = goal % count;
@@ -88,7 +94,7 @@ class Driver {
 
     void check_start() const {
         const Point2 start{world_.tour.start.x, world_.tour.start.y};
-        for (const WallSegment& wall : world_.walls) {
+        for (const WallSegment& wall : motion_.conditions().last().surroundings->walls()) {
             const double gap = distance(wall, start);
             if (gap < robot_.radius_m) {
                 fail(world_.tour.line,
@@ -105,6 +111,7 @@ class Driver {
     /// A way point that is passed before the robot sets out for it is a mistake in the list.
     void check_spacing() const {
         const std::size_t count = world_.tour.way_points.size();
+        if (count == 0) return;
         Point2 before{world_.tour.start.x, world_.tour.start.y};
         for (std::size_t goal = 0; goal < count + (world_.tour.laps > 1 ? 1U : 0U); ++goal) {
             const double gap = std::hypot(at(goal).x - before.x, at(goal).y - before.y);
@@ -124,9 +131,9 @@ class Driver {
 
     void look_around() {
         double left = 2.0 * kPi;
-        while (left > kTurnDone || twist_.w != 0.0) {
+        while (left > kTurnDone || twist().w != 0.0) {
             command(0.0, left > kTurnDone ? turn_rate(left) : 0.0);
-            left -= twist_.w * period_s_;
+            left -= twist().w * period_s_;
         }
     }
 
@@ -168,29 +175,26 @@ class Driver {
         }
     }
 
-    /// Changes the velocities towards the wanted ones as fast as the robot can, and holds them.
-    void command(double v, double w) {
-        const double dv = robot_.acceleration * period_s_;
-        const double dw = robot_.turn_acceleration * period_s_;
-        twist_.v = std::clamp(v, twist_.v - dv, twist_.v + dv);
-        twist_.w = std::clamp(w, twist_.w - dw, twist_.w + dw);
-        const Pose before = pose();
-        path_.append(twist_);
-        check_clearance({before.x, before.y}, {pose().x, pose().y});
-        if (path_.twists().size() > kMostSteps) {
-            throw ConfigError("tour",
-                              message(HITOS_TEXT("Errors",
-                                                 "takes more than %1 control steps; expected a "
-                                                 "shorter tour or a faster robot"),
-                                      kMostSteps));
+    void follow_commands() {
+        for (const DriveCommand& command : world_.tour.commands) {
+            const double periods = command.duration_s * robot_.control_rate_hz;
+            for (double k = 0.0; k + 0.5 < periods; k += 1.0) {
+                motion_.command_among_walls(command.v, command.w);
+                check_steps(motion_.steps());
+            }
         }
     }
 
-    void check_clearance(const Point2& from, const Point2& to) const {
-        // An arc leaves its chord by less than length * turn / 8.
-        const double bulge = twist_.v * period_s_ * std::abs(twist_.w) * period_s_ / 8.0;
-        for (const WallSegment& wall : world_.walls) {
-            const double gap = distance(wall, from, to) - bulge;
+    void command(double v, double w) {
+        motion_.command(v, w);
+        check_clearance();
+        check_steps(motion_.steps());
+    }
+
+    void check_clearance() const {
+        if (world_.tour.way_points.empty()) return;  // it looks round before it is driven by hand
+        for (const WallSegment& wall : motion_.conditions().last().surroundings->walls()) {
+            const double gap = motion_.gap(wall);
             if (gap < robot_.radius_m) {
                 fail(way_point(goal_).line,
                      message(HITOS_TEXT("Errors",
@@ -205,16 +209,27 @@ class Driver {
     const World& world_;
     const RobotParams& robot_;
     double period_s_;
-    DrivenPath path_;
-    Twist twist_;
+    RobotMotion motion_;
     std::size_t goal_ = 0;
 };
 
 }  // namespace
 
-DrivenPath drive(const World& world) {
+void check_steps(std::size_t steps) {
+    if (steps <= kMostSteps) return;
+    throw ConfigError("tour", message(HITOS_TEXT("Errors",
+                                                 "takes more than %1 control steps; expected a "
+                                                 "shorter tour or a faster robot"),
+                                      kMostSteps));
+}
+
+RobotMotion driven(const World& world) {
     check(world);
     return Driver(world).drive();
+}
+
+DrivenPath drive(const World& world) {
+    return driven(world).path();
 }
 
 }  // namespace hitos

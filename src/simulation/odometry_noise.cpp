@@ -35,13 +35,14 @@ OdometryNoise::OdometryNoise(double level, OdometryNoiseKind kind, std::uint64_t
     }
 }
 
-Odometria OdometryNoise::operator()(const Odometria& reading) {
-    if (level_ == 0.0) return reading;
-    RandomStream random(seed_, RandomPurpose::odometry_noise, count_++, 0);
+Odometria OdometryNoise::operator()(const Odometria& reading, double level) {
+    const std::uint64_t number = count_++;
+    if (level == 0.0) return reading;
+    RandomStream random(seed_, RandomPurpose::odometry_noise, number, 0);
     const auto [n_v, n_w] = random.normal_pair();
-    const auto sigma = [this](double velocity) {
-        return kind_ == OdometryNoiseKind::relative_sigma ? level_ * std::abs(velocity)
-                                                          : std::sqrt(level_ * std::abs(velocity));
+    const auto sigma = [this, level](double velocity) {
+        return kind_ == OdometryNoiseKind::relative_sigma ? level * std::abs(velocity)
+                                                          : std::sqrt(level * std::abs(velocity));
     };
     Odometria noisy = reading;
     noisy.twist.v += n_v * sigma(reading.twist.v);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "drive.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/base/random_stream.hpp"
-#include "hitos/simulation/odometry_noise.hpp"
-#include "raster_laser.hpp"
 
 namespace hitos {
 namespace {
@@ -14,6 +14,7 @@ namespace {
 /// Samples at 0, 1 / rate, 2 / rate, ... up to the end, which belongs to them.
 std::uint64_t samples(double duration_s, double rate_hz) {
     constexpr double kRounding = 1e-9;
+    if (duration_s < 0.0) return 0;
     return static_cast<std::uint64_t>(std::floor(duration_s * rate_hz + kRounding)) + 1;
 }
 
@@ -27,41 +28,139 @@ World seeded(World world) {
 
 SimulatedTour::SimulatedTour(World world)
     : world_(seeded(std::move(world))),
-      path_(drive(world_)),
-      laser_(world_.walls, fan_of(world_.laser)),
-      directions_(ray_directions(laser_.fan(), laser_.fan().pose_robot_laser.theta,
-                                 laser_.fan().step_rad())),
-      raster_(world_.raster.cell_m > 0.0
-                  ? std::make_shared<RasterLaser>(world_.walls, world_.raster, fan_of(world_.laser))
-                  : nullptr),
-      scans_(samples(path_.duration_s(), world_.laser.rate_hz)),
-      readings_(samples(path_.duration_s(), world_.odometry.rate_hz)) {}
+      directions_(ray_directions(fan_of(world_.laser), fan_of(world_.laser).pose_robot_laser.theta,
+                                 fan_of(world_.laser).step_rad())),
+      laser_directions_(ray_directions(fan_of(world_.laser), 0.0, fan_of(world_.laser).step_rad())),
+      motion_(std::make_unique<RobotMotion>(driven(world_))) {}
+
+SimulatedTour::~SimulatedTour() = default;
+
+std::shared_ptr<SimulatedTour> SimulatedTour::live(World world) {
+    world.tour.way_points.clear();
+    world.tour.commands = {DriveCommand{}};  // of no time
+    world.tour.events.clear();
+    world.tour.rest_s = 0.0;
+    world.tour.look_around = false;
+    auto tour = std::make_shared<SimulatedTour>(std::move(world));
+    tour->live_ = true;
+    return tour;
+}
+
+void SimulatedTour::drive_on(double v, double w) {
+    const std::lock_guard lock(mutex_);
+    if (!live_) return;
+    check_steps(motion_->steps() + 1);
+    motion_->command_among_walls(v, w);
+    if (held_.empty() || held_.back().v != v || held_.back().w != w) held_.push_back({v, w, 0});
+    ++held_.back().periods;
+}
+
+void SimulatedTour::disturb(Disturbance disturbance) {
+    const std::lock_guard lock(mutex_);
+    if (!live_) return;
+    disturbance.at_s = motion_->time_s();
+    const Message problem = problem_of(disturbance, world_);
+    if (!problem.empty()) throw ConfigError(std::string(disturbance.facts().word), problem);
+    motion_->disturb(disturbance);
+    events_.push_back(disturbance);
+}
+
+void SimulatedTour::end() {
+    const std::lock_guard lock(mutex_);
+    live_ = false;
+}
+
+bool SimulatedTour::is_live() const {
+    const std::lock_guard lock(mutex_);
+    return live_;
+}
+
+World SimulatedTour::recorded() const {
+    const std::lock_guard lock(mutex_);
+    World world = world_;
+    if (!held_.empty()) world.tour.commands.clear();
+    for (const Held& held : held_) {
+        world.tour.commands.push_back(
+            {held.v, held.w, static_cast<double>(held.periods) / world_.robot.control_rate_hz, 0});
+    }
+    world.tour.events.insert(world.tour.events.end(), events_.begin(), events_.end());
+    return world;
+}
+
+Pose SimulatedTour::pose_now() const {
+    const std::lock_guard lock(mutex_);
+    return motion_->pose();
+}
+
+Twist SimulatedTour::twist_now() const {
+    const std::lock_guard lock(mutex_);
+    return motion_->twist();
+}
+
+std::vector<WallSegment> SimulatedTour::walls_now() const {
+    const std::lock_guard lock(mutex_);
+    return motion_->conditions().last().surroundings->walls();
+}
+
+double SimulatedTour::duration_s() const {
+    const std::lock_guard lock(mutex_);
+    return motion_->time_s();
+}
+
+const DrivenPath& SimulatedTour::path() const {
+    return motion_->path();
+}
+
+/// Until the end, or what nothing that happens from now on can change.
+double SimulatedTour::settled_s() const {
+    if (!live_) return motion_->time_s();
+    return (static_cast<double>(motion_->steps()) - 1.0) / world_.robot.control_rate_hz;
+}
+
+std::uint64_t SimulatedTour::scans() const {
+    const std::lock_guard lock(mutex_);
+    const double settled = settled_s();
+    if (!live_) return samples(settled, world_.laser.rate_hz);
+    const std::uint64_t known = samples(settled, world_.odometry.rate_hz);
+    return known == 0 ? 0 : samples(reading_time(known - 1), world_.laser.rate_hz);
+}
+
+std::uint64_t SimulatedTour::readings() const {
+    const std::lock_guard lock(mutex_);
+    return samples(settled_s(), world_.odometry.rate_hz);
+}
 
 Pose SimulatedTour::true_pose(std::uint64_t k) const {
-    return between(world_.tour.start, path_.pose_at(scan_time(k)));
+    const std::lock_guard lock(mutex_);
+    return between(world_.tour.start, motion_->path().pose_at(scan_time(k)));
 }
 
 Scan SimulatedTour::scan(std::uint64_t k) const {
-    std::vector<RayHit> hits;
-    const Pose pose = path_.pose_at(scan_time(k));
-    if (raster_) {
-        raster_->cast(pose, hits);
-    } else {
-        laser_.cast(pose, hits);
+    const double time_s = scan_time(k);
+    Pose pose;
+    Conditions now;
+    {
+        const std::lock_guard lock(mutex_);
+        pose = motion_->path().pose_at(time_s);
+        now = motion_->conditions().at(time_s);
     }
-    const Fan& fan = laser_.fan();
+    const Fan fan = fan_of(world_.laser);
     const Pose& mount = fan.pose_robot_laser;
+    std::vector<RayHit> hits;
+    now.surroundings->cast(pose, hits);
+    cast_walkers(world_.walkers, time_s, compose(pose, mount), laser_directions_, hits);
 
     Scan scan;
-    scan.time_s = scan_time(k);
+    scan.time_s = time_s;
     scan.fan = fan;
+    if (time_s < now.blind_until_s) return scan;
     RandomStream random(world_.seed, RandomPurpose::laser_noise, k, 0);
     std::array<double, 2> normals{};
     bool run_open = false;
     for (std::uint32_t ray = 0; ray < fan.count; ++ray) {
         // Every ray has its draw, whether it hits or not.
         if (ray % 2 == 0) normals = random.normal_pair();
-        double range = hits[ray].range_m + world_.laser.sigma_m * normals[ray % 2];
+        double range = hits[ray].range_m + now.laser_sigma_m * normals[ray % 2];
         if (world_.laser.no_return == NoReturn::max_range && range >= fan.max_range_m) {
             range = fan.max_range_m;
         } else if (!(range > 0.0 && range < fan.max_range_m)) {
@@ -80,8 +179,15 @@ Scan SimulatedTour::scan(std::uint64_t k) const {
 Odometria SimulatedTour::true_reading(std::uint64_t k) const {
     Odometria reading;
     reading.time_s = reading_time(k);
-    if (k > 0) reading.twist = path_.twist_between_times(reading_time(k - 1), reading.time_s);
+    if (k == 0) return reading;
+    const std::lock_guard lock(mutex_);
+    reading.twist = motion_->path().twist_between_times(reading_time(k - 1), reading.time_s);
     return reading;
+}
+
+double SimulatedTour::odometry_noise(std::uint64_t k) const {
+    const std::lock_guard lock(mutex_);
+    return motion_->conditions().at(reading_time(k)).odometry_noise;
 }
 
 }  // namespace hitos

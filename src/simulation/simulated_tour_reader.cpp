@@ -55,7 +55,8 @@ std::optional<Scan> SimulatedTourReader::next_scan() {
 
 std::optional<Odometria> SimulatedTourReader::next_odometry() {
     if (report_.odometry >= tour_->readings()) return std::nullopt;
-    Odometria reading = noise_(tour_->true_reading(report_.odometry));
+    Odometria reading =
+        noise_(tour_->true_reading(report_.odometry), tour_->odometry_noise(report_.odometry));
     while (scans_before_ < tour_->scans() && tour_->scan_time(scans_before_) < reading.time_s) {
         ++scans_before_;
     }
@@ -72,20 +73,24 @@ std::unique_ptr<TourReader> SimulatedTourReader::reopen() const {
 }
 
 std::optional<double> SimulatedTourReader::progress() const {
+    if (tour_->is_live()) return std::nullopt;  // nobody knows how long it will be
     return static_cast<double>(report_.scans) / static_cast<double>(tour_->scans());
 }
 
 std::optional<Truth> SimulatedTourReader::truth() const {
     Truth truth;
     truth.seed = tour_->world().seed;
-    truth.path.reserve(tour_->scans());
-    for (std::uint64_t k = 0; k < tour_->scans(); ++k) {
+    const std::uint64_t scans = tour_->scans();
+    truth.path.reserve(scans);
+    for (std::uint64_t k = 0; k < scans; ++k) {
         truth.path.push_back({tour_->scan_time(k), tour_->true_pose(k)});
     }
     const Pose pose_start_world = inverse(tour_->world().tour.start);
-    for (const WallSegment& wall : tour_->world().walls) {
-        truth.walls.emplace_back(transform(pose_start_world, wall.a),
-                                 transform(pose_start_world, wall.b));
+    for (const auto* walls : {&tour_->world().walls, &tour_->world().doors}) {
+        for (const WallSegment& wall : *walls) {
+            truth.walls.emplace_back(transform(pose_start_world, wall.a),
+                                     transform(pose_start_world, wall.b));
+        }
     }
     return truth;
 }

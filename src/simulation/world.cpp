@@ -1,4 +1,4 @@
-// Reads world files. The one file of the layer that includes toml++, which is slow to compile.
+// Reads world files; their lists of tables are read beside (world_lists).
 #include "hitos/simulation/world.hpp"
 
 #include <fmt/format.h>
@@ -11,13 +11,13 @@
 #include "dxf_walls.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "world_lists.hpp"
 #include "world_values.hpp"
 
 namespace hitos {
 namespace {
 
 constexpr double kRadiansPerDegree = kPi / 180.0;
-constexpr double kFarthest = 1e6;  // m; keeps every product of coordinates exact enough
 
 class Reading {
   public:
@@ -49,11 +49,18 @@ class Reading {
             fail({}, message(HITOS_TEXT("Errors",
                                         "found no walls; expected the key walls or walls_dxf")));
         }
-        if (world_.tour.way_points.empty()) {
+        if (world_.tour.way_points.empty() && world_.tour.commands.empty()) {
             fail({}, message(HITOS_TEXT(
                          "Errors",
                          "found no way points; expected way_points = [[x, y], ...] in [tour]")));
         }
+        if (!world_.tour.way_points.empty() && !world_.tour.commands.empty()) {
+            throw FormatError(path_.string(), world_.tour.commands.front().line,
+                              message(HITOS_TEXT("Errors",
+                                                 "found way_points and commands in [tour], "
+                                                 "expected one of them")));
+        }
+        world_lists::check_events(world_, path_);
         return std::move(world_);
     }
 
@@ -78,14 +85,19 @@ class Reading {
                      message(HITOS_TEXT(
                          "Errors", "dxf_unit: expected the metres per drawing unit, more than 0")));
             }
+        } else if (name == "doors") {
+            world_lists::read_doors(world_, path_, node);
+        } else if (name == "people") {
+            world_lists::read_people(world_, path_, node);
         } else if (name == "seed") {
             read_value("seed", key.source(), node);
         } else {
             fail(key.source(),
                  message(
-                     HITOS_TEXT("Errors",
-                                "%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, "
-                                "seed, [tour], [robot], [laser], [raster] or [odometry]"),
+                     HITOS_TEXT(
+                         "Errors",
+                         "%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, "
+                         "doors, people, seed, [tour], [robot], [laser], [raster] or [odometry]"),
                      name));
         }
     }
@@ -98,6 +110,11 @@ class Reading {
         }
         if (key == "tour.way_points") {
             read_way_points(where, node);
+            return;
+        }
+        if (key == "tour.commands" || key == "tour.events") {
+            (key == "tour.events" ? world_lists::read_events : world_lists::read_commands)(
+                world_, path_, node);
             return;
         }
         try {

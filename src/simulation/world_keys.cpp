@@ -58,6 +58,8 @@ std::vector<WorldKey> make_keys() {
             {"robot.tolerance", "m", 0.01, 10, "every way point is passed at least this near"}),
         real<&W::robot, &Robot::control_rate_hz>(
             {"robot.control_rate", "Hz", 1, 1000, "how often the robot's velocities are set anew"}),
+        real<&W::robot, &Robot::track_m>(
+            {"robot.track", "m", 0.01, 10, "between the wheels; of a robot whose wheel slips"}),
         integer<&W::laser, &Laser::rays>({"laser.rays", "", 2, 100000, "rays of a scan"}),
         real<&W::laser, &Laser::field_of_view_deg>(
             {"laser.field_of_view", "degrees", 1, 360, "from the first ray to the last"}),
@@ -105,6 +107,10 @@ std::vector<WorldKey> make_keys() {
                                                     found, world_values::allowed(key)));
 }
 
+void refuse(const char* key, const Message& problem) {
+    if (!problem.empty()) throw ConfigError(key, problem);
+}
+
 }  // namespace
 
 std::span<const WorldKey> world_keys() {
@@ -127,7 +133,8 @@ const WorldKey& find(std::string_view key) {
     for (const WorldKey& other : world_keys()) {
         if (!group.empty() && other.key.starts_with(group)) near.push_back(other.key);
     }
-    if (group == "tour.") near.insert(near.end(), {"tour.start", "tour.way_points"});
+    if (group == "tour.")
+        near.insert(near.end(), {"tour.start", "tour.way_points", "tour.commands", "tour.events"});
     if (near.empty()) {
         for (const WorldKey& other : world_keys()) near.push_back(other.key);
     }
@@ -183,10 +190,17 @@ void check(const World& world) {
         throw ConfigError("walls",
                           message(HITOS_TEXT("Errors", "found none, expected one or more")));
     }
-    if (world.tour.way_points.empty()) {
+    if (world.tour.way_points.empty() && world.tour.commands.empty()) {
         throw ConfigError("tour.way_points",
                           message(HITOS_TEXT("Errors", "found none, expected one or more")));
     }
+    for (const DriveCommand& command : world.tour.commands) {
+        refuse("tour.commands", problem_of(command, world.robot));
+    }
+    for (const Disturbance& event : world.tour.events) {
+        refuse("tour.events", problem_of(event, world));
+    }
+    for (const Walker& walker : world.walkers) refuse("people", problem_of(walker));
     if (world.raster.cell_m > 0.0) check_raster(world.walls, world.raster);
 }
 

@@ -43,7 +43,9 @@ class OdometryNoise {
   public:
     /// level >= 0; 0 changes nothing. Throws ConfigError for another level.
     OdometryNoise(double level, OdometryNoiseKind kind, std::uint64_t seed);
-    Odometria operator()(const Odometria& reading);
+    Odometria operator()(const Odometria& reading) { return (*this)(reading, level_); }
+    /// The next reading with another level, of 0 or more.
+    Odometria operator()(const Odometria& reading, double level);
 
   private:
     double level_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "hitos/capture/scan.hpp"
@@ -12,20 +13,49 @@
 
 namespace hitos {
 
-class RasterLaser;
+class RobotMotion;
 
-/// Drives once, then makes every scan on demand; immutable and thread-safe. The noise of a scan
-/// depends on seed and scan number alone.
+/// Makes every scan on demand; thread-safe. The noise of a scan depends on seed and scan number
+/// alone. One that was driven from the world's way points or commands never changes; one that is
+/// live grows as it is driven, and what it has said stays said.
 class SimulatedTour {
   public:
-    /// Throws what drive() throws. The robot drives among the walls themselves; a raster is what
-    /// the laser sees of them.
+    /// Drives the world's tour. Throws what drive() throws. The robot drives among the walls
+    /// themselves; a raster is what the laser sees of them.
     explicit SimulatedTour(World world);
+    ~SimulatedTour();
+    SimulatedTour(const SimulatedTour&) = delete;
+    SimulatedTour& operator=(const SimulatedTour&) = delete;
+
+    /// One that stands at the world's start, which has neither way points nor commands from there
+    /// on, to be driven by drive_on(). Throws as the constructor.
+    static std::shared_ptr<SimulatedTour> live(World world);
+
+    /// Asks these velocities of a live tour's robot for one control period. It stands still where a
+    /// wall bars its way. Throws ConfigError, and drives no further, beyond 10 million periods.
+    void drive_on(double v, double w);
+    /// Happens to a live tour now, at whatever time the disturbance names. Throws ConfigError where
+    /// it cannot happen in this world.
+    void disturb(Disturbance disturbance);
+    /// The world with what was asked of the robot so far and what happened to it: simulated, it is
+    /// this tour to the last bit.
+    World recorded() const;
+    /// Of the robot in the world, now, and its velocities.
+    Pose pose_now() const;
+    Twist twist_now() const;
+    /// Walls, closed doors and boxes, now.
+    std::vector<WallSegment> walls_now() const;
+    double duration_s() const;
+    /// Ends a live tour: what was driven is the whole.
+    void end();
+    bool is_live() const;
 
     const World& world() const { return world_; }
-    const DrivenPath& path() const { return path_; }
+    /// Of a tour that is not driven any more.
+    const DrivenPath& path() const;
 
-    std::uint64_t scans() const { return scans_; }
+    /// Those that can be made: of a live tour up to its newest odometry reading.
+    std::uint64_t scans() const;
     double scan_time(std::uint64_t k) const {
         return static_cast<double>(k) / world_.laser.rate_hz;
     }
@@ -34,21 +64,32 @@ class SimulatedTour {
     /// The scan with the laser's noise.
     Scan scan(std::uint64_t k) const;
 
-    std::uint64_t readings() const { return readings_; }
+    std::uint64_t readings() const;
     double reading_time(std::uint64_t k) const {
         return static_cast<double>(k) / world_.odometry.rate_hz;
     }
     /// The odometry without noise; reading 0 sets the clock.
     Odometria true_reading(std::uint64_t k) const;
+    /// The level of the odometry's noise at a reading.
+    double odometry_noise(std::uint64_t k) const;
 
   private:
+    /// Velocities that were asked for, and for how many control periods.
+    struct Held {
+        double v = 0.0;
+        double w = 0.0;
+        std::uint64_t periods = 0;
+    };
+    double settled_s() const;
+
     World world_;
-    DrivenPath path_;
-    SimulatedLaser laser_;
-    std::vector<Point2> directions_;             // of the rays, in the robot's frame
-    std::shared_ptr<const RasterLaser> raster_;  // sees in its place where there is one
-    std::uint64_t scans_ = 0;
-    std::uint64_t readings_ = 0;
+    std::vector<Point2> directions_;        // of the rays, in the robot's frame
+    std::vector<Point2> laser_directions_;  // and in the laser's
+    mutable std::mutex mutex_;
+    std::unique_ptr<RobotMotion> motion_;  // guarded by it
+    bool live_ = false;                    // likewise, and what is below
+    std::vector<Held> held_;
+    std::vector<Disturbance> events_;
 };
 
 }  // namespace hitos

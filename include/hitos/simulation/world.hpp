@@ -10,6 +10,7 @@
 
 #include "hitos/base/geometry.hpp"
 #include "hitos/base/parameter.hpp"
+#include "hitos/simulation/disturbance.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 
 namespace hitos {
@@ -27,14 +28,33 @@ struct WayPoint {
     std::uint64_t line = 0;  ///< in the world file
 };
 
+/// Velocities that are asked of the robot for a time, as by somebody who drives it by hand.
+struct DriveCommand {
+    double v = 0.0;           ///< m/s, backwards below 0
+    double w = 0.0;           ///< rad/s
+    double duration_s = 0.0;  ///< rounded to whole control periods
+    std::uint64_t line = 0;   ///< in the world file
+};
+
+/// Somebody who walks along a way: round and round where it ends at its beginning, else to and fro.
+/// The laser sees a circle. Walkers step aside: the robot is never stopped by them.
+struct Walker {
+    std::vector<Point2> way;  ///< [m, world frame], two points or more
+    double speed = 0.8;       ///< m/s
+    double radius_m = 0.25;
+    std::uint64_t line = 0;  ///< in the world file
+};
+
 struct TourParams {
-    Pose start;                        ///< of the robot in the world
-    std::vector<WayPoint> way_points;  ///< of one lap
-    int laps = 1;                      ///< how often the list is driven, end to end
-    double rest_s = 5.0;               ///< at rest before it leaves
-    bool look_around = false;          ///< turns once round on the spot before it leaves
-    bool reverse = false;              ///< the list backwards, its last point still last
-    std::uint64_t line = 0;            ///< of the way points in the world file
+    Pose start;                          ///< of the robot in the world
+    std::vector<WayPoint> way_points;    ///< of one lap
+    std::vector<DriveCommand> commands;  ///< instead of way points
+    std::vector<Disturbance> events;
+    int laps = 1;              ///< how often the list is driven, end to end
+    double rest_s = 5.0;       ///< at rest before it leaves
+    bool look_around = false;  ///< turns once round on the spot before it leaves
+    bool reverse = false;      ///< the list backwards, its last point still last
+    std::uint64_t line = 0;    ///< of the way points in the world file
 };
 
 /// The defaults are a Pioneer 3-DX (swing radius 0.26 m), driven gently.
@@ -46,6 +66,7 @@ struct RobotParams {
     double turn_acceleration = 1.0;  ///< rad/s^2
     double tolerance_m = 0.1;        ///< every way point is passed at least this near
     double control_rate_hz = 10.0;   ///< the velocities are set anew this often and held between
+    double track_m = 0.33;           ///< between the wheels; where one slips
 };
 
 /// What a ray that meets no wall within the greatest range gives.
@@ -94,6 +115,8 @@ struct World {
     std::string file;               ///< path, for messages
     std::filesystem::path drawing;  ///< from which walls come too; empty: none
     std::vector<WallSegment> walls;
+    std::vector<WallSegment> doors;  ///< walls that open and close, closed at the start
+    std::vector<Walker> walkers;
     TourParams tour;
     RobotParams robot;
     LaserParams laser;
@@ -118,6 +141,10 @@ World parse_world(std::string_view text, const std::filesystem::path& path);
 
 /// Changes one value by "key=value". Throws ConfigError that says what is allowed.
 void set_world_value(World& world, std::string_view assignment);
+
+/// What speaks against it; empty where nothing does.
+Message problem_of(const DriveCommand& command, const RobotParams& robot);
+Message problem_of(const Walker& walker);
 
 /// Throws ConfigError for a value out of its range; code can fill the struct without a file.
 void check(const World& world);

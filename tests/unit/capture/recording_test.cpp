@@ -280,6 +280,27 @@ TEST(Mcap, ChecksumsAreCompared) {
                 IsEmpty());
 }
 
+template <std::string (*Pack)(const std::string&)>
+std::string packed_in_two_frames(const std::string& content) {
+    const std::size_t half = content.size() / 2;
+    return Pack(content.substr(0, half)) + Pack(content.substr(half));
+}
+
+// Compressors that take their data in portions write a frame for each.
+TEST(Mcap, AChunkMayBeOfSeveralFrames) {
+    const TempFolder folder;
+    test::McapLayout layout;
+    layout.in_chunk = 100;
+    for (const bool zstd : {false, true}) {
+        layout.packing.name = zstd ? "zstd" : "lz4";
+        layout.packing.pack = zstd ? &packed_in_two_frames<test::packed_zstd>
+                                   : &packed_in_two_frames<test::packed_lz4>;
+        const Read found = read(open_mcap, folder.put("a", test::mcap_of(messages(), layout)));
+        EXPECT_EQ(found.all.size(), messages().size()) << zstd;
+        EXPECT_THAT(found.problems, IsEmpty()) << zstd;
+    }
+}
+
 // One damaged chunk costs its own messages.
 TEST(Mcap, GoesOnBehindADamagedChunk) {
     const TempFolder folder;

@@ -144,6 +144,41 @@
     </message>
 </context>
 <context>
+    <name>Disturbance</name>
+    <message>
+        <source>Push the robot</source>
+        <translation>Empujar el robot</translation>
+    </message>
+    <message>
+        <source>Let a wheel slip</source>
+        <translation>Hacer patinar una rueda</translation>
+    </message>
+    <message>
+        <source>Blind the laser</source>
+        <translation>Cegar el láser</translation>
+    </message>
+    <message>
+        <source>Put a box in the way</source>
+        <translation>Poner una caja en el camino</translation>
+    </message>
+    <message>
+        <source>Open a door</source>
+        <translation>Abrir una puerta</translation>
+    </message>
+    <message>
+        <source>Close a door</source>
+        <translation>Cerrar una puerta</translation>
+    </message>
+    <message>
+        <source>Change the odometry&apos;s noise</source>
+        <translation>Cambiar el ruido de la odometría</translation>
+    </message>
+    <message>
+        <source>Change the laser&apos;s noise</source>
+        <translation>Cambiar el ruido del láser</translation>
+    </message>
+</context>
+<context>
     <name>Errors</name>
     <message>
         <source>line %1: %2</source>
@@ -1222,10 +1257,6 @@
         <translation>dxf_unit: se esperaban los metros por unidad del dibujo, más de 0</translation>
     </message>
     <message>
-        <source>%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, seed, [tour], [robot], [laser], [raster] or [odometry]</source>
-        <translation>%1: no existe esa clave; se esperaba walls, walls_dxf, dxf_layer, dxf_unit, seed, [tour], [robot], [laser], [raster] u [odometry]</translation>
-    </message>
-    <message>
         <source>%1: expected %2</source>
         <translation>%1: se esperaba %2</translation>
     </message>
@@ -1740,6 +1771,86 @@
     <message>
         <source>found &quot;%1&quot;, which is no file of a run that can be asked for; did you mean %2? There are %3</source>
         <translation>se encontró «%1», que no es ningún fichero de una ejecución que se pueda pedir; ¿quería decir %2? Hay %3</translation>
+    </message>
+    <message>
+        <source>at: found %1, expected seconds, 0 or more</source>
+        <translation>at: se encontró %1, se esperaban segundos, 0 o más</translation>
+    </message>
+    <message>
+        <source>%1: found %2 for %3, expected %4 to %5</source>
+        <translation>%1: se encontró %2 para %3, se esperaba de %4 a %5</translation>
+    </message>
+    <message>
+        <source>%1: found door %2, expected one of the world&apos;s %3 doors</source>
+        <translation>%1: se encontró la puerta %2, se esperaba una de las %3 puertas del mundo</translation>
+    </message>
+    <message>
+        <source>found way_points and commands in [tour], expected one of them</source>
+        <translation>se encontraron way_points y commands en [tour], se esperaba uno de los dos</translation>
+    </message>
+    <message>
+        <source>%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, doors, people, seed, [tour], [robot], [laser], [raster] or [odometry]</source>
+        <translation>%1: no existe esa clave; se esperaba walls, walls_dxf, dxf_layer, dxf_unit, doors, people, seed, [tour], [robot], [laser], [raster] o [odometry]</translation>
+    </message>
+    <message>
+        <source>found the speed %1 m/s, expected %2 to %3</source>
+        <translation>se encontró la velocidad %1 m/s, se esperaba de %2 a %3</translation>
+    </message>
+    <message>
+        <source>found the turn rate %1 rad/s, expected %2 to %3</source>
+        <translation>se encontró la velocidad de giro %1 rad/s, se esperaba de %2 a %3</translation>
+    </message>
+    <message>
+        <source>found the time %1 s, expected 0 or more</source>
+        <translation>se encontró el tiempo %1 s, se esperaba 0 o más</translation>
+    </message>
+    <message>
+        <source>found a point twice in a row on the way</source>
+        <translation>se encontró un punto dos veces seguidas en el camino</translation>
+    </message>
+    <message>
+        <source>found a way of no length, expected two points</source>
+        <translation>se encontró un camino sin longitud, se esperaban dos puntos</translation>
+    </message>
+    <message>
+        <source>found the radius %1 m, expected more than 0, at most %2</source>
+        <translation>se encontró el radio %1 m, se esperaba más de 0 y como mucho %2</translation>
+    </message>
+    <message>
+        <source>%1: expected two points or more, [[x, y], [x, y]]</source>
+        <translation>%1: se esperaban dos puntos o más, [[x, y], [x, y]]</translation>
+    </message>
+    <message>
+        <source>tour.events: expected { at = SECONDS, KIND = ... } with one of %1</source>
+        <translation>tour.events: se esperaba { at = SEGUNDOS, TIPO = ... } con uno de %1</translation>
+    </message>
+    <message>
+        <source>tour.events: found %1, expected one of %2</source>
+        <translation>tour.events: se encontró %1, se esperaba uno de %2</translation>
+    </message>
+    <message>
+        <source>tour.commands: expected [speed in m/s, turn rate in rad/s, seconds]</source>
+        <translation>tour.commands: se esperaba [velocidad en m/s, velocidad de giro en rad/s, segundos]</translation>
+    </message>
+    <message>
+        <source>walker %1</source>
+        <translation>caminante %1</translation>
+    </message>
+    <message>
+        <source>%1: expected { way = [[x, y], [x, y]], speed = 0.8, radius = 0.25 }</source>
+        <translation>%1: se esperaba { way = [[x, y], [x, y]], speed = 0.8, radius = 0.25 }</translation>
+    </message>
+    <message>
+        <source>%1: %2: expected the number speed or radius, or way</source>
+        <translation>%1: %2: se esperaba el número speed o radius, o way</translation>
+    </message>
+    <message>
+        <source>door %1</source>
+        <translation>puerta %1</translation>
+    </message>
+    <message>
+        <source>%1: expected two different points</source>
+        <translation>%1: se esperaban dos puntos distintos</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,114 @@
+// What happens to a tour at a time, so that one can see what the filter makes of it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "hitos/base/message.hpp"
+#include "hitos/base/translatable.hpp"
+
+namespace hitos {
+
+struct World;
+
+/// In the order of kDisturbances.
+enum class DisturbanceKind : std::uint8_t {
+    push,
+    slip,
+    blind,
+    box,
+    open,
+    close,
+    odometry_noise,
+    laser_sigma
+};
+
+/// One of the numbers that say how strong or where; its unit is in the meaning.
+struct DisturbanceValue {
+    std::string_view name;
+    double least = 0.0;
+    double greatest = 0.0;
+    double usual = 0.0;  ///< offered first where a user is asked
+};
+
+/// What is said of a kind.
+struct DisturbanceFacts {
+    std::string_view word;   ///< key in world files
+    std::string_view label;  ///< translated in the context "Disturbance"
+    std::string_view meaning;
+    std::array<DisturbanceValue, 3> values;
+    std::size_t count = 0;  ///< of the values that it has
+    std::span<const DisturbanceValue> used() const { return std::span(values).first(count); }
+};
+
+inline constexpr double kFarthest = 1e6;  ///< m; keeps every product of coordinates exact enough
+
+inline constexpr std::array kDisturbances = {
+    DisturbanceFacts{"push",
+                     HITOS_TEXT("Disturbance", "Push the robot"),
+                     "carries the robot ahead [m], to its left [m] and round to its left "
+                     "[degrees]; its wheels do not notice",
+                     {{{"ahead", -kFarthest, kFarthest, 1.0},
+                       {"left", -kFarthest, kFarthest, 0.0},
+                       {"turn", -360.0, 360.0, 20.0}}},
+                     3},
+    DisturbanceFacts{
+        "slip",
+        HITOS_TEXT("Disturbance", "Let a wheel slip"),
+        "for so long [s] these parts of the left and of the right wheel's way are lost",
+        {{{"seconds", 0.0, 3600.0, 2.0}, {"left", 0.0, 1.0, 0.5}, {"right", 0.0, 1.0, 0.0}}},
+        3},
+    DisturbanceFacts{"blind",
+                     HITOS_TEXT("Disturbance", "Blind the laser"),
+                     "for so long [s] no ray gives a reading",
+                     {{{"seconds", 0.0, 3600.0, 2.0}}},
+                     1},
+    DisturbanceFacts{"box",
+                     HITOS_TEXT("Disturbance", "Put a box in the way"),
+                     "a square box with its middle there [m] and sides so long [m]",
+                     {{{"x", -kFarthest, kFarthest, 0.0},
+                       {"y", -kFarthest, kFarthest, 0.0},
+                       {"side", 0.01, 100.0, 0.5}}},
+                     3},
+    DisturbanceFacts{"open",
+                     HITOS_TEXT("Disturbance", "Open a door"),
+                     "the door of that number",
+                     {{{"door", 1.0, 1e6, 1.0}}},
+                     1},
+    DisturbanceFacts{"close",
+                     HITOS_TEXT("Disturbance", "Close a door"),
+                     "the door of that number",
+                     {{{"door", 1.0, 1e6, 1.0}}},
+                     1},
+    DisturbanceFacts{"odometry_noise",
+                     HITOS_TEXT("Disturbance", "Change the odometry's noise"),
+                     "the level of odometry.noise from there on",
+                     {{{"level", 0.0, 10.0, 0.3}}},
+                     1},
+    DisturbanceFacts{"laser_sigma",
+                     HITOS_TEXT("Disturbance", "Change the laser's noise"),
+                     "the standard deviation of a range [m] from there on",
+                     {{{"sigma", 0.0, 1.0, 0.05}}},
+                     1},
+};
+
+/// Takes effect at the first control step that is not before its time.
+struct Disturbance {
+    DisturbanceKind kind = DisturbanceKind::push;
+    double at_s = 0.0;               ///< since the tour began
+    std::array<double, 3> values{};  ///< as its facts name them
+    std::uint64_t line = 0;          ///< in the world file
+
+    const DisturbanceFacts& facts() const { return kDisturbances[static_cast<std::size_t>(kind)]; }
+    friend bool operator==(const Disturbance& a, const Disturbance& b) {
+        return a.kind == b.kind && a.at_s == b.at_s && a.values == b.values;
+    }
+};
+
+/// What speaks against it in that world; empty where nothing does.
+Message problem_of(const Disturbance& disturbance, const World& world);
+
+}  // namespace hitos

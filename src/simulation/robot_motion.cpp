@@ -1,0 +1,107 @@
+#include "robot_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hitos {
+namespace {
+
+/// The robot's velocities where its wheels lose part of their way.
+Twist slipped(const Twist& wheels, const Conditions& conditions, double track_m) {
+    const double half = 0.5 * track_m;
+    const double left = (wheels.v - wheels.w * half) * (1.0 - conditions.slip_left);
+    const double right = (wheels.v + wheels.w * half) * (1.0 - conditions.slip_right);
+    return {0.5 * (left + right), 0.0, (right - left) / track_m};
+}
+
+/// An arc leaves its chord by less than length * turn / 8.
+double bulge(const Twist& twist, double period_s) {
+    return std::abs(twist.v) * period_s * std::abs(twist.w) * period_s / 8.0;
+}
+
+}  // namespace
+
+RobotMotion::RobotMotion(const World& world)
+    : world_(world),
+      period_s_(1.0 / world.robot.control_rate_hz),
+      path_(world.tour.start, world.robot.control_rate_hz),
+      conditions_(world),
+      events_(world.tour.events) {
+    std::ranges::stable_sort(events_, {}, &Disturbance::at_s);
+    take_events();
+}
+
+void RobotMotion::take_events() {
+    constexpr double kRounding = 1e-9;
+    while (taken_ < events_.size() && events_[taken_].at_s <= time_s() + kRounding) {
+        disturb(events_[taken_++]);
+    }
+}
+
+void RobotMotion::disturb(const Disturbance& disturbance) {
+    conditions_.apply(disturbance, time_s(), world_);
+    if (disturbance.kind != DisturbanceKind::push) return;
+    const auto& [ahead, left, turn_deg] = disturbance.values;
+    path_.displace({ahead, left, wrap_angle(turn_deg / 180.0 * kPi)});
+}
+
+RobotMotion::Limits RobotMotion::next_twist(double v, double w) const {
+    const double dv = world_.robot.acceleration * period_s_;
+    const double dw = world_.robot.turn_acceleration * period_s_;
+    return {std::clamp(v, twist_.v - dv, twist_.v + dv),
+            std::clamp(w, twist_.w - dw, twist_.w + dw)};
+}
+
+void RobotMotion::hold(double v, double w) {
+    twist_.v = v;
+    twist_.w = w;
+    const Conditions& now = conditions_.last();
+    if (time_s() < now.slip_until_s) {
+        path_.append(slipped(twist_, now, world_.robot.track_m), twist_);
+    } else {
+        path_.append(twist_);
+    }
+    take_events();
+}
+
+void RobotMotion::command(double v, double w) {
+    const Limits next = next_twist(v, w);
+    hold(next.v, next.w);
+}
+
+void RobotMotion::command_among_walls(double v, double w) {
+    const Limits next = next_twist(v, w);
+    if (barred(next.v, next.w)) {
+        hold(0.0, 0.0);
+    } else {
+        hold(next.v, next.w);
+    }
+}
+
+/// Whether the robot would come nearer to a wall than its radius. One that stands too near
+/// already, because it was carried there or the wall put before it, may leave.
+bool RobotMotion::barred(double v, double w) const {
+    Twist twist{v, 0.0, w};
+    const Conditions& now = conditions_.last();
+    if (time_s() < now.slip_until_s) twist = slipped(twist, now, world_.robot.track_m);
+    const Pose after = compose(pose(), displacement(twist, period_s_));
+    const Point2 from{pose().x, pose().y};
+    const Point2 to{after.x, after.y};
+    if (from == to) return false;
+    return std::ranges::any_of(now.surroundings->walls(), [&](const WallSegment& wall) {
+        const double nearest = distance(wall, from, to);
+        if (nearest - bulge(twist, period_s_) >= world_.robot.radius_m) return false;
+        const bool leaves =
+            nearest >= distance(wall, from) && distance(wall, to) > distance(wall, from);
+        return !leaves;
+    });
+}
+
+double RobotMotion::gap(const WallSegment& wall) const {
+    const Twist& twist = path_.twists().back();
+    const Pose& from = path_.poses()[path_.twists().size() - 1];
+    const Pose to = compose(from, displacement(twist, period_s_));  // wherever it was carried then
+    return distance(wall, {from.x, from.y}, {to.x, to.y}) - bulge(twist, period_s_);
+}
+
+}  // namespace hitos
