@@ -45,7 +45,7 @@ struct EvaluateOptions {
 
 std::filesystem::path out_file(const EvaluateOptions& options, const char* name) {
     prepare_output_folder(options.out);
-    const std::filesystem::path file = std::filesystem::path(options.out) / name;
+    std::filesystem::path file = std::filesystem::path(options.out) / name;
     std::vector<std::filesystem::path> inputs;
     for (const std::string& input :
          {options.map, options.reference, options.trajectory, options.reference_trajectory,
