@@ -85,9 +85,20 @@ void end_or_ask(int signal) {
     std::raise(signal);
 }
 
+/// Where a standard stream is closed, the first file that is opened would take its place and what
+/// is told there would land in it. Errors and progress then go nowhere; reading standard input and
+/// writing standard output fail as they should.
+void occupy_standard_streams() {
+    for (const int stream : std::array{STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) >= 0) continue;
+        ::open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY);
+    }
+}
+
 }  // namespace
 
 void prepare_process() {
+    occupy_standard_streams();
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     for (const int signal : std::array{SIGINT, SIGTERM, SIGHUP}) {

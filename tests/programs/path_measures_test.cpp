@@ -200,6 +200,15 @@ TEST_F(PathMeasures, OfAFinishedRunNeedNoTruth) {
     EXPECT_THAT(shell(cli_ + " evaluate " + path("none")).output, HasSubstr("none"));
 }
 
+TEST_F(PathMeasures, RefuseNumbersThatAreNone) {
+    for (const char* wrong : {"--rpe-distance nan", "--rpe-distance 0", "--rpe-time inf",
+                              "--tolerance -1", "--rpe-slack x --rpe-time 1"}) {
+        const Outcome outcome = shell(both_ + " " + wrong);
+        EXPECT_EQ(outcome.status, 64) << wrong;
+        EXPECT_THAT(outcome.output, HasSubstr(", expected a number")) << wrong;
+    }
+}
+
 TEST_F(PathMeasures, AndComparisonsNeverTakeThePlaceOfAnInput) {
     const std::string relations = path("relations.csv");
     ASSERT_EQ(shell(fmt::format("{} relations {} --out {}", cli_, truth_, relations)).status, 0);

@@ -207,6 +207,14 @@ TEST_F(Streams, AFullOrClosedStandardOutputIsAnError) {
     EXPECT_EQ(shell(cli_ + " parameters >&- ").status, 1);
 }
 
+TEST_F(Streams, NoFileTakesThePlaceOfAClosedOne) {
+    const std::string simulate = cli_ + " simulate recinto --set tour.laps=8 --out ";
+    ASSERT_EQ(shell(simulate + path("whole.log")).status, 0);
+    ASSERT_EQ(shell(simulate + path("closed.log") + " 2>&-").status, 0);
+    EXPECT_EQ(content(path("closed.log")), content(path("whole.log")));
+    EXPECT_EQ(shell(cli_ + " info - <&-").status, 1);
+}
+
 TEST_F(Streams, WhoReadsNoFurtherHearsNoComplaint) {
     const Outcome outcome =
         shell(fmt::format("{{ sleep 0.5; {} parameters; echo status $? >&2; }} | true", cli_));

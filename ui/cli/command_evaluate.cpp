@@ -21,6 +21,7 @@
 #include "hitos/services/run/kept_run.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/workbench/open_tour.hpp"
+#include "options.hpp"
 #include "report.hpp"
 #include "spacing_options.hpp"
 
@@ -279,16 +280,16 @@ void add_evaluate(CLI::App& program) {
     command
         ->add_option("--rpe-distance", options->rpe_distance_m,
                      "Relative pose error over so much way [m], against the reference trajectory")
-        ->check(CLI::Range(1e-9, 1e9));
+        ->check(positive());
     command
         ->add_option("--rpe-time", options->rpe_time_s,
                      "Relative pose error over so much time [s], likewise")
-        ->check(CLI::Range(1e-9, 1e9));
+        ->check(positive());
     add_spacing_options(*command, "rpe-", options->rpe);
     command
         ->add_option("--tolerance", options->tolerance_s,
                      "Greatest difference of stamps of a pair of poses [s] (default: 0.02)")
-        ->check(CLI::Range(0.0, 1e9));
+        ->check(non_negative());
     add_report_option(*command, options->json);
     command->callback([options] { evaluate(*options); });
 }

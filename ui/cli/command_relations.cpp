@@ -16,6 +16,7 @@
 #include "hitos/base/process.hpp"
 #include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
+#include "options.hpp"
 #include "report.hpp"
 #include "spacing_options.hpp"
 
@@ -74,9 +75,9 @@ void add_relations(CLI::App& program) {
     CLI::Option* distance = command
                                 ->add_option("--distance", options->distance_m,
                                              "Way between the poses of a relation [m] (default: 1)")
-                                ->check(CLI::PositiveNumber);
+                                ->check(positive());
     command->add_option("--time", options->time_s, "Time between them [s], in place of the way")
-        ->check(CLI::PositiveNumber)
+        ->check(positive())
         ->excludes(distance);
     add_spacing_options(*command, "", options->spacing);
     add_report_option(*command, options->json);

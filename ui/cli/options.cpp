@@ -2,6 +2,10 @@
 
 #include <sysexits.h>
 
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
 #include "hitos/base/process.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
@@ -9,6 +13,30 @@
 #include "hitos/workbench/presets.hpp"
 
 namespace hitos::cli {
+namespace {
+
+CLI::Validator finite_number(bool zero_too) {
+    const auto problem = [zero_too](const std::string& found) {
+        double value = 0.0;
+        const char* end = found.data() + found.size();
+        const auto [stop, error] = std::from_chars(found.data(), end, value);
+        const bool number = stop == end && error == std::errc{} && std::isfinite(value);
+        if (number && (value > 0.0 || (zero_too && value == 0.0))) return std::string();
+        return "found \"" + found + "\", expected a number " +
+               (zero_too ? "of 0 or more" : "above 0");
+    };
+    return {problem, zero_too ? "NONNEGATIVE" : "POSITIVE"};
+}
+
+}  // namespace
+
+CLI::Validator positive() {
+    return finite_number(false);
+}
+
+CLI::Validator non_negative() {
+    return finite_number(true);
+}
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options) {
     CLI::Option* file = command.add_option(

@@ -12,6 +12,10 @@
 
 namespace hitos::cli {
 
+/// A finite number above 0; one of 0 and more. CLI11's own say their range with 309 digits.
+CLI::Validator positive();
+CLI::Validator non_negative();
+
 /// --config, --preset and those of ValueChoices.
 struct ConfigurationOptions {
     std::string file;

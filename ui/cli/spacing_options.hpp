@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hitos/services/evaluation/pose_pairs.hpp"
+#include "options.hpp"
 
 namespace hitos::cli {
 
@@ -18,7 +19,7 @@ inline void add_spacing_options(CLI::App& command, const std::string& prefix,
     command
         .add_option("--" + prefix + "slack", spacing.tolerance,
                     "Share of the way or time that such a pair may miss it by (default: 0.1)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(non_negative());
 }
 
 }  // namespace hitos::cli

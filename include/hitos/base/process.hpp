@@ -9,7 +9,8 @@
 namespace hitos {
 
 /// At a program's start: a pipe that nobody reads and a file that may not grow are errors to be
-/// told, not deaths; SIGINT, SIGTERM and SIGHUP take the temporary files along.
+/// told, not deaths; SIGINT, SIGTERM and SIGHUP take the temporary files along; no file is opened
+/// in the place of a standard stream that is closed.
 void prepare_process();
 
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP only asks: the command ends itself. A second
