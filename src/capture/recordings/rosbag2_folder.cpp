@@ -1,7 +1,9 @@
 // The folder that ROS 2's recorder makes: metadata.yaml and one file after another.
 #include <algorithm>
 #include <charconv>
+#include <set>
 #include <system_error>
+#include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
@@ -190,10 +192,14 @@ std::vector<fs::path> rosbag2_files(const fs::path& path) {
                                    "not read; convert it with \"ros2 bag convert\""),
                         metadata.compression));
         }
-        for (const std::string& name : metadata.files) files.push_back(file_in(folder, name));
-    } else {
-        files = files_found(folder);
+        std::set<std::string> named;  // a file belongs to the recording once
+        for (const std::string& name : metadata.files) {
+            fs::path file = file_in(folder, name);
+            if (named.insert(file.string()).second) files.push_back(std::move(file));
+        }
     }
+    // A recorder that was killed leaves a metadata.yaml that says nothing, or none.
+    if (files.empty()) files = files_found(folder);
     if (!files.empty()) return files;
     throw FileError(
         folder.string(),

@@ -411,6 +411,16 @@ TEST_F(Rosbag2, ReadsListsAsPeopleWriteThem) {
     }
 }
 
+TEST_F(Rosbag2, ReadsAFileOnceAndGoesWithoutAMetadataFileThatSaysNothing) {
+    put_mcap("r_0.mcap", 0, 3);
+    put_mcap("r_1.mcap", 3, 10);
+    for (const char* list :
+         {"  relative_file_paths: [r_0.mcap, r_1.mcap, r_0.mcap]\n", "", "rosbag2_bagfile_inf"}) {
+        static_cast<void>(folder_.put("metadata.yaml", list));
+        expect_first(read(open_rosbag2_folder, folder_.path()).all, 10);
+    }
+}
+
 TEST_F(Rosbag2, IsReadWithoutMetadataByTheNumbersOfItsFiles) {
     put_mcap("r_10.mcap", 6, 10);
     put_mcap("r_9.mcap", 3, 6);
