@@ -45,50 +45,42 @@ void RobotMotion::disturb(const Disturbance& disturbance) {
     path_.displace({ahead, left, wrap_angle(turn_deg / 180.0 * kPi)});
 }
 
-RobotMotion::Limits RobotMotion::next_twist(double v, double w) const {
+Twist RobotMotion::next_twist(double v, double w) const {
     const double dv = world_.robot.acceleration * period_s_;
     const double dw = world_.robot.turn_acceleration * period_s_;
-    return {std::clamp(v, twist_.v - dv, twist_.v + dv),
+    return {std::clamp(v, twist_.v - dv, twist_.v + dv), 0.0,
             std::clamp(w, twist_.w - dw, twist_.w + dw)};
 }
 
-void RobotMotion::hold(double v, double w) {
-    twist_.v = v;
-    twist_.w = w;
+/// What the robot does where its wheels turn so.
+Twist RobotMotion::motion_of(const Twist& wheels) const {
     const Conditions& now = conditions_.last();
-    if (time_s() < now.slip_until_s) {
-        path_.append(slipped(twist_, now, world_.robot.track_m), twist_);
-    } else {
-        path_.append(twist_);
-    }
+    return time_s() < now.slip_until_s ? slipped(wheels, now, world_.robot.track_m) : wheels;
+}
+
+void RobotMotion::hold(const Twist& wheels) {
+    twist_ = wheels;
+    path_.append(motion_of(wheels), wheels);
     take_events();
 }
 
 void RobotMotion::command(double v, double w) {
-    const Limits next = next_twist(v, w);
-    hold(next.v, next.w);
+    hold(next_twist(v, w));
 }
 
 void RobotMotion::command_among_walls(double v, double w) {
-    const Limits next = next_twist(v, w);
-    if (barred(next.v, next.w)) {
-        hold(0.0, 0.0);
-    } else {
-        hold(next.v, next.w);
-    }
+    const Twist next = next_twist(v, w);
+    hold(barred(motion_of(next)) ? Twist{} : next);
 }
 
 /// Whether the robot would come nearer to a wall than its radius. One that stands too near
 /// already, because it was carried there or the wall put before it, may leave.
-bool RobotMotion::barred(double v, double w) const {
-    Twist twist{v, 0.0, w};
-    const Conditions& now = conditions_.last();
-    if (time_s() < now.slip_until_s) twist = slipped(twist, now, world_.robot.track_m);
+bool RobotMotion::barred(const Twist& twist) const {
     const Pose after = compose(pose(), displacement(twist, period_s_));
     const Point2 from{pose().x, pose().y};
     const Point2 to{after.x, after.y};
     if (from == to) return false;
-    return std::ranges::any_of(now.surroundings->walls(), [&](const WallSegment& wall) {
+    return std::ranges::any_of(conditions_.last().surroundings->walls(), [&](const auto& wall) {
         const double nearest = distance(wall, from, to);
         if (nearest - bulge(twist, period_s_) >= world_.robot.radius_m) return false;
         const bool leaves =

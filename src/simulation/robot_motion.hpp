@@ -32,14 +32,11 @@ class RobotMotion {
     double gap(const WallSegment& wall) const;
 
   private:
-    struct Limits {
-        double v = 0.0;
-        double w = 0.0;
-    };
-    Limits next_twist(double v, double w) const;
+    Twist next_twist(double v, double w) const;
+    Twist motion_of(const Twist& wheels) const;
     void take_events();
-    void hold(double v, double w);
-    bool barred(double v, double w) const;
+    void hold(const Twist& wheels);
+    bool barred(const Twist& twist) const;
 
     const World& world_;
     double period_s_;

@@ -28,9 +28,9 @@ World seeded(World world) {
 
 SimulatedTour::SimulatedTour(World world)
     : world_(seeded(std::move(world))),
-      directions_(ray_directions(fan_of(world_.laser), fan_of(world_.laser).pose_robot_laser.theta,
-                                 fan_of(world_.laser).step_rad())),
-      laser_directions_(ray_directions(fan_of(world_.laser), 0.0, fan_of(world_.laser).step_rad())),
+      fan_(fan_of(world_.laser)),
+      directions_(ray_directions(fan_, fan_.pose_robot_laser.theta, fan_.step_rad())),
+      laser_directions_(ray_directions(fan_, 0.0, fan_.step_rad())),
       motion_(std::make_unique<RobotMotion>(driven(world_))) {}
 
 SimulatedTour::~SimulatedTour() = default;
@@ -49,6 +49,8 @@ std::shared_ptr<SimulatedTour> SimulatedTour::live(World world) {
 void SimulatedTour::drive_on(double v, double w) {
     const std::lock_guard lock(mutex_);
     if (!live_) return;
+    const Message problem = problem_of(DriveCommand{v, w}, world_.robot);
+    if (!problem.empty()) throw ConfigError("drive", problem);
     check_steps(motion_->steps() + 1);
     motion_->command_among_walls(v, w);
     if (held_.empty() || held_.back().v != v || held_.back().w != w) held_.push_back({v, w, 0});
@@ -144,26 +146,25 @@ Scan SimulatedTour::scan(std::uint64_t k) const {
         pose = motion_->path().pose_at(time_s);
         now = motion_->conditions().at(time_s);
     }
-    const Fan fan = fan_of(world_.laser);
-    const Pose& mount = fan.pose_robot_laser;
+    const Pose& mount = fan_.pose_robot_laser;
     std::vector<RayHit> hits;
     now.surroundings->cast(pose, hits);
     cast_walkers(world_.walkers, time_s, compose(pose, mount), laser_directions_, hits);
 
     Scan scan;
     scan.time_s = time_s;
-    scan.fan = fan;
+    scan.fan = fan_;
     if (time_s < now.blind_until_s) return scan;
     RandomStream random(world_.seed, RandomPurpose::laser_noise, k, 0);
     std::array<double, 2> normals{};
     bool run_open = false;
-    for (std::uint32_t ray = 0; ray < fan.count; ++ray) {
+    for (std::uint32_t ray = 0; ray < fan_.count; ++ray) {
         // Every ray has its draw, whether it hits or not.
         if (ray % 2 == 0) normals = random.normal_pair();
         double range = hits[ray].range_m + now.laser_sigma_m * normals[ray % 2];
-        if (world_.laser.no_return == NoReturn::max_range && range >= fan.max_range_m) {
-            range = fan.max_range_m;
-        } else if (!(range > 0.0 && range < fan.max_range_m)) {
+        if (world_.laser.no_return == NoReturn::max_range && range >= fan_.max_range_m) {
+            range = fan_.max_range_m;
+        } else if (!(range > 0.0 && range < fan_.max_range_m)) {
             run_open = false;
             continue;
         }

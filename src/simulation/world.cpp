@@ -156,7 +156,8 @@ class Reading {
             }
             std::optional<Point2> before;
             for (const toml::node& entry : *points) {
-                const Point2 at = point(entry, message(HITOS_TEXT("Errors", "wall %1"), walls_));
+                const Point2 at = world_lists::read_point(
+                    path_, entry, message(HITOS_TEXT("Errors", "wall %1"), walls_));
                 if (before) add_segment(*before, at, entry.source().begin.line);
                 before = at;
             }
@@ -215,22 +216,9 @@ class Reading {
         for (const toml::node& entry : *points) {
             const Message name =
                 message(HITOS_TEXT("Errors", "way point %1"), world_.tour.way_points.size() + 1);
-            world_.tour.way_points.push_back({point(entry, name), entry.source().begin.line});
+            world_.tour.way_points.push_back(
+                {world_lists::read_point(path_, entry, name), entry.source().begin.line});
         }
-    }
-
-    Point2 point(const toml::node& node, const Message& name) const {
-        const toml::array* pair = node.as_array();
-        const bool two = pair != nullptr && pair->size() == 2;
-        const auto x = two ? number(*pair->get(0)) : std::nullopt;
-        const auto y = two ? number(*pair->get(1)) : std::nullopt;
-        if (!x || !y || !within(*x) || !within(*y)) {
-            fail(node.source(),
-                 message(
-                     HITOS_TEXT("Errors", "%1: expected a point [x, y] within %2 m of the origin"),
-                     name, fmt::format("{:g}", kFarthest)));
-        }
-        return {*x, *y};
     }
 
     static bool is_choice(const WorldKey& key) { return key.type == WorldKey::Type::choice; }

@@ -85,16 +85,7 @@ const toml::array& list_of(const Path& path, const toml::node& node, const char*
 std::vector<Point2> points(const Path& path, const toml::node& node, const Message& name) {
     std::vector<Point2> found;
     if (const toml::array* list = node.as_array()) {
-        for (const toml::node& entry : *list) {
-            const auto pair = numbers(entry, 2);
-            if (!pair) {
-                fail(path, entry,
-                     message(HITOS_TEXT("Errors",
-                                        "%1: expected a point [x, y] within %2 m of the origin"),
-                             name, fmt::format("{:g}", kFarthest)));
-            }
-            found.push_back({pair->at(0), pair->at(1)});
-        }
+        for (const toml::node& entry : *list) found.push_back(read_point(path, entry, name));
     }
     if (found.size() < 2) {
         fail(path, node,
@@ -164,6 +155,13 @@ Disturbance event_of(const Path& path, const toml::node& node) {
 }
 
 }  // namespace
+
+Point2 read_point(const Path& path, const toml::node& node, const Message& name) {
+    if (const auto pair = numbers(node, 2)) return {pair->at(0), pair->at(1)};
+    fail(path, node,
+         message(HITOS_TEXT("Errors", "%1: expected a point [x, y] within %2 m of the origin"),
+                 name, fmt::format("{:g}", kFarthest)));
+}
 
 void read_commands(World& world, const Path& path, const toml::node& node) {
     for (const toml::node& entry : list_of(path, node, "tour.commands", "[[v, w, s], ...]")) {

@@ -9,6 +9,10 @@
 
 namespace hitos::world_lists {
 
+/// The point that the node is, within kFarthest of the origin. `name` says whose, for the
+/// FormatError of any other node.
+Point2 read_point(const std::filesystem::path& path, const toml::node& node, const Message& name);
+
 /// Each adds what the node lists to the world. They throw FormatError, with the line, for what it
 /// cannot be.
 void read_commands(World& world, const std::filesystem::path& path, const toml::node& node);

@@ -215,46 +215,18 @@ TEST_F(PathMeasures, AndComparisonsNeverTakeThePlaceOfAnInput) {
     const std::string before = content(relations);
     const Outcome outcome = shell(fmt::format("{} evaluate --trajectory {} --relations {} --out {}",
                                               cli_, estimate_, relations, path(".")));
-    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.output, HasSubstr("relations.csv"));
     EXPECT_EQ(content(relations), before);
     const std::string run = path("run");
     ASSERT_EQ(shell(cli_ + " run " + log_ + " --config " + config_ +
                     " --set filter.particles=5 --out " + run)
                   .status,
               0);
-    const Figures told = figures(shell(cli_ + " evaluate " + run));
-    const std::string summary = content(run + "/summary.json");
-    const auto in_summary = [&summary](const std::string& key) {
-        const std::string mark = '"' + key + "\": ";
-        return std::stod(summary.substr(summary.find(mark) + mark.size()));
-    };
-    EXPECT_NEAR(told.at("cells_per_point"), in_summary("cells_per_point"), 1e-5);
-    EXPECT_NEAR(told.at("odometry_cells_per_point"), in_summary("odometry_cells_per_point"), 1e-5);
-    EXPECT_GT(told.at("grid_blur_m2"), 0.0);
-    EXPECT_NEAR(told.at("grid_entropy_bits"), told.at("grid_blur_m2") / (0.05 * 0.05), 1.0);
-    // Its own map and path are taken where no others are named.
-    const Figures own =
-        figures(shell(cli_ + " evaluate " + run + " --reference " + run +
-                      "/map.txt --reference-trajectory " + run + "/trajectory.tum --rpe-time 2"));
-    EXPECT_EQ(own.at("map_error_m"), 0.0);
-    EXPECT_EQ(own.at("ate_rmse_m"), 0.0);
-    EXPECT_EQ(own.at("rpe_time_translation_maximum_m"), 0.0);
-    EXPECT_THAT(shell(cli_ + " evaluate " + path("none")).output, HasSubstr("none"));
-}
-
-TEST_F(PathMeasures, NeverTakeThePlaceOfWhatTheyRead) {
-    folder_.put("relations.csv", "t1 t2 x y theta\n");
-    const Outcome outcome =
-        shell(fmt::format("{} evaluate --trajectory {} --relations {} --out {}", cli_,
-                          path("truth.tum"), path("relations.csv"), path("")));
-    EXPECT_EQ(outcome.status, 1) << outcome.output;
-    EXPECT_EQ(content(path("relations.csv")), "t1 t2 x y theta\n");
-    const std::string run = path("run");
-    ASSERT_EQ(shell(fmt::format("{} run {} --config {} --out {}", cli_, log_, config_, run)).status,
-              0);
     const Outcome comparison =
         shell(fmt::format("{} compare {} --out {}/summary.json", cli_, run, run));
-    EXPECT_EQ(comparison.status, 1) << comparison.output;
+    EXPECT_EQ(comparison.status, 1);
+    EXPECT_THAT(comparison.output, HasSubstr("summary.json"));
     EXPECT_EQ(shell(fmt::format("{} verify {}", cli_, run)).status, 0);
 }
 

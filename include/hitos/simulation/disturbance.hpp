@@ -103,9 +103,6 @@ struct Disturbance {
     std::uint64_t line = 0;          ///< in the world file
 
     const DisturbanceFacts& facts() const { return kDisturbances[static_cast<std::size_t>(kind)]; }
-    friend bool operator==(const Disturbance& a, const Disturbance& b) {
-        return a.kind == b.kind && a.at_s == b.at_s && a.values == b.values;
-    }
 };
 
 /// What speaks against it in that world; empty where nothing does.

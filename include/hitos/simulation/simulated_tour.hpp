@@ -32,7 +32,8 @@ class SimulatedTour {
     static std::shared_ptr<SimulatedTour> live(World world);
 
     /// Asks these velocities of a live tour's robot for one control period. It stands still where a
-    /// wall bars its way. Throws ConfigError, and drives no further, beyond 10 million periods.
+    /// wall bars its way. Throws ConfigError, and drives no further, for velocities that the robot
+    /// cannot have and beyond 10 million periods.
     void drive_on(double v, double w);
     /// Happens to a live tour now, at whatever time the disturbance names. Throws ConfigError where
     /// it cannot happen in this world.
@@ -83,6 +84,7 @@ class SimulatedTour {
     double settled_s() const;
 
     World world_;
+    Fan fan_;
     std::vector<Point2> directions_;        // of the rays, in the robot's frame
     std::vector<Point2> laser_directions_;  // and in the laser's
     mutable std::mutex mutex_;

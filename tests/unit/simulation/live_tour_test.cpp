@@ -177,6 +177,9 @@ TEST(LiveTour, RefusesWhatCannotHappen) {
     EXPECT_THROW(live->disturb(event(DisturbanceKind::open, {1.5})), ConfigError);
     EXPECT_THROW(live->disturb(event(DisturbanceKind::slip, {1.0, 2.0, 0.0})), ConfigError);
     EXPECT_THROW(live->disturb(event(DisturbanceKind::blind, {std::nan("")})), ConfigError);
+    EXPECT_THROW(live->drive_on(5.0, 0.0), ConfigError);
+    EXPECT_THROW(live->drive_on(0.0, std::nan("")), ConfigError);
+    EXPECT_NO_THROW(SimulatedTour(live->recorded()));
 }
 
 TEST(LiveTour, AWorldFileTellsIt) {

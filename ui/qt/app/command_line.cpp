@@ -47,8 +47,8 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.add_option(
         "file", out.open,
         "Log (plain or .gz), ROS recording (.bag, .mcap, .db3 or a folder of rosbag2), "
-        "configuration "
-        "(.cfg), world (.toml, or the name of one that comes with Hitos), or a folder of results");
+        "configuration (.cfg), world (.toml, or the name of one that comes with Hitos), or a "
+        "folder of results");
     CLI::Option* config = program.add_option("--config", out.config, "Configuration file");
     program
         .add_option("--preset", out.preset,
