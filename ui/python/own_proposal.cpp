@@ -20,16 +20,19 @@ namespace {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+/// Column after column: NumPy computes cosines of numbers with gaps between them in one of two
+/// ways, by what lies behind them in memory, which would make runs differ in the last bit.
+using Columns = py::array_t<double, py::array::f_style>;
+
 /// Particles and their standard normal numbers, as arrays of their own.
 struct Drawing {
-    py::array_t<double> poses;
-    py::array_t<double> normals;
+    Columns poses;
+    Columns normals;
 };
 
 Drawing drawing_of(std::span<const Pose> poses, const NormalRow& normals) {
     const auto count = static_cast<py::ssize_t>(poses.size());
-    Drawing drawing{py::array_t<double>({count, py::ssize_t{3}}),
-                    py::array_t<double>({count, py::ssize_t{3}})};
+    Drawing drawing{Columns({count, py::ssize_t{3}}), Columns({count, py::ssize_t{3}})};
     auto pose = drawing.poses.mutable_unchecked<2>();
     auto normal = drawing.normals.mutable_unchecked<2>();
     for (py::ssize_t i = 0; i < count; ++i) {
