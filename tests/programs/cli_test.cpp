@@ -70,16 +70,14 @@ TEST(Cli, RunLeavesEverythingItPromises) {
 TEST(Cli, TheSavedConfigurationRepeatsTheRunForAnyNumberOfThreads) {
     const TempFolder folder;
     const std::string first = (folder / "first").string();
-    ASSERT_EQ(cli("run " + kLog + quick() +
-                  "--set filter.particles=600 --seed 7 --threads 1 --out " + first)
-                  .status,
-              0);
+    const Outcome alone = cli("run " + kLog + quick() +
+                              "--set filter.particles=600 --seed 7 --threads 1 --out " + first);
+    ASSERT_EQ(alone.status, 0) << alone.output;
     for (const int threads : {2, 7}) {
         const std::string again = (folder / std::to_string(threads)).string();
-        ASSERT_EQ(cli(fmt::format("run {} --config {}/config.cfg --threads {} --out {}", kLog,
-                                  first, threads, again))
-                      .status,
-                  0);
+        const Outcome outcome = cli(fmt::format(
+            "run {} --config {}/config.cfg --threads {} --out {}", kLog, first, threads, again));
+        ASSERT_EQ(outcome.status, 0) << outcome.output;
         for (const char* name :
              {"/map.txt", "/trajectory.tum", "/odometry.tum", "/grid_best.png"}) {
             EXPECT_EQ(content(first + name), content(again + name)) << name << ", " << threads;

@@ -139,6 +139,10 @@ cv::Size size_of_words(const std::string& words, double size) {
     return {text.width, text.height + baseline};
 }
 
+void set_up_codecs() {
+    [[maybe_unused]] static const bool kDone = cv::haveImageWriter(".png");
+}
+
 std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<int> compression) {
     const std::string word = lower(kind);
     const bool jpeg = is_jpeg(word);
@@ -155,6 +159,7 @@ std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<i
                                        "x %3; write PNG instead"),
                             longest_side(word), image.cols, image.rows));
     }
+    set_up_codecs();
     std::vector<int> options;
     if (jpeg) options = {cv::IMWRITE_JPEG_QUALITY, 95};
     if (!jpeg && compression) options = {cv::IMWRITE_PNG_COMPRESSION, *compression};

@@ -139,6 +139,7 @@ Grid::Picture read_grey_picture(const fs::path& path) {
     const std::string text = input::read_text(path);
     const std::vector<std::uint8_t> bytes(text.begin(), text.end());
     cv::Mat image;
+    drawing::set_up_codecs();
     try {
         image = cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
     } catch (const cv::Exception&) {
