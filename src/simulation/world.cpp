@@ -8,10 +8,11 @@
 #include <optional>
 #include <system_error>
 
-#include "dxf_walls.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/simulation/dxf_walls.hpp"
 #include "world_lists.hpp"
+#include "world_reading.hpp"
 #include "world_values.hpp"
 
 namespace hitos {
@@ -45,15 +46,6 @@ class Reading {
                 read_value(fmt::format("{}.{}", name, inner.str()), inner.source(), value);
         }
         if (!drawing_.empty()) add_drawing();
-        if (world_.walls.empty()) {
-            fail({}, message(HITOS_TEXT("Errors",
-                                        "found no walls; expected the key walls or walls_dxf")));
-        }
-        if (world_.tour.way_points.empty() && world_.tour.commands.empty()) {
-            fail({}, message(HITOS_TEXT(
-                         "Errors",
-                         "found no way points; expected way_points = [[x, y], ...] in [tour]")));
-        }
         if (!world_.tour.way_points.empty() && !world_.tour.commands.empty()) {
             throw FormatError(path_.string(), world_.tour.commands.front().line,
                               message(HITOS_TEXT("Errors",
@@ -246,7 +238,7 @@ class Reading {
 
 }  // namespace
 
-World parse_world(std::string_view text, const std::filesystem::path& path) {
+World parse_unfinished_world(std::string_view text, const std::filesystem::path& path) {
     try {
         return Reading(path).read(toml::parse(text));
     } catch (const toml::parse_error& error) {
@@ -255,13 +247,27 @@ World parse_world(std::string_view text, const std::filesystem::path& path) {
     }
 }
 
-World read_world(const std::filesystem::path& path) {
+World parse_world(std::string_view text, const std::filesystem::path& path) {
+    World world = parse_unfinished_world(text, path);
+    if (world.walls.empty()) {
+        throw FormatError(
+            path.string(), 0,
+            message(HITOS_TEXT("Errors", "found no walls; expected the key walls or walls_dxf")));
+    }
+    return world;
+}
+
+std::string read_world_text(const std::filesystem::path& path) {
     std::error_code problem;
     if (std::filesystem::is_directory(path, problem)) {
         throw FileError(path.string(),
                         message(HITOS_TEXT("Errors", "is a directory; expected a world file")));
     }
-    return parse_world(input::read_text(path, input::kLargestSettings), path);
+    return input::read_text(path, input::kLargestSettings);
+}
+
+World read_world(const std::filesystem::path& path) {
+    return parse_world(read_world_text(path), path);
 }
 
 }  // namespace hitos

@@ -191,8 +191,11 @@ void check(const World& world) {
                           message(HITOS_TEXT("Errors", "found none, expected one or more")));
     }
     if (world.tour.way_points.empty() && world.tour.commands.empty()) {
-        throw ConfigError("tour.way_points",
-                          message(HITOS_TEXT("Errors", "found none, expected one or more")));
+        throw FormatError(
+            world.file, 0,
+            message(HITOS_TEXT("Errors",
+                               "has no tour to drive; expected way_points = [[x, y], ...] or "
+                               "commands in [tour], or drive it by hand in the window")));
     }
     for (const DriveCommand& command : world.tour.commands) {
         refuse("tour.commands", problem_of(command, world.robot));

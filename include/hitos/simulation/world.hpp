@@ -133,7 +133,9 @@ using WorldKey = Parameter<World>;
 std::span<const WorldKey> world_keys();
 
 /// Reads a world file (TOML, docs/simulation.md) and the drawing that it names. Throws FileError
-/// where a file cannot be read and FormatError, with the line, for what it cannot be.
+/// where a file cannot be read and FormatError, with the line, for what it cannot be. A world
+/// without way points and commands is one to drive by hand (SimulatedTour::live); check() refuses
+/// it.
 World read_world(const std::filesystem::path& path);
 
 /// As read_world(), from text; `path` stands in messages and a drawing is looked for beside it.
@@ -146,7 +148,8 @@ void set_world_value(World& world, std::string_view assignment);
 Message problem_of(const DriveCommand& command, const RobotParams& robot);
 Message problem_of(const Walker& walker);
 
-/// Throws ConfigError for a value out of its range; code can fill the struct without a file.
+/// Throws ConfigError for a value out of its range, and FormatError where there is no tour; code
+/// can fill the struct without a file.
 void check(const World& world);
 
 }  // namespace hitos

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "dxf_walls.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
+#include "hitos/simulation/dxf_walls.hpp"
 #include "hitos/simulation/reference_map.hpp"
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/world_text.hpp"
 #include "laws.hpp"
 #include "targets.hpp"
 
@@ -29,7 +29,7 @@ const std::filesystem::path& world_file() {
 }
 
 void require_sound(const World& world) {
-    require(!world.walls.empty() && !world.tour.way_points.empty(), "a world has walls and a way");
+    require(!world.walls.empty(), "a world has walls");
     require(std::ranges::all_of(world.walls,
                                 [](const WallSegment& wall) {
                                     return is_finite(wall.a) && is_finite(wall.b) &&
@@ -86,11 +86,34 @@ void require_round_trip(const Walls& walls) {
             "a drawing of a map reads back");
 }
 
+/// A world set to itself changes no byte, and one that is set reads back.
+void require_editable(std::string_view input, const World& world) {
+    WorldText text(std::string(input), world_file());
+    text.set(world);
+    require(text.text() == input, "a world set to itself stays as it is written");
+    World other = world;
+    other.tour.start.x += 1.0;
+    other.laser.sigma_m = 0.125;
+    other.tour.events.clear();
+    std::vector<Polyline> walls = text.walls();
+    walls.push_back({{1, 2}, {3, 4.5}});
+    unless_refused([&] {
+        text.set(other);
+        text.set_walls(walls);
+        return true;
+    });
+    require(same_world(parse_world(text.text(), world_file()), text.world()),
+            "what was edited reads back");
+}
+
 }  // namespace
 
 bool check_world(std::string_view input) {
     const auto world = unless_refused([&] { return parse_world(input, world_file()); });
-    if (world) require_sound(*world);
+    if (world) {
+        require_sound(*world);
+        require_editable(input, *world);
+    }
     return world.has_value();
 }
 

@@ -1,4 +1,4 @@
-#include "dxf_walls.hpp"
+#include "hitos/simulation/dxf_walls.hpp"
 
 #include <dl_dxf.h>
 

@@ -1,6 +1,7 @@
 #include "hitos/simulation/world.hpp"
 
 #include "hitos/base/error.hpp"
+#include "hitos/simulation/simulated_tour.hpp"
 #include "worlds.hpp"
 
 namespace hitos {
@@ -119,10 +120,22 @@ TEST(World, RefusesWallsAndToursThatAreNone) {
     expect_refusal("walls = 4\n" + kTour, "walls: expected a list of polylines");
     expect_refusal("walls = []\n" + kTour, "found no walls");
     expect_refusal(kTour, "found no walls");
-    expect_refusal(kWalls, "found no way points");
     expect_refusal(kWalls + "[tour]\nway_points = []\n", "w.toml:3: tour.way_points: found none");
     expect_refusal(kWalls + "[tour]\nway_points = [[1, 1], 7]\n", "way point 2: expected a point");
     expect_refusal("", "found no walls");
+}
+
+TEST(World, OneWithoutATourIsToDriveByHandAlone) {
+    for (const std::string& rest :
+         {std::string("[tour]\n"), std::string("[tour]\nstart = [1, 2, 0]\n")}) {
+        World world = parse_world(kWalls + rest, "folder/w.toml");
+        world.tour.start.y = 2.0;
+        const std::string message = message_of<FormatError>([&] { SimulatedTour{world}; });
+        EXPECT_NE(message.find("folder/w.toml: has no tour to drive; expected way_points"),
+                  std::string::npos)
+            << message;
+        EXPECT_TRUE(SimulatedTour::live(world)->is_live());
+    }
 }
 
 TEST(World, RefusesBytesThatAreNoText) {

@@ -1249,10 +1249,6 @@
         <translation>no se encontró ninguna pared; se esperaba la clave walls o walls_dxf</translation>
     </message>
     <message>
-        <source>found no way points; expected way_points = [[x, y], ...] in [tour]</source>
-        <translation>no se encontró ningún punto de paso; se esperaba way_points = [[x, y], ...] en [tour]</translation>
-    </message>
-    <message>
         <source>dxf_unit: expected the metres per drawing unit, more than 0</source>
         <translation>dxf_unit: se esperaban los metros por unidad del dibujo, más de 0</translation>
     </message>
@@ -1851,6 +1847,74 @@
     <message>
         <source>%1: expected two different points</source>
         <translation>%1: se esperaban dos puntos distintos</translation>
+    </message>
+    <message>
+        <source>found %1, expected key: value, as in the YAML files of map_server</source>
+        <translation>se encontró %1; se esperaba clave: valor, como en los ficheros YAML de map_server</translation>
+    </message>
+    <message>
+        <source>has no %1; expected a line %1: %2, as in the YAML files of map_server</source>
+        <translation>no tiene %1; se esperaba una línea %1: %2, como en los ficheros YAML de map_server</translation>
+    </message>
+    <message>
+        <source>has %1 pixels; expected at most %2</source>
+        <translation>tiene %1 píxeles; se esperaban como mucho %2</translation>
+    </message>
+    <message>
+        <source>0 m or more</source>
+        <translation>0 m o más</translation>
+    </message>
+    <message>
+        <source>start: free, %1 m from the nearest wall</source>
+        <translation>salida: libre, a %1 m de la pared más cercana</translation>
+    </message>
+    <message>
+        <source>start: %1 m from the nearest wall, expected at least the robot&apos;s radius of %2 m</source>
+        <translation>salida: a %1 m de la pared más cercana; se esperaba al menos el radio del robot, %2 m</translation>
+    </message>
+    <message>
+        <source>room: closed, every ray from the start meets a wall</source>
+        <translation>recinto: cerrado, todo rayo desde la salida da con una pared</translation>
+    </message>
+    <message>
+        <source>room: open, a ray from the start at %1 degrees meets no wall</source>
+        <translation>recinto: abierto, un rayo desde la salida a %1 grados no da con ninguna pared</translation>
+    </message>
+    <message>
+        <source>tour: none yet; it can be driven by hand, or given way_points</source>
+        <translation>recorrido: aún ninguno; se puede conducir a mano, o darle way_points</translation>
+    </message>
+    <message>
+        <source>tour: hits no wall</source>
+        <translation>recorrido: no choca con ninguna pared</translation>
+    </message>
+    <message>
+        <source>tour: %1</source>
+        <translation>recorrido: %1</translation>
+    </message>
+    <message>
+        <source>has no tour to drive; expected way_points = [[x, y], ...] or commands in [tour], or drive it by hand in the window</source>
+        <translation>no tiene recorrido; se esperaba way_points = [[x, y], ...] o commands en [tour], o conducirlo a mano en la ventana</translation>
+    </message>
+    <message>
+        <source>this change cannot be written as TOML that reads back the same; expected finite numbers, and polylines of two points or more</source>
+        <translation>este cambio no se puede escribir como TOML que se lea igual; se esperaban números finitos y polilíneas de dos puntos o más</translation>
+    </message>
+    <message>
+        <source>the walls of %1 are changed in the drawing, or written into the world file in its place</source>
+        <translation>las paredes de %1 se cambian en el dibujo, o se escriben en el fichero del mundo en su lugar</translation>
+    </message>
+    <message>
+        <source>%1 does not tell how large a pixel is; expected the metres of a pixel, or the YAML file of map_server that names the picture</source>
+        <translation>%1 no dice cuánto mide un píxel; se esperaban los metros de un píxel, o el fichero YAML de map_server que nombra la imagen</translation>
+    </message>
+    <message>
+        <source>is a world; expected a drawing, a map, a finished run or a picture</source>
+        <translation>es un mundo; se esperaba un dibujo, un mapa, una ejecución terminada o una imagen</translation>
+    </message>
+    <message>
+        <source>found no wall; expected straight walls of some length</source>
+        <translation>no se encontró ninguna pared; se esperaban paredes rectas de cierta longitud</translation>
     </message>
 </context>
 <context>
