@@ -1,0 +1,44 @@
+// Pictures of what is occupied: those of map_server, and any other whose scale is known.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "hitos/base/geometry.hpp"
+
+namespace hitos {
+
+/// Which cells of a place are occupied. What is unknown is not.
+struct OccupancyPicture {
+    int columns = 0;
+    int rows = 0;
+    std::vector<std::uint8_t> occupied;  ///< 0 or 1, row after row from the top (greatest y)
+    double resolution_m = 0.05;          ///< of a cell
+    Pose origin;                         ///< lower left corner of the lower left cell [m, rad]
+
+    bool at(int column, int row) const {
+        return column >= 0 && row >= 0 && column < columns && row < rows &&
+               occupied[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                        static_cast<std::size_t>(column)] != 0;
+    }
+    /// Of a place in columns and rows, the middle of the first cell being (0, 0), row downwards.
+    Point2 world(double column, double row) const {
+        return transform(origin, Point2{(column + 0.5) * resolution_m,
+                                        (static_cast<double>(rows) - row - 0.5) * resolution_m});
+    }
+};
+
+/// A YAML file of map_server (ROS 1) or nav2_map_server (ROS 2) and the picture that it names
+/// (PGM, PNG, JPG, BMP): `image`, `resolution` and `origin` must be there; `negate` (0),
+/// `occupied_thresh` (0.65), `free_thresh` (0.25) and `mode` (trinary) may be. A cell is occupied
+/// where its value is more than occupied_thresh: (255 - pixel) / 255, negated pixel / 255, in mode
+/// raw pixel / 100 up to 100. Throws FileError, or FormatError that names file, line and what was
+/// expected.
+OccupancyPicture read_map_server(const std::filesystem::path& yaml);
+
+/// A picture of walls darker than 35 % grey, a pixel so many metres, its lower left corner at the
+/// origin. Throws FileError, FormatError, and ConfigError for a size that no pixel has.
+OccupancyPicture read_wall_picture(const std::filesystem::path& picture, double resolution_m);
+
+}  // namespace hitos
