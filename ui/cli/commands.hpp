@@ -14,6 +14,7 @@ void add_evaluate(CLI::App& program);
 void add_relations(CLI::App& program);
 void add_study(CLI::App& program);
 void add_simulate(CLI::App& program);
+void add_world(CLI::App& program);
 void add_reproduce(CLI::App& program);
 void add_parameters(CLI::App& program);
 void add_presets(CLI::App& program);

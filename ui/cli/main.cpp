@@ -20,6 +20,7 @@ int run(int argc, char** argv) {
         "hitos-cli parameters");
     hitos::cli::add_run(program);
     hitos::cli::add_simulate(program);
+    hitos::cli::add_world(program);
     hitos::cli::add_convert(program);
     hitos::cli::add_info(program);
     hitos::cli::add_evaluate(program);

@@ -149,6 +149,7 @@ constexpr std::array kRules{
     Rule{"", "--vary", &assignments<Keys::study>},
     Rule{"", "--second", &thesis_names},
     Rule{"", "--shard", &anything},
+    Rule{"", "--start", &anything},
     Rule{"", "--size", &anything},
     Rule{"", "log", &sources},
     Rule{"", "world", &sources},

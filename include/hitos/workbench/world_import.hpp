@@ -1,0 +1,46 @@
+// Worlds made from what shows walls: drawings, maps, finished runs, pictures of what is occupied.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "hitos/base/geometry.hpp"
+#include "hitos/simulation/world_text.hpp"
+
+namespace hitos {
+
+struct ImportOptions {
+    /// Of traced pictures (TracingOptions::tolerance_m), and how far the corners of a map may lie
+    /// from its lines [m]; 0: two cells of the picture, 0.05 m of a map.
+    double tolerance_m = 0.0;
+    /// Of a pixel of a picture without a YAML file [m]; 0: none is known.
+    double resolution_m = 0.0;
+    /// Of the robot in the world; nothing: of a world its own, else the origin, where maps and
+    /// grids of runs begin.
+    std::optional<Pose> start;
+};
+
+/// What a source is taken for.
+enum class WallSource { drawing, segments, map, map_server, picture, world };
+
+/// By its name: .dxf, .yaml or .yml, .png, .jpg, .jpeg, .pgm or .bmp, .toml; a folder is a finished
+/// run, which has segments.txt; of other text files a line tells segments from a map. Throws
+/// FileError.
+WallSource wall_source(const std::filesystem::path& source);
+
+/// The walls of the source [m]. Of a map, whose lines have no ends, each line gets one wall from
+/// its first corner to its last; `left_out` counts the lines that have no two corners. Throws what
+/// the readers throw, ConfigError for a picture of no known resolution and FormatError where no
+/// wall is found or the source is a world.
+std::vector<Polyline> import_walls(const std::filesystem::path& source,
+                                   const ImportOptions& options, std::size_t* left_out = nullptr);
+
+/// A world file of the source's walls, to the millimetre where they come from a picture or a run,
+/// with a comment that names the source, and of the start; walls that end where another begins are
+/// one polyline. A world file itself stays as it is written but for the start. `path` is where it
+/// will stand. Throws as import_walls().
+WorldText import_world(const std::filesystem::path& source, const std::filesystem::path& path,
+                       const ImportOptions& options, std::size_t* left_out = nullptr);
+
+}  // namespace hitos

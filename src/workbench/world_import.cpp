@@ -1,0 +1,221 @@
+#include "hitos/workbench/world_import.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+#include "hitos/capture/tour_reader.hpp"
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/maps/segment_file.hpp"
+#include "hitos/services/maps/wall_tracing.hpp"
+#include "hitos/simulation/dxf_walls.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr double kOnLine = 0.05;      // m, of a corner from the line of a map
+constexpr double kDigit = 1000.0;     // millimetres in a metre
+constexpr double kShortest = 0.0005;  // m
+
+std::filesystem::path segments_file(const std::filesystem::path& source) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(source, ignored) ? source / "segments.txt" : source;
+}
+
+/// The first line with words in it, to tell text files by.
+std::string first_line(const std::filesystem::path& source) {
+    const std::string text = input::read_text(source);
+    std::string_view rest = text;
+    while (const auto line = input::next_line(rest)) {
+        const std::string_view content = input::trimmed(line->substr(0, line->find('#')));
+        if (!content.empty()) return std::string(content);
+    }
+    return {};
+}
+
+Point2 to_the_millimetre(const Point2& point) {
+    // 0.0 is added so that no zero has a sign.
+    return {std::round(point.x * kDigit) / kDigit + 0.0,
+            std::round(point.y * kDigit) / kDigit + 0.0};
+}
+
+/// Walls end to end as one polyline, in the order of their first ones.
+std::vector<Polyline> chained(const Walls& walls) {
+    const auto key = [](const Point2& point) { return std::pair(point.x, point.y); };
+    std::multimap<std::pair<double, double>, std::size_t> at;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        at.emplace(key(walls[i].first), i);
+        at.emplace(key(walls[i].second), i);
+    }
+    std::vector<bool> used(walls.size(), false);
+    const auto extend = [&](Polyline& line) {
+        while (true) {
+            const Point2 end = line.back();
+            const auto [from, to] = at.equal_range(key(end));
+            const auto next =
+                std::find_if(from, to, [&](const auto& entry) { return !used[entry.second]; });
+            if (next == to) return;
+            used[next->second] = true;
+            const auto& [a, b] = walls[next->second];
+            line.push_back(a == end ? b : a);
+        }
+    };
+    std::vector<Polyline> lines;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (used[i]) continue;
+        used[i] = true;
+        Polyline line{walls[i].first, walls[i].second};
+        extend(line);
+        std::ranges::reverse(line);
+        extend(line);
+        std::ranges::reverse(line);
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+std::vector<Polyline> rounded(const Walls& walls) {
+    Walls result;
+    for (const auto& [a, b] : walls) {
+        const Point2 from = to_the_millimetre(a);
+        const Point2 to = to_the_millimetre(b);
+        if (std::hypot(to.x - from.x, to.y - from.y) > kShortest) result.emplace_back(from, to);
+    }
+    return chained(result);
+}
+
+std::vector<Polyline> walls_of_segments(const std::filesystem::path& file) {
+    Walls walls;
+    for (const LineExtent& segment : read_segments(file)) walls.emplace_back(segment.a, segment.b);
+    return rounded(walls);
+}
+
+/// A line from its first corner to its last, through those between.
+std::vector<Polyline> walls_of_map(const std::filesystem::path& file, double tolerance_m,
+                                   std::size_t* left_out) {
+    const LandmarkMap map = read_map(file);
+    const double tolerance = tolerance_m > 0.0 ? tolerance_m : kOnLine;
+    std::vector<Polyline> walls;
+    for (const ICaracteristica& landmark : map) {
+        const auto* recta = std::get_if<Recta>(&landmark.value);
+        if (recta == nullptr) continue;
+        const PreparedRecta line(*recta);
+        Polyline wall;
+        for (const ICaracteristica& other : map) {
+            const auto* corner = std::get_if<Esquina>(&other.value);
+            if (corner == nullptr) continue;
+            const Point2 point{corner->x, corner->y};
+            if (std::abs(line.signed_distance(point)) <= tolerance) wall.push_back(point);
+        }
+        std::ranges::sort(wall, {}, [&](const Point2& point) { return line.along(point); });
+        const auto twice = std::ranges::unique(wall);
+        wall.erase(twice.begin(), twice.end());
+        if (wall.size() >= 2) {
+            walls.push_back(std::move(wall));
+        } else if (left_out != nullptr) {
+            ++*left_out;
+        }
+    }
+    return walls;
+}
+
+std::vector<Polyline> walls_of_picture(const OccupancyPicture& picture, double tolerance_m) {
+    TracingOptions options;
+    options.tolerance_m = tolerance_m;
+    return rounded(trace_walls(picture, options));
+}
+
+OccupancyPicture picture_of(const std::filesystem::path& source, double resolution_m) {
+    if (resolution_m != 0.0) return read_wall_picture(source, resolution_m);
+    throw ConfigError("resolution",
+                      message(HITOS_TEXT("Errors",
+                                         "%1 does not tell how large a pixel is; expected the "
+                                         "metres of a pixel, or the YAML file of map_server that "
+                                         "names the picture"),
+                              source.string()));
+}
+
+}  // namespace
+
+WallSource wall_source(const std::filesystem::path& source) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(source, ignored)) return WallSource::segments;
+    if (is_world_file(source)) return WallSource::world;
+    std::string kind = source.extension().string();
+    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (kind == ".dxf") return WallSource::drawing;
+    if (kind == ".yaml" || kind == ".yml") return WallSource::map_server;
+    for (const std::string_view picture : {".png", ".jpg", ".jpeg", ".pgm", ".bmp"}) {
+        if (kind == picture) return WallSource::picture;
+    }
+    const std::string line = first_line(source);
+    return !line.empty() && input::parse_number(input::fields(line).front()) ? WallSource::segments
+                                                                             : WallSource::map;
+}
+
+std::vector<Polyline> import_walls(const std::filesystem::path& source,
+                                   const ImportOptions& options, std::size_t* left_out) {
+    std::vector<Polyline> walls;
+    switch (wall_source(source)) {
+        case WallSource::drawing:
+            for (Polyline& wall : read_dxf_walls(source)) {
+                // Drawings hold points twice where a line was snapped to itself.
+                const auto twice = std::ranges::unique(wall);
+                wall.erase(twice.begin(), twice.end());
+                if (wall.size() >= 2) walls.push_back(std::move(wall));
+            }
+            break;
+        case WallSource::segments:
+            walls = walls_of_segments(segments_file(source));
+            break;
+        case WallSource::map:
+            walls = walls_of_map(source, options.tolerance_m, left_out);
+            break;
+        case WallSource::map_server:
+            walls = walls_of_picture(read_map_server(source), options.tolerance_m);
+            break;
+        case WallSource::picture:
+            walls = walls_of_picture(picture_of(source, options.resolution_m), options.tolerance_m);
+            break;
+        case WallSource::world:
+            throw FormatError(source.string(), 0,
+                              message(HITOS_TEXT("Errors",
+                                                 "is a world; expected a drawing, a map, "
+                                                 "a finished run or a picture")));
+    }
+    if (walls.empty()) {
+        throw FormatError(
+            source.string(), 0,
+            message(HITOS_TEXT("Errors", "found no wall; expected straight walls of some length")));
+    }
+    return walls;
+}
+
+WorldText import_world(const std::filesystem::path& source, const std::filesystem::path& path,
+                       const ImportOptions& options, std::size_t* left_out) {
+    if (wall_source(source) == WallSource::world) {
+        WorldText text = WorldText::read(source);
+        if (options.start) text.set_start(*options.start);
+        return text;
+    }
+    std::string name = source.filename().string();
+    if (name.empty()) name = source.parent_path().filename().string();
+    std::ranges::replace_if(
+        name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+    // The start is written even where it is the origin, to be seen and changed.
+    WorldText text(fmt::format("# The walls of {}.\n[tour]\nstart = [0, 0, 0]\n", name), path);
+    text.set_walls(import_walls(source, options, left_out));
+    text.set_start(options.start.value_or(Pose{}));
+    return text;
+}
+
+}  // namespace hitos

@@ -1,0 +1,139 @@
+// hitos-cli world as a user calls it.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "hitos/services/maps/map_file.hpp"
+#include "hitos/simulation/driven_path.hpp"
+#include "hitos/simulation/world_text.hpp"
+#include "program.hpp"
+
+namespace hitos::test {
+namespace {
+
+using nlohmann::json;
+
+class WorldCommand : public ProgramTest {
+  protected:
+    Outcome call(const std::string& arguments) const {
+        return shell(cli_ + " world " + arguments + " 2>&1");
+    }
+    json object(const std::string& arguments) const {
+        const Outcome outcome = call(arguments + " --json");
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        return json::parse(outcome.output);
+    }
+    void refused(const std::string& arguments, const std::string& words) const {
+        const Outcome outcome = call(arguments);
+        EXPECT_EQ(outcome.status, 1) << outcome.output;
+        EXPECT_NE(outcome.output.find(words), std::string::npos) << outcome.output;
+    }
+    std::string world(const std::string& name) const {
+        return kSource + "/data/worlds/" + name + ".toml";
+    }
+};
+
+/// How far the furthest end of one world's walls is from the other's walls.
+double furthest(const World& of, const World& from) {
+    double most = 0.0;
+    for (const WallSegment& wall : of.walls) {
+        for (const Point2& end : {wall.a, wall.b}) {
+            double least = INFINITY;
+            for (const WallSegment& other : from.walls)
+                least = std::min(least, distance(other, end));
+            most = std::max(most, least);
+        }
+    }
+    return most;
+}
+
+TEST_F(WorldCommand, TheGridOfARunThroughBigloopGivesItsWalls) {
+    const Outcome run =
+        shell(cli_ + " run " + world("bigloop") +
+              " --preset simulated --world-set tour.laps=1 --write all --seed 1 --out " +
+              path("run") + " 2>&1");
+    ASSERT_EQ(run.status, 0) << run.output;
+    const World truth = read_world(world("bigloop"));
+    constexpr double kCell = 0.05;
+    constexpr double kMapError = 0.2;  // m, of the run
+    for (const std::string& source :
+         {path("run/map.yaml"), path("run/map.pgm") + " --resolution 0.05"}) {
+        const json said = object(source + " --out " + path("traced.toml"));
+        const World traced = read_world(path("traced.toml"));
+        EXPECT_EQ(traced.walls.size(), 8U) << source;
+        EXPECT_EQ(said.at("polylines"), 2) << source;
+        if (source.find("yaml") == std::string::npos) continue;  // has another origin
+        EXPECT_EQ(said.at("good"), true) << said;
+        EXPECT_LE(furthest(traced, truth), kMapError);
+        EXPECT_LE(furthest(truth, traced), kMapError);
+        // The lines that the run found in the same scans along nearly the same path.
+        const LandmarkMap map = read_map(path("run/map.txt"));
+        for (const WallSegment& wall : traced.walls) {
+            const Point2 middle{(wall.a.x + wall.b.x) / 2.0, (wall.a.y + wall.b.y) / 2.0};
+            double least = INFINITY;
+            for (const ICaracteristica& landmark : map) {
+                if (const auto* line = std::get_if<Recta>(&landmark.value))
+                    least = std::min(least, std::abs(signed_distance(*line, middle)));
+            }
+            EXPECT_LE(least, kCell);
+        }
+    }
+    // The segments of the same run.
+    object(path("run") + " --out " + path("segments.toml"));
+    EXPECT_LE(furthest(read_world(path("segments.toml")), truth), kMapError);
+}
+
+TEST_F(WorldCommand, TheMapOfBigloopIsBigloop) {
+    const json said = object(map_ + " --start 1,0.5,90 --out " + path("w.toml"));
+    EXPECT_EQ(said.at("walls"), 8);
+    EXPECT_EQ(said.at("lines_left_out"), 0);
+    EXPECT_EQ(said.at("good"), true);
+    EXPECT_EQ(said.at("has_tour"), false);
+    const World made = read_world(path("w.toml"));
+    const World truth = read_world(world("bigloop"));
+    EXPECT_LE(furthest(made, truth), 1e-9);
+    EXPECT_LE(furthest(truth, made), 1e-9);
+    EXPECT_EQ(made.tour.start, (Pose{1, 0.5, kPi / 2}));
+    const Outcome run =
+        shell(cli_ + " simulate " + path("w.toml") + " --out " + path("t.log") + " 2>&1");
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.output.find("has no tour to drive"), std::string::npos) << run.output;
+    EXPECT_FALSE(fs::exists(path("t.log")));
+}
+
+TEST_F(WorldCommand, ADrawingBecomesAWorldAndItsFaultsAreTold) {
+    const std::string drawing = file("room.dxf",
+                                     "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nWALLS\n10\n0\n20\n-"
+                                     "1\n11\n4\n21\n-1\n0\nENDSEC\n0\nEOF\n");
+    const Outcome outcome = call(drawing + " --start 2,-0.9,0 --out " + path("w.toml"));
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.output.find("start: 0.100 m from the nearest wall"), std::string::npos);
+    EXPECT_NE(outcome.output.find("room: open, a ray from the start at"), std::string::npos);
+    EXPECT_NE(outcome.output.find("tour: none yet"), std::string::npos);
+    EXPECT_EQ(content(path("w.toml")),
+              "# The walls of room.dxf.\nwalls = [\n    [[0, -1], [4, -1]],\n]\n\n[tour]\n"
+              "start = [2, -0.9, 0]\n");
+}
+
+TEST_F(WorldCommand, AWorldIsChecked) {
+    EXPECT_EQ(object(world("complex")).at("good"), true);
+    EXPECT_EQ(object("bigloop --start 0,0,45 --out " + path("b.toml")).at("has_tour"), true);
+    EXPECT_NE(content(path("b.toml")).find("start = [0, 0, 45]"), std::string::npos);
+    EXPECT_EQ(content(path("b.toml")).size(), content(world("bigloop")).size() + 1);
+}
+
+TEST_F(WorldCommand, WhatCannotBeIsRefused) {
+    const std::string picture = kSource + "/docs/images/none.png";
+    refused(map_, "give --out WORLD.toml");
+    refused(map_ + " --out " + path("w.txt"), "expected a name that ends in .toml");
+    refused(map_ + " --start 1,2 --out " + path("w.toml"), "expected X,Y,DEG");
+    refused(picture + " --out " + path("w.toml"), "none.png");
+    refused(file("p.png", "") + " --resolution 0.05 --out " + path("w.toml"),
+            "p.png: is no picture");
+    refused(file("q.png", "") + " --out " + path("w.toml"), "does not tell how large a pixel is");
+    refused(file("m.yaml", "image: x.png\n") + " --out " + path("w.toml"), "m.yaml: has no");
+    EXPECT_FALSE(fs::exists(path("w.toml")));
+}
+
+}  // namespace
+}  // namespace hitos::test

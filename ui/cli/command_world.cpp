@@ -1,0 +1,131 @@
+// hitos-cli world: a world from what shows walls, and whether it can be driven.
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/input_files.hpp"
+#include "hitos/base/text_input.hpp"
+#include "hitos/capture/tour_reader.hpp"
+#include "hitos/simulation/world_check.hpp"
+#include "hitos/workbench/open_tour.hpp"
+#include "hitos/workbench/shipped_data.hpp"
+#include "hitos/workbench/world_import.hpp"
+#include "options.hpp"
+#include "report.hpp"
+
+namespace hitos::cli {
+namespace {
+
+struct WorldOptions {
+    std::string source;
+    std::string out;
+    std::string start;
+    ImportOptions import;
+    bool json = false;
+};
+
+Pose parse_start(const std::string& text) {
+    std::array<double, 3> values{};
+    std::string_view rest = text;
+    bool good = true;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::size_t comma = rest.find(',');
+        const auto value = input::parse_number(rest.substr(0, comma));
+        good = good && value && std::abs(*value) <= kFarthest &&
+               (comma == std::string_view::npos) == (i + 1 == values.size());
+        values[i] = value.value_or(0.0);
+        rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
+    }
+    if (!good) {
+        throw ConfigError(
+            "--start",
+            verbatim(fmt::format("found \"{}\", expected X,Y,DEG: metres and degrees", text)));
+    }
+    return {values[0], values[1], wrap_angle(values[2] * (kPi / 180.0))};
+}
+
+void make_world(WorldOptions options) {
+    const std::filesystem::path source = source_named(options.source);
+    const std::filesystem::path out = options.out;
+    if (!options.start.empty()) options.import.start = parse_start(options.start);
+    if (out.empty() && wall_source(source) != WallSource::world) {
+        throw ConfigError("world", verbatim("found nothing to write; give --out WORLD.toml"));
+    }
+    if (!out.empty() && !is_world_file(out)) {
+        throw ConfigError("--out", verbatim(fmt::format("found \"{}\", expected a name that ends "
+                                                        "in .toml",
+                                                        options.out)));
+    }
+    const std::vector<std::filesystem::path> inputs =
+        is_world_file(source) ? tour_files(source.string()) : std::vector{source};
+    check_apart({&out, 1}, inputs);
+    std::size_t left_out = 0;
+    WorldText text = import_world(source, out, options.import, &left_out);
+    if (!out.empty()) text.save(out);
+
+    const World& world = text.world();
+    const WorldCheck check = check_world(world);
+    Report report(options.json);
+    report.say("{}: {} walls in {} polylines\n", out.empty() ? source.string() : options.out,
+               world.walls.size(), text.walls().size());
+    report.object() = {{"source", source.string()},
+                       {"file", options.out},
+                       {"walls", world.walls.size()},
+                       {"polylines", text.walls().size()},
+                       {"lines_left_out", left_out},
+                       {"good", check.good()},
+                       {"start_free", check.start_free},
+                       {"closed", check.closed()},
+                       {"has_tour", check.has_tour},
+                       {"tour_hits_no_wall", check.has_tour && check.tour_problem.empty()}};
+    if (!world.walls.empty()) report.object()["nearest_wall_m"] = check.nearest_m;
+    report.object()["check"] = nlohmann::ordered_json::array();
+    for (const Message& sentence : sentences_of(check, world)) {
+        report.say("{}\n", sentence.english());
+        report.object()["check"].push_back(sentence.english());
+    }
+    if (left_out > 0) {
+        report.note(fmt::format(
+            "{} lines of the map have no two corners and so no ends; they are left out", left_out));
+    }
+    report.end();
+}
+
+}  // namespace
+
+void add_world(CLI::App& program) {
+    auto options = std::make_shared<WorldOptions>();
+    CLI::App* command = program.add_subcommand(
+        "world", "Make a world of a drawing, a map, a run or a picture, and check it");
+    command
+        ->add_option("source", options->source,
+                     "DXF drawing, map file, folder or segments.txt of a run, YAML file of "
+                     "map_server, picture, or world (.toml)")
+        ->required();
+    command->add_option("--out", options->out,
+                        "World file to write (.toml); a world that is only checked needs none");
+    command
+        ->add_option("--tolerance", options->import.tolerance_m,
+                     "How far a picture's cells lie from straight walls [m] (default: two cells), "
+                     "or a map's corners from its lines (default: 0.05)")
+        ->check(positive());
+    command
+        ->add_option("--resolution", options->import.resolution_m,
+                     "Metres of a pixel, of a picture without a YAML file")
+        ->check(positive());
+    command->add_option("--start", options->start,
+                        "Where the robot starts: X,Y,DEG [m, degrees] (default: 0,0,0)");
+    add_report_option(*command, options->json);
+    command->callback([options] { make_world(*options); });
+}
+
+}  // namespace hitos::cli
