@@ -24,7 +24,14 @@ Procesador::Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options)
       options_(std::move(options)),
       conversor_scans_(fuente_->format().make_conversor(*fuente_, options_)),
       conversor_odometry_(
-          fuente_->format().make_conversor(*fuente_, without_look_ahead(options_))) {}
+          fuente_->format().make_conversor(*fuente_, without_look_ahead(options_))) {
+    begin_report();
+}
+
+void Procesador::begin_report() {
+    report_ = {};
+    report_.of_recording = fuente_->format().open != nullptr;
+}
 
 void Procesador::restart() {
     // All that can throw comes first, so that a failure leaves the reader where it was.
@@ -35,14 +42,17 @@ void Procesador::restart() {
     fuente_ = std::move(fresh);
     conversor_scans_ = std::move(scans);
     conversor_odometry_ = std::move(odometry);
-    report_ = {};
+    begin_report();
     last_scan_.reset();
     last_odometry_.reset();
     clock_s_ = 0.0;
 }
 
 std::unique_ptr<TourReader> Procesador::reopen() const {
-    return std::make_unique<Procesador>(fuente_->reopen(), options_);
+    auto again = std::make_unique<Procesador>(fuente_->reopen(), options_);
+    again->looked_ahead_ = looked_ahead_;
+    again->odometry_begin_s_ = odometry_begin_s_;
+    return again;
 }
 
 std::string Procesador::format() const {
@@ -82,12 +92,31 @@ std::optional<Scan> Procesador::next_scan() {
                 continue;
             }
             last_scan_ = *scan;
+            if (is_early(*scan)) {
+                if (options_.leave_out_early_scans) {
+                    ++report_.early_scans_left_out;
+                    continue;
+                }
+                ++report_.early_scans;
+            }
             ++report_.scans;
             return scan;
         } catch (const FormatError& error) {
             note_damage(line->number, error.problem());
         }
     }
+}
+
+bool Procesador::is_early(const Scan& scan) {
+    if (scan.carries_odometry) return false;
+    if (!looked_ahead_) {
+        // By a reader of its own: what this one's odometry sequence loses belongs to that sequence.
+        Procesador ahead(fuente_->reopen(), without_look_ahead(options_));
+        const std::optional<Odometria> first = ahead.next_odometry();
+        if (first) odometry_begin_s_ = first->time_s;
+        looked_ahead_ = true;
+    }
+    return odometry_begin_s_ && scan.time_s < *odometry_begin_s_;
 }
 
 std::optional<Odometria> Procesador::next_odometry() {

@@ -32,6 +32,7 @@ std::size_t bytes_of(const ReadReport& report) {
 
 bool same_losses(const ReadReport& a, const ReadReport& b) {
     return a.duplicate_scans == b.duplicate_scans && a.stamps_backwards == b.stamps_backwards &&
+           a.early_scans == b.early_scans && a.early_scans_left_out == b.early_scans_left_out &&
            a.skipped == b.skipped;
 }
 
@@ -79,6 +80,7 @@ std::shared_ptr<const RecordedTour> record_tour(const TourReader& reader, const 
     }
     tour->name = reader.name();
     tour->format = reader.format();
+    tour->of_recording = reader.report().of_recording;
     return tour;
 }
 
@@ -100,6 +102,8 @@ void RecordedReader::note_report() {
     const ReadReport odometry = losses(tour_->odometry.notes, odometry_.notes);
     report_.duplicate_scans = scans.duplicate_scans + odometry.duplicate_scans;
     report_.stamps_backwards = scans.stamps_backwards + odometry.stamps_backwards;
+    report_.early_scans = scans.early_scans + odometry.early_scans;
+    report_.early_scans_left_out = scans.early_scans_left_out + odometry.early_scans_left_out;
     report_.skipped = scans.skipped + odometry.skipped;
     report_.examples.clear();
     std::ranges::merge(scans.examples, odometry.examples, std::back_inserter(report_.examples), {},
@@ -124,6 +128,7 @@ std::optional<Odometria> RecordedReader::next_odometry() {
 void RecordedReader::restart() {
     scans_ = odometry_ = {};
     report_ = {};
+    report_.of_recording = tour_->of_recording;
 }
 
 std::unique_ptr<TourReader> RecordedReader::reopen() const {

@@ -5,6 +5,11 @@
 
 namespace hitos {
 
+Message ReadReport::placed(const Skip& skip) const {
+    return of_recording ? message(HITOS_TEXT("Errors", "message %1: %2"), skip.line, skip.reason)
+                        : message(HITOS_TEXT("Errors", "line %1: %2"), skip.line, skip.reason);
+}
+
 bool is_world_file(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(),

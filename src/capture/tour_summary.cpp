@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "formats/formats.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "line_reader.hpp"
 
 namespace hitos {
@@ -40,17 +40,41 @@ class Stamps {
                 reader.format()));
     }
     const ReadReport::Skip& first = report.examples.front();
-    throw FormatError(reader.name(), first.line,
-                      message(HITOS_TEXT("Errors", "nothing in it can be read as %1: %2"),
-                              reader.format(), first.reason));
+    throw FormatError(
+        reader.name(), report.of_recording ? 0 : first.line,
+        message(HITOS_TEXT("Errors", "nothing in it can be read as %1: %2"), reader.format(),
+                report.of_recording ? report.placed(first) : first.reason));
+}
+
+/// A message tells all other control characters in words.
+std::string in_one_line(std::string name) {
+    std::ranges::replace_if(
+        name, [](char c) { return c == '\n' || c == '\t'; }, ' ');
+    return name;
 }
 
 }  // namespace
 
+std::vector<Message> lines_of(const std::vector<RecordedTopic>& topics) {
+    constexpr std::size_t kMost = 200;
+    std::vector<Message> lines;
+    for (const RecordedTopic& topic : topics) {
+        if (lines.size() == kMost) break;
+        lines.push_back(message("%1  %2  %3", in_one_line(topic.name), in_one_line(topic.type),
+                                topic.messages));
+    }
+    return lines;
+}
+
+std::vector<RecordedTopic> topics_of(const std::filesystem::path& path) {
+    const LogFormat* recording = recording_format(path);
+    return recording != nullptr ? recording->topics(path) : std::vector<RecordedTopic>{};
+}
+
 std::vector<Message> first_lines_of(const std::filesystem::path& path) {
     constexpr std::size_t kLines = 30;
     constexpr std::size_t kShown = 200;
-    if (const LogFormat* recording = recording_format(path)) return recording->describe(path);
+    if (recording_format(path) != nullptr) return lines_of(topics_of(path));
     std::vector<Message> lines;
     LineReader reader(path);
     while (lines.size() < kLines) {

@@ -1,12 +1,34 @@
 #include "hitos/workbench/source_inspection.hpp"
 
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "hitos/workbench/open_tour.hpp"
 
 namespace hitos {
+namespace {
+
+/// Whether it was refused for a choice that nobody has made yet, not for a wrong one.
+bool asks_for_topics(const ConfigError& error, const ReadOptions& read) {
+    return (error.key() == kScanTopicKey && input::trimmed(read.scan_topic).empty()) ||
+           (error.key() == kOdomTopicKey && input::trimmed(read.odom_topic).empty());
+}
+
+}  // namespace
 
 SourceInspection inspect_source(const SourceParams& source, const InspectProgress& progress) {
-    const std::unique_ptr<TourReader> reader = open_tour(source);
-    return {inspect_tour(*reader, progress), first_lines_of(source.file)};
+    SourceInspection found;
+    try {
+        const std::unique_ptr<TourReader> reader = open_tour(source);
+        found.tour = inspect_tour(*reader, progress);
+    } catch (const ConfigError& error) {
+        if (!asks_for_topics(error, source.read)) throw;
+        found.choice = error.message();
+        found.tour.format = recording_format(source.file)->word;
+    }
+    found.topics = topics_of(source.file);
+    found.first_lines = found.topics.empty() ? first_lines_of(source.file) : lines_of(found.topics);
+    return found;
 }
 
 }  // namespace hitos

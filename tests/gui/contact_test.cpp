@@ -129,7 +129,7 @@ void ContactTest::skipped_lines_are_listed() {
     QTRY_VERIFY(f.window->findChild<QDialog*>("skipped_lines") != nullptr);
     auto* list = f.window->findChild<QDialog*>("skipped_lines");
     const QString text = list->findChild<QPlainTextEdit*>()->toPlainText();
-    QVERIFY2(text.startsWith("Line 3: "), qPrintable(text));
+    QVERIFY2(text.startsWith("line 3: "), qPrintable(text));
     list->close();
 }
 

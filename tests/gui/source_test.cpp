@@ -1,6 +1,8 @@
 // Use case 8.2.2.1: selecting the data source.
 
+#include <QAbstractItemModel>
 #include <QComboBox>
+#include <QCompleter>
 #include <QDialogButtonBox>
 #include <QDropEvent>
 #include <QLabel>
@@ -129,6 +131,59 @@ void SourceTest::topics_of_another_recording_are_forgotten() {
     QCOMPARE(dialog.source().read.scan_topic, "");
     QCOMPARE(dialog.source().read.odom_topic, "");
     wait_for_check(dialog);
+}
+
+void SourceTest::topics_are_listed_to_choose_from() {
+    Fixture f(false);
+    const QString path = Fixture::source_file("tests/unit/capture/two-lasers-cut.bag");
+    in_dialog<SourceDialog>([path](SourceDialog& dialog) {
+        dialog.set_path(path);
+        wait_for_check(dialog);
+        QVERIFY2(verdict(dialog).contains("several lasers"), qPrintable(verdict(dialog)));
+        QCOMPARE(dialog.findChild<QLabel*>("verdict")->property("role").toString(), "warning");
+        QVERIFY(!ok(dialog)->isEnabled());
+        const QString lines = dialog.findChild<QPlainTextEdit*>("lines")->toPlainText();
+        QVERIFY2(lines.contains("/scan_front  sensor_msgs/LaserScan  9\n"), qPrintable(lines));
+        auto* topic = dialog.findChild<QLineEdit*>("scan_topic");
+        const QAbstractItemModel& offered = *topic->completer()->model();
+        QCOMPARE(offered.rowCount(), 3);
+        topic->setText(offered.index(0, 0).data().toString());
+        emit topic->editingFinished();
+        wait_for_check(dialog);
+        QVERIFY2(verdict(dialog).contains("9 scans"), qPrintable(verdict(dialog)));
+        QVERIFY(ok(dialog)->isEnabled());
+        topic->setText("/none");
+        emit topic->editingFinished();
+        wait_for_check(dialog);
+        QVERIFY2(verdict(dialog).contains("found \"/none\""), qPrintable(verdict(dialog)));
+        topic->setText("all");
+        emit topic->editingFinished();
+        wait_for_check(dialog);
+        ok(dialog)->click();
+    });
+    f.trigger("action_select_source");
+    QVERIFY(f.session.has_source());
+    QCOMPARE(f.session.configuration().source.read.scan_topic, std::string("all"));
+}
+
+void SourceTest::scans_before_the_odometry_are_counted() {
+    Fixture f(false);
+    SourceParams source;
+    source.file = f.write("late.txt",
+                          "LASER 0 2 1 0 1 1\nLASER 1 2 1 0 1 1.1\nODOM 2 0 0\n"
+                          "LASER 3 2 1 0 1 1.2\nODOM 4 0.1 0\n")
+                      .toStdString();
+    SourceDialog kept(source, f.prompts, {}, nullptr);
+    wait_for_check(kept);
+    QVERIFY2(verdict(kept).contains("3 scans"), qPrintable(verdict(kept)));
+    QVERIFY2(verdict(kept).contains("odometry reading: 2."), qPrintable(verdict(kept)));
+    QVERIFY2(verdict(kept).contains("Scans before the odometry"), qPrintable(verdict(kept)));
+    QCOMPARE(kept.findChild<QLabel*>("verdict")->property("role").toString(), "warning");
+    source.read.leave_out_early_scans = true;
+    SourceDialog left(source, f.prompts, {}, nullptr);
+    wait_for_check(left);
+    QVERIFY2(verdict(left).contains("1 scans"), qPrintable(verdict(left)));
+    QVERIFY2(verdict(left).contains("left out: 2."), qPrintable(verdict(left)));
 }
 
 void SourceTest::cancel_changes_nothing() {

@@ -15,6 +15,8 @@ class SourceTest : public QObject {
     void a_file_that_is_no_log_is_told_in_the_form();
     void damaged_lines_are_counted();
     void topics_of_another_recording_are_forgotten();
+    void topics_are_listed_to_choose_from();
+    void scans_before_the_odometry_are_counted();
     void cancel_changes_nothing();
     void the_source_changes_while_running();
     void a_bad_log_leaves_the_run_as_it_was();

@@ -110,6 +110,8 @@ struct Halves {
     std::size_t rear;
     std::size_t odometry;
     std::size_t finite;
+    std::size_t early_front;  ///< before the odometry
+    std::size_t early_rear;
     friend std::ostream& operator<<(std::ostream& out, const Halves& halves) {
         return out << halves.recording;
     }
@@ -141,6 +143,7 @@ TEST_P(TwoLasers, GiveWhatEachSaw) {
         EXPECT_EQ(log.scans.size(), topic[6] == 'f' ? halves.front : halves.rear) << topic;
         EXPECT_EQ(log.odometry.size(), halves.odometry);
         EXPECT_EQ(log.report.skipped, 0U);
+        EXPECT_EQ(log.report.early_scans, topic[6] == 'f' ? halves.early_front : halves.early_rear);
         for (const Scan& scan : log.scans) {
             points += scan.points.size();
             EXPECT_NEAR(scan.fan.pose_robot_laser.x, 0.20, 1e-9);
@@ -191,11 +194,11 @@ TEST_P(TwoLasers, TogetherGiveTheFanOfTheLog) {
     EXPECT_GT(merged, both.scans.size() / 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Recorded, TwoLasers,
-                         ::testing::Values(Halves{"two-lasers.bag", kBigloop, 181, 173, 321, 27050},
-                                           Halves{"two-lasers_mcap", kFreiburg, 45, 42, 132,
-                                                  14429}),
-                         [](const auto& value) { return "two" + std::to_string(value.index); });
+INSTANTIATE_TEST_SUITE_P(
+    Recorded, TwoLasers,
+    ::testing::Values(Halves{"two-lasers.bag", kBigloop, 181, 173, 321, 27050, 36, 35},
+                      Halves{"two-lasers_mcap", kFreiburg, 45, 42, 132, 14429, 6, 6}),
+    [](const auto& value) { return "two" + std::to_string(value.index); });
 
 }  // namespace
 }  // namespace hitos

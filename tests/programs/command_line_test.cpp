@@ -97,6 +97,64 @@ TEST_F(CommandLine, InfoSaysWhatALogHolds) {
     EXPECT_EQ(said("info " + file("no.log", "hello\nworld\n")).status, 1);
 }
 
+TEST_F(CommandLine, InfoListsTheTopicsToChooseFrom) {
+    const std::string bag = test::kSource + "/tests/unit/capture/two-lasers-cut.bag";
+    const Outcome words = said("info " + bag);
+    EXPECT_EQ(words.status, 0) << words.output;
+    EXPECT_NE(words.output.find("found 2 laser topics"), std::string::npos) << words.output;
+    EXPECT_NE(words.output.find("\n  /scan_rear  sensor_msgs/LaserScan  9\n"), std::string::npos)
+        << words.output;
+    const json choice = object("info " + bag);
+    EXPECT_EQ(choice.at("format"), "rosbag");
+    EXPECT_NE(choice.at("choice").get<std::string>().find("--scan-topic"), std::string::npos);
+    const json& topics = choice.at("topics");
+    EXPECT_EQ(std::ranges::count(topics, "sensor_msgs/LaserScan",
+                                 [](const json& topic) { return topic.at("type"); }),
+              2);
+    // A name that it does not have is refused.
+    EXPECT_EQ(said("info " + bag + " --scan-topic /none").status, 1);
+    const json info = object("info " + bag + " --scan-topic all");
+    EXPECT_EQ(info.at("scans"), 11);
+    EXPECT_EQ(info.at("topics"), topics);
+    EXPECT_FALSE(info.contains("choice"));
+}
+
+TEST_F(CommandLine, ScansBeforeTheOdometryAreToldAndLeftOut) {
+    const std::string bag = test::kSource + "/tests/unit/capture/two-lasers-cut.bag";
+    const std::string read = bag + " --scan-topic all";
+    const json kept = object("info " + read).at("log");
+    const int early = kept.at("early_scans");
+    EXPECT_GT(early, 0);
+    EXPECT_EQ(kept.at("early_scans_left_out"), 0);
+    EXPECT_NE(
+        said("info " + read)
+            .output.find(
+                "used as if the robot had stood still until then; source.early_scans=leave_out"),
+        std::string::npos);
+    const std::string without = read + " --set source.early_scans=leave_out";
+    const json left = object("info " + without);
+    EXPECT_EQ(left.at("scans"), 11 - early);
+    EXPECT_EQ(left.at("log").at("early_scans"), 0);
+    EXPECT_EQ(left.at("log").at("early_scans_left_out"), early);
+    const Outcome ran = said("run " + without + " --out " + path("late"));
+    ASSERT_EQ(ran.status, 0) << ran.output;
+    EXPECT_NE(ran.output.find("left out, as source.early_scans says"), std::string::npos)
+        << ran.output;
+    const json summary = json::parse(content(path("late/summary.json")));
+    EXPECT_EQ(summary.at("log").at("early_scans_left_out"), early);
+    EXPECT_EQ(summary.at("scans"), 11 - early);
+}
+
+TEST_F(CommandLine, DamageOfARecordingIsNoLine) {
+    const std::string whole = content(test::kSource + "/tests/unit/capture/two-lasers-cut.bag");
+    const std::string cut = file("cut.bag", whole.substr(0, whole.size() / 2));
+    const Outcome words = said("info " + cut + " --scan-topic all");
+    EXPECT_EQ(words.status, 0) << words.output;
+    EXPECT_NE(words.output.find(" damaged message"), std::string::npos) << words.output;
+    EXPECT_NE(words.output.find("skipped; message "), std::string::npos) << words.output;
+    EXPECT_EQ(words.output.find(" line"), std::string::npos) << words.output;
+}
+
 TEST_F(CommandLine, RunsAreSetSideBySide) {
     ASSERT_EQ(said(run("five")).status, 0);
     ASSERT_EQ(said(run("seven", "--set filter.particles=7")).status, 0);

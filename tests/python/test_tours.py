@@ -44,6 +44,14 @@ class Tours(unittest.TestCase):
         self.assertEqual(both.format, "rosbag")
         self.assertEqual(len(list(both)), both.summary()["scans"])
 
+    def test_scans_before_the_odometry_can_be_left_out(self):
+        bag = SOURCE / "tests" / "unit" / "capture" / "two-lasers-cut.bag"
+        kept = hitos.open(bag, scan_topic="all").summary()
+        left = hitos.open(bag, scan_topic="all", early_scans="leave_out").summary()
+        self.assertGreater(kept["early_scans"], 0)
+        self.assertEqual(left["early_scans_left_out"], kept["early_scans"])
+        self.assertEqual(left["scans"], kept["scans"] - kept["early_scans"])
+
     def test_the_truth_is_one(self):
         tour = hitos.open("corridor")
         self.assertEqual(address(tour.truth.trajectory), address(tour.truth.trajectory))

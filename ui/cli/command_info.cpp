@@ -51,6 +51,30 @@ void tell_laser(const Fan& fan, Report& report) {
                                 {"pose_robot_laser", {mounting.x, mounting.y, mounting.theta}}};
 }
 
+void tell_first_lines(const SourceInspection& found, Report& report) {
+    report.say("{}:\n", found.topics.empty() ? "it begins with" : "its topics and their messages");
+    report.object()["first_lines"] = nlohmann::ordered_json::array();
+    for (const Message& line : found.first_lines) {
+        report.say("  {}\n", line.english());
+        report.object()["first_lines"].push_back(line.english());
+    }
+    if (found.topics.empty()) return;
+    report.object()["topics"] = nlohmann::ordered_json::array();
+    for (const RecordedTopic& topic : found.topics) {
+        report.object()["topics"].push_back(
+            {{"name", topic.name}, {"type", topic.type}, {"messages", topic.messages}});
+    }
+}
+
+/// Of a recording whose topics are still to be chosen.
+void tell_choice(const std::string& source, const SourceInspection& found, Report& report) {
+    report.say("{}: {}\n", source, found.tour.format);
+    report.warn(found.choice.english());
+    report.object() = {
+        {"source", source}, {"format", found.tour.format}, {"choice", found.choice.english()}};
+    tell_first_lines(found, report);
+}
+
 void tell(const std::string& source, const SourceInspection& found, Report& report) {
     const TourSummary& tour = found.tour;
     const double scan_rate = per_second(tour.report.scans, tour.duration_s);
@@ -72,12 +96,7 @@ void tell(const std::string& source, const SourceInspection& found, Report& repo
     report.say("{}", damage_text(tour.report));
     if (tour.report.scans == 0) report.warn("not one scan that can be read");
     report.object()["log"] = parsed_object(to_json(tour.report));
-    report.say("it begins with:\n");
-    report.object()["first_lines"] = nlohmann::ordered_json::array();
-    for (const Message& line : found.first_lines) {
-        report.say("  {}\n", line.english());
-        report.object()["first_lines"].push_back(line.english());
-    }
+    tell_first_lines(found, report);
 }
 
 void info(const InfoOptions& options) {
@@ -92,7 +111,7 @@ void info(const InfoOptions& options) {
         return true;
     });
     Report report(options.json);
-    tell(source, found, report);
+    found.choice.empty() ? tell(source, found, report) : tell_choice(source, found, report);
     report.end();
 }
 

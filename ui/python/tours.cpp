@@ -29,6 +29,7 @@ struct OpenOptions {
     std::string odom_topic;
     double max_range = 0.0;
     std::string odometry;
+    std::string early_scans;
     py::object world_set;
     std::uint64_t tour_seed = 0;
 };
@@ -44,6 +45,7 @@ SourceParams source_of(const py::object& name, const OpenOptions& options) {
     set("source.odom_topic", options.odom_topic);
     set("source.max_range", fmt::format("{}", options.max_range));
     set("source.odometry", options.odometry);
+    set("source.early_scans", options.early_scans);
     set("source.world_set", world_set_of(options.world_set));
     set("source.tour_seed", fmt::format("{}", options.tour_seed));
     return configuration.source;
@@ -98,6 +100,8 @@ py::dict dict_of(const ReadReport& report) {
     values["odometry"] = report.odometry;
     values["duplicate_scans"] = report.duplicate_scans;
     values["stamps_backwards"] = report.stamps_backwards;
+    values["early_scans"] = report.early_scans;
+    values["early_scans_left_out"] = report.early_scans_left_out;
     values["skipped"] = report.skipped;
     py::list examples;
     for (const ReadReport::Skip& skip : report.examples) {
@@ -251,7 +255,8 @@ is the one held since the reading before.)")
         .def("summary", &summary_of,
              R"(Reads the whole tour and says what it holds: a dict of format, scans, odometry,
 first_stamp, duration [s], distance [m], and what was left out (skipped, duplicate_scans,
-stamps_backwards; `examples` are lines with reasons).)")
+stamps_backwards, early_scans_left_out; early_scans are those before the first odometry reading that
+are used all the same; `examples` are lines, or messages of a recording, with reasons).)")
         .def_property_readonly(
             "name", [](const Tour& tour) { return tour.reader().name(); }, "Its file.")
         .def_property_readonly(
@@ -319,16 +324,18 @@ void bind_tours(py::module_& module) {
     module.def(
         "open",
         [](const py::object& source, std::string format, std::string scan_topic,
-           std::string odom_topic, double max_range, std::string odometry, py::object world_set,
-           std::uint64_t tour_seed, std::uint64_t seed) {
-            SourceParams params = source_of(
-                source, {std::move(format), std::move(scan_topic), std::move(odom_topic), max_range,
-                         std::move(odometry), std::move(world_set), tour_seed});
+           std::string odom_topic, double max_range, std::string odometry, std::string early_scans,
+           py::object world_set, std::uint64_t tour_seed, std::uint64_t seed) {
+            SourceParams params =
+                source_of(source, {std::move(format), std::move(scan_topic), std::move(odom_topic),
+                                   max_range, std::move(odometry), std::move(early_scans),
+                                   std::move(world_set), tour_seed});
             return without_python([&] { return std::make_shared<Tour>(std::move(params), seed); });
         },
         py::arg("source"), py::kw_only(), py::arg("format") = "auto", py::arg("scan_topic") = "",
         py::arg("odom_topic") = "", py::arg("max_range") = 0.0, py::arg("odometry") = "poses",
-        py::arg("world_set") = py::none(), py::arg("tour_seed") = 0, py::arg("seed") = 1,
+        py::arg("early_scans") = "keep", py::arg("world_set") = py::none(),
+        py::arg("tour_seed") = 0, py::arg("seed") = 1,
         R"(Opens a log (Player, Radish, CARMEN, normalised; plain or gzip), a ROS recording (bag,
 MCAP, .db3, folder), a world file (.toml) to simulate, or the world of that name that comes with
 Hitos, and gives a Tour.

@@ -61,6 +61,14 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path,
                                  std::string_view format = kAutoFormat,
                                  const ReadOptions& options = {});
 
+/// The parameters under which open_log() refuses topics, and a choice that is still to be made.
+inline constexpr const char* kScanTopicKey = "source.scan_topic";
+inline constexpr const char* kOdomTopicKey = "source.odom_topic";
+
+/// The format of a ROS recording, by its first bytes, or of a folder; null where the path is
+/// neither. Throws FileError.
+const LogFormat* recording_format(const std::filesystem::path& path);
+
 /// Whether the path is a ROS recording, by its first bytes, or a folder; false where it is missing.
 bool is_recording(const std::filesystem::path& path);
 

@@ -1,8 +1,10 @@
 // The table of log formats: all that tells one format from another.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +19,13 @@ namespace hitos {
 /// What a line is to the two cursors. `other` is a line of the format that neither needs; `damaged`
 /// is none that the format knows.
 enum class LineKind { scan, odometry, both, other, damaged };
+
+/// A topic of a ROS recording, as it names itself: any bytes.
+struct RecordedTopic {
+    std::string name;
+    std::string type;  ///< by ROS 1's names: "sensor_msgs/LaserScan"
+    std::uint64_t messages = 0;
+};
 
 /// One format: of text, or of recordings that know how to open themselves. Lines of text come
 /// trimmed and are not empty; comments begin with `#`.
@@ -37,13 +46,13 @@ struct LogFormat : RegistryEntry {
     using Begins = bool(std::string_view beginning);
     using Open = std::unique_ptr<Fuente>(const std::filesystem::path& path, const LogFormat& format,
                                          const ReadOptions& options);
-    using Describe = std::vector<Message>(const std::filesystem::path& path);
+    using Topics = std::vector<RecordedTopic>(const std::filesystem::path& path);
     /// Of recordings: whether these are the first 16 bytes of such a file.
     Begins* begins = nullptr;
     /// Of recordings: the source, whose lines the converter understands; null: read as text.
     Open* open = nullptr;
-    /// Of recordings: what they hold, a line for each topic.
-    Describe* describe = nullptr;
+    /// Of recordings: what they hold; takes a pass over all of it.
+    Topics* topics = nullptr;
     bool folders = false;  ///< of recordings: whether folders are some too
 };
 

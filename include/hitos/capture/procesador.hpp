@@ -22,6 +22,8 @@ namespace hitos {
 ///   that repeats stamp and pose says nothing new and is left out.
 /// * Logged velocities are held from the reading before; where the stamp does not advance there is
 ///   no time to hold them, so such a reading is left out and counted.
+/// * A scan before the first odometry reading is counted, and left out where the options say so.
+///   Without any odometry there is no scan before it.
 /// * Damaged lines are left out, counted and reported with their number. A line that is scan and
 ///   odometry at once (CARMEN's FLASER) counts when the scan sequence passes over it.
 class Procesador final : public TourReader {
@@ -42,6 +44,9 @@ class Procesador final : public TourReader {
     std::optional<Odometria> from_pose(const OdometryRecord& record);
     std::optional<Odometria> from_velocity(const OdometryRecord& record);
     Odometria hand_out(double time_s, const Twist& twist, std::uint64_t line);
+    /// Whether it was taken before the first odometry reading.
+    bool is_early(const Scan& scan);
+    void begin_report();
     void collect_damage();
     void note_damage(std::uint64_t line, Message reason);
 
@@ -53,6 +58,8 @@ class Procesador final : public TourReader {
     std::optional<Scan> last_scan_;
     std::optional<OdometryRecord> last_odometry_;
     double clock_s_ = 0.0;  ///< time of the last odometry reading handed out
+    bool looked_ahead_ = false;
+    std::optional<double> odometry_begin_s_;  ///< once looked ahead: nothing where there is none
 };
 
 }  // namespace hitos

@@ -36,6 +36,7 @@ struct RecordedTour {
     std::optional<Truth> truth;
     std::string name;
     std::string format;
+    bool of_recording = false;  ///< ReadReport::of_recording
 };
 
 /// All of the tour that `reader` reads, which is left where it is; null where that may not grow so
@@ -46,7 +47,9 @@ std::shared_ptr<const RecordedTour> record_tour(const TourReader& reader, const 
 /// progress goes by scans.
 class RecordedReader final : public TourReader {
   public:
-    explicit RecordedReader(std::shared_ptr<const RecordedTour> tour) : tour_(std::move(tour)) {}
+    explicit RecordedReader(std::shared_ptr<const RecordedTour> tour) : tour_(std::move(tour)) {
+        report_.of_recording = tour_->of_recording;
+    }
 
     std::optional<Scan> next_scan() override;
     std::optional<Odometria> next_odometry() override;

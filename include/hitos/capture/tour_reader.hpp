@@ -26,8 +26,16 @@ struct ReadReport {
     std::uint64_t odometry = 0;
     std::uint64_t duplicate_scans = 0;   ///< same stamp and same ranges as the scan before
     std::uint64_t stamps_backwards = 0;  ///< readings whose stamp did not advance
-    std::uint64_t skipped = 0;           ///< damaged lines, each counted once
-    std::vector<Skip> examples;          ///< the first kExamples damaged lines, by line
+    /// Before the first odometry reading, where there is one: handed out all the same, as if the
+    /// robot had stood still until then.
+    std::uint64_t early_scans = 0;
+    std::uint64_t early_scans_left_out = 0;  ///< those, by ReadOptions::leave_out_early_scans
+    std::uint64_t skipped = 0;               ///< damaged lines, each counted once
+    std::vector<Skip> examples;              ///< the first kExamples damaged lines, by line
+    bool of_recording = false;               ///< what is called a line here is a message of ROS
+
+    /// "line 17: …", or "message 17: …"
+    Message placed(const Skip& skip) const;
 };
 
 /// What a reader may be told beside where to read.
@@ -43,6 +51,9 @@ struct ReadOptions {
     std::string scan_topic = {};
     /// Of a ROS recording with several odometries: the topic, or "tf" for the transforms.
     std::string odom_topic = {};
+    /// Leave out the scans before the first odometry reading: how the robot moved from one to the
+    /// next is not known.
+    bool leave_out_early_scans = false;
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hitos/base/message.hpp"
+#include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
@@ -29,9 +30,15 @@ using InspectProgress = std::function<bool(double)>;
 /// odometry reading can be read.
 TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress = {});
 
+/// "/scan  sensor_msgs/LaserScan  292": a line for each topic, 200 at the most.
+std::vector<Message> lines_of(const std::vector<RecordedTopic>& topics);
+
+/// The topics of a ROS recording; none of another file. Throws FileError, and FormatError where a
+/// recording cannot be read.
+std::vector<RecordedTopic> topics_of(const std::filesystem::path& path);
+
 /// The first lines of a text file, plain or gzip, each cut to 200 bytes; what is no text is said in
-/// words; of a recording its topics. Throws FileError, and FormatError where a recording cannot be
-/// read.
+/// words; of a recording its topics. Throws what topics_of() throws.
 std::vector<Message> first_lines_of(const std::filesystem::path& path);
 
 }  // namespace hitos

@@ -11,10 +11,15 @@ namespace hitos {
 
 struct SourceInspection {
     TourSummary tour;
-    std::vector<Message> first_lines;  ///< of its file
+    std::vector<Message> first_lines;   ///< of its file
+    std::vector<RecordedTopic> topics;  ///< of a ROS recording
+    /// Of a recording with several lasers or odometries of which none is chosen: what to choose.
+    /// The tour is empty then but for its format. Else empty.
+    Message choice;
 };
 
-/// Reads the whole source. Throws what open_tour() and inspect_tour() throw.
+/// Reads the whole source. Throws what open_tour() and inspect_tour() throw, but for topics that
+/// are still to be chosen.
 SourceInspection inspect_source(const SourceParams& source, const InspectProgress& progress = {});
 
 }  // namespace hitos

@@ -22,10 +22,6 @@ LogFormat rosbag2_format();
 
 std::unique_ptr<LogWriter> make_mcap_writer(const std::filesystem::path& path);
 
-/// The format of a recording, by its first bytes, or of a folder; null where the path is neither.
-/// Throws FileError.
-const LogFormat* recording_format(const std::filesystem::path& path);
-
 inline bool begins_with_letter(std::string_view text) {
     if (text.empty()) return false;
     const char c = text.front();

@@ -13,17 +13,13 @@ std::unique_ptr<Fuente> open_with(const std::filesystem::path& path, const LogFo
     return std::make_unique<RecordingSource>(plan_recording(path, format, Open, options));
 }
 
-/// "/scan  sensor_msgs/LaserScan  292"
 template <OpenRecording* Open>
-std::vector<Message> describe_with(const std::filesystem::path& path) {
-    constexpr std::size_t kMost = 200;
-    std::vector<Message> lines;
+std::vector<RecordedTopic> topics_with(const std::filesystem::path& path) {
+    std::vector<RecordedTopic> topics;
     for (const Topic& topic : survey_recording(path, Open).topics) {
-        if (lines.size() == kMost) break;
-        lines.push_back(
-            verbatim(topic.name + "  " + topic.type + "  " + std::to_string(topic.messages)));
+        topics.push_back({topic.name, topic.type, topic.messages});
     }
-    return lines;
+    return topics;
 }
 
 bool nothing_claimed(std::string_view /*text*/) {
@@ -41,9 +37,8 @@ bool begins_metadata(std::string_view beginning) {
 template <OpenRecording* Open>
 LogFormat recording(RegistryEntry entry, const char* endings, LogFormat::Begins* begins,
                     bool folders = false) {
-    return {std::move(entry),         endings, nothing_claimed, nothing_known,
-            make_recording_conversor, nullptr, begins,          open_with<Open>,
-            describe_with<Open>,      folders};
+    return {std::move(entry), endings, nothing_claimed, nothing_known,     make_recording_conversor,
+            nullptr,          begins,  open_with<Open>, topics_with<Open>, folders};
 }
 
 }  // namespace

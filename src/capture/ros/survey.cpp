@@ -1,9 +1,11 @@
 #include "ros/survey.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/capture/archivo.hpp"
 
 namespace hitos {
 namespace {
@@ -68,25 +70,34 @@ const Topic& named(const std::vector<const Topic*>& topics, std::string_view nam
 
 void choose_scans(const RecordingSurvey& survey, const ReadOptions& options,
                   const std::filesystem::path& path, TourTopics& chosen) {
-    constexpr const char* kKey = "source.scan_topic";
     const std::vector<const Topic*> lasers = with_messages(survey, is_laser);
+    const std::vector<const Topic*> all_topics = with_messages(survey, is_any);
+    const std::string list = all_topics.empty() ? "-" : listed(all_topics);
+    if (lasers.empty() && !survey.first_problem.empty()) {
+        throw FormatError(
+            path.string(), 0,
+            message(HITOS_TEXT("Errors",
+                               "no laser scans (messages sensor_msgs/LaserScan) can be read in it, "
+                               "as some of it cannot: %1; the topics that can are: %2"),
+                    survey.first_problem, list));
+    }
     if (lasers.empty()) {
-        const std::vector<const Topic*> all = with_messages(survey, is_any);
         throw FormatError(
             path.string(), 0,
             message(HITOS_TEXT("Errors",
                                "holds no laser scans (messages sensor_msgs/LaserScan); its topics "
                                "are: %1"),
-                    all.empty() ? "-" : listed(all)));
+                    list));
     }
     const std::vector<std::string_view> names = names_in(options.scan_topic);
     if (names.empty() && lasers.size() > 1) {
         throw ConfigError(
-            kKey, message(HITOS_TEXT(
-                              "Errors",
-                              "found %1 laser topics in %2: %3; choose one (--scan-topic), several "
-                              "with commas between them, or \"all\""),
-                          lasers.size(), path.string(), listed(lasers)));
+            kScanTopicKey,
+            message(
+                HITOS_TEXT("Errors",
+                           "found %1 laser topics in %2: %3; choose one (--scan-topic), several "
+                           "with commas between them, or \"all\""),
+                lasers.size(), path.string(), listed(lasers)));
     }
     const bool all = names.empty() || (names.size() == 1 && names.front() == "all");
     for (const Topic* laser : lasers) {
@@ -96,7 +107,7 @@ void choose_scans(const RecordingSurvey& survey, const ReadOptions& options,
         if (wanted) chosen.scans.push_back(laser->name);
     }
     if (all) return;
-    for (const std::string_view name : names) named(lasers, name, kKey, path);
+    for (const std::string_view name : names) named(lasers, name, kScanTopicKey, path);
 }
 
 }  // namespace
@@ -119,7 +130,14 @@ RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecordin
         return is_laser(topic) || is_odometry(topic) || is_transforms(topic);
     });
     const std::unique_ptr<Recording> recording = open(path, {topics});
-    while (const std::optional<RecordedMessage> found = recording->next()) {
+    const auto next = [&] {
+        std::optional<RecordedMessage> found = recording->next();
+        while (std::optional<RecordingProblem> problem = recording->take_problem()) {
+            if (survey.first_problem.empty()) survey.first_problem = std::move(problem->reason);
+        }
+        return found;
+    };
+    while (const std::optional<RecordedMessage> found = next()) {
         Topic& topic = *found->topic;
         const Encoding encoding = encoding_of(topic.encoding);
         try {
@@ -148,7 +166,6 @@ RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecordin
 
 TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& options,
                          const std::filesystem::path& path) {
-    constexpr const char* kKey = "source.odom_topic";
     TourTopics chosen;
     choose_scans(survey, options, path, chosen);
     const auto laser = survey.laser_frames.find(chosen.scans.front());
@@ -162,22 +179,23 @@ TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& optio
     if (name == "tf" || name == "/tf") {
         if (!odometry_frame.empty()) return chosen;
         throw ConfigError(
-            kKey, message(HITOS_TEXT("Errors",
-                                     "found \"%1\", but no transform in %2 leads from a frame "
-                                     "\"odom\" to the laser's frame \"%3\""),
-                          name, path.string(), laser_frame));
+            kOdomTopicKey,
+            message(HITOS_TEXT("Errors",
+                               "found \"%1\", but no transform in %2 leads from a frame "
+                               "\"odom\" to the laser's frame \"%3\""),
+                    name, path.string(), laser_frame));
     }
     if (name.empty() && odometries.empty()) return chosen;
     if (name.empty() && odometries.size() > 1) {
         throw ConfigError(
-            kKey,
+            kOdomTopicKey,
             message(HITOS_TEXT("Errors",
                                "found %1 odometry topics in %2: %3; choose one (--odom-topic), or "
                                "\"tf\" for the transforms"),
                     odometries.size(), path.string(), listed(odometries)));
     }
     chosen.odometry =
-        (name.empty() ? *odometries.front() : named(odometries, name, kKey, path)).name;
+        (name.empty() ? *odometries.front() : named(odometries, name, kOdomTopicKey, path)).name;
     chosen.odometry_frame.clear();
     const auto robot = survey.robot_frames.find(chosen.odometry);
     // Some drivers leave the name out; then it is what the transforms say.

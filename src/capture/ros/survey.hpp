@@ -22,9 +22,11 @@ struct RecordingSurvey {
     FrameTree frames;
     std::map<std::string, std::string> laser_frames;  ///< of the first scan, by topic
     std::map<std::string, std::string> robot_frames;  ///< of the first odometry, by topic
+    Message first_problem;  ///< why some of it could not be read; empty where all could
 };
 
-/// Reads through the recording once. What is damaged is left out; who reads the tour is told.
+/// Reads through the recording once. What is damaged is left out; who reads the tour is told all of
+/// it.
 RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecording* open);
 
 /// The topics of a tour.

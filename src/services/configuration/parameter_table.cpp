@@ -73,6 +73,16 @@ void add_source(Table& table) {
              "Topic of the odometry in a ROS recording with several, or tf for its transforms; "
              "empty takes the only one, else the transforms."),
          .label = HITOS_TEXT("ParameterLabel", "Odometry topic")}));
+    table.push_back(
+        choice<&Config::source, &SourceParams::read, &ReadOptions::leave_out_early_scans>(
+            {.key = "source.early_scans",
+             .description = HITOS_TEXT(
+                 "Parameter",
+                 "What becomes of scans before the first odometry reading: they are used as if the "
+                 "robot had stood still until then, or left out. Both are counted."),
+             .label = HITOS_TEXT("ParameterLabel", "Scans before the odometry"),
+             .choices = {{"keep", HITOS_TEXT("ParameterChoice", "Keep, robot at rest")},
+                         {"leave_out", HITOS_TEXT("ParameterChoice", "Leave out")}}}));
     const ConfigParameter::Condition world{
         "source.file", "a world (.toml)",
         [](const Config& configuration) { return is_world_file(configuration.source.file); }};

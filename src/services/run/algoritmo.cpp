@@ -12,12 +12,18 @@ namespace hitos {
 namespace {
 
 Message nothing_found(const ReadReport& log) {
+    if (log.early_scans_left_out > 0) {
+        return message(HITOS_TEXT("Errors",
+                                  "found no scan behind the first odometry reading; %1 before it "
+                                  "were left out, use them with source.early_scans=keep"),
+                       log.early_scans_left_out);
+    }
     if (log.examples.empty()) return message(HITOS_TEXT("Errors", "found no readable scan"));
     return message(
         HITOS_TEXT(
             "Errors",
-            "found no readable scan; %1 damaged lines were skipped, the first is line %2: %3"),
-        log.skipped, log.examples.front().line, log.examples.front().reason);
+            "found no readable scan; of the log %1 parts were skipped as damaged, the first is %2"),
+        log.skipped, log.placed(log.examples.front()));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,7 +26,8 @@ constexpr double kLongWithoutLoop = 100.0;  // [m]
 constexpr double kLargeCorrection = 5.0;    // [m]; of six recorded tours the largest is 4.1
 constexpr double kLongEnough = 10.0;        // [m] for a scale
 constexpr double kScaleOff = 1.15;
-constexpr double kLongestStep = 10.0;  // [m] between scans; of sparse recordings 1.7
+constexpr double kLongestStep = 10.0;         // [m] between scans; of sparse recordings 1.7
+constexpr std::uint64_t kManyEarlyScans = 2;  // one may come first by chance
 
 void measure_crispness(const Algoritmo& run, RunQuality& quality) {
     MapCrispness best;
@@ -48,6 +50,16 @@ void warn(std::vector<Advice>& warnings, std::string_view text, std::string figu
 
 double distance(const Pose& a, const Pose& b) {
     return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+void warn_of_early_scans(const ReadReport& log, std::vector<Advice>& warnings) {
+    if (log.early_scans < kManyEarlyScans) return;
+    warn(warnings,
+         HITOS_TEXT("Advice",
+                    "%1 scans lie before the first odometry reading, and the robot is taken to "
+                    "have stood still until then: if it moved, leave them out "
+                    "(source.early_scans)."),
+         std::to_string(log.early_scans));
 }
 
 void warn_of_odometry(const Algoritmo& run, std::vector<Advice>& warnings) {
@@ -170,6 +182,7 @@ void warn_of_registration(const Algoritmo& run, const Registration& registration
 
 std::vector<Advice> warnings(const Algoritmo& run) {
     std::vector<Advice> warnings;
+    warn_of_early_scans(run.report(), warnings);
     warn_of_odometry(run, warnings);
     if (run.registration() != nullptr) {
         warn_of_registration(run, *run.registration(), warnings);

@@ -19,6 +19,9 @@ ordered_json json_of(const ReadReport& report, std::size_t examples) {
     return {{"odometry_readings", report.odometry},
             {"duplicate_scans", report.duplicate_scans},
             {"stamps_backwards", report.stamps_backwards},
+            {"early_scans", report.early_scans},
+            {"early_scans_left_out", report.early_scans_left_out},
+            {"of_recording", report.of_recording},
             {"skipped_lines", report.skipped},
             {"skipped_examples", skipped}};
 }
@@ -31,6 +34,12 @@ ReadReport read_report(const ordered_json& json, const std::string& file) {
     report.odometry = count(json, "odometry_readings");
     report.duplicate_scans = count(json, "duplicate_scans");
     report.stamps_backwards = count(json, "stamps_backwards");
+    // Records of earlier versions do not have them.
+    if (json.contains("early_scans")) {
+        report.early_scans = count(json, "early_scans");
+        report.early_scans_left_out = count(json, "early_scans_left_out");
+        report.of_recording = json.at("of_recording").get<bool>();
+    }
     report.skipped = count(json, "skipped_lines");
     for (const ordered_json& skip : json.at("skipped_examples")) {
         report.examples.push_back({count(skip, "line"), verbatim(skip.at("reason"))});

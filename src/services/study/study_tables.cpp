@@ -93,11 +93,10 @@ TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells,
     return table;
 }
 
-/// "line 17: …"; empty where no line was skipped.
+/// "line 17: …"; empty where nothing was skipped.
 std::string first_damage(const ReadReport& report) {
     if (report.examples.empty()) return {};
-    const ReadReport::Skip& skip = report.examples.front();
-    return fmt::format("line {}: {}", skip.line, skip.reason.english());
+    return report.placed(report.examples.front()).english();
 }
 
 /// Empty where no log is damaged.

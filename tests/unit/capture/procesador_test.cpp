@@ -99,6 +99,59 @@ TEST(Procesador, DuplicateScansAreOne) {
     EXPECT_EQ(log.report.duplicate_scans, 2U);
 }
 
+/// Two scans, the second one twice, before the first reading; two from it on.
+std::string late_odometry() {
+    return "laser 0 1 1 0 0\nlaser 0 2 2 0 0\nlaser 0 2 2 0 0\n" + position(3, 0) +
+           "laser 0 3 3 0 0\nlaser 0 4 4 0 0\n" + position(5, 1);
+}
+
+TEST(Procesador, ScansBeforeTheOdometryAreKeptAndCounted) {
+    const Log log = read_text("radish", late_odometry());
+    EXPECT_EQ(log.scans.size(), 4U);
+    EXPECT_EQ(log.report.early_scans, 2U);
+    EXPECT_EQ(log.report.early_scans_left_out, 0U);
+    EXPECT_EQ(log.report.duplicate_scans, 1U);
+    EXPECT_EQ(log.report.odometry, 2U);
+    EXPECT_EQ(read_text("radish", position(1, 0) + late_odometry()).report.early_scans, 0U);
+}
+
+TEST(Procesador, ScansBeforeTheOdometryAreLeftOutWhereAskedFor) {
+    ReadOptions options;
+    options.leave_out_early_scans = true;
+    const TempDir folder;
+    const auto path = folder.put("a.log", late_odometry());
+    Procesador procesador(open_log(path), options);
+    for (int round = 0; round < 2; ++round) {
+        const std::unique_ptr<TourReader> again = procesador.reopen();
+        for (const Log& log : {test::read_all(procesador), test::read_all(*again)}) {
+            ASSERT_EQ(log.scans.size(), 2U);
+            EXPECT_EQ(log.scans.front().time_s, 3.0);
+            EXPECT_EQ(log.report.scans, 2U);
+            EXPECT_EQ(log.report.early_scans, 0U);
+            EXPECT_EQ(log.report.early_scans_left_out, 2U);
+            EXPECT_EQ(log.report.duplicate_scans, 1U);
+        }
+        procesador.restart();
+    }
+}
+
+// A damaged first reading is none; it counts once, where the odometry is read.
+TEST(Procesador, NothingIsBeforeAnOdometryThatIsNotThere) {
+    ReadOptions options;
+    options.leave_out_early_scans = true;
+    const std::string scans = "laser 0 1 1 0 0\nlaser 0 2 2 0 0\n";
+    const Log none = read_text("radish", scans, options);
+    EXPECT_EQ(none.scans.size(), 2U);
+    EXPECT_EQ(none.report.early_scans + none.report.early_scans_left_out, 0U);
+    const Log damaged = read_text("radish", "position 0 0 x\n" + scans + position(2, 0), options);
+    EXPECT_EQ(damaged.scans.size(), 1U);
+    EXPECT_EQ(damaged.report.skipped, 1U);
+    // A line that is a scan and its reading is not before it, whatever the stamps.
+    const Log both = read_text(
+        "carmen", "FLASER 1 1 0 0 0 0 0 0 2 h 1\nFLASER 1 2 0 0 0 1 0 0 1 h 1\n", options);
+    EXPECT_EQ(both.scans.size(), 2U);
+}
+
 TEST(Procesador, DamageIsCountedOnceWhateverTheOrderOfReading) {
     const TempDir folder;
     const std::string text = position(1, 0) + "?\nlaser 0 1 1 0\nposition 0 x\n" +

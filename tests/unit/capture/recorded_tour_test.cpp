@@ -15,10 +15,10 @@ bool always(std::size_t /*bytes*/) {
     return true;
 }
 
-/// Damage of both sequences before, between and behind what can be read, repeated scans and stamps
-/// that go back: all that a report counts.
+/// Scans before the odometry, damage of both sequences before, between and behind what can be read,
+/// repeated scans and stamps that go back: all that a report counts.
 std::string damaged_log() {
-    std::string text = "laser 0 0 x\nposition 0 0 y 0 0 0 0 0\nposition 0 1 0 0 0 0 0 0\n";
+    std::string text = "laser 0 0 x\nposition 0 0 y 0 0 0 0 0\nposition 0 3 0 0 0 0 0 0\n";
     for (int i = 1; i <= 15; ++i) {
         text += fmt::format(
             "laser 0 {0} {0} 0 0\nlaser 0 {0} {0} 0 0\nlaser 0 {0} damaged\n\x01\n"
@@ -30,8 +30,10 @@ std::string damaged_log() {
 }
 
 std::string told(const ReadReport& report) {
-    std::string text = fmt::format("{} {} {} {} {}", report.scans, report.odometry,
-                                   report.duplicate_scans, report.stamps_backwards, report.skipped);
+    std::string text =
+        fmt::format("{} {} {} {} {} {} {} {}", report.scans, report.odometry,
+                    report.duplicate_scans, report.stamps_backwards, report.early_scans,
+                    report.early_scans_left_out, report.skipped, report.of_recording);
     for (const auto& skip : report.examples) {
         text += fmt::format("\n{} {}", skip.line, skip.reason.english());
     }
@@ -40,7 +42,9 @@ std::string told(const ReadReport& report) {
 
 class RecordedTourTest : public testing::Test {
   protected:
-    Procesador reader() const { return Procesador(open_log(log_, kAutoFormat)); }
+    Procesador reader(const ReadOptions& options = {}) const {
+        return Procesador(open_log(log_, kAutoFormat), options);
+    }
 
     test::TempFolder folder_;
     std::filesystem::path log_ = folder_.put("a.log", damaged_log());
@@ -54,6 +58,7 @@ TEST_F(RecordedTourTest, GivesAndReportsWhatItsReaderWould) {
     RecordedReader recorded(tour);
     EXPECT_EQ(recorded.name(), log_.string());
     EXPECT_EQ(recorded.format(), "radish");
+    EXPECT_EQ(tour->scans.notes.back().report.early_scans, 2U);
     for (const int scans_first : {0, 1, 3, 40}) {
         Procesador plain = reader();
         recorded.restart();
@@ -67,6 +72,24 @@ TEST_F(RecordedTourTest, GivesAndReportsWhatItsReaderWould) {
         }
         EXPECT_EQ(recorded.report().skipped, 49U);
         EXPECT_EQ(recorded.report().examples.size(), ReadReport::kExamples);
+    }
+}
+
+TEST_F(RecordedTourTest, KnowsWhatWasLeftOutAndWhatItsLinesAre) {
+    ReadOptions options;
+    options.leave_out_early_scans = true;
+    RecordedReader recorded(record_tour(reader(options), always));
+    EXPECT_EQ(recorded.next_scan()->time_s, 3.0);
+    EXPECT_EQ(recorded.report().early_scans_left_out, 2U);
+    EXPECT_FALSE(recorded.report().of_recording);
+    const auto bag =
+        std::filesystem::path(HITOS_SOURCE_DIR) / "tests/unit/capture/two-lasers-cut.bag";
+    options.scan_topic = "all";
+    RecordedReader recording(record_tour(Procesador(open_log(bag, kAutoFormat, options)), always));
+    for (int round = 0; round < 2; ++round) {
+        EXPECT_TRUE(recording.report().of_recording);
+        EXPECT_TRUE(recording.reopen()->report().of_recording);
+        recording.restart();
     }
 }
 

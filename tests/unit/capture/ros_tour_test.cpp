@@ -297,6 +297,39 @@ TEST_F(RosTour, DamagedMessagesAreCountedAndTold) {
     }
 }
 
+TEST_F(RosTour, ScansBeforeTheOdometryAreCountedOrLeftOut) {
+    std::vector<Said> all = test::small_tour(cdr());
+    std::erase_if(all, [](const Said& said) {
+        return said.topic == "/odom" && said.log_time_ns < at_ns({1'700'000'002, 0});
+    });
+    const Log kept = read(all);
+    EXPECT_EQ(kept.scans.size(), 5U);
+    EXPECT_EQ(kept.report.early_scans, 2U);
+    EXPECT_TRUE(kept.report.of_recording);
+    ReadOptions options;
+    options.leave_out_early_scans = true;
+    const Log log = read(all, options);
+    ASSERT_EQ(log.scans.size(), 3U);
+    EXPECT_EQ(log.scans.front().time_s, 1'700'000'002.25);
+    EXPECT_EQ(log.report.early_scans_left_out, 2U);
+    EXPECT_EQ(log.odometry.size(), 3U);
+}
+
+// What cannot be read may be where the scans are.
+TEST_F(RosTour, WhyItsScansCannotBeReadIsSaid) {
+    test::McapLayout layout;
+    layout.packing = {"xz", test::packed_lz4};
+    const auto unknown = folder_.put("xz.mcap", test::mcap_of(test::small_tour(cdr()), layout));
+    EXPECT_THAT(test::message_of<FormatError>([&] { open_log(unknown); }),
+                AllOf(HasSubstr("no laser scans"), HasSubstr("found the compression \"xz\"")));
+    std::string bag = test::bag_of(test::small_tour(Bytes::ros1()), {"none", test::unpacked});
+    const auto size = bag.find("size=") + 5;
+    bag.replace(size, 4, "\x10\x00\x00\x00", 4);
+    const auto lying = folder_.put("size.bag", bag);
+    EXPECT_THAT(test::message_of<FormatError>([&] { open_log(lying); }),
+                AllOf(HasSubstr("no laser scans"), HasSubstr("in the chunk at byte ")));
+}
+
 // One bad transform does not cost the others of its message, nor a bad twist its pose.
 TEST_F(RosTour, TheGoodRestOfAMessageIsKept) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

@@ -43,6 +43,12 @@ TEST(TourSummary, CountsAWholeLog) {
     EXPECT_EQ(last, 1.0);
 }
 
+TEST(TourSummary, NamesOfTopicsAreToldWithoutControlCharacters) {
+    const std::vector<Message> lines = lines_of({{"/a\x1b[31m", "acme/B\nc", 17}});
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].english(), "/a\\x1b[31m  acme/B c  17");
+}
+
 TEST(TourSummary, CanBeStopped) {
     const TempDir folder;
     std::string text;

@@ -306,6 +306,7 @@ def open(
     odom_topic: str = "",
     max_range: float = 0.0,
     odometry: str = "poses",
+    early_scans: str = "keep",
     world_set: Union[dict[str, _Value], str, None] = None,
     tour_seed: int = 0,
     seed: int = 1,

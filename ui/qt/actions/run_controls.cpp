@@ -179,7 +179,7 @@ void RunControls::note_marks(const Session& session) {
         if (step.resampled && sometimes) mark(tr("resampled"), Kind::filter);
         if (step.best_changed) mark(tr("another particle is the best"), Kind::filter);
         if (step.skipped > skipped_) {
-            mark(tr("damaged lines skipped before it: %1").arg(step.skipped - skipped_),
+            mark(tr("damaged and skipped before it: %1").arg(step.skipped - skipped_),
                  Kind::damage);
         }
         skipped_ = step.skipped;

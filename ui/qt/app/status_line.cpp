@@ -61,7 +61,7 @@ StatusLine::StatusLine(QStatusBar* bar, Session& session)
     place_->setProperty("role", "muted");
     place_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     bar->addWidget(place_, 1);
-    skipped_ = add("status_skipped", tr("Skipped lines %1").arg(10000));
+    skipped_ = add("status_skipped", tr("Skipped %1").arg(10000));
     scan_ = add("status_scan", tr("Scan %1 of %2").arg(99999).arg(99999));
     time_ = add("status_time", tr("Time %1 s").arg("10000.0"));
     speed_ = add("status_speed", tr("%1 steps/s").arg(10000));
@@ -69,7 +69,7 @@ StatusLine::StatusLine(QStatusBar* bar, Session& session)
     landmarks_ = add("status_landmarks", tr("Landmarks %1").arg(9999));
     skipped_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     skipped_->setFocusPolicy(Qt::TabFocus);
-    skipped_->setToolTip(tr("List the damaged lines"));
+    skipped_->setToolTip(tr("List what is damaged"));
     connect(skipped_, &QLabel::linkActivated, this, &StatusLine::skipped_wanted);
     connect(bar, &QStatusBar::messageChanged, bar, &QWidget::setToolTip);
     connect(&session, &Session::progress_changed, this, &StatusLine::refresh);
@@ -155,7 +155,7 @@ void StatusLine::refresh() {
     landmarks_->setText(tr("Landmarks %1").arg(p.lines + p.corners));
     landmarks_->setToolTip(tr("Lines %1, corners %2").arg(p.lines).arg(p.corners));
     skipped_->setVisible(p.skipped_lines > 0);
-    skipped_->setText("<a href='skipped'>" + tr("Skipped lines %1").arg(p.skipped_lines) + "</a>");
+    skipped_->setText("<a href='skipped'>" + tr("Skipped %1").arg(p.skipped_lines) + "</a>");
 }
 
 }  // namespace hitos::window

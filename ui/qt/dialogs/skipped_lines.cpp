@@ -22,9 +22,7 @@ QString skipped_words(const char* text) {
 void show_skipped_lines(QWidget* parent, const QString& file, const ReadReport& report) {
     QStringList lines;
     for (const ReadReport::Skip& skip : report.examples) {
-        lines << skipped_words(QT_TRANSLATE_NOOP("SkippedLines", "Line %1: %2"))
-                     .arg(skip.line)
-                     .arg(words_of(skip.reason));
+        lines << words_of(report.placed(skip));
     }
     if (report.skipped > report.examples.size()) {
         lines << skipped_words(QT_TRANSLATE_NOOP("SkippedLines", "… and %1 more"))
@@ -33,8 +31,11 @@ void show_skipped_lines(QWidget* parent, const QString& file, const ReadReport& 
     auto* dialog = new QDialog(parent);
     dialog->setObjectName("skipped_lines");
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(skipped_words(QT_TRANSLATE_NOOP("SkippedLines", "Damaged lines of %1"))
-                               .arg(QFileInfo(file).fileName()));
+    const char* title =
+        report.of_recording
+            ? QT_TRANSLATE_NOOP("SkippedLines", "Damaged messages and records of %1")
+            : QT_TRANSLATE_NOOP("SkippedLines", "Damaged lines of %1");
+    dialog->setWindowTitle(skipped_words(title).arg(QFileInfo(file).fileName()));
     auto* column = new QVBoxLayout(dialog);
     auto* text = new QPlainTextEdit(lines.join('\n'), dialog);
     text->setReadOnly(true);

@@ -1,5 +1,6 @@
 #include "source_dialog.hpp"
 
+#include <QCompleter>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -165,14 +166,24 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
         emit checked(false);
         return;
     }
-    summary_ = summary;
     show_lines(summary->first_lines);
-    const bool scans = summary->tour.report.scans > 0;
+    offer_topics(summary->topics);
+    if (!summary->choice.empty()) {
+        show_verdict(tr("The recording has several lasers or odometries: write above which ones to "
+                        "use. Its topics are below, with their messages."),
+                     "warning");
+        emit checked(false);
+        return;
+    }
+    summary_ = summary;
+    const ReadReport& report = summary->tour.report;
+    const bool scans = report.scans > 0;
+    const bool lacking = report.skipped + report.early_scans + report.early_scans_left_out > 0;
     show_verdict(
         scans ? words_of(summary->tour) : tr("The file holds odometry but not one readable scan."),
-        !scans                             ? "error"
-        : summary->tour.report.skipped > 0 ? "warning"
-                                           : "good");
+        !scans    ? "error"
+        : lacking ? "warning"
+                  : "good");
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans);
     emit checked(scans);
 }
@@ -181,6 +192,24 @@ void SourceDialog::show_lines(const std::vector<Message>& first_lines) {
     QStringList lines;
     for (const Message& line : first_lines) lines << window::words_of(line);
     ui_->lines->setPlainText(lines.join('\n'));
+}
+
+/// Those of the right kind, while a name is written.
+void SourceDialog::offer_topics(const std::vector<RecordedTopic>& topics) {
+    const auto offer = [&](QLineEdit& line, std::string_view type, const char* other) {
+        QStringList names;
+        for (const RecordedTopic& topic : topics) {
+            if (topic.type == type && topic.messages > 0)
+                names << QString::fromStdString(topic.name);
+        }
+        if (!names.isEmpty()) names << other;
+        auto* completer = new QCompleter(names, &line);
+        completer->setFilterMode(Qt::MatchContains);
+        delete line.completer();
+        line.setCompleter(completer);
+    };
+    offer(*ui_->scan_topic, "sensor_msgs/LaserScan", "all");
+    offer(*ui_->odom_topic, "nav_msgs/Odometry", "tf");
 }
 
 QString SourceDialog::words_of(const TourSummary& summary) const {
@@ -197,12 +226,26 @@ QString SourceDialog::words_of(const TourSummary& summary) const {
                       .arg((summary.fan.max_angle_rad - summary.fan.min_angle_rad) * 180.0 / kPi, 0,
                            'f', 0);
     }
-    if (summary.report.skipped > 0) {
-        const auto& first = summary.report.examples.front();
-        words += '\n' + tr("Damaged lines that will be skipped: %1; the first is line %2: %3")
-                            .arg(summary.report.skipped)
-                            .arg(first.line)
-                            .arg(window::words_of(first.reason));
+    const ReadReport& report = summary.report;
+    if (report.early_scans > 0) {
+        words += '\n' + tr("Scans before the first odometry reading: %1. They are used as if the "
+                           "robot had stood still until then; “%2” in the configuration leaves "
+                           "them out.")
+                            .arg(report.early_scans)
+                            .arg(label_of(find_parameter("source.early_scans")));
+    }
+    if (report.early_scans_left_out > 0) {
+        words += '\n' + tr("Scans before the first odometry reading, which are left out: %1.")
+                            .arg(report.early_scans_left_out);
+    }
+    if (report.skipped > 0) {
+        const QString text =
+            report.of_recording
+                ? tr("Damaged messages or records that will be skipped: %1; the first is %2")
+                : tr("Damaged lines that will be skipped: %1; the first is %2");
+        words +=
+            '\n' +
+            text.arg(report.skipped).arg(window::words_of(report.placed(report.examples.front())));
     }
     return words;
 }

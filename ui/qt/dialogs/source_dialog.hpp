@@ -64,6 +64,7 @@ class SourceDialog final : public QDialog {
     void end_check(const Stop& stop, const std::optional<SourceInspection>& summary,
                    const Refusal& refusal);
     void show_lines(const std::vector<Message>& first_lines);
+    void offer_topics(const std::vector<RecordedTopic>& topics);
     void show_verdict(const QString& text, const char* role);
     QString words_of(const TourSummary& summary) const;
 

@@ -55,6 +55,10 @@
         <source>What was seen does not follow on what was seen just before (scan %1): the robot may have been carried there, the log have a gap, or scans lie too far apart for this odometry. The map may be in pieces.</source>
         <translation>Lo visto no sigue a lo visto justo antes (barrido %1): quizá el robot fue llevado allí, al registro le falta un trozo o los barridos están demasiado lejos para esta odometría. El mapa puede estar en pedazos.</translation>
     </message>
+    <message>
+        <source>%1 scans lie before the first odometry reading, and the robot is taken to have stood still until then: if it moved, leave them out (source.early_scans).</source>
+        <translation>%1 barridos son anteriores a la primera lectura de odometría, y se supone que hasta ella el robot estuvo parado: si se movía, omítalos (source.early_scans).</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -891,10 +895,6 @@
     <message>
         <source>found no readable scan</source>
         <translation>no se encontró ningún barrido legible</translation>
-    </message>
-    <message>
-        <source>found no readable scan; %1 damaged lines were skipped, the first is line %2: %3</source>
-        <translation>no se encontró ningún barrido legible; líneas dañadas que se saltaron: %1, la primera es la línea %2: %3</translation>
     </message>
     <message>
         <source>%1; expected at least one scan: check the file and its format</source>
@@ -1916,6 +1916,22 @@
         <source>found no wall; expected straight walls of some length</source>
         <translation>no se encontró ninguna pared; se esperaban paredes rectas de cierta longitud</translation>
     </message>
+    <message>
+        <source>no laser scans (messages sensor_msgs/LaserScan) can be read in it, as some of it cannot: %1; the topics that can are: %2</source>
+        <translation>no se puede leer en ella ningún barrido láser (mensajes sensor_msgs/LaserScan), pues hay partes ilegibles: %1; los temas que se pueden leer son: %2</translation>
+    </message>
+    <message>
+        <source>message %1: %2</source>
+        <translation>mensaje %1: %2</translation>
+    </message>
+    <message>
+        <source>found no scan behind the first odometry reading; %1 before it were left out, use them with source.early_scans=keep</source>
+        <translation>no se encontró ningún barrido posterior a la primera lectura de odometría; se omitieron los %1 anteriores a ella, que se usan con source.early_scans=keep</translation>
+    </message>
+    <message>
+        <source>found no readable scan; of the log %1 parts were skipped as damaged, the first is %2</source>
+        <translation>no se encontró ningún barrido legible; partes del registro que se saltaron por dañadas: %1, la primera es %2</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -2391,6 +2407,10 @@
         <source>Topic of the odometry in a ROS recording with several, or tf for its transforms; empty takes the only one, else the transforms.</source>
         <translation>Tema de la odometría en una grabación de ROS con varios, o tf para sus transformaciones; vacío toma el único o, si no hay, las transformaciones.</translation>
     </message>
+    <message>
+        <source>What becomes of scans before the first odometry reading: they are used as if the robot had stood still until then, or left out. Both are counted.</source>
+        <translation>Qué se hace con los barridos anteriores a la primera lectura de odometría: usarlos como si el robot hubiera estado parado hasta ella u omitirlos. En ambos casos se cuentan.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -2593,6 +2613,14 @@
     <message>
         <source>ROS 2 folder</source>
         <translation>Carpeta de ROS 2</translation>
+    </message>
+    <message>
+        <source>Keep, robot at rest</source>
+        <translation>Usar, robot parado</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Omitir</translation>
     </message>
 </context>
 <context>
@@ -2988,6 +3016,10 @@
         <source>Odometry topic</source>
         <translation>Tema de la odometría</translation>
     </message>
+    <message>
+        <source>Scans before the odometry</source>
+        <translation>Barridos antes de la odometría</translation>
+    </message>
 </context>
 <context>
     <name>Picture</name>
@@ -3111,16 +3143,16 @@
 <context>
     <name>SkippedLines</name>
     <message>
-        <source>Line %1: %2</source>
-        <translation>Línea %1: %2</translation>
-    </message>
-    <message>
         <source>… and %1 more</source>
         <translation>… y %1 más</translation>
     </message>
     <message>
         <source>Damaged lines of %1</source>
         <translation>Líneas dañadas de %1</translation>
+    </message>
+    <message>
+        <source>Damaged messages and records of %1</source>
+        <translation>Mensajes y partes dañados de %1</translation>
     </message>
 </context>
 <context>
@@ -4641,8 +4673,8 @@
         <translation>otra partícula es la mejor</translation>
     </message>
     <message>
-        <source>damaged lines skipped before it: %1</source>
-        <translation>líneas dañadas omitidas antes: %1</translation>
+        <source>damaged and skipped before it: %1</source>
+        <translation>dañado y saltado antes: %1</translation>
     </message>
 </context>
 <context>
@@ -4851,10 +4883,6 @@
         <translation>Láser: %1 rayos en %2°.</translation>
     </message>
     <message>
-        <source>Damaged lines that will be skipped: %1; the first is line %2: %3</source>
-        <translation>Líneas dañadas que se saltarán: %1; la primera es la %2: %3</translation>
-    </message>
-    <message>
         <source>Logs and worlds (%1 *.gz *.toml);;All files (*)</source>
         <translation>Registros y mundos (%1 *.gz *.toml);;Todos los archivos (*)</translation>
     </message>
@@ -4886,13 +4914,29 @@
         <source>Choose a log: odometry and laser scans, as text, .gz or ROS recording.</source>
         <translation>Elija un registro: odometría y barridos láser, como texto, .gz o grabación de ROS.</translation>
     </message>
+    <message>
+        <source>The recording has several lasers or odometries: write above which ones to use. Its topics are below, with their messages.</source>
+        <translation>La grabación tiene varios láseres u odometrías: escriba arriba cuáles usar. Abajo están sus temas, con sus mensajes.</translation>
+    </message>
+    <message>
+        <source>Scans before the first odometry reading: %1. They are used as if the robot had stood still until then; “%2” in the configuration leaves them out.</source>
+        <translation>Barridos anteriores a la primera lectura de odometría: %1. Se usan como si el robot hubiera estado parado hasta ella; «%2», en la configuración, los omite.</translation>
+    </message>
+    <message>
+        <source>Scans before the first odometry reading, which are left out: %1.</source>
+        <translation>Barridos anteriores a la primera lectura de odometría, que se omiten: %1.</translation>
+    </message>
+    <message>
+        <source>Damaged messages or records that will be skipped: %1; the first is %2</source>
+        <translation>Mensajes o partes dañados que se saltarán: %1; lo primero es el %2</translation>
+    </message>
+    <message>
+        <source>Damaged lines that will be skipped: %1; the first is %2</source>
+        <translation>Líneas dañadas que se saltarán: %1; la primera es la %2</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::StatusLine</name>
-    <message>
-        <source>Skipped lines %1</source>
-        <translation>Líneas saltadas %1</translation>
-    </message>
     <message>
         <source>Scan %1 of %2</source>
         <translation>Barrido %1 de %2</translation>
@@ -4974,12 +5018,16 @@
         <translation>Hitos %1</translation>
     </message>
     <message>
-        <source>List the damaged lines</source>
-        <translation>Listar las líneas dañadas</translation>
-    </message>
-    <message>
         <source>Lines %1, corners %2</source>
         <translation>Rectas %1, esquinas %2</translation>
+    </message>
+    <message>
+        <source>Skipped %1</source>
+        <translation>Saltado %1</translation>
+    </message>
+    <message>
+        <source>List what is damaged</source>
+        <translation>Listar lo dañado</translation>
     </message>
 </context>
 <context>

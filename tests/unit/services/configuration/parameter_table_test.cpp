@@ -233,6 +233,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.source.read.logged_velocities = true;
     c.source.read.scan_topic = "/front,/rear";
     c.source.read.odom_topic = "tf";
+    c.source.read.leave_out_early_scans = true;
     c.source.tour_seed = 43;
     c.source.world_set = "laser.sigma=0.003";
     c.run = {42, 3};
@@ -274,6 +275,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"source.odometry", "velocities"},
         {"source.scan_topic", "/front,/rear"},
         {"source.odom_topic", "tf"},
+        {"source.early_scans", "leave_out"},
         {"source.tour_seed", "43"},
         {"source.world_set", "laser.sigma=0.003"},
         {"run.seed", "42"},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -11,6 +12,7 @@
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/run/grid_builder.hpp"
 #include "hitos/services/run/open_source.hpp"
+#include "hitos/services/run/quality.hpp"
 #include "support.hpp"
 
 namespace hitos {
@@ -126,6 +128,28 @@ TEST(Algoritmo, RefusesASourceWithoutScans) {
     });
     EXPECT_NE(message.find("no readable scan"), std::string::npos) << message;
     EXPECT_NE(message.find("odometry.log"), std::string::npos) << message;
+}
+
+TEST(Algoritmo, TellsOfScansBeforeTheOdometry) {
+    const test::TempFolder folder;
+    Configuracion configuration;
+    configuration.source.file =
+        folder.put("late.log", "LASER 0 2 1 0 1 1\nLASER 1 2 1 0 1 1.1\nODOM 2 0.1 0\n");
+    Algoritmo run(configuration, open_source(configuration.source));
+    while (run.step()) {
+    }
+    EXPECT_EQ(run.report().early_scans, 2U);
+    EXPECT_EQ(run.best_trajectory().back().pose, Pose{});
+    const std::vector<Advice> told = warnings(run);
+    EXPECT_TRUE(std::ranges::any_of(told, [](const Advice& advice) {
+        return advice.figure == "2" && advice.text.find("source.early_scans") != advice.text.npos;
+    }));
+    configuration.source.read.leave_out_early_scans = true;
+    const std::string message = test::message_of<FormatError>([&] {
+        Algoritmo none(configuration, open_source(configuration.source));
+        none.step();
+    });
+    EXPECT_NE(message.find("2 before it were left out"), std::string::npos) << message;
 }
 
 TEST(Algoritmo, RefusesNoFileAndImpossibleParameters) {
