@@ -199,6 +199,10 @@ bool is_recording(const std::filesystem::path& path) {
     }
 }
 
+bool is_recording_folder(const std::filesystem::path& folder) {
+    return is_rosbag2_folder(folder);
+}
+
 namespace {
 
 /// SQLite's log of changes beside a file is read with it, also where it appears later.

@@ -67,6 +67,49 @@ void ConfigurationTest::a_bad_file_of_the_command_line_is_told_in_the_window() {
     QCOMPARE(f.session.configuration().filter.particles, 7);
 }
 
+void ConfigurationTest::a_bad_folder_of_a_recording_is_told_in_the_window() {
+    Fixture f(false);
+    QVERIFY(QDir(f.path("")).mkpath("tour"));
+    f.write("tour/metadata.yaml",
+            "rosbag2_bagfile_information:\n  compression_mode: FILE\n  relative_file_paths:\n"
+            "    - tour_0.mcap.zstd\n");
+    CommandLine line;
+    line.open = f.path("tour").toStdString();
+    QCOMPARE(kind_of(f.path("tour")), FileKind::source);
+    f.window->configuration_actions().start_or_warn(line);
+    QTRY_COMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY2(f.prompts.warnings.front().contains("compressed by FILE"),
+             qPrintable(f.prompts.warnings.front()));
+    QVERIFY(!f.session.has_source());
+    // One that ends before it begins is none of results, either.
+    QVERIFY(QDir(f.path("")).mkpath("cut"));
+    f.write("cut/cut_0.db3", "SQLite format 3");
+    f.prompts.warnings.clear();
+    QVERIFY(!f.window->configuration_actions().open(f.path("cut")));
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY2(f.prompts.warnings.front().contains("cut_0.db3"),
+             qPrintable(f.prompts.warnings.front()));
+    QVERIFY(QDir(f.path("")).mkpath("run"));
+    QCOMPARE(kind_of(f.path("run")), FileKind::results);
+}
+
+void ConfigurationTest::topics_are_taken_from_the_command_line() {
+    Fixture f(false);
+    std::vector<std::string> words{
+        "hitos",        Fixture::source_file("tests/unit/capture/two-lasers-cut.bag").toStdString(),
+        "--scan-topic", "all",
+        "--odom-topic", "tf"};
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    CommandLine line;
+    QVERIFY(!parse(static_cast<int>(arguments.size()), arguments.data(), line));
+    f.window->configuration_actions().start_or_warn(line);
+    QVERIFY(f.session.has_source());
+    QCOMPARE(f.session.configuration().source.read.scan_topic, std::string("all"));
+    QCOMPARE(f.session.configuration().source.read.odom_topic, std::string("tf"));
+    QVERIFY(f.prompts.warnings.isEmpty());
+}
+
 void ConfigurationTest::what_is_saved_finds_its_log_from_everywhere() {
     Fixture f(false);
     const QString log = f.write("small.txt", "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n");

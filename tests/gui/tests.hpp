@@ -58,6 +58,8 @@ class ConfigurationTest : public QObject {
     void a_bad_default_is_told_in_the_window();
     void a_default_whose_log_is_lost_is_told_in_the_window();
     void a_bad_file_of_the_command_line_is_told_in_the_window();
+    void a_bad_folder_of_a_recording_is_told_in_the_window();
+    void topics_are_taken_from_the_command_line();
 };
 
 class RunsTest : public QObject {

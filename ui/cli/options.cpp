@@ -73,17 +73,12 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
 
 void add_source_options(CLI::App& command, SourceOptions& options) {
     command.add_option("--format", options.format, log_format_choices() + " (default: auto)");
-    command.add_option("--scan-topic", options.scan_topic,
-                       "Laser topic of a ROS recording with several: one, several with commas "
-                       "between them, or all");
-    command.add_option("--odom-topic", options.odom_topic,
-                       "Odometry topic of a ROS recording with several, or tf for its transforms");
+    manual::add_topic_options(command, options.topics);
 }
 
 void SourceOptions::choose(SourceParams& source) const {
     if (!format.empty()) source.format = checked_log_format(format, "--format");
-    if (!scan_topic.empty()) source.read.scan_topic = scan_topic;
-    if (!odom_topic.empty()) source.read.odom_topic = odom_topic;
+    topics.choose(source);
 }
 
 int exit_status(const CLI::App& program, const CLI::ParseError& error) {

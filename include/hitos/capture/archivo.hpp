@@ -72,6 +72,9 @@ const LogFormat* recording_format(const std::filesystem::path& path);
 /// Whether the path is a ROS recording, by its first bytes, or a folder; false where it is missing.
 bool is_recording(const std::filesystem::path& path);
 
+/// Whether the folder holds the files of a ROS recording, also where they cannot be read.
+bool is_recording_folder(const std::filesystem::path& folder);
+
 /// The files that a log is read from: itself, or those of a recording's folder.
 std::vector<std::filesystem::path> log_files(const std::filesystem::path& path);
 

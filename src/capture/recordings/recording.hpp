@@ -125,4 +125,7 @@ inline constexpr const char* kRosbag2Metadata = "metadata.yaml";
 /// folder or compressed.
 std::vector<std::filesystem::path> rosbag2_files(const std::filesystem::path& path);
 
+/// Whether a recording's files are in the folder, be they damaged or of a kind that is not read.
+bool is_rosbag2_folder(const std::filesystem::path& folder);
+
 }  // namespace hitos

@@ -208,6 +208,15 @@ std::vector<fs::path> rosbag2_files(const fs::path& path) {
                            "names files nor files *.mcap or *.db3; choose a log file inside it")));
 }
 
+bool is_rosbag2_folder(const fs::path& folder) {
+    std::error_code error;
+    try {
+        return fs::exists(folder / kMetadata, error) || !files_found(folder).empty();
+    } catch (const FileError&) {
+        return false;
+    }
+}
+
 std::unique_ptr<Recording> open_rosbag2_folder(const fs::path& path, RecordingUse use) {
     return std::make_unique<Rosbag2Folder>(path, use);
 }

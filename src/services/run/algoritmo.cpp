@@ -181,7 +181,8 @@ std::vector<Advice> Algoritmo::advice() const {
         for (Advice& reason : advice) reason.preset = {};
     }
     // What simulators write may be replayed as the thesis did; these formats come from robots.
-    const bool recording = reader_->format() == "carmen" || reader_->format() == "radish";
+    const bool recording = reader_->format() == "carmen" || reader_->format() == "radish" ||
+                           reader_->report().of_recording;
     if (recording && !registration_) {
         advice.insert(advice.begin(),
                       {HITOS_TEXT("Advice",

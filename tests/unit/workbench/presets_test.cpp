@@ -92,6 +92,13 @@ TEST(Advice, OffersRegistrationForTheRecordingOfARobot) {
     for (const Advice& other : advice_of(preset_configuration("recorded"), log, 5)) {
         EXPECT_NE(other.preset, "recorded") << other.words();
     }
+    Configuracion configuration = preset_configuration("recorded-fastslam1");
+    configuration.source.read.scan_topic = "all";
+    const auto of_ros = advice_of(
+        configuration,
+        std::filesystem::path(HITOS_SOURCE_DIR) / "tests/unit/capture/two-lasers-cut.bag", 5);
+    ASSERT_FALSE(of_ros.empty());
+    EXPECT_EQ(of_ros[0].preset, "recorded");
 }
 
 TEST(Advice, SaysNothingInTheFirstScans) {

@@ -107,8 +107,7 @@ void UserFiles::note_folder(const QString& kind, const QString& path) {
 
 FileKind kind_of(const QString& path) {
     if (QFileInfo(path).isDir()) {
-        const std::filesystem::path folder = path.toStdString();
-        return log_files(folder).front() == folder ? FileKind::results : FileKind::source;
+        return is_recording_folder(path.toStdString()) ? FileKind::source : FileKind::results;
     }
     QString name = QFileInfo(path).fileName().toLower();
     if (name.endsWith(".gz")) name.chop(3);

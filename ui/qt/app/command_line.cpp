@@ -68,6 +68,7 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         .add_option("--tour-seed", out.values.tour_seed,
                     "Seed of a world's noise (default: as the world says, else the seed)")
         ->check(&complaint_of_seed);
+    manual::add_topic_options(program, out.topics);
     program.add_option("--threads", out.values.threads, "Threads (default: all)");
     program.add_option("--reference", out.reference, "Reference map to measure the map against");
     program.add_option("--reference-trajectory", out.reference_trajectory,
@@ -148,6 +149,7 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
         configuration.source.file = shipped_file(kReadyTour).string();
     }
     choose_values(configuration, line.values);
+    line.topics.choose(configuration.source);
     return configuration;
 }
 
