@@ -5,8 +5,10 @@
 #include <link.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
@@ -28,6 +30,14 @@ std::filesystem::path own_file() {
         return std::filesystem::canonical(loaded->l_name, ignored);
     }
     return std::filesystem::read_symlink("/proc/self/exe", ignored);
+}
+
+/// A page's first line, without the mark of a heading and the number before the title.
+std::string title_of(const std::filesystem::path& page) {
+    const std::string text = input::read_text(page);
+    const std::string line = text.substr(0, text.find('\n'));
+    const std::size_t begin = line.find_first_not_of("#0123456789. ");
+    return begin == std::string::npos ? std::string() : line.substr(begin);
 }
 
 }  // namespace
@@ -83,6 +93,31 @@ std::string source_named(const std::string& name) {
                 "Errors",
                 "no such log, nor a world of that name; the worlds that come with Hitos are %1"),
             fmt::format("{}", fmt::join(worlds, ", "))));
+}
+
+std::filesystem::path Lesson::page(std::string_view language) const {
+    return folder / (language.starts_with("es") ? "lesson.es.md" : "lesson.en.md");
+}
+
+std::vector<Lesson> lessons() {
+    std::vector<Lesson> found;
+    std::error_code ignored;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(shipped_file("data/lessons"), ignored)) {
+        Lesson lesson;
+        lesson.folder = entry.path();
+        lesson.name = lesson.folder.filename().string();
+        const char* end = lesson.name.data() + lesson.name.size();
+        const auto number = std::from_chars(lesson.name.data(), end, lesson.number);
+        if (number.ec != std::errc() || number.ptr == end || *number.ptr != '-') continue;
+        lesson.world = lesson.folder / "world.toml";
+        lesson.configuration = lesson.folder / "run.cfg";
+        lesson.title_en = title_of(lesson.page("en"));
+        lesson.title_es = title_of(lesson.page("es"));
+        found.push_back(std::move(lesson));
+    }
+    std::ranges::sort(found, {}, &Lesson::number);
+    return found;
 }
 
 std::filesystem::path find_thesis_results() {

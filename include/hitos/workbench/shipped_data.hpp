@@ -1,8 +1,9 @@
-// Which files are worlds, and where the data lie that come with Hitos.
+// The files that come with Hitos: where they lie, and which of them are worlds and lessons.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hitos {
@@ -24,6 +25,25 @@ std::vector<std::string> shipped_worlds();
 /// comes with Hitos. Throws FileError for a bare name that is neither; a path that is missing is
 /// given back for the reader to complain of.
 std::string source_named(const std::string& name);
+
+/// A lesson that comes with Hitos (docs/lessons.md): a small world, how it is run, and a page about
+/// it in each language.
+struct Lesson {
+    int number = 0;    ///< from 1
+    std::string name;  ///< of its folder: "04-loop"
+    std::string title_en;
+    std::string title_es;
+    std::filesystem::path folder;
+    std::filesystem::path world;
+    std::filesystem::path configuration;  ///< names the world as its source
+
+    /// Its page; in English for a language that has none.
+    std::filesystem::path page(std::string_view language) const;
+};
+
+/// By number, titles from the first lines of the pages. Throws FileError for a page that cannot be
+/// read; no lessons where none are installed.
+std::vector<Lesson> lessons();
 
 /// data/results.csv, the figures of the thesis, likewise. Throws FileError.
 std::filesystem::path find_thesis_results();
