@@ -1,5 +1,7 @@
 #include "hitos/features/extractor.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +9,7 @@
 
 #include "collinear_merge.hpp"
 #include "extractors.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/features/extraction_parameters.hpp"
 #include "hitos/features/line_fit.hpp"
 
@@ -31,6 +34,19 @@ double distance_to_support(const Observation& observation, const DetectedLine& l
         nearest = std::min(nearest, dx * dx + dy * dy);
     }
     return std::sqrt(nearest);
+}
+
+/// A method of somebody's own may return anything; nothing that is computed from what is no number
+/// would tell.
+void check_finite(const Observation& seen) {
+    for (std::size_t i = 0; i < seen.lines.size(); ++i) {
+        const Recta& line = seen.lines[i].recta;
+        if (std::isfinite(line.rho) && std::isfinite(line.theta)) continue;
+        throw Error(message(HITOS_TEXT("Errors",
+                                       "the line method returned rho %1, theta %2 for line %3 of "
+                                       "the scan at %4 s; expected finite numbers"),
+                            line.rho, line.theta, i + 1, fmt::format("{:.6f}", seen.time_s)));
+    }
 }
 
 }  // namespace
@@ -65,6 +81,7 @@ void LineFinder::find(const Scan& scan, Observation& out) {
     out.clear();
     out.time_s = scan.time_s;
     method_->extract_lines(scan, out);
+    check_finite(out);
     if (covariance_ == ObservationCovariance::fixed) return;
     const PointErrors of_points = errors(scan);
     for (const DetectedLine& line : out.lines) {

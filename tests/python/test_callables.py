@@ -145,7 +145,12 @@ class LineMethods(unittest.TestCase):
                 (lambda scan: [(0, len(scan) + 1)], hitos.Error, "two or more"),
                 (lambda scan: [(-1, 5)], hitos.Error, "two or more"),
                 (lambda scan: [(0.5, 5)], hitos.Error, "whole"),
-                (lambda scan: [(float("nan"), 0.0, 0, 5)], hitos.Error, "expected numbers"),
+                (lambda scan: [(1.0, 0.0, 0, 5), (float("nan"), 0.0, 0, 5)], hitos.Error,
+                 "rho nan, theta 0 for line 2 of the scan at .* s; expected finite numbers"),
+                (lambda scan: [(float("inf"), 0.0, 0, 5)], hitos.Error, "finite"),
+                (lambda scan: [(1.0, float("-inf"), 0, 5)], hitos.Error, "finite"),
+                (lambda scan: [(float("nan"), 5)], hitos.Error, "whole"),
+                (lambda scan: [(0, float("inf"))], hitos.Error, "two or more"),
                 (lambda scan: [(1, 2, 3)], ValueError, "expected a row"),
                 (lambda scan: "lines", ValueError, "could not convert"),
                 (lambda scan: [(0, 2), (0,)], ValueError, "")]:

@@ -47,6 +47,56 @@ except KeyboardInterrupt:
 """
 
 
+# Ends while a daemon thread is at work on what lasts for ever.
+DAEMON = """
+import atexit, pathlib, sys, threading
+import hitos
+
+folder = pathlib.Path(sys.argv[1])
+inside = threading.Event()
+
+def own(scan):
+    inside.set()
+    return [(0, len(scan))] if len(scan) > 1 else []
+
+hitos.add_line_method("own", own)
+endless = hitos.open("bigloop", world_set={"tour.laps": 100})
+short = hitos.run("corridor", {"filter.particles": 20})
+
+def told(now):
+    inside.set()
+
+def work():
+    what = sys.argv[2]
+    if what == "run":
+        hitos.run(endless, progress=told, out=folder / "out")
+    elif what == "own":
+        hitos.run(endless, {"features.method": "own"})
+    elif what == "study":
+        hitos.study(endless, {"filter.particles": [500, 600]}, out=folder / "out", threads=2,
+                    progress=told)
+    inside.set()
+    while what == "steps":
+        for snapshot in hitos.Run(endless, {"filter.particles": 5}):
+            pass
+    while what == "scans":
+        for scan in endless:
+            pass
+    while what == "summary":
+        endless.summary()
+    while what == "write":
+        short.write(folder / "written")
+
+def late():
+    # What the main thread does at its end goes on as ever.
+    print(hitos.run("corridor", {"filter.particles": 2}).scans, flush=True)
+
+threading.Thread(target=work, daemon=True).start()
+inside.wait()
+atexit.register(late)
+"""
+
+
 class Interrupts(unittest.TestCase):
     def interrupt(self, what, folder):
         process = start(SCRIPT, folder, what)
@@ -151,6 +201,22 @@ class Threads(unittest.TestCase):
                               {"filter.particles": 10, "run.seed": seed})
             self.assertEqual(path, alone.trajectory.tobytes())
         self.assertEqual(len(results), 6)
+
+
+class Daemons(unittest.TestCase):
+    def test_the_interpreter_may_end_while_they_work(self):
+        for what in ("run", "own", "study", "steps", "scans", "summary", "write"):
+            for _ in range(2):
+                with self.subTest(what), tempfile.TemporaryDirectory() as folder:
+                    process = start(DAEMON, folder, what)
+                    said, complaints = process.communicate(timeout=120)
+                    self.assertEqual(complaints, "")
+                    self.assertEqual(said, "160\n")
+                    self.assertEqual(process.returncode, 0)
+                    # Whole, or not there; what was being written is gone.
+                    left = {path.name for path in pathlib.Path(folder).iterdir()}
+                    self.assertLessEqual(left, {"written"} if what == "write" else {"out"}
+                                         if what == "study" else set())
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@ import gc
 import json
 import pathlib
 import tempfile
+import threading
 import unittest
 
 import numpy as np
@@ -56,6 +57,64 @@ class Runs(unittest.TestCase):
             np.testing.assert_allclose(
                 hitos.read_trajectory(folder / "cli" / "trajectory.tum"), result.trajectory,
                 atol=1e-8)
+
+    def test_further_files_are_written_where_they_are_asked_for(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            cli("run", "corridor", "--set", "filter.particles=20", "--write", "svg,g2o", "--out",
+                folder / "cli")
+            result = hitos.run("corridor", FEW, out=folder / "out", also="map.svg, g2o")
+            result.write(folder / "list", also=["svg", "g2o"])
+            result.write(folder / "none")
+            result.write(folder / "all", also="all")
+            names = {path.name for path in (folder / "cli").iterdir()}
+            self.assertIn("map.svg", names)
+            for other in ("out", "list"):
+                self.assertEqual({path.name for path in (folder / other).iterdir()}, names)
+                self.assertEqual((folder / other / "map.svg").read_bytes(),
+                                 (folder / "cli" / "map.svg").read_bytes())
+            self.assertFalse((folder / "none" / "map.svg").exists())
+            self.assertLess(names, {path.name for path in (folder / "all").iterdir()})
+
+    def test_further_files_that_there_are_not_are_refused(self):
+        with tempfile.TemporaryDirectory() as name:
+            out = pathlib.Path(name, "out")
+            for also, words in [("map.svgg", "also: .*did you mean map.svg"),
+                                (["svg", "pict"], "also: found \"pict\"")]:
+                with self.assertRaisesRegex(hitos.ConfigurationError, words) as raised:
+                    hitos.run("corridor", FEW, out=out, also=also)
+                self.assertEqual(raised.exception.key, "also")
+            with self.assertRaisesRegex(hitos.ConfigurationError, "give out too"):
+                hitos.run("corridor", FEW, also="svg")
+            self.assertFalse(out.exists())
+
+    def test_several_threads_write_at_once(self):
+        result = hitos.run("corridor", FEW)
+        problems = []
+        begin = threading.Barrier(6)
+
+        def work(folder):
+            try:
+                begin.wait()
+                for _ in range(3):
+                    if folder is None:
+                        self.assertEqual(result.summary["scans"], result.scans)
+                    else:
+                        result.write(folder)
+            except Exception as error:
+                problems.append(error)
+        with tempfile.TemporaryDirectory() as name:
+            root = pathlib.Path(name)
+            folders = [root / "a", root / "a", root / "b", root / "c", None, None]
+            threads = [threading.Thread(target=work, args=(folder,)) for folder in folders]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            self.assertEqual(problems, [])
+            self.assertEqual({path.name for path in root.iterdir()}, {"a", "b", "c"})
+            for folder in ("a", "b", "c"):
+                cli("verify", root / folder)
 
     def test_a_log_runs_with_the_thesis_values(self):
         with tempfile.TemporaryDirectory() as name:

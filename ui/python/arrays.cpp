@@ -1,5 +1,6 @@
 #include "arrays.hpp"
 
+#include "arguments.hpp"
 #include "hitos/base/error.hpp"
 
 namespace hitos::python {
@@ -58,8 +59,7 @@ py::dtype dtype_of(const std::vector<Field>& fields, std::size_t size) {
 
 Trajectory trajectory_from(const py::object& array, const char* name) {
     if (!py::isinstance<py::array_t<double>>(array)) {
-        throw py::type_error(std::string(name) + ": expected an array of 64-bit floats, found " +
-                             py::repr(py::type::of(array)).cast<std::string>());
+        refuse_argument(name, "an array of 64-bit floats", array);
     }
     const auto numbers = py::cast<py::array_t<double>>(array);
     if (numbers.ndim() != 2 || numbers.shape(1) != 4) {

@@ -2,11 +2,10 @@
 
 #include "callables.hpp"
 
-#include <pybind11/stl.h>
-
 #include <string>
 #include <vector>
 
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "tours.hpp"
 
@@ -14,12 +13,6 @@ namespace hitos::python {
 namespace {
 
 using Keys = std::vector<std::string>;
-
-void require_callable(const py::object& function, const char* what) {
-    if (PyCallable_Check(function.ptr()) != 0) return;
-    throw py::type_error(std::string(what) + ": expected a function, found " +
-                         py::repr(py::type::of(function)).cast<std::string>());
-}
 
 /// What every entry of a registry says.
 template <class Entry>
@@ -86,9 +79,9 @@ void bind_motion(py::module_& module) {
 
 void bind_callables(py::module_& module) {
     bind_motion(module);
-    module.def(
-        "add_line_method", &add_line_method, py::arg("word"), py::arg("function"), py::kw_only(),
-        py::arg("label") = "", py::arg("purpose") = "", py::arg("reads") = Keys(),
+    define(
+        module, "add_line_method", &add_line_method, py::arg("word"), py::arg("function"),
+        py::kw_only(), py::arg("label") = "", py::arg("purpose") = "", py::arg("reads") = Keys(),
         py::arg("random") = false,
         R"(Adds a line method of one's own, which the parameter features.method then chooses by `word`.
 
@@ -100,8 +93,8 @@ with a numpy Generator that depends on seed and scan alone, so that runs repeat 
 To be called before anything is read or run, or parameters() asked for. `reads` are keys of
 parameters that only some methods read. The function is called on the threads of runs, one call at a
 time; what it raises ends the run and arrives as it is.)");
-    module.def(
-        "add_proposal", &add_proposal, py::arg("word"), py::arg("function"), py::kw_only(),
+    define(
+        module, "add_proposal", &add_proposal, py::arg("word"), py::arg("function"), py::kw_only(),
         py::arg("label") = "", py::arg("purpose") = "", py::arg("reads") = Keys(),
         py::arg("weighted") = false,
         R"(Adds a proposal of one's own, which the parameter filter.proposal then chooses by `word`:

@@ -3,13 +3,12 @@
 #include "configuration.hpp"
 
 #include <fmt/format.h>
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 
+#include "arguments.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
@@ -29,15 +28,22 @@ py::object get(const Configuracion& configuration, const std::string& key) {
     return object_of(find_parameter(key).get(configuration));
 }
 
-void set(Configuracion& configuration, const std::string& key, const py::handle& value) {
+void set(Configuracion& configuration, const std::string& key, const py::object& value) {
     find_parameter(key).set(configuration, text_of(value));
 }
 
-void update(Configuracion& configuration, const py::dict& values) {
+/// `name` is the argument's.
+void update_from(Configuracion& configuration, const py::dict& values, const char* name) {
     Configuracion changed = configuration;  // all or nothing
-    for (const auto& [key, value] : values) set(changed, py::cast<std::string>(key), value);
+    for (const auto& [key, value] : values) {
+        set(changed, key_of(key, name), py::reinterpret_borrow<py::object>(value));
+    }
     check(changed);
     configuration = std::move(changed);
+}
+
+void update(Configuracion& configuration, const py::dict& values) {
+    update_from(configuration, values, "values");
 }
 
 Configuracion configuration_of(const std::optional<py::dict>& values,
@@ -51,6 +57,14 @@ Configuracion configuration_of(const std::optional<py::dict>& values,
     if (file) configuration = ArchivoConfiguracion::read(*file);
     if (values) update(configuration, *values);
     return configuration;
+}
+
+bool contains(const Configuracion& /*any*/, const std::string& key) {
+    return std::ranges::find(parameters(), key, &ConfigParameter::key) != parameters().end();
+}
+
+void write(const Configuracion& configuration, const std::filesystem::path& path) {
+    ArchivoConfiguracion::write(configuration, path);
 }
 
 py::list keys() {
@@ -157,9 +171,12 @@ std::string world_set_of(const py::object& values) {
     if (values.is_none()) return {};
     if (py::isinstance<py::str>(values)) return py::cast<std::string>(values);
     std::string all;
+    if (!py::isinstance<py::dict>(values)) {
+        refuse_argument("world_set", "a dict, a str or None", values);
+    }
     for (const auto& [key, value] : py::cast<py::dict>(values)) {
         if (!all.empty()) all += ' ';
-        all += py::cast<std::string>(key);
+        all += key_of(key, "world_set");
         all += '=';
         all += text_of(value);
     }
@@ -172,17 +189,16 @@ Configuracion configuration_from(const py::object& given, const std::string& sou
     if (is_world_file(source)) configuration = preset_configuration(kWorldPreset);
     if (given.is_none()) return configuration;
     if (!py::isinstance<py::dict>(given)) {
-        throw py::type_error("configuration: expected a Configuration, a dict or None, found " +
-                             py::repr(py::type::of(given)).cast<std::string>());
+        refuse_argument("configuration", "a Configuration, a dict or None", given);
     }
-    update(configuration, py::cast<py::dict>(given));
+    update_from(configuration, py::cast<py::dict>(given), "configuration");
     return configuration;
 }
 
 void bind_configuration(py::module_& module) {
     bind_parameter(module);
-    using std::filesystem::path;
-    py::class_<Configuracion>(module, "Configuration", R"(Every parameter of a run, by its key.
+    py::class_<Configuracion> configuration(module, "Configuration",
+                                            R"(Every parameter of a run, by its key.
 
     c = hitos.Configuration({"filter.particles": 200}, preset="recorded")
     c["split_merge.dmax"] = 0.03
@@ -190,19 +206,24 @@ void bind_configuration(py::module_& module) {
 Keys, meanings and ranges are those of hitos.parameters() and of `hitos-cli parameters`. Values
 are checked when they are set: an unknown key or an impossible value raises ConfigurationError,
 which names near keys or what is allowed, and changes nothing. A parameter of whole numbers takes
-no floats.)")
-        .def(py::init(&configuration_of), py::arg("values") = py::none(), py::kw_only(),
-             py::arg("preset") = py::none(), py::arg("file") = py::none(),
-             R"(The defaults, or a preset, or a configuration file, with `values` over them.)")
-        .def("__getitem__", &get, py::arg("key"), "The value of a parameter.")
-        .def("__setitem__", &set, py::arg("key"), py::arg("value"), "Sets a parameter.")
-        .def(
-            "__contains__",
-            [](const Configuracion&, const std::string& key) {
-                return std::ranges::find(parameters(), key, &ConfigParameter::key) !=
-                       parameters().end();
-            },
-            py::arg("key"), "Whether there is such a parameter.")
+no floats.)");
+    define_init(configuration, &configuration_of, py::arg("values") = py::none(), py::kw_only(),
+                py::arg("preset") = py::none(), py::arg("file") = py::none(),
+                R"(The defaults, or a preset, or a configuration file, with `values` over them.)");
+    define_method(configuration, "__getitem__", &get, py::arg("key"), "The value of a parameter.");
+    define_method(configuration, "__setitem__", &set, py::arg("key"), py::arg("value"),
+                  "Sets a parameter.");
+    define_method(configuration, "__contains__", &contains, py::arg("key"),
+                  "Whether there is such a parameter.");
+    define_method(configuration, "update", &update, py::arg("values"),
+                  "Sets all values of a dict, or none of them where one is impossible.");
+    define_method(
+        configuration, "differences", &different, py::arg("other"),
+        R"(The keys in which two configurations differ, but for the log and what changes no
+result; those without effect in both are left out.)");
+    define_method(configuration, "write", &write, py::arg("path"),
+                  "Writes to_text() into a file: whole, or not at all.");
+    configuration
         .def(
             "__iter__", [](const Configuracion&) { return py::iter(keys()); },
             "The keys, group by group.")
@@ -218,20 +239,11 @@ no floats.)")
         .def(
             "keys", [](const Configuracion&) { return keys(); }, "All keys, group by group.")
         .def("to_dict", &dict_of, "All keys with their values.")
-        .def("update", &update, py::arg("values"),
-             "Sets all values of a dict, or none of them where one is impossible.")
         .def(
             "copy", [](const Configuracion& c) { return Configuracion(c); },
             "A configuration of its own with the same values.")
-        .def("differences", &different, py::arg("other"),
-             R"(The keys in which two configurations differ, but for the log and what changes no
-result; those without effect in both are left out.)")
         .def("to_text", &ArchivoConfiguracion::to_text,
              "A commented configuration file; reading it gives the same values to the last bit.")
-        .def(
-            "write",
-            [](const Configuracion& c, const path& file) { ArchivoConfiguracion::write(c, file); },
-            py::arg("path"), "Writes to_text() into a file: whole, or not at all.")
         .def("__repr__", &shown)
         .attr("__hash__") = py::none();
     module.def(

@@ -12,7 +12,7 @@ std::shared_ptr<PyObject> kept(py::object object) {
     return {object.release().ptr(), [](PyObject* value) {
                 // After the interpreter's end there is nothing to give back.
                 if (Py_IsInitialized() == 0) return;
-                const py::gil_scoped_acquire lock;
+                const LockHeld lock;
                 Py_DECREF(value);
             }};
 }

@@ -10,6 +10,7 @@
 #include <future>
 #include <utility>
 
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "hitos/services/run/grid_builder.hpp"
 #include "hitos/workbench/open_tour.hpp"
@@ -33,9 +34,11 @@ std::size_t cell_count(const GridArray& grid) {
     return static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
 }
 
-Held draw_grid(const py::object& tour, const py::object& trajectory, const py::object& given) {
+std::shared_ptr<GridArray> draw_grid(const py::object& tour, const py::object& trajectory,
+                                     const py::object& given) {
     const Configuracion configuration = configuration_for(tour_argument(tour), given);
     Trajectory path = trajectory_from(trajectory, "trajectory");
+    const Work under_way;
     std::atomic<bool> stopped = false;
     std::future<Held> drawn = std::async(
         std::launch::async, [&configuration, &stopped, path = std::move(path)]() mutable -> Held {
@@ -44,7 +47,8 @@ Held draw_grid(const py::object& tour, const py::object& trajectory, const py::o
             }
             return array_of(builder.grid());
         });
-    return wait_for<Held>(std::move(drawn), [&] { stopped = true; });
+    return std::const_pointer_cast<GridArray>(
+        wait_for<Held>(std::move(drawn), [&] { stopped = true; }));
 }
 
 }  // namespace
@@ -131,12 +135,9 @@ the grids of snapshots, which have their picture only.)")
                                g.resolution_m);
         });
     module.attr("UNKNOWN_GREY") = kUnknownGrey;
-    module.def(
-        "draw_grid",
-        [](const py::object& tour, const py::object& trajectory, const py::object& configuration) {
-            return std::const_pointer_cast<GridArray>(draw_grid(tour, trajectory, configuration));
-        },
-        py::arg("tour"), py::arg("trajectory"), py::arg("configuration") = py::none(),
+    define(
+        module, "draw_grid", &draw_grid, py::arg("tour"), py::arg("trajectory"),
+        py::arg("configuration") = py::none(),
         R"(Draws the scans of a tour along any path, an N x 4 array of t, x, y, theta: poses and scans
 are paired in order. The configuration's grid.* parameters say how, e.g. {"grid.resolution": 0.1}.)");
 }

@@ -3,9 +3,8 @@
 #include "hitos/services/evaluation/measures.hpp"
 
 #include <fmt/format.h>
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "python_calls.hpp"
@@ -34,7 +33,14 @@ py::array read(const path& file) {
 std::optional<Trajectory> reference_trajectory_of(const py::object& given) {
     if (given.is_none()) return std::nullopt;
     if (py::isinstance<py::array>(given)) return trajectory_from(given, "reference_trajectory");
-    return read_trajectory(py::cast<path>(given));
+    py::detail::make_caster<path> file;
+    if (!file.load(given, true)) {
+        refuse_argument("reference_trajectory",
+                        "an N x 4 array of 64-bit floats, a path (str, bytes or os.PathLike) or "
+                        "None",
+                        given);
+    }
+    return read_trajectory(py::detail::cast_op<path>(std::move(file)));
 }
 
 References references_of(const std::optional<path>& map, const py::object& trajectory,
@@ -58,13 +64,13 @@ void bind_measures(py::module_& module) {
         .def("__repr__", [](const TrajectoryError& e) {
             return fmt::format("<TrajectoryError: {:.4f} m over {} poses>", e.rmse_m, e.poses);
         });
-    module.def("trajectory_error", &error_of, py::arg("estimate"), py::arg("reference"),
-               py::arg("tolerance") = kSameStamp,
-               R"(The absolute trajectory error of a path against the true one, both N x 4 arrays of
+    define(module, "trajectory_error", &error_of, py::arg("estimate"), py::arg("reference"),
+           py::arg("tolerance") = kSameStamp,
+           R"(The absolute trajectory error of a path against the true one, both N x 4 arrays of
 t, x, y, theta, after the best rigid alignment (docs/evaluation.md). Poses whose stamps agree within
 `tolerance` seconds are compared; None where there are none.)");
-    module.def("read_trajectory", &read, py::arg("path"),
-               "Reads a trajectory in TUM format, plain or gzip: N x 4 of t, x, y, theta.");
+    define(module, "read_trajectory", &read, py::arg("path"),
+           "Reads a trajectory in TUM format, plain or gzip: N x 4 of t, x, y, theta.");
 }
 
 }  // namespace hitos::python

@@ -1,6 +1,7 @@
 // The extension module behind `import hitos`; hitos/__init__.py gives out what is in here.
 
 #include "bindings.hpp"
+#include "ending.hpp"
 #include "hitos/services/run/results.hpp"
 
 // NOLINTNEXTLINE: what the macro makes is pybind11's
@@ -11,6 +12,7 @@ PYBIND11_MODULE(_hitos, module) {
     py::options how;
     how.disable_enum_members_docstring();
     bind_errors();
+    bind_ending();
     bind_configuration(module);
     bind_tours(module);
     bind_grids(module);

@@ -78,10 +78,6 @@ class OwnLines final : public MetodoExtraccionRectas {
         const auto begin = static_cast<std::size_t>(first);
         const auto support =
             std::span(scan.points).subspan(begin, static_cast<std::size_t>(end) - begin);
-        if (row.size() == 4 && !(std::isfinite(row[0]) && std::isfinite(row[1]))) {
-            throw Error(message("a line method returned rho %1, theta %2; expected numbers", row[0],
-                                row[1]));
-        }
         const Recta line =
             row.size() == 4 ? normalized(Recta{row[0], row[1]}) : fit_least_squares(support);
         out.lines.push_back({line, static_cast<std::uint32_t>(out.support.size()),

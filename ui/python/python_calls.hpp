@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bindings.hpp"
+#include "ending.hpp"
 #include "hitos/base/error.hpp"
 
 namespace hitos::python {
@@ -27,9 +28,9 @@ class PythonFailure : public Error {
 
 /// Calls `work` with the lock held, from any thread. What Python raises there is thrown as
 /// PythonFailure.
-template <class Work>
-auto with_python(const Work& work) {
-    const py::gil_scoped_acquire lock;
+template <class What>
+auto with_python(const What& work) {
+    const LockHeld lock;
     try {
         return work();
     } catch (const py::error_already_set& raised) {
@@ -38,9 +39,10 @@ auto with_python(const Work& work) {
 }
 
 /// Calls `work` without the lock.
-template <class Work>
-auto without_python(const Work& work) {
-    const py::gil_scoped_release release;
+template <class What>
+auto without_python(const What& work) {
+    const Work under_way;
+    const LockReleased released;
     return work();
 }
 
@@ -49,7 +51,7 @@ template <class T>
 std::shared_ptr<T> ended_without_python(std::unique_ptr<T> object) {
     return std::shared_ptr<T>(object.release(), [](T* ended) {
         if (PyGILState_Check() != 0) {
-            const py::gil_scoped_release release;
+            const LockReleased released;
             delete ended;
         } else {
             delete ended;
@@ -60,13 +62,8 @@ std::shared_ptr<T> ended_without_python(std::unique_ptr<T> object) {
 /// How often signals are looked for while C++ works.
 inline constexpr std::chrono::milliseconds kPoll{20};
 
-/// Whether a signal's handler has raised something (Ctrl+C); to be asked with the lock held.
-inline bool interrupted() {
-    return PyErr_CheckSignals() != 0;
-}
-
-/// Waits for work under way on another thread; Ctrl+C calls `stop` and is raised when the work has
-/// ended.
+/// Waits for what another thread does, within Work that began before it; Ctrl+C calls `stop` and is
+/// raised when the work has ended.
 template <class Result, class Stop>
 Result wait_for(std::future<Result> future, const Stop& stop) {
     while (without_python([&] { return future.wait_for(kPoll); }) != std::future_status::ready) {

@@ -39,6 +39,30 @@ class Run::Turn {
     std::atomic<bool>& taken_;
 };
 
+class Run::Reading {
+  public:
+    explicit Reading(Run& run) : run_(run) {
+        // A signal's handler may ask again in the midst of it; Turn refuses that.
+        if (run_.reader_.load() == std::this_thread::get_id()) return;
+        while (!without_python([this] { return run_.reading_.try_lock_for(kPoll); })) {
+            if (interrupted()) throw py::error_already_set();
+        }
+        run_.reader_ = std::this_thread::get_id();
+        holds_ = true;
+    }
+    ~Reading() {
+        if (!holds_) return;
+        run_.reader_ = std::thread::id();
+        run_.reading_.unlock();
+    }
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+
+  private:
+    Run& run_;
+    bool holds_ = false;
+};
+
 Run::Run(const TourArgument& tour, Configuracion configuration, References references,
          bool uncertainty)
     : configuration_(std::move(configuration)),
@@ -58,6 +82,7 @@ Progress Run::progress() const {
 }
 
 void Run::advance(std::uint64_t scans, const py::object& told) {
+    const Work under_way;
     const Turn turn(*this);
     const Clock::time_point begin = Clock::now();
     const auto rest = [&] {
@@ -136,6 +161,8 @@ void Run::check_revision(std::uint64_t revision) const {
 }
 
 std::string Run::summary(std::uint64_t revision) {
+    const Work under_way;
+    const Reading reading(*this);
     const Turn turn(*this);
     check_revision(revision);
     return wait_for<std::string>(worker_->with_run([this](const Algoritmo& run) {
@@ -159,7 +186,17 @@ std::unique_ptr<StagedFolder> Run::folder_for(const std::filesystem::path& path)
     return std::unique_ptr<StagedFolder>(new StagedFolder(results_folder(path)));
 }
 
-std::string Run::write(std::uint64_t revision, StagedFolder& folder) {
+std::string Run::write(std::uint64_t revision, const std::filesystem::path& folder,
+                       const std::vector<std::string>& also) {
+    const Reading reading(*this);
+    const std::unique_ptr<StagedFolder> staged = folder_for(folder);
+    return write(revision, *staged, also);
+}
+
+std::string Run::write(std::uint64_t revision, StagedFolder& folder,
+                       const std::vector<std::string>& also) {
+    const Work under_way;
+    const Reading reading(*this);
     const Turn turn(*this);
     check_revision(revision);
     std::atomic<bool> stopped = false;
@@ -168,7 +205,8 @@ std::string Run::write(std::uint64_t revision, StagedFolder& folder) {
         inputs_.check();  // the tour is read once more for the grids
     };
     return wait_for<std::string>(worker_->with_run([&](const Algoritmo& run) {
-        return to_json(write_results(run, references_, seconds_, folder, told), seconds_);
+        return to_json(write_results(run, references_, seconds_, folder, told, nullptr, also),
+                       seconds_);
     }),
                                  [&] { stopped = true; });
 }

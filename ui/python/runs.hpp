@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "bindings.hpp"
@@ -21,8 +23,8 @@ namespace hitos::python {
 
 class Result;
 
-/// A run, for one thread of Python at a time. All functions want the interpreter's lock and let go
-/// of it while the run computes.
+/// A run, for one thread of Python at a time; its results may be asked by several, one after the
+/// other. All functions want the interpreter's lock and let go of it while the run computes.
 class Run : public std::enable_shared_from_this<Run> {
   public:
     Run(const TourArgument& tour, Configuracion configuration, References references,
@@ -39,14 +41,21 @@ class Run : public std::enable_shared_from_this<Run> {
 
     /// What summary.json says; the run must still be at this revision.
     std::string summary(std::uint64_t revision);
-    /// Writes the results of the run as it is.
-    std::string write(std::uint64_t revision, StagedFolder& folder);
+    /// Writes the results of the run as it is, `also` the files of these words
+    /// (optional_outputs()).
+    std::string write(std::uint64_t revision, StagedFolder& folder,
+                      const std::vector<std::string>& also);
+    /// The same into a folder that is kept for it when its turn has come.
+    std::string write(std::uint64_t revision, const std::filesystem::path& folder,
+                      const std::vector<std::string>& also);
     /// Kept for the results of this run, which may not take the place of what it reads.
     std::unique_ptr<StagedFolder> folder_for(const std::filesystem::path& path) const;
 
   private:
     /// Refuses a second user while it lives.
     class Turn;
+    /// Lets those who ask its results wait for each other.
+    class Reading;
     std::shared_ptr<const Snapshot> newest_snapshot();
     void check_revision(std::uint64_t revision) const;
 
@@ -56,6 +65,8 @@ class Run : public std::enable_shared_from_this<Run> {
     std::shared_ptr<RunWorker> worker_;
     double seconds_ = 0.0;  // of wall time
     mutable std::atomic<bool> taken_ = false;
+    std::timed_mutex reading_;
+    std::atomic<std::thread::id> reader_{};
 };
 
 /// A run where it was left or has ended.

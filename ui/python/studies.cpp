@@ -1,8 +1,6 @@
 // Studies: run_studies(), which window and command line use too.
 
 #include <fmt/format.h>
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "configuration.hpp"
 #include "hitos/services/study/study.hpp"
@@ -111,6 +110,10 @@ StudyParameter parameter_of(const std::string& name, const py::handle& values) {
     if (py::isinstance<py::str>(values)) {
         return parse_study_parameter(name + "=" + py::cast<std::string>(values));
     }
+    if (!py::isinstance<py::iterable>(values)) {
+        refuse_argument("vary", "the values of " + name + " as a list or a str like \"10:100:10\"",
+                        values);
+    }
     StudyParameter parameter = find_study_parameter(name);
     std::vector<std::string> words;
     for (const py::handle value : py::reinterpret_borrow<py::object>(values)) {
@@ -144,23 +147,23 @@ class Said {
 };
 
 StudyOutcome conducted(const Study& study, int threads, const py::object& told) {
+    const Work under_way;
     Said said;
     std::stop_source stop;
     StudyOptions how;
     how.threads = threads;
     how.stop = stop.get_token();
     if (!told.is_none()) how.observer = [&said](const StudyProgress& now) { said.note(now); };
-    std::future<StudyOutcome> under_way = std::async(std::launch::async, [&] {
+    std::future<StudyOutcome> done = std::async(std::launch::async, [&] {
         return std::move(run_studies({&study, 1}, how).front());
     });
     const auto end = [&] {
         stop.request_stop();
-        without_python([&] { under_way.wait(); });
+        without_python([&] { done.wait(); });
     };
     bool going = true;
     while (going) {
-        going =
-            without_python([&] { return under_way.wait_for(kPoll) != std::future_status::ready; });
+        going = without_python([&] { return done.wait_for(kPoll) != std::future_status::ready; });
         try {
             if (interrupted()) throw py::error_already_set();
             const std::optional<StudyProgress> now = said.take();
@@ -170,7 +173,7 @@ StudyOutcome conducted(const Study& study, int threads, const py::object& told) 
             throw;
         }
     }
-    return without_python([&] { return under_way.get(); });
+    return without_python([&] { return done.get(); });
 }
 
 [[noreturn]] void all_failed(const StudyOutcome& outcome) {
@@ -199,12 +202,13 @@ struct StudyArguments {
 };
 
 std::shared_ptr<StudyTable> studied(const StudyArguments& arguments) {
+    require_callable(arguments.progress, "progress", true);
     Study study;
     study.configuration = configuration_for(tour_argument(arguments.tour), arguments.configuration);
     if (arguments.reference) study.reference = read_map(*arguments.reference);
     study.reference_trajectory = reference_trajectory_of(arguments.reference_trajectory);
     for (const auto& [name, values] : arguments.vary) {
-        study.parameters.push_back(parameter_of(py::cast<std::string>(name), values));
+        study.parameters.push_back(parameter_of(key_of(name, "vary"), values));
     }
     study.seeds = arguments.runs;
     study.first_seed = arguments.first_seed;
@@ -222,6 +226,17 @@ std::shared_ptr<StudyTable> studied(const StudyArguments& arguments) {
     }
     table->cells = summarize(outcome.plan, outcome.records);
     return table;
+}
+
+std::shared_ptr<StudyTable> study_of(py::object tour, py::dict vary, py::object configuration,
+                                     path out, int runs, std::uint64_t first_seed, int threads,
+                                     std::optional<path> reference, py::object reference_trajectory,
+                                     double odometry_noise, std::string noise_kind,
+                                     std::string pictures, py::object progress) {
+    return studied({std::move(tour), std::move(vary), std::move(configuration), std::move(out),
+                    runs, first_seed, threads, std::move(reference),
+                    std::move(reference_trajectory), odometry_noise, std::move(noise_kind),
+                    std::move(pictures), std::move(progress)});
 }
 
 void bind_progress(py::module_& module) {
@@ -283,22 +298,13 @@ landmarks a dict of count, mean, variance, minimum and maximum over the runs, or
 void bind_studies(py::module_& module) {
     bind_progress(module);
     bind_table(module);
-    module.def(
-        "study",
-        [](py::object tour, py::dict vary, py::object configuration, path out, int runs,
-           std::uint64_t first_seed, int threads, std::optional<path> reference,
-           py::object reference_trajectory, double odometry_noise, std::string noise_kind,
-           std::string pictures, py::object progress) {
-            return studied({std::move(tour), std::move(vary), std::move(configuration),
-                            std::move(out), runs, first_seed, threads, std::move(reference),
-                            std::move(reference_trajectory), odometry_noise, std::move(noise_kind),
-                            std::move(pictures), std::move(progress)});
-        },
-        py::arg("tour"), py::arg("vary"), py::arg("configuration") = py::none(), py::kw_only(),
-        py::arg("out"), py::arg("runs") = 5, py::arg("first_seed") = 1, py::arg("threads") = 0,
-        py::arg("reference") = py::none(), py::arg("reference_trajectory") = py::none(),
-        py::arg("odometry_noise") = 0.0, py::arg("noise_kind") = "relative-sigma",
-        py::arg("pictures") = "none", py::arg("progress") = py::none(),
+    define(
+        module, "study", &study_of, py::arg("tour"), py::arg("vary"),
+        py::arg("configuration") = py::none(), py::kw_only(), py::arg("out"), py::arg("runs") = 5,
+        py::arg("first_seed") = 1, py::arg("threads") = 0, py::arg("reference") = py::none(),
+        py::arg("reference_trajectory") = py::none(), py::arg("odometry_noise") = 0.0,
+        py::arg("noise_kind") = "relative-sigma", py::arg("pictures") = "none",
+        py::arg("progress") = py::none(),
         R"(Runs values of parameters with several seeds each, as `hitos-cli study` does, and gives a
 Study. Tables, plots and the runs lie in the folder `out`; a study that was stopped goes on there.
 

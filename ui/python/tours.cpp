@@ -3,12 +3,12 @@
 #include "tours.hpp"
 
 #include <fmt/format.h>
-#include <pybind11/stl.h>
 
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "configuration.hpp"
 #include "hitos/capture/tour_summary.hpp"
@@ -19,8 +19,11 @@
 namespace hitos::python {
 namespace {
 
-std::string file_of(const py::object& name) {
-    return source_named(py::cast<std::string>(py::module_::import("os").attr("fsencode")(name)));
+/// `argument` is its name, `expected` what it may be.
+std::string file_of(const py::object& name, const char* argument, const char* expected) {
+    py::detail::make_caster<std::filesystem::path> path;
+    if (!path.load(name, true)) refuse_argument(argument, expected, name);
+    return source_named(py::detail::cast_op<std::filesystem::path&>(path).string());
 }
 
 struct OpenOptions {
@@ -36,7 +39,8 @@ struct OpenOptions {
 
 SourceParams source_of(const py::object& name, const OpenOptions& options) {
     Configuracion configuration;
-    configuration.source.file = file_of(name);
+    configuration.source.file =
+        file_of(name, "source", "a path or the name of a world (str, bytes or os.PathLike)");
     const auto set = [&](const char* key, const std::string& value) {
         find_parameter(key).set(configuration, value);
     };
@@ -127,6 +131,16 @@ py::dict summary_of(const Tour& tour) {
     values["duration"] = summary.duration_s;
     values["distance"] = summary.distance_m;
     return values;
+}
+
+std::shared_ptr<Tour> opened(const py::object& source, std::string format, std::string scan_topic,
+                             std::string odom_topic, double max_range, std::string odometry,
+                             std::string early_scans, py::object world_set, std::uint64_t tour_seed,
+                             std::uint64_t seed) {
+    SourceParams params = source_of(
+        source, {std::move(format), std::move(scan_topic), std::move(odom_topic), max_range,
+                 std::move(odometry), std::move(early_scans), std::move(world_set), tour_seed});
+    return without_python([&] { return std::make_shared<Tour>(std::move(params), seed); });
 }
 
 py::array pose_array(const Pose& pose) {
@@ -302,7 +316,8 @@ std::shared_ptr<Truth> Tour::truth() const {
 TourArgument tour_argument(const py::object& tour) {
     if (py::isinstance<Tour>(tour)) return {py::cast<const Tour&>(tour).source(), true};
     SourceParams source;
-    source.file = file_of(tour);
+    source.file =
+        file_of(tour, "tour", "a Tour, a path or the name of a world (str, bytes or os.PathLike)");
     return {std::move(source), false};
 }
 
@@ -321,22 +336,11 @@ void bind_tours(py::module_& module) {
     bind_scan(module);
     bind_truth(module);
     bind_tour(module);
-    module.def(
-        "open",
-        [](const py::object& source, std::string format, std::string scan_topic,
-           std::string odom_topic, double max_range, std::string odometry, std::string early_scans,
-           py::object world_set, std::uint64_t tour_seed, std::uint64_t seed) {
-            SourceParams params =
-                source_of(source, {std::move(format), std::move(scan_topic), std::move(odom_topic),
-                                   max_range, std::move(odometry), std::move(early_scans),
-                                   std::move(world_set), tour_seed});
-            return without_python([&] { return std::make_shared<Tour>(std::move(params), seed); });
-        },
-        py::arg("source"), py::kw_only(), py::arg("format") = "auto", py::arg("scan_topic") = "",
-        py::arg("odom_topic") = "", py::arg("max_range") = 0.0, py::arg("odometry") = "poses",
-        py::arg("early_scans") = "keep", py::arg("world_set") = py::none(),
-        py::arg("tour_seed") = 0, py::arg("seed") = 1,
-        R"(Opens a log (Player, Radish, CARMEN, normalised; plain or gzip), a ROS recording (bag,
+    define(module, "open", &opened, py::arg("source"), py::kw_only(), py::arg("format") = "auto",
+           py::arg("scan_topic") = "", py::arg("odom_topic") = "", py::arg("max_range") = 0.0,
+           py::arg("odometry") = "poses", py::arg("early_scans") = "keep",
+           py::arg("world_set") = py::none(), py::arg("tour_seed") = 0, py::arg("seed") = 1,
+           R"(Opens a log (Player, Radish, CARMEN, normalised; plain or gzip), a ROS recording (bag,
 MCAP, .db3, folder), a world file (.toml) to simulate, or the world of that name that comes with
 Hitos, and gives a Tour.
 

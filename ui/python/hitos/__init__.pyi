@@ -10,6 +10,7 @@ _Path = Union[str, bytes, "os.PathLike[str]"]
 _Value = Union[str, int, float, bool]
 _Tour = Union[Tour, _Path]
 _Configuration = Union[Configuration, dict[str, _Value], None]
+_Names = Union[str, Iterable[str], None]
 _Words = Union[str, Iterable[Union[_Value, Sequence[_Value]]]]
 
 __version__: str
@@ -188,7 +189,7 @@ class Result(Snapshot):
     def summary(self) -> dict[str, Any]: ...
     @property
     def configuration(self) -> Configuration: ...
-    def write(self, folder: _Path) -> dict[str, Any]: ...
+    def write(self, folder: _Path, also: _Names = None) -> dict[str, Any]: ...
 
 class Progress:
     @property
@@ -321,6 +322,7 @@ def run(
     reference_trajectory: Union[_Path, _Floats, None] = None,
     distances: Optional[_Path] = None,
     uncertainty: bool = False,
+    also: _Names = None,
 ) -> Result: ...
 def study(
     tour: _Tour,

@@ -1453,6 +1453,10 @@
         <translation>no se puede leer: %1</translation>
     </message>
     <message>
+        <source>the line method returned rho %1, theta %2 for line %3 of the scan at %4 s; expected finite numbers</source>
+        <translation>el método de rectas devolvió rho %1, theta %2 para la recta %3 del barrido en %4 s; se esperaban números finitos</translation>
+    </message>
+    <message>
         <source>names the file %1; expected a name within the folder</source>
         <translation>nombra el archivo %1; se esperaba un nombre dentro de la carpeta</translation>
     </message>
