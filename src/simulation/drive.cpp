@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hitos/base/error.hpp"
+#include "hitos/simulation/driver.hpp"
 
 namespace hitos {
 namespace {
@@ -28,6 +29,24 @@ double heading_error(const Pose& pose, const Point2& goal) {
 /// The part of the full speed that suits an angle still to be turned.
 double speed_part(double angle_rad) {
     return std::max(0.0, 1.0 - std::abs(angle_rad) / kTurnOnTheSpot);
+}
+
+/// The turn rate for an angle still to be turned: proportional, so slow that the greatest turn
+/// acceleration brakes it without overshoot.
+double turn_rate(const RobotParams& robot, double angle_rad) {
+    const double gain = kReserve * std::min(robot.turn_acceleration / robot.max_turn_rate,
+                                            robot.control_rate_hz / 2.0);
+    return std::clamp(gain * angle_rad, -robot.max_turn_rate, robot.max_turn_rate);
+}
+
+/// The velocities towards a goal that is `left` away, to pass it with `at_goal` [m/s] at most.
+Twist velocities(const RobotParams& robot, const Pose& pose, const Point2& goal, double left,
+                 double at_goal) {
+    const double error = heading_error(pose, goal);
+    const double braking =
+        std::sqrt(at_goal * at_goal + 2.0 * kReserve * robot.acceleration *
+                                          std::max(0.0, left - 0.5 * robot.tolerance_m));
+    return {std::min(robot.max_speed * speed_part(error), braking), 0.0, turn_rate(robot, error)};
 }
 
 class Driver {
@@ -132,17 +151,9 @@ class Driver {
     void look_around() {
         double left = 2.0 * kPi;
         while (left > kTurnDone || twist().w != 0.0) {
-            command(0.0, left > kTurnDone ? turn_rate(left) : 0.0);
+            command(0.0, left > kTurnDone ? turn_rate(robot_, left) : 0.0);
             left -= twist().w * period_s_;
         }
-    }
-
-    /// The turn rate for an angle still to be turned: proportional, so slow that the greatest turn
-    /// acceleration brakes it without overshoot.
-    double turn_rate(double angle_rad) const {
-        const double gain = kReserve * std::min(robot_.turn_acceleration / robot_.max_turn_rate,
-                                                robot_.control_rate_hz / 2.0);
-        return std::clamp(gain * angle_rad, -robot_.max_turn_rate, robot_.max_turn_rate);
     }
 
     void drive_to(const Point2& goal, const Point2* next) {
@@ -160,7 +171,6 @@ class Driver {
                                         "%3 s; raise robot.tolerance or the accelerations"),
                              name(goal_), fmt::format("{:.2f}", left), fmt::format("{:.0f}", t)));
             }
-            const double error = heading_error(pose(), goal);
             // Where the goal is passed the robot has to be as slow as the next turn asks for.
             double at_goal = 0.0;
             if (next != nullptr) {
@@ -168,10 +178,8 @@ class Driver {
                 const double way_out = std::atan2(next->y - goal.y, next->x - goal.x);
                 at_goal = robot_.max_speed * speed_part(wrap_angle(way_out - way_in));
             }
-            const double braking =
-                std::sqrt(at_goal * at_goal + 2.0 * kReserve * robot_.acceleration *
-                                                  std::max(0.0, left - 0.5 * robot_.tolerance_m));
-            command(std::min(robot_.max_speed * speed_part(error), braking), turn_rate(error));
+            const Twist wanted = velocities(robot_, pose(), goal, left, at_goal);
+            command(wanted.v, wanted.w);
         }
     }
 
@@ -214,6 +222,11 @@ class Driver {
 };
 
 }  // namespace
+
+Twist towards(const Pose& pose, const Point2& goal, const RobotParams& robot) {
+    const double left = std::hypot(goal.x - pose.x, goal.y - pose.y);
+    return left <= robot.tolerance_m ? Twist{} : velocities(robot, pose, goal, left, 0.0);
+}
 
 void check_steps(std::size_t steps) {
     if (steps <= kMostSteps) return;

@@ -41,6 +41,8 @@ std::shared_ptr<SimulatedTour> SimulatedTour::live(World world) {
     world.tour.events.clear();
     world.tour.rest_s = 0.0;
     world.tour.look_around = false;
+    world.tour.laps = 1;
+    world.tour.reverse = false;
     auto tour = std::make_shared<SimulatedTour>(std::move(world));
     tour->live_ = true;
     return tour;
@@ -102,6 +104,15 @@ Twist SimulatedTour::twist_now() const {
 std::vector<WallSegment> SimulatedTour::walls_now() const {
     const std::lock_guard lock(mutex_);
     return motion_->conditions().last().surroundings->walls();
+}
+
+std::vector<Point2> SimulatedTour::people_now() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<Point2> places;
+    for (const Walker& walker : world_.walkers) {
+        places.push_back(place_of(walker, motion_->time_s()));
+    }
+    return places;
 }
 
 double SimulatedTour::duration_s() const {

@@ -11,9 +11,7 @@
 
 namespace hitos {
 
-namespace {
-
-World world_of(const SourceParams& source, std::uint64_t run_seed) {
+World open_world(const SourceParams& source, std::uint64_t run_seed) {
     World world = read_world(source.file);
     std::istringstream changes(source.world_set);
     for (std::string change; changes >> change;) set_world_value(world, change);
@@ -23,8 +21,6 @@ World world_of(const SourceParams& source, std::uint64_t run_seed) {
     if (world.seed == 0) world.seed = run_seed != 0 ? run_seed : kOfZero;
     return world;
 }
-
-}  // namespace
 
 std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t run_seed) {
     if (!is_world_file(source.file)) return open_source(source);
@@ -37,7 +33,7 @@ std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t 
                 source.format, source.file));
     }
     return std::make_unique<SimulatedTourReader>(
-        std::make_shared<const SimulatedTour>(world_of(source, run_seed)), source.read);
+        std::make_shared<const SimulatedTour>(open_world(source, run_seed)), source.read);
 }
 
 std::unique_ptr<TourReader> open_tour(const Configuracion& configuration) {

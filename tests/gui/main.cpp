@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
     if (name == "fit") return run<FitTest>(arguments);
     if (name == "source") return run<SourceTest>(arguments);
     if (name == "configuration") return run<ConfigurationTest>(arguments);
+    if (name == "drive") return run<DriveTest>(arguments);
     if (name == "run") return run<RunTest>(arguments);
     if (name == "runs") return run<RunsTest>(arguments);
     if (name == "inspect") return run<InspectTest>(arguments);
@@ -48,7 +49,7 @@ int main(int argc, char** argv) {
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
-        "expected contact, fit, source, configuration, random, run, runs, study, time, view, "
-        "inspect, keyboard, measure or words");
+        "expected contact, drive, fit, source, configuration, random, run, runs, study, time, "
+        "view, inspect, keyboard, measure or words");
     return 2;
 }

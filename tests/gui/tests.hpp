@@ -81,6 +81,21 @@ class RunsTest : public QObject {
     void results_without_their_log_are_shown_without_grid();
 };
 
+class DriveTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void keys_drive_the_robot_and_the_run_follows();
+    void a_click_is_where_it_drives();
+    void what_is_kept_is_the_same_run();
+    void the_run_may_stand_still_or_go_back_meanwhile();
+    void parameters_change_on_the_way();
+    void what_happens_is_kept_too();
+    void a_tour_that_is_given_up_is_rescued();
+    void bad_worlds_leave_what_was_there();
+    void a_world_that_is_gone_loses_nothing();
+};
+
 class RunTest : public QObject {
     Q_OBJECT
 

@@ -46,6 +46,8 @@ class SimulatedTour {
     Twist twist_now() const;
     /// Walls, closed doors and boxes, now.
     std::vector<WallSegment> walls_now() const;
+    /// Where everybody is who walks about, in the order of the world's walkers, now.
+    std::vector<Point2> people_now() const;
     double duration_s() const;
     /// Ends a live tour: what was driven is the whole.
     void end();

@@ -11,6 +11,7 @@
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/run/results.hpp"
+#include "hitos/simulation/world.hpp"
 
 namespace hitos {
 
@@ -21,6 +22,10 @@ namespace hitos {
 std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t run_seed = 1);
 /// With the configuration's seed.
 std::unique_ptr<TourReader> open_tour(const Configuracion& configuration);
+
+/// The world of such a source as it is simulated: with the values of source.world_set and the seed.
+/// Throws what read_world() and set_world_value() throw.
+World open_world(const SourceParams& source, std::uint64_t run_seed = 1);
 
 /// The files by whose content the tour of that source is known: the log, or the world and the
 /// drawing of its walls.

@@ -81,7 +81,7 @@ void ResultActions::view_best() {
             : ParticleDetails{snapshot->best_hypothesis, snapshot->best_map, snapshot->line_extents,
                               snapshot->best_trajectory};
     map->view().set_landmarks({best.map, best.line_extents});
-    map->builder().build(configuration, best.path);
+    map->builder().build(configuration, best.path, session_.live_tour());
 }
 
 void ResultActions::view_particle() {
@@ -103,8 +103,8 @@ void ResultActions::view_grid_of(int particle) {
          number = static_cast<std::size_t>(particle)](const Algoritmo& run) {
             QMetaObject::invokeMethod(
                 this,
-                [place, configuration, path = run.trajectory_of(number)] {
-                    if (place) place->builder().build(configuration, path);
+                [this, place, configuration, path = run.trajectory_of(number)] {
+                    if (place) place->builder().build(configuration, path, session_.live_tour());
                 },
                 Qt::QueuedConnection);
         });
@@ -114,7 +114,7 @@ void ResultActions::view_odometry() {
     if (!session_.has_source()) return;
     MapWindow* map =
         open_window(odometry_, tr("Grid map based on odometry"), MapWindow::Show::growth);
-    map->builder().build(session_.configuration(), std::nullopt);
+    map->builder().build(session_.configuration(), std::nullopt, session_.live_tour());
 }
 
 void ResultActions::list_skipped() {

@@ -14,6 +14,7 @@
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "manual/describe.hpp"
+#include "world/live_drive.hpp"
 
 namespace hitos::window {
 namespace {
@@ -99,13 +100,19 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         .add_option(
             "--show", out.show,
             "What the picture shows: main, world, plots, landmarks, particles, associations, "
-            "joint, measurements, runs, compare, source, configuration, run-until, best-map, "
-            "odometry, study")
-        ->check(CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
-                               "joint", "measurements", "runs", "compare", "source",
-                               "configuration", "run-until", "best-map", "odometry", "study"}));
+            "joint, measurements, runs, compare, drive, source, configuration, run-until, "
+            "best-map, odometry, study")
+        ->check(
+            CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
+                           "joint", "measurements", "runs", "compare", "source", "configuration",
+                           "drive", "run-until", "best-map", "odometry", "study"}));
     program.add_flag("--benchmark", out.benchmark,
                      "Run the log with and without the window; print speeds and response times");
+    program
+        .add_option("--benchmark-drive", out.drive_pace,
+                    "Drive a robot through the world for half a minute, so many times as fast as a "
+                    "clock; print how late its scans are mapped")
+        ->check(CLI::Range(1, LiveDrive::kFastest));
     manual::add_description(program);
     try {
         program.parse(argc, argv);

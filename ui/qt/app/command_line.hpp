@@ -37,6 +37,7 @@ struct CommandLine {
     std::string show = "main";
     // Measuring.
     bool benchmark = false;
+    int drive_pace = 0;  ///< at which a robot is driven to be measured; 0: none is
 };
 
 /// Whether the user's init.cfg counts.

@@ -16,6 +16,7 @@
 #include "benchmark.hpp"
 #include "command_line.hpp"
 #include "dialogs/study_dialog.hpp"
+#include "drive_benchmark.hpp"
 #include "hitos/base/process.hpp"
 #include "language.hpp"
 #include "main_window.hpp"
@@ -44,7 +45,7 @@ constexpr QSize kWithoutScreen(1360, 860);
 
 /// Pictures and measurements need no display, and leave the user's files alone.
 bool without_display(const CommandLine& line) {
-    return !line.screenshot.empty() || line.benchmark;
+    return !line.screenshot.empty() || line.benchmark || line.drive_pace > 0;
 }
 
 /// Where nobody can answer: what a dialog would warn of goes to stderr.
@@ -99,6 +100,8 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
         code = nobody.warned() ? 1 : 0;
     } else if (line.benchmark) {
         code = run_benchmark(window, session);
+    } else if (line.drive_pace > 0) {
+        code = run_drive_benchmark(window, session, line.drive_pace);
     } else {
         window.show();
         if (!line.vary.empty()) prepare_study(window.open_study(), line);

@@ -31,6 +31,7 @@ class ScanView;
 class StatusLine;
 class StudyDialog;
 class ViewSettings;
+class WorldWindow;
 namespace Ui {
 class MainWindow;
 }
@@ -55,6 +56,8 @@ class MainWindow final : public QMainWindow {
     QDockWidget& plots_dock() const { return *dock_; }
     /// Shows the study of one parameter.
     StudyDialog& open_study();
+    /// Shows the world to drive a robot through.
+    WorldWindow& open_world_window();
     /// What closing does: the run pauses, the layout is remembered.
     void leave();
     /// Null until it was opened.
@@ -105,6 +108,7 @@ class MainWindow final : public QMainWindow {
     Measurements* measurements_ = nullptr;
     MeasurementTable* measurement_table_ = nullptr;
     StudyDialog* study_ = nullptr;
+    WorldWindow* world_ = nullptr;
 };
 
 }  // namespace hitos::window

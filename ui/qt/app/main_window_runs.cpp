@@ -1,4 +1,4 @@
-// Runs to compare and studies of many, and what the window does with them.
+// Runs to compare, studies of many and tours to drive, and what the window does with them.
 
 #include "actions/configuration_actions.hpp"
 #include "actions/result_actions.hpp"
@@ -7,8 +7,10 @@
 #include "runs/compare_window.hpp"
 #include "runs/runs.hpp"
 #include "runs/runs_panel.hpp"
+#include "status_line.hpp"
 #include "ui_main_window.h"
 #include "views/grid_view.hpp"
+#include "world/world_window.hpp"
 
 namespace hitos::window {
 
@@ -18,6 +20,7 @@ void MainWindow::connect_runs() {
             &ConfigurationActions::use_again);
     connect(&runs_->panel(), &RunsPanel::traces_changed, ui_->grid_view, &GridView::set_traces);
     connect(ui_->action_open_results, &QAction::triggered, runs_, &Runs::ask);
+    connect(ui_->action_drive, &QAction::triggered, this, [this] { open_world_window(); });
     connect(ui_->action_compare, &QAction::triggered, runs_,
             [this] { runs_->compare(runs_->panel().chosen()); });
     connect(runs_, &Runs::picture_wanted, results_,
@@ -40,6 +43,17 @@ StudyDialog& MainWindow::open_study() {
     study_->show();
     study_->activateWindow();
     return *study_;
+}
+
+WorldWindow& MainWindow::open_world_window() {
+    if (world_ == nullptr) {
+        world_ = new WorldWindow(session_, files_, prompts_, guard_, this);
+        connect(world_, &WorldWindow::notice, status_, &StatusLine::notice);
+    }
+    world_->show();
+    world_->raise();
+    world_->activateWindow();
+    return *world_;
 }
 
 }  // namespace hitos::window

@@ -26,6 +26,7 @@
 #include "views/map_window.hpp"
 #include "views/picture.hpp"
 #include "views/scan_view.hpp"
+#include "world/world_window.hpp"
 
 namespace hitos::window {
 namespace {
@@ -86,6 +87,27 @@ void show_study(MainWindow& window, const CommandLine& line) {
     write_picture_of(study, line);
 }
 
+/// Along the way points of the world, goal by goal, until so many scans were made.
+void show_drive(MainWindow& window, const Session& session, const CommandLine& line) {
+    const std::string file = session.configuration().source.file;
+    const std::vector<WayPoint> way = read_world(file).tour.way_points;
+    WorldWindow& world = window.open_world_window();
+    world.open(QString::fromStdString(file));
+    LiveDrive& drive = world.drive();
+    if (!drive.active()) return;  // it has said why
+    drive.rest();
+    for (auto next = way.begin(); drive.tour()->scans() < line.steps;) {
+        if (!drive.goal() && next == way.end()) break;
+        if (!drive.goal()) drive.set_goal((next++)->at);
+        drive.drive_period();
+    }
+    process_until(
+        [&] { return session.progress().steps == drive.tour()->scans() && session.up_to_date(); });
+    settle(100);
+    write_picture_of(world, line);
+    drive.give_up();
+}
+
 /// With its first feature, where the scan has one.
 void show_associations(MainWindow& window, const Session& session, const CommandLine& line) {
     auto* inspector = window.findChild<AssociationInspector*>();
@@ -109,7 +131,7 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
     settle(100);
     // The errors are measured beside the run: for their curves it must not be over at once.
     const std::uint64_t pieces = line.show == "plots" && line.steps > 0 ? 15 : 1;
-    for (std::uint64_t piece = 1; piece <= pieces; ++piece)
+    for (std::uint64_t piece = 1; piece <= pieces && line.show != "drive"; ++piece)
         run_steps(session, line.steps * piece / pieces - line.steps * (piece - 1) / pieces);
     QtPrompts prompts;
     if (line.show == "source") {
@@ -146,6 +168,8 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
         write_picture_of(comparison, line);
     } else if (line.show == "study") {
         show_study(window, line);
+    } else if (line.show == "drive") {
+        show_drive(window, session, line);
     } else if (line.show == "associations") {
         show_associations(window, session, line);
     } else {

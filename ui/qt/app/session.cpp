@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hitos/base/thread_clock.hpp"
+#include "hitos/simulation/simulated_tour_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "words_of.hpp"
 #include "workers/background.hpp"
@@ -37,7 +38,16 @@ Session::Session(QObject* parent) : QObject(parent) {
 Session::~Session() = default;
 
 Progress Session::progress() const {
-    return worker_ ? worker_->progress() : Progress{};
+    Progress progress = worker_ ? worker_->progress() : Progress{};
+    if (following_ && is_live() && progress.state == Progress::State::paused) {
+        progress.state = Progress::State::running;  // until the next scan is there
+        progress.waits = true;
+    }
+    return progress;
+}
+
+bool Session::is_live() const {
+    return live_ && live_->is_live();
 }
 
 double Session::computed_seconds(std::uint64_t steps) const {
@@ -57,12 +67,24 @@ void Session::retire() {
 }
 
 void Session::set_configuration(const Configuracion& configuration) {
+    const bool same = live_ && configuration.source == configuration_.source;
+    open(configuration, same ? live_ : nullptr);
+}
+
+void Session::set_live(const Configuracion& configuration,
+                       std::shared_ptr<const SimulatedTour> tour) {
+    open(configuration, std::move(tour));
+}
+
+void Session::open(const Configuracion& configuration, std::shared_ptr<const SimulatedTour> live) {
     check(configuration);
     std::unique_ptr<RunWorker> next;
     std::optional<Truth> truth;
     if (!configuration.source.file.empty()) {
         next = in_background([&] {
-            std::unique_ptr<TourReader> reader = open_tour(configuration);
+            std::unique_ptr<TourReader> reader =
+                live ? std::make_unique<SimulatedTourReader>(live, configuration.source.read)
+                     : open_tour(configuration);
             truth = reader->truth();
             AlgoritmoOptions options;
             options.go_back = true;
@@ -71,8 +93,10 @@ void Session::set_configuration(const Configuracion& configuration) {
     }
     if (worker_) emit leaving();
     retire();
-    const bool another_log = !same_log(configuration, configuration_);
+    const bool another_log = !same_log(configuration, configuration_) || live != live_;
     configuration_ = configuration;
+    following_ = live != nullptr;
+    live_ = std::move(live);
     worker_ = std::move(next);
     if (worker_) worker_->set_pace(pace_);
     truth_ = std::move(truth);
@@ -110,13 +134,47 @@ void Session::join_references() {
 
 void Session::run(const StopRules& rules) {
     if (!worker_) return;
+    if (is_live()) {
+        following_ = true;
+        follow();
+        return;
+    }
     worker_->run(RunWorker::kToTheEnd, rules);
     wake();
 }
 
 void Session::run_steps(quint64 steps) {
     if (!worker_) return;
+    if (is_live()) {
+        seek(worker_->progress().steps + steps);
+        return;
+    }
     worker_->run(steps);
+    wake();
+}
+
+void Session::follow() {
+    if (!worker_ || !live_) return;
+    note_truth();
+    if (following_) go_to(live_->scans());
+}
+
+/// The path of a driven tour grows; what was true stays true, so nobody has to begin anew.
+void Session::note_truth() {
+    if (!truth_) return;
+    const std::uint64_t scans = live_->scans();
+    Trajectory& path = truth_->path;
+    for (std::uint64_t k = path.size(); k < scans; ++k) {
+        path.push_back({live_->scan_time(k), live_->true_pose(k)});
+    }
+    if (user_references_.trajectory) return;
+    references_.trajectory = path;
+    worker_->set_reference(path);
+}
+
+void Session::go_to(quint64 steps) {
+    if (steps == 0) return;
+    worker_->seek(steps);
     wake();
 }
 
@@ -127,19 +185,22 @@ void Session::set_pace(const Pace& pace) {
 
 void Session::pause() {
     if (!worker_) return;
+    following_ = false;
     worker_->pause();
     wake();
 }
 
 void Session::seek(quint64 steps) {
     if (!worker_) return;
-    worker_->seek(std::max<quint64>(steps, 1));
-    wake();
+    following_ = false;
+    steps = std::max<quint64>(steps, 1);
+    go_to(is_live() ? std::min<quint64>(steps, live_->scans()) : steps);
 }
 
 void Session::restart() {
     if (!worker_) return;
     emit leaving();
+    following_ = false;
     worker_->restart();
     begin_anew();
 }
@@ -160,7 +221,7 @@ void Session::tick() {
         timer_.stop();
         return;
     }
-    const Progress now = worker_->progress();
+    const Progress now = progress();
     const bool changed_state = now.state != told_.state;
     if (changed_state || (now.steps != told_.steps && clock_.elapsed() - told_ms_ >= kTellMs)) {
         told_ = now;

@@ -10,6 +10,10 @@
 #include "hitos/services/run/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
 
+namespace hitos {
+class SimulatedTour;
+}
+
 namespace hitos::window {
 
 /// Whether both are of one log, however its path is written.
@@ -34,6 +38,18 @@ class Session final : public QObject {
     /// references belong to the log: with another one they go.
     void set_configuration(const Configuracion& configuration);
 
+    /// The same on a tour that is being driven through the world of the configuration's source. The
+    /// run has what was driven so far and goes on by follow(); changes of the configuration begin
+    /// anew on the same tour, until its source is another one.
+    void set_live(const Configuracion& configuration, std::shared_ptr<const SimulatedTour> tour);
+    /// The tour that is or was driven; null where the run is of a log or world.
+    const std::shared_ptr<const SimulatedTour>& live_tour() const { return live_; }
+    /// Whether it is still being driven.
+    bool is_live() const;
+    /// Takes notice of what was driven since: the truth grows, and the run goes on to the newest
+    /// scan unless the user has stopped it or gone back.
+    void follow();
+
     bool has_source() const { return worker_ != nullptr; }
     /// Null without a source.
     RunWorker* worker() const { return worker_.get(); }
@@ -55,7 +71,8 @@ class Session final : public QObject {
     void set_references(const References& references, const QString& map_file = {});
     const QString& reference_map_file() const { return reference_map_file_; }
 
-    /// To the end, or until a rule is met.
+    /// To the end, or until a rule is met; of a tour that is being driven as far as it is, and on
+    /// with it.
     void run(const StopRules& rules = {});
     void run_steps(quint64 steps);
     /// Of this run and those to come.
@@ -81,6 +98,10 @@ class Session final : public QObject {
     void failed(QString reason);
 
   private:
+    void open(const Configuracion& configuration, std::shared_ptr<const SimulatedTour> live);
+    void note_truth();
+    /// Wherever the run stands, it goes to that scan.
+    void go_to(quint64 steps);
     void tick();
     bool shows(const Progress& progress) const {
         const bool running = progress.state == Progress::State::running && !progress.waits;
@@ -93,6 +114,8 @@ class Session final : public QObject {
     void join_references();
 
     Configuracion configuration_;
+    std::shared_ptr<const SimulatedTour> live_;
+    bool following_ = false;  ///< the run goes where the driven tour is
     References user_references_;
     References references_;       ///< with the truth
     std::optional<Truth> truth_;  ///< of the tour

@@ -181,6 +181,78 @@
         <source>Change the laser&apos;s noise</source>
         <translation>Cambiar el ruido del láser</translation>
     </message>
+    <message>
+        <source>carries the robot ahead [m], to its left [m] and round to its left [degrees]; its wheels do not notice</source>
+        <translation>lleva el robot hacia delante [m], hacia su izquierda [m] y lo gira a su izquierda [grados]; sus ruedas no lo notan</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>delante</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>giro</translation>
+    </message>
+    <message>
+        <source>for so long [s] these parts of the left and of the right wheel&apos;s way are lost</source>
+        <translation>durante este tiempo [s] se pierden estas partes del camino de la rueda izquierda y de la derecha</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>segundos</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>for so long [s] no ray gives a reading</source>
+        <translation>durante este tiempo [s] ningún rayo da lectura</translation>
+    </message>
+    <message>
+        <source>a square box with its middle there [m] and sides so long [m]</source>
+        <translation>una caja cuadrada con el centro ahí [m] y lados de esta longitud [m]</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>side</source>
+        <translation>lado</translation>
+    </message>
+    <message>
+        <source>the door of that number</source>
+        <translation>la puerta de ese número</translation>
+    </message>
+    <message>
+        <source>door</source>
+        <translation>puerta</translation>
+    </message>
+    <message>
+        <source>the level of odometry.noise from there on</source>
+        <translation>el nivel de odometry.noise a partir de ahí</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>nivel</translation>
+    </message>
+    <message>
+        <source>the standard deviation of a range [m] from there on</source>
+        <translation>la desviación típica de una distancia [m] a partir de ahí</translation>
+    </message>
+    <message>
+        <source>sigma</source>
+        <translation>sigma</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -3591,6 +3663,21 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::DisturbBar</name>
+    <message>
+        <source>What happens</source>
+        <translation>Qué ocurre</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Let it happen to the robot now</source>
+        <translation>Hacer que le ocurra al robot ahora</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::FeatureModel</name>
     <message>
         <source>No.</source>
@@ -4223,6 +4310,18 @@
     <message>
         <source>Write the run as pictures, one after the other, and as a film</source>
         <translation>Escribir la ejecución como imágenes, una tras otra, y como película</translation>
+    </message>
+    <message>
+        <source>Drive a robot…</source>
+        <translation>Conducir un robot…</translation>
+    </message>
+    <message>
+        <source>Drive a simulated robot through a world and see it mapped (Ctrl+D)</source>
+        <translation>Conducir un robot simulado por un mundo y ver cómo se hace el mapa (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>drive a robot through a world</source>
+        <translation>conducir un robot por un mundo</translation>
     </message>
 </context>
 <context>
@@ -5398,6 +5497,112 @@
     <message>
         <source>Dark</source>
         <translation>Oscura</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::WorldView</name>
+    <message>
+        <source>Choose a world to drive a robot through.</source>
+        <translation>Elija un mundo por el que conducir un robot.</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::WorldWindow</name>
+    <message>
+        <source>Drive a robot</source>
+        <translation>Conducir un robot</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>Mundo</translation>
+    </message>
+    <message>
+        <source>Choose a world…</source>
+        <translation>Elegir un mundo…</translation>
+    </message>
+    <message>
+        <source>Another file…</source>
+        <translation>Otro archivo…</translation>
+    </message>
+    <message>
+        <source>Hold the clock</source>
+        <translation>Parar el reloj</translation>
+    </message>
+    <message>
+        <source>The world stands still until you let the clock go on</source>
+        <translation>El mundo queda quieto hasta que deje seguir el reloj</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>Ritmo</translation>
+    </message>
+    <message>
+        <source>real pace</source>
+        <translation>ritmo real</translation>
+    </message>
+    <message>
+        <source>%1 times as fast</source>
+        <translation>%1 veces más rápido</translation>
+    </message>
+    <message>
+        <source>End and keep the tour…</source>
+        <translation>Terminar y guardar el recorrido…</translation>
+    </message>
+    <message>
+        <source>Writes a world file that repeats the tour to the last bit, and maps it to its end</source>
+        <translation>Escribe un archivo de mundo que repite el recorrido hasta el último bit, y lo procesa hasta el final</translation>
+    </message>
+    <message>
+        <source>The robot cannot be driven on</source>
+        <translation>No se puede seguir conduciendo el robot</translation>
+    </message>
+    <message>
+        <source>The driven tour was kept as %1</source>
+        <translation>El recorrido conducido se ha guardado como %1</translation>
+    </message>
+    <message>
+        <source>That cannot happen here</source>
+        <translation>Eso no puede ocurrir aquí</translation>
+    </message>
+    <message>
+        <source>World to drive through</source>
+        <translation>Mundo por el que conducir</translation>
+    </message>
+    <message>
+        <source>Worlds (*.toml);;All files (*)</source>
+        <translation>Mundos (*.toml);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>The world cannot be opened</source>
+        <translation>No se puede abrir el mundo</translation>
+    </message>
+    <message>
+        <source>Keep the tour as a world</source>
+        <translation>Guardar el recorrido como mundo</translation>
+    </message>
+    <message>
+        <source>Worlds (*.toml)</source>
+        <translation>Mundos (*.toml)</translation>
+    </message>
+    <message>
+        <source>The tour is kept as %1</source>
+        <translation>El recorrido se ha guardado como %1</translation>
+    </message>
+    <message>
+        <source>The arrow keys or W, A, S, D drive the robot; a click is where it drives by itself. Line and dots are what the filter believes.</source>
+        <translation>Las flechas o W, A, S, D conducen el robot; un clic es adonde va él solo. La línea y los puntos son lo que cree el filtro.</translation>
+    </message>
+    <message>
+        <source>%1 s, %2 m/s, %3 °/s</source>
+        <translation>%1 s, %2 m/s, %3 °/s</translation>
+    </message>
+    <message>
+        <source>; scan %1: the estimate is off by %2 m and %3°</source>
+        <translation>; barrido %1: la estimación se desvía %2 m y %3°</translation>
+    </message>
+    <message>
+        <source>, NEES %1 (%2 to %3 where it is as sure as it may be)</source>
+        <translation>, NEES %1 (de %2 a %3 si está tan seguro como puede estarlo)</translation>
     </message>
 </context>
 </TS>

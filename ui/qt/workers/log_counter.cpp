@@ -20,11 +20,12 @@ LogCounter::~LogCounter() {
 
 void LogCounter::begin() {
     const SourceParams& wanted = session_.configuration().source;
-    if (wanted.file == source_.file && wanted.format == source_.format) return;
-    source_ = wanted;
+    const bool live = session_.live_tour() != nullptr;
+    if (!live && wanted.file == source_.file && wanted.format == source_.format) return;
+    source_ = live ? SourceParams{} : wanted;  // nobody knows how long it will be
     if (stop_) *stop_ = true;
     emit counted(std::nullopt);
-    if (wanted.file.empty()) return;
+    if (source_.file.empty()) return;
     stop_ = std::make_shared<std::atomic<bool>>(false);
     pool_.start([this, wanted, stop = stop_] {
         begin_background_work();

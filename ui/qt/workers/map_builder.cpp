@@ -6,6 +6,7 @@
 #include "app/words_of.hpp"
 #include "background.hpp"
 #include "hitos/services/run/grid_builder.hpp"
+#include "hitos/simulation/simulated_tour_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
 
 namespace hitos::window {
@@ -28,33 +29,35 @@ void MapBuilder::stop() {
     worker_.request_stop();
 }
 
-void MapBuilder::build(const Configuracion& configuration, std::optional<Trajectory> path) {
+void MapBuilder::build(const Configuracion& configuration, std::optional<Trajectory> path,
+                       const std::shared_ptr<const SimulatedTour>& driven) {
     worker_ = {};  // waits for an earlier one
     tiler_.clear();
     shared_ = {};
     shared_.running = true;
     state_ = shared_;
-    worker_ = std::jthread(
-        [this, configuration, path = std::move(path)](const std::stop_token& stop) mutable {
-            begin_background_work();
-            QString error;
-            try {
-                work(configuration, std::move(path), stop);
-            } catch (const std::exception& failure) {
-                error = words_of(failure);
-            }
-            const std::scoped_lock lock(mutex_);
-            shared_.running = false;
-            shared_.stopped = stop.stop_requested();
-            shared_.error = error;
-            fresh_ = true;
-        });
+    worker_ = std::jthread([this, configuration, driven,
+                            path = std::move(path)](const std::stop_token& stop) mutable {
+        begin_background_work();
+        QString error;
+        try {
+            work(configuration,
+                 driven ? std::make_unique<SimulatedTourReader>(driven) : open_tour(configuration),
+                 std::move(path), stop);
+        } catch (const std::exception& failure) {
+            error = words_of(failure);
+        }
+        const std::scoped_lock lock(mutex_);
+        shared_.running = false;
+        shared_.stopped = stop.stop_requested();
+        shared_.error = error;
+        fresh_ = true;
+    });
     timer_.start();
 }
 
-void MapBuilder::work(const Configuracion& configuration, std::optional<Trajectory> path,
-                      const std::stop_token& stop) {
-    std::unique_ptr<TourReader> reader = open_tour(configuration);
+void MapBuilder::work(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
+                      std::optional<Trajectory> path, const std::stop_token& stop) {
     GridBuilder builder = path
                               ? GridBuilder(configuration.grid, std::move(reader), *std::move(path))
                               : GridBuilder(configuration.grid, std::move(reader));

@@ -13,6 +13,8 @@
 
 namespace hitos {
 class GridBuilder;
+class SimulatedTour;
+class TourReader;
 }
 
 namespace hitos::window {
@@ -25,7 +27,10 @@ class MapBuilder final : public QObject {
     ~MapBuilder() override;
 
     /// Builds the map along the path; without one, of the whole tour along its odometry.
-    void build(const Configuracion& configuration, std::optional<Trajectory> path);
+    /// `driven`: the tour that was driven by hand, where it is one; else the configuration's source
+    /// is opened.
+    void build(const Configuracion& configuration, std::optional<Trajectory> path,
+               const std::shared_ptr<const SimulatedTour>& driven = nullptr);
     void stop();
 
     struct State {
@@ -43,8 +48,8 @@ class MapBuilder final : public QObject {
     void finished();
 
   private:
-    void work(const Configuracion& configuration, std::optional<Trajectory> path,
-              const std::stop_token& stop);
+    void work(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
+              std::optional<Trajectory> path, const std::stop_token& stop);
     void publish(const GridBuilder& builder, bool last);
     void poll();
 

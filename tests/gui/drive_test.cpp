@@ -1,0 +1,243 @@
+// A robot driven through a world while it is mapped.
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "gui_fixture.hpp"
+#include "hitos/simulation/world.hpp"
+#include "tests.hpp"
+#include "world/world_view.hpp"
+#include "world/world_window.hpp"
+
+namespace hitos::window {
+namespace {
+
+/// A window whose robot is driven by the test, a control period at a time, so that nothing depends
+/// on the machine's speed.
+struct DriveFixture : Fixture {
+    DriveFixture() : Fixture(false) {
+        world_window().open(write("room.toml", kRoom));
+        drive().rest();
+    }
+
+    ~DriveFixture() { drive().give_up(); }
+
+    static constexpr const char* kRoom =
+        "# A room with a door.\n"
+        "walls = [[[-1, -2], [5, -2], [5, 3], [-1, 3], [-1, -2]]]  # all round\n"
+        "doors = [[[2, -2], [2, 0]]]\n"
+        "[tour]\n"
+        "way_points = [[1, 0]]\n";
+
+    WorldWindow& world_window() { return window->open_world_window(); }
+    LiveDrive& drive() { return world_window().drive(); }
+    void periods(int count) {
+        for (int k = 0; k < count; ++k) drive().drive_period();
+    }
+    /// The run has come to where the robot is.
+    bool caught_up() { return steps() == drive().tour()->scans() && shows_everything(); }
+};
+
+}  // namespace
+
+void DriveTest::keys_drive_the_robot_and_the_run_follows() {
+    DriveFixture f;
+    WorldView& view = f.world_window().view();
+    QTest::keyPress(&view, Qt::Key_Up);
+    f.periods(20);
+    const Pose ahead = f.drive().tour()->pose_now();
+    QVERIFY(ahead.x > 0.5);
+    QVERIFY(std::abs(ahead.y) < 1e-9);
+    QTest::keyPress(&view, Qt::Key_A);
+    f.periods(10);
+    QVERIFY(f.drive().tour()->pose_now().theta > 0.1);
+    QTest::keyRelease(&view, Qt::Key_A);
+    QTest::keyRelease(&view, Qt::Key_Up);
+    f.periods(30);
+    QCOMPARE(f.drive().tour()->twist_now(), Twist{});
+    QVERIFY(f.steps() > 0 || f.state() == Progress::State::running);
+    QTRY_VERIFY(f.caught_up());
+    QCOMPARE(f.session.references().trajectory->size(), f.drive().tour()->scans());
+    QVERIFY(!f.session.snapshot()->best_map.empty());
+    // Whoever looks elsewhere drives no further.
+    QTest::keyPress(&view, Qt::Key_Down);
+    f.window->setFocus();
+    view.clearFocus();
+    f.periods(5);
+    QCOMPARE(f.drive().tour()->twist_now(), Twist{});
+}
+
+void DriveTest::a_click_is_where_it_drives() {
+    DriveFixture f;
+    f.drive().set_goal(Point2{3.0, 1.5});
+    for (int k = 0; k < 600 && f.drive().goal(); ++k) f.periods(1);
+    QVERIFY(!f.drive().goal());
+    const Pose there = f.drive().tour()->pose_now();
+    QVERIFY(std::hypot(there.x - 3.0, there.y - 1.5) < 0.15);
+    // By the mouse, in the middle of the view.
+    WorldView& view = f.world_window().view();
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.rect().center());
+    const QPointF middle = view.world_at(QRectF(view.rect()).center());
+    QVERIFY(f.drive().goal());
+    QVERIFY(std::hypot(f.drive().goal()->x - middle.x(), f.drive().goal()->y - middle.y()) < 0.1);
+    f.drive().hold(1.0, 0.0);  // who takes the keys needs no goal
+    QVERIFY(!f.drive().goal());
+}
+
+void DriveTest::what_is_kept_is_the_same_run() {
+    DriveFixture f;
+    f.drive().hold(1.0, 0.2);
+    f.periods(60);
+    f.drive().hold(0.0, 1.0);
+    f.periods(40);
+    QTRY_VERIFY(f.caught_up());
+    const Trajectory live_path = f.session.snapshot()->best_trajectory;
+    const auto live_map = f.session.snapshot()->best_map;
+    f.prompts.saves << f.path("kept.toml");
+    QTest::mouseClick(f.world_window().findChild<QPushButton*>("drive_keep"), Qt::LeftButton);
+    QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join('\n')));
+    QVERIFY(!f.drive().active());
+    QTRY_VERIFY(f.state() == Progress::State::finished && f.shows_everything());
+    QVERIFY(f.steps() >= live_path.size());
+    // The file's comments stay, and a run of it from the beginning is the same.
+    const QByteArray text = Fixture::read(f.path("kept.toml"));
+    QVERIFY(text.contains("# A room with a door."));
+    QVERIFY(text.contains("# all round"));
+    QVERIFY(!text.contains("way_points"));
+    f.session.seek(live_path.size());
+    QTRY_VERIFY(f.steps() == live_path.size() && f.shows_everything());
+    QVERIFY(f.session.snapshot()->best_trajectory == live_path);
+    QVERIFY(f.session.snapshot()->best_map == live_map);
+}
+
+void DriveTest::the_run_may_stand_still_or_go_back_meanwhile() {
+    DriveFixture f;
+    f.drive().hold(0.4, 0.1);
+    f.periods(40);
+    QTRY_VERIFY(f.caught_up());
+    QVERIFY(f.action("action_stop")->isEnabled());  // it waits for the next scan
+    f.trigger("action_stop");
+    const quint64 stopped = f.steps();
+    f.periods(20);
+    QTest::qWait(50);
+    QCOMPARE(f.steps(), stopped);
+    f.session.seek(3);
+    QTRY_COMPARE(f.steps(), quint64{3});
+    f.periods(20);
+    QTest::qWait(50);
+    QCOMPARE(f.steps(), quint64{3});
+    f.trigger("action_step");
+    QTRY_COMPARE(f.steps(), quint64{4});
+    f.trigger("action_run");
+    QTRY_VERIFY(f.caught_up());
+    f.periods(20);
+    QTRY_VERIFY(f.caught_up());
+    QVERIFY(!f.action("action_save_results")->isEnabled());  // it has no file yet
+}
+
+void DriveTest::parameters_change_on_the_way() {
+    DriveFixture f;
+    f.drive().hold(0.5, 0.3);
+    f.periods(40);
+    QTRY_VERIFY(f.caught_up());
+    Configuracion other = f.session.configuration();
+    other.filter.particles = 17;
+    f.session.set_configuration(other);
+    QVERIFY(f.drive().active());
+    f.periods(10);
+    QTRY_VERIFY(f.caught_up());
+    QCOMPARE(f.session.snapshot()->hypotheses.size(), std::size_t{17});
+}
+
+void DriveTest::what_happens_is_kept_too() {
+    DriveFixture f;
+    f.periods(20);
+    auto* kinds = f.world_window().findChild<QComboBox*>("disturbance");
+    auto* now = f.world_window().findChild<QPushButton*>("button_disturb");
+    QCOMPARE(kinds->count(), static_cast<int>(kDisturbances.size()));
+    for (int kind = 0; kind < kinds->count(); ++kind) {
+        kinds->setCurrentIndex(kind);
+        QTest::mouseClick(now, Qt::LeftButton);
+        f.periods(12);
+    }
+    QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join('\n')));
+    QTRY_VERIFY(f.caught_up());
+    f.drive().keep(f.path("kept.toml"));
+    const World kept = read_world(f.path("kept.toml").toStdString());
+    QCOMPARE(kept.tour.events.size(), kDisturbances.size());
+    for (std::size_t i = 0; i < kDisturbances.size(); ++i) {
+        QCOMPARE(kept.tour.events[i].kind, static_cast<DisturbanceKind>(i));
+    }
+    QVERIFY(kept.tour.commands.size() == 1);
+}
+
+void DriveTest::a_tour_that_is_given_up_is_rescued() {
+    DriveFixture f;
+    QString rescued;
+    QObject::connect(&f.drive(), &LiveDrive::rescued, &f.drive(),
+                     [&](const QString& path) { rescued = path; });
+    f.drive().hold(0.3, 0.0);
+    f.periods(70);
+    f.session.set_configuration(Fixture::tour(10));
+    QVERIFY(!f.drive().active());
+    QVERIFY(!rescued.isEmpty());
+    const World world = read_world(rescued.toStdString());
+    QCOMPARE(world.tour.commands.size(), std::size_t{1});
+    QCOMPARE(world.tour.commands[0].duration_s, 7.0);
+    QFile::remove(rescued);
+    // What was hardly begun leaves nothing.
+    rescued.clear();
+    f.world_window().open(f.path("room.toml"));
+    f.drive().rest();
+    f.periods(10);
+    f.session.set_configuration(Fixture::tour(10));
+    QVERIFY(rescued.isEmpty());
+}
+
+void DriveTest::bad_worlds_leave_what_was_there() {
+    DriveFixture f;
+    f.periods(20);
+    QTRY_VERIFY(f.caught_up());
+    const auto tour = f.drive().tour();
+    for (const char* text : {"walls = 3\n",
+                             "walls = [[[0.1, -1], [0.1, 1]]]\n[tour]\n"
+                             "commands = [[0, 0, 1]]\n"}) {  // and on the robot
+        f.prompts.warnings.clear();
+        f.world_window().open(f.write("bad.toml", text));
+        QCOMPARE(f.prompts.warnings.size(), 1);
+        QVERIFY(f.prompts.warnings[0].contains("bad.toml"));
+        QVERIFY(f.drive().tour() == tour);
+    }
+    // A disturbance that cannot be.
+    Disturbance box;
+    box.kind = DisturbanceKind::open;
+    box.values = {7.0, 0.0, 0.0};
+    QVERIFY_EXCEPTION_THROWN(f.drive().disturb(box), std::exception);
+    f.periods(5);
+    QTRY_VERIFY(f.caught_up());
+    // Where it cannot be written it goes on.
+    f.prompts.saves << f.path("no-such-folder/kept.toml");
+    QTest::mouseClick(f.world_window().findChild<QPushButton*>("drive_keep"), Qt::LeftButton);
+    QVERIFY(f.drive().tour() == tour);
+    QVERIFY(f.session.is_live());
+}
+
+void DriveTest::a_world_that_is_gone_loses_nothing() {
+    DriveFixture f;
+    f.drive().hold(0.3, 0.0);
+    f.periods(20);
+    QVERIFY(QFile::remove(f.path("room.toml")));
+    f.periods(20);
+    QTRY_VERIFY(f.caught_up());
+    const World before = f.drive().tour()->recorded();
+    f.drive().keep(f.path("kept.toml"));
+    const World kept = read_world(f.path("kept.toml").toStdString());
+    QCOMPARE(kept.walls.size(), before.walls.size());
+    QCOMPARE(kept.doors.size(), before.doors.size());
+    QCOMPARE(kept.tour.commands.size(), before.tour.commands.size());
+    QTRY_VERIFY(f.state() == Progress::State::finished);
+}
+
+}  // namespace hitos::window

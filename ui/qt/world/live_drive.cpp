@@ -1,0 +1,180 @@
+#include "live_drive.hpp"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "app/words_of.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/simulation/driver.hpp"
+#include "hitos/simulation/world_text.hpp"
+#include "hitos/workbench/open_tour.hpp"
+
+namespace hitos::window {
+namespace {
+
+/// Of tour time in one go: where the machine falls behind, the rest of the delay is let be.
+constexpr double kMostAtOnceS = 0.5;
+/// A tour shorter than this is no loss [s].
+constexpr double kWorthKeepingS = 5.0;
+
+/// The file's own text with this tour; where the file is gone or another one by now, a new text.
+WorldText text_of(const World& driven) {
+    try {
+        WorldText text = WorldText::read(driven.file);
+        text.set(driven);
+        return text;
+    } catch (const Error&) {
+        WorldText text;
+        text.set(driven);
+        return text;
+    }
+}
+
+}  // namespace
+
+LiveDrive::LiveDrive(Session& session, QObject* parent) : QObject(parent), session_(session) {
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, &LiveDrive::tick);
+    connect(&session, &Session::configuration_changed, this, [this] {
+        if (tour_ && session_.live_tour() != tour_) let_go();
+    });
+}
+
+LiveDrive::~LiveDrive() {
+    if (tour_) let_go();
+}
+
+void LiveDrive::begin(const Configuracion& configuration) {
+    std::shared_ptr<SimulatedTour> tour =
+        SimulatedTour::live(open_world(configuration.source, configuration.run.seed));
+    session_.set_live(configuration, tour);  // gives up an earlier tour
+    tour_ = std::move(tour);
+    goal_.reset();
+    ahead_ = left_ = 0.0;
+    go_on();
+    emit changed();
+}
+
+void LiveDrive::set_pace(int times) {
+    pace_ = std::clamp(times, 1, kFastest);
+}
+
+void LiveDrive::hold(double ahead, double left) {
+    ahead_ = std::clamp(ahead, -1.0, 1.0);
+    left_ = std::clamp(left, -1.0, 1.0);
+    if (ahead_ != 0.0 || left_ != 0.0) goal_.reset();
+}
+
+void LiveDrive::set_goal(std::optional<Point2> goal) {
+    goal_ = goal;
+    emit moved();
+}
+
+void LiveDrive::disturb(const Disturbance& disturbance) {
+    if (!tour_) return;
+    tour_->disturb(disturbance);
+    emit moved();
+}
+
+void LiveDrive::rest() {
+    timer_.stop();
+}
+
+void LiveDrive::go_on() {
+    if (!tour_) return;
+    constexpr int kTickMs = 10;
+    due_s_ = 0.0;
+    clock_.start();
+    timer_.start(kTickMs);
+}
+
+void LiveDrive::tick() {
+    constexpr double kNano = 1e-9;
+    due_s_ += static_cast<double>(clock_.nsecsElapsed()) * kNano * pace_;
+    clock_.start();
+    due_s_ = std::min(due_s_, kMostAtOnceS);
+    const double period_s = 1.0 / tour_->world().robot.control_rate_hz;
+    for (; tour_ && due_s_ >= period_s; due_s_ -= period_s) drive_period();
+}
+
+void LiveDrive::drive_period() {
+    if (!tour_) return;
+    const RobotParams& robot = tour_->world().robot;
+    Twist wanted{ahead_ * robot.max_speed, 0.0, left_ * robot.max_turn_rate};
+    if (goal_) {
+        wanted = towards(tour_->pose_now(), *goal_, robot);
+        if (wanted == Twist{}) goal_.reset();
+    }
+    const std::uint64_t scans = tour_->scans();
+    try {
+        tour_->drive_on(wanted.v, wanted.w);
+    } catch (const std::exception& error) {  // as long as a tour may be, or no memory
+        rest();
+        emit failed(words_of(error));
+        return;
+    }
+    if (tour_->scans() != scans) session_.follow();
+    emit moved();
+}
+
+void LiveDrive::write(const QString& path) const {
+    WorldText text = text_of(tour_->recorded());
+    text.save(path.toStdString());
+}
+
+void LiveDrive::keep(const QString& path) {
+    if (!tour_) return;
+    write(path);
+    rest();
+    Configuracion configuration = session_.configuration();
+    configuration.source.file = path.toStdString();
+    // The file says what they did.
+    configuration.source.world_set.clear();
+    configuration.source.tour_seed = 0;
+    const std::shared_ptr<SimulatedTour> kept = std::exchange(tour_, nullptr);
+    kept->end();
+    emit changed();
+    session_.set_configuration(configuration);
+    session_.run();
+}
+
+void LiveDrive::give_up() {
+    if (!tour_) return;
+    rest();
+    tour_->end();
+    tour_ = nullptr;
+    emit changed();
+}
+
+QString LiveDrive::rescue_folder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+           QStringLiteral("/driven");
+}
+
+/// Whoever loads something else in the middle of a tour still finds it.
+void LiveDrive::let_go() {
+    rest();
+    if (tour_->duration_s() >= kWorthKeepingS) {
+        const QDir folder(rescue_folder());
+        const QString stem =
+            QFileInfo(QString::fromStdString(tour_->world().name)).completeBaseName();
+        QString path;
+        for (int number = 1; path.isEmpty() || QFileInfo::exists(path); ++number) {
+            path = folder.filePath(QStringLiteral("%1-%2.toml").arg(stem).arg(number));
+        }
+        try {
+            folder.mkpath(QStringLiteral("."));
+            write(path);
+            emit rescued(path);
+        } catch (const std::exception& error) {
+            emit failed(words_of(error));
+        }
+    }
+    give_up();
+}
+
+}  // namespace hitos::window

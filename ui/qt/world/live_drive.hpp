@@ -1,0 +1,85 @@
+// A robot that the user drives through a world while the run maps it.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "app/session.hpp"
+#include "hitos/simulation/simulated_tour.hpp"
+
+namespace hitos::window {
+
+/// The clock of a driven tour: asks the robot, a control period after the other, for what the user
+/// wants of it by then, at real pace or faster, and lets the session follow. Where the machine
+/// cannot keep the pace the tour is slower, never another one.
+class LiveDrive final : public QObject {
+    Q_OBJECT
+
+  public:
+    static constexpr int kFastest = 10;  ///< times as fast as a clock
+
+    explicit LiveDrive(Session& session, QObject* parent);
+    ~LiveDrive() override;
+
+    /// Puts the robot at the start of the world of the configuration's source and begins a run of
+    /// what it will see. Throws hitos::Error, and leaves what was there.
+    void begin(const Configuracion& configuration);
+    /// The tour that is driven; null where there is none.
+    const std::shared_ptr<SimulatedTour>& tour() const { return tour_; }
+    bool active() const { return tour_ != nullptr; }
+
+    void set_pace(int times);
+    /// What is held down: parts -1 … 1 of the greatest speed ahead and turn rate to the left. It
+    /// ends the way to a goal.
+    void hold(double ahead, double left);
+    /// Drives there [m, world frame]; nothing: nowhere.
+    void set_goal(std::optional<Point2> goal);
+    const std::optional<Point2>& goal() const { return goal_; }
+    /// Happens now. Throws hitos::ConfigError where it cannot.
+    void disturb(const Disturbance& disturbance);
+
+    /// The clock stands still until the next go_on().
+    void rest();
+    void go_on();
+    bool rests() const { return !timer_.isActive(); }
+    /// One control period, whatever the clock says.
+    void drive_period();
+
+    /// Ends the tour and gives the world that repeats it to the last bit: it replaces the tour of
+    /// the world's file, whose comments stay, or is a new text where that file is gone. Throws
+    /// hitos::FileError where it cannot be written, and the tour goes on.
+    void keep(const QString& path);
+
+    /// Ends the tour; nothing of it stays.
+    void give_up();
+
+  signals:
+    /// The robot, or something else in the world, has moved.
+    void moved();
+    /// A tour has begun or is over.
+    void changed();
+    /// The tour was given up before it was kept; there it lies.
+    void rescued(QString path);
+    void failed(QString reason);
+
+  private:
+    void tick();
+    void let_go();
+    void write(const QString& path) const;
+    static QString rescue_folder();
+
+    Session& session_;
+    std::shared_ptr<SimulatedTour> tour_;
+    QTimer timer_;
+    QElapsedTimer clock_;
+    double due_s_ = 0.0;  ///< tour time that the clock asks for and nobody has driven yet
+    int pace_ = 1;
+    double ahead_ = 0.0;
+    double left_ = 0.0;
+    std::optional<Point2> goal_;
+};
+
+}  // namespace hitos::window
