@@ -23,6 +23,11 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
     check(configuration);
 }
 
+void TopicChoices::choose(SourceParams& source) const {
+    if (!scan_topic.empty()) source.read.scan_topic = scan_topic;
+    if (!odom_topic.empty()) source.read.odom_topic = odom_topic;
+}
+
 std::string complaint_of_seed(const std::string& text) {
     return text.starts_with('-') ? "found " + text + ", expected a whole number from 0 on" : "";
 }

@@ -11,6 +11,7 @@
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/workbench/presets.hpp"
+#include "manual/topic_options.hpp"
 
 namespace hitos::cli {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
-#include "manual/topic_options.hpp"
 
 namespace hitos::cli {
 
@@ -29,7 +28,7 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
 /// --format, --scan-topic and --odom-topic.
 struct SourceOptions {
     std::string format;
-    manual::TopicOptions topics;
+    TopicChoices topics;
 
     /// Over what the configuration says. Throws ConfigError for a word that no format has.
     void choose(SourceParams& source) const;

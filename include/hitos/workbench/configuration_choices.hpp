@@ -23,6 +23,15 @@ struct ValueChoices {
 /// behind what source.world_set says already. All checked. Throws ConfigError.
 void choose_values(Configuracion& configuration, const ValueChoices& choices);
 
+/// --scan-topic and --odom-topic.
+struct TopicChoices {
+    std::string scan_topic = {};
+    std::string odom_topic = {};
+
+    /// Over what the configuration says, where they are given.
+    void choose(SourceParams& source) const;
+};
+
 /// What is wrong with the text of a seed; empty: nothing. A number with a sign would else be taken
 /// for a very great one.
 std::string complaint_of_seed(const std::string& text);

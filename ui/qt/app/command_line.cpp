@@ -14,7 +14,11 @@
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "manual/describe.hpp"
+<<<<<<< ours
 #include "world/live_drive.hpp"
+=======
+#include "manual/topic_options.hpp"
+>>>>>>> theirs
 
 namespace hitos::window {
 namespace {

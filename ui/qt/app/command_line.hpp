@@ -8,7 +8,6 @@
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
-#include "manual/topic_options.hpp"
 
 namespace hitos::window {
 
@@ -19,7 +18,7 @@ struct CommandLine {
     std::string config;
     std::string preset;
     ValueChoices values;
-    manual::TopicOptions topics;
+    TopicChoices topics;
     std::string reference;
     std::string reference_trajectory;
     std::string distances;  ///< a file of them, to measure
