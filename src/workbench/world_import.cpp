@@ -117,8 +117,7 @@ std::vector<Polyline> walls_of_map(const std::filesystem::path& file, double tol
             if (std::abs(line.signed_distance(point)) <= tolerance) wall.push_back(point);
         }
         std::ranges::sort(wall, {}, [&](const Point2& point) { return line.along(point); });
-        const auto twice = std::ranges::unique(wall);
-        wall.erase(twice.begin(), twice.end());
+        wall.erase(std::unique(wall.begin(), wall.end()), wall.end());
         if (wall.size() >= 2) {
             walls.push_back(std::move(wall));
         } else if (left_out != nullptr) {
@@ -169,8 +168,7 @@ std::vector<Polyline> import_walls(const std::filesystem::path& source,
         case WallSource::drawing:
             for (Polyline& wall : read_dxf_walls(source)) {
                 // Drawings hold points twice where a line was snapped to itself.
-                const auto twice = std::ranges::unique(wall);
-                wall.erase(twice.begin(), twice.end());
+                wall.erase(std::unique(wall.begin(), wall.end()), wall.end());
                 if (wall.size() >= 2) walls.push_back(std::move(wall));
             }
             break;
