@@ -1,6 +1,7 @@
 // hitos-cli world as a user calls it.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "hitos/services/maps/map_file.hpp"
@@ -38,7 +39,7 @@ double furthest(const World& of, const World& from) {
     double most = 0.0;
     for (const WallSegment& wall : of.walls) {
         for (const Point2& end : {wall.a, wall.b}) {
-            double least = INFINITY;
+            double least = std::numeric_limits<double>::infinity();
             for (const WallSegment& other : from.walls)
                 least = std::min(least, distance(other, end));
             most = std::max(most, least);
@@ -70,7 +71,7 @@ TEST_F(WorldCommand, TheGridOfARunThroughBigloopGivesItsWalls) {
         const LandmarkMap map = read_map(path("run/map.txt"));
         for (const WallSegment& wall : traced.walls) {
             const Point2 middle{(wall.a.x + wall.b.x) / 2.0, (wall.a.y + wall.b.y) / 2.0};
-            double least = INFINITY;
+            double least = std::numeric_limits<double>::infinity();
             for (const ICaracteristica& landmark : map) {
                 if (const auto* line = std::get_if<Recta>(&landmark.value))
                     least = std::min(least, std::abs(signed_distance(*line, middle)));

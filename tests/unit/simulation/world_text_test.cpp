@@ -2,6 +2,7 @@
 #include "hitos/simulation/world_text.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -273,7 +274,10 @@ TEST(WorldText, WhatCannotBeIsRefusedAndChangesNothing) {
     message_of<ConfigError>([&] { text.set_value("laser.sigma", "-1"); });
     message_of<ConfigError>([&] { text.set_value("laser.colour", "1"); });
     message_of<FormatError>([&] { text.set_walls(std::vector<Polyline>{{{0, 0}}}); });
-    message_of<FormatError>([&] { text.set_walls(std::vector<Polyline>{{{0, 0}, {0, NAN}}}); });
+    message_of<FormatError>([&] {
+        text.set_walls(
+            std::vector<Polyline>{{{0, 0}, {0, std::numeric_limits<double>::quiet_NaN()}}});
+    });
     message_of<FormatError>([&] {
         text.set_events(std::vector<Disturbance>{{DisturbanceKind::open, 1.0, {1, 0, 0}}});
     });

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/maps/picture_file.hpp"
@@ -44,7 +45,7 @@ double furthest(const World& of, const World& from) {
             const double t = i / 20.0;
             const Point2 p{wall.a.x + t * (wall.b.x - wall.a.x),
                            wall.a.y + t * (wall.b.y - wall.a.y)};
-            double least = INFINITY;
+            double least = std::numeric_limits<double>::infinity();
             for (const WallSegment& other : from.walls) least = std::min(least, distance(other, p));
             most = std::max(most, least);
         }
