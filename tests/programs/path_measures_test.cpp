@@ -174,6 +174,21 @@ TEST_F(PathMeasures, TellEachRelationAndWhyOneIsNotUsed) {
     EXPECT_EQ(figures(shell(evaluate + " --tolerance 1")).at("relations_used"), 3.0);
 }
 
+TEST_F(PathMeasures, AMapBesideExactOdometryIsNotDoubted) {
+    const auto said = [this](const std::string& more) {
+        return shell(cli_ + " run corridor --out " + path("run") + " " + more).output;
+    };
+    // No map is crisper than that of odometry without noise; this one is right to 8 cm.
+    EXPECT_THAT(said("--world-set odometry.noise=0"), Not(HasSubstr("do not trust it")));
+    // One that is blurred by its own path is.
+    EXPECT_THAT(said("--preset thesis --set filter.particles=3 --set motion.sigma_x=0.3 --set "
+                     "motion.sigma_y=0.3"),
+                HasSubstr("do not trust it"));
+    // By headings alone too.
+    EXPECT_THAT(said("--preset thesis --set filter.particles=5 --set motion.sigma_theta=0.1"),
+                HasSubstr("do not trust it"));
+}
+
 TEST_F(PathMeasures, OfAFinishedRunNeedNoTruth) {
     const std::string run = path("run");
     ASSERT_EQ(shell(cli_ + " run " + log_ + " --config " + config_ +

@@ -14,6 +14,7 @@
 #include "../evaluation/map_crispness.hpp"
 #include "hitos/base/geometry.hpp"
 #include "hitos/base/translatable.hpp"
+#include "hitos/services/evaluation/measures.hpp"
 
 namespace hitos {
 namespace {
@@ -22,6 +23,8 @@ namespace {
 constexpr double kManyUnmatched = 0.02;
 constexpr double kPoorScore = 0.5;
 constexpr double kBlurrier = 1.05;          // than the odometry's map
+constexpr double kSamePath = 0.10;          // [m], two cells
+constexpr double kSameHeading = 0.02;       // [rad], 10 cm at 5 m
 constexpr double kLongWithoutLoop = 100.0;  // [m]
 constexpr double kLargeCorrection = 5.0;    // [m]; of six recorded tours the largest is 4.1
 constexpr double kLongEnough = 10.0;        // [m] for a scale
@@ -42,6 +45,13 @@ void measure_crispness(const Algoritmo& run, RunQuality& quality) {
     }
     quality.cells_per_point = best.cells_per_point();
     quality.odometry_cells_per_point = odometry.cells_per_point();
+}
+
+/// Whether the path is the odometry's but for a few centimetres: where the odometry is right no map
+/// is crisper than its own, and one beside it is no worse for being a little less so.
+bool follows_odometry(const Algoritmo& run) {
+    const auto apart = trajectory_error(run.best_trajectory(), run.odometry_trajectory());
+    return apart && apart->rmse_m < kSamePath && apart->heading_rmse_rad < kSameHeading;
 }
 
 void warn(std::vector<Advice>& warnings, std::string_view text, std::string figure) {
@@ -198,7 +208,8 @@ RunQuality judge(const Algoritmo& run) {
         quality.registration = registration->figures();
         quality.loops = registration->loops().size();
     }
-    if (quality.cells_per_point > kBlurrier * quality.odometry_cells_per_point) {
+    if (quality.cells_per_point > kBlurrier * quality.odometry_cells_per_point &&
+        !follows_odometry(run)) {
         quality.warnings.push_back(
             {HITOS_TEXT("Advice",
                         "The map is less crisp than that of the odometry alone (%1 times the "
