@@ -184,9 +184,15 @@ void keep_standard_input(int file, const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::string input_named(const std::string& name) {
+std::string input_named(const std::string& name, const std::string& what) {
     constexpr const char* kStandardInput = "/dev/stdin";
     if (name != "-" && name != kStandardInput) return name;
+    static std::string taken_by;
+    if (!taken_by.empty()) {
+        throw ConfigError(what, verbatim("found \"" + name + "\", but standard input is " +
+                                         taken_by + " already; give one of the two as a file"));
+    }
+    taken_by = what;
     struct stat state {};
     if (::fstat(STDIN_FILENO, &state) != 0 || S_ISREG(state.st_mode)) return kStandardInput;
     if (isatty(STDIN_FILENO) != 0) {

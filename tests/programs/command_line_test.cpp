@@ -1,6 +1,7 @@
 // Manners of the command line: reports for programs, status, standard input, colours.
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
@@ -266,6 +267,103 @@ TEST_F(CommandLine, ColoursAreForTerminalsAlone) {
     EXPECT_NE(words.find('\033'), std::string::npos) << words;
     EXPECT_EQ(on_terminal("TERM=xterm NO_COLOR=1").find('\033'), std::string::npos);
     EXPECT_EQ(on_terminal("TERM=dumb NO_COLOR=").find('\033'), std::string::npos);
+}
+
+TEST_F(CommandLine, SlipsOfThePenAreToldWithWhatWasMeant) {
+    for (const auto& [line, words] : std::vector<std::pair<std::string, std::string>>{
+             {"rnu x", "rnu: hitos-cli has no such command; did you mean run?"},
+             {"frobnicate", "frobnicate: hitos-cli has no such command\n"},
+             {"run corridor --prest recorded --out x",
+              "--prest: hitos-cli run has no such option; did you mean --preset?"},
+             {"run corridor --otu=x",
+              "--otu: hitos-cli run has no such option; did you mean --out?"},
+             {"study merge x --jsno",
+              "--jsno: hitos-cli study merge has no such option; did you mean --json?"},
+             {"info x --frobnicate", "--frobnicate: hitos-cli info has no such option\n"},
+             {"--versoin", "--versoin: hitos-cli has no such option; did you mean --version?"}}) {
+        const Outcome outcome = shell(cli_ + " " + line);
+        EXPECT_EQ(outcome.status, 64) << line;
+        EXPECT_THAT(outcome.output, ::testing::StartsWith(words)) << line;
+        EXPECT_THAT(outcome.output, ::testing::EndsWith("Run with --help for more information.\n"));
+        EXPECT_EQ(outcome.output.find("describe"), std::string::npos);  // the help hides it
+    }
+    // Where nothing is misspelt, what is missing is told.
+    EXPECT_THAT(shell(cli_ + " run corridor").output, ::testing::StartsWith("--out is required"));
+    EXPECT_THAT(shell(cli_).output, ::testing::StartsWith("A subcommand is required"));
+    EXPECT_THAT(
+        shell(batch_ + " a b c p -3 --rnus 4").output,
+        ::testing::StartsWith("--rnus: BatchSLAM has no such option; did you mean --runs?"));
+}
+
+TEST_F(CommandLine, StandardInputIsOneThingOnly) {
+    ASSERT_EQ(said(run("run")).status, 0);
+    const std::string map = path("run/map.txt");
+    for (const auto& [line, words] : std::vector<std::pair<std::string, std::string>>{
+             {"run - --reference - --out " + path("x"),
+              "--reference: found \"-\", but standard input is log already; give one of the two as "
+              "a file"},
+             {"run - --config /dev/stdin --out " + path("x"),
+              "--config: found \"/dev/stdin\", but standard input is log already"},
+             {"evaluate --map - --reference - ",
+              "--reference: found \"-\", but standard input is --map already"},
+             {"study corridor --vary p=3 --reference - --reference-trajectory - --out " + path("x"),
+              "--reference-trajectory: found \"-\", but standard input is --reference already"}}) {
+        for (const std::string& input :
+             {cli_ + " " + line + " < " + map, "cat " + map + " | " + cli_ + " " + line}) {
+            const Outcome outcome = shell(input);
+            EXPECT_EQ(outcome.status, 1) << input;
+            EXPECT_THAT(outcome.output, ::testing::HasSubstr(words)) << input;
+        }
+    }
+    EXPECT_FALSE(fs::exists(path("x")));
+    // A study reads its maps from there too.
+    EXPECT_EQ(shell(fmt::format("{} study corridor --vary p=3 --runs 1 --reference - --out {} < {}",
+                                cli_, path("y"), map))
+                  .status,
+              0);
+}
+
+TEST_F(CommandLine, ADashIsNoNameToWriteTo) {
+    ASSERT_EQ(said(run("run")).status, 0);
+    const std::string there = "cd " + path("") + " && ";
+    for (const std::string& line : std::vector<std::string>{
+             "run " + short_log_ + " --out -", "run " + short_log_ + " --out x --figures -",
+             "convert " + short_log_ + " --to carmen --out -", "simulate corridor --out -",
+             "simulate corridor --truth -", "simulate corridor --picture -",
+             "simulate corridor --reference -", "study corridor --vary p=3 --out -",
+             "study merge -", "relations run/trajectory.tum --out -", "reproduce --out -",
+             "reproduce --report -", "evaluate --map run/map.txt --distances x --out -"}) {
+        const Outcome outcome = shell(there + cli_ + " " + line);
+        EXPECT_EQ(outcome.status, 64) << line;
+        EXPECT_THAT(outcome.output,
+                    ::testing::HasSubstr("found \"-\", but this does not go to standard output"))
+            << line;
+    }
+    EXPECT_EQ(shell(there + batch_ + " c - m p 1").status, 64);
+    EXPECT_FALSE(fs::exists(path("-")));
+    // Where one text comes of it, it does go there.
+    EXPECT_EQ(said("compare " + path("run") + " --out -").output,
+              said("compare " + path("run")).output);
+    const std::string written = said("parameters --write -").output;
+    ASSERT_EQ(said("parameters --write " + path("all.cfg")).status, 0);
+    EXPECT_EQ(written, content(path("all.cfg")));
+    EXPECT_FALSE(fs::exists("-"));
+}
+
+TEST_F(CommandLine, InfoAndRunCountTheSameOdometry) {
+    // Readings follow the last scan here, one of them damaged.
+    const std::string last = shell("zcat " + kSource +
+                                   "/data/logs/carmen-flaser.log.gz | grep ^ODOM | tail -1 | awk "
+                                   "'{$8 += 1; $10 += 1; print}'")
+                                 .output;
+    const std::string carmen =
+        file("carmen.log", shell("zcat " + kSource + "/data/logs/carmen-flaser.log.gz").output +
+                               last + "ODOM 1 2 nonsense\n");
+    const json info = object("info " + carmen);
+    const json run =
+        object(fmt::format("run {} --set filter.particles=5 --out {}", carmen, path("run")));
+    EXPECT_EQ(info.at("log"), run.at("log"));
+    EXPECT_GT(info.at("log").at("odometry_readings"), 99);
 }
 
 }  // namespace

@@ -46,10 +46,11 @@ class Simulate : public ::testing::Test {
         return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     }
 
-    static Result call(const std::string& arguments) {
-        const std::string command =
-            std::string(HITOS_BIN_DIR) + "/hitos-cli " + arguments + " 2>&1";
-        FILE* pipe = ::popen(command.c_str(), "r");
+    static Result call(const std::string& arguments, const std::string& before = "") {
+        return shell(before + std::string(HITOS_BIN_DIR) + "/hitos-cli " + arguments);
+    }
+    static Result shell(const std::string& line) {
+        FILE* pipe = ::popen(("{ " + line + "\n} 2>&1").c_str(), "r");
         if (pipe == nullptr) return {};
         Result result;
         std::array<char, 4096> buffer{};
@@ -126,6 +127,57 @@ TEST_F(Simulate, RefusesClearlyAndLeavesNothing) {
         << "walls = [[[1, -5], [1, 5]]]\n[tour]\nway_points = [[0.9, 0]]\n";
     expect_refusal("simulate " + in("tight.toml") + " --out " + in("x.log"),
                    "tight.toml:3: on the way to way point 1");
+}
+
+TEST_F(Simulate, FilesChangePlacesTogetherOrNotAtAll) {
+    const std::string names = " --out " + in("tour.log") + " --truth " + in("truth.tum") +
+                              " --reference " + in("reference.map") + " --picture " +
+                              in("tour.png");
+    ASSERT_EQ(call("simulate recinto --laps 1" + names).status, 0);
+    const auto contents = [this] {
+        return std::array{content("tour.log"), content("truth.tum"), content("reference.map"),
+                          content("tour.png")};
+    };
+    const auto before = contents();
+    std::filesystem::permissions(in("tour.log"), std::filesystem::perms::owner_all);
+    const auto mode = std::filesystem::status(in("tour.log")).permissions();
+    // There is room for all but the log.
+    const Result full = call("simulate corridor" + names, "ulimit -f 500; ");
+    EXPECT_EQ(full.status, 1);
+    EXPECT_NE(full.said.find("hitos-cli: " + in("tour.log") + ": writing fails"), std::string::npos)
+        << full.said;
+    EXPECT_EQ(contents(), before);
+    EXPECT_EQ(files(), 4U);
+    // Links stay links, and a file's mode its mode.
+    std::filesystem::create_symlink(in("tour.log"), in("link"));
+    ASSERT_EQ(call("simulate corridor --truth " + in("truth.tum") + " --out " + in("link")).status,
+              0);
+    EXPECT_TRUE(std::filesystem::is_symlink(in("link")));
+    EXPECT_NE(content("tour.log"), before[0]);
+    EXPECT_NE(content("truth.tum"), before[1]);
+    EXPECT_EQ(content("reference.map"), before[2]);
+    EXPECT_EQ(std::filesystem::status(in("tour.log")).permissions(), mode);
+    EXPECT_EQ(files(), 5U);
+}
+
+TEST_F(Simulate, OneAtATimeWritesTheSameFiles) {
+    const std::string log = in("tour.log");
+    ASSERT_EQ(call("simulate recinto --laps 1 --out " + log).status, 0);
+    const std::string before = content("tour.log");
+    // The first goes on for ever, the second comes while it does; then the first is asked to stop.
+    const std::string cli = std::string(HITOS_BIN_DIR) + "/hitos-cli simulate recinto ";
+    const Result both =
+        shell(cli + "--laps 1000 --out " + log + " --truth " + in("a.tum") +
+              " > /dev/null 2>&1 & first=$!; "
+              "until [ -d " +
+              in(".tour.log.hitos-new") + " ] || ! kill -0 $first; do sleep 0.05; done; " + cli +
+              "--laps 1 --truth " + in("b.tum") + " --out " + log +
+              "; echo second $?; kill -TERM $first; wait $first; echo first $?");
+    EXPECT_NE(both.said.find("tour.log: is being written by process"), std::string::npos)
+        << both.said;
+    EXPECT_NE(both.said.find("second 1\nfirst 143\n"), std::string::npos) << both.said;
+    EXPECT_EQ(content("tour.log"), before);
+    EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(Simulate, HelpListsEveryKeyAndWorld) {

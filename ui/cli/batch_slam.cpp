@@ -83,7 +83,9 @@ int run_program(int argc, char** argv) {
     BatchOptions options;
     program.add_option("Config", options.config, "Configuration file; its source.file is the log")
         ->required();
-    program.add_option("Salida", options.salida, "Quality file to write (CSV)")->required();
+    program.add_option("Salida", options.salida, "Quality file to write (CSV)")
+        ->required()
+        ->check(&complaint_of_output);
     program
         .add_option("Referencia", options.referencia,
                     "Reference map; - for none: paths and grid maps are measured")

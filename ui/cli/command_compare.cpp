@@ -16,6 +16,8 @@
 namespace hitos::cli {
 namespace {
 
+constexpr const char* kStandardOutput = "-";
+
 struct CompareOptions {
     std::vector<std::string> runs;
     std::string form = "markdown";
@@ -41,7 +43,7 @@ void check_out(const CompareOptions& options) {
 }
 
 void compare(const CompareOptions& options) {
-    if (!options.out.empty()) check_out(options);
+    if (!options.out.empty() && options.out != kStandardOutput) check_out(options);
     const RunComparison comparison =
         compare_runs(std::vector<std::filesystem::path>(options.runs.begin(), options.runs.end()));
     Report report(options.json);
@@ -49,7 +51,7 @@ void compare(const CompareOptions& options) {
     // For people the narrower way; programs know the columns by their names.
     if (options.form != "csv" && table.rows.size() < table.head.size()) table = transposed(table);
     const std::string text = forms().at(options.form)(table);
-    if (options.out.empty()) {
+    if (options.out.empty() || options.out == kStandardOutput) {
         report.say("{}", text);
     } else {
         write_file(options.out, text);
@@ -68,7 +70,8 @@ void add_compare(CLI::App& program) {
     command
         ->add_option("--as", options->form, "Form of the table: markdown (default), latex or csv")
         ->check(CLI::IsMember({"markdown", "latex", "csv"}));
-    command->add_option("--out", options->out, "File for the table, in place of standard output");
+    command->add_option("--out", options->out,
+                        "File for the table, in place of standard output (-)");
     add_report_option(*command, options->json);
     command->callback([options] { compare(*options); });
 }

@@ -37,7 +37,7 @@ struct ConvertOptions {
 void convert(const ConvertOptions& options) {
     const std::string target = checked_target_format(options.to, "--to");
     SourceParams source;
-    source.file = input_named(options.log);
+    source.file = input_named(options.log, "log");
     options.source.choose(source);
     const std::filesystem::path out = options.out;
     check_apart({&out, 1}, log_files(source.file));
@@ -74,7 +74,9 @@ void add_convert(CLI::App& program) {
         ->required();
     add_source_options(*command, options->source);
     command->add_option("--to", options->to, writable_formats())->required();
-    command->add_option("--out", options->out, "File to write; .gz compresses it")->required();
+    command->add_option("--out", options->out, "File to write; .gz compresses it")
+        ->required()
+        ->check(&complaint_of_output);
     command->add_option("--odometry-noise", options->noise,
                         "Level of the noise on v and w; the thesis uses 0.1 (default: 0, none)");
     command->add_option("--odometry-noise-kind", options->noise_kind,

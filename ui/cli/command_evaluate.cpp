@@ -190,7 +190,7 @@ void tell_crispness(Report& report, const std::string& before, const PathCrispne
 
 void evaluate_crispness(const EvaluateOptions& options, Report& report) {
     KeptRun run = read_results(options.run);
-    run.configuration.source.file = input_named(run.configuration.source.file);
+    run.configuration.source.file = input_named(run.configuration.source.file, "the run's log");
     const std::unique_ptr<TourReader> tour = open_tour(run.configuration);
     const PathCrispness path = path_crispness(*tour, run.path, run.configuration.grid);
     const PathCrispness odometry = path_crispness(*tour, run.odometry, run.configuration.grid);
@@ -235,11 +235,14 @@ void evaluate(EvaluateOptions options) {
             options.trajectory = (run / "trajectory.tum").string();
         }
     }
-    for (std::string* file :
-         {&options.map, &options.reference, &options.trajectory, &options.reference_trajectory,
-          &options.distances, &options.relations}) {
-        *file = input_named(*file);
-    }
+    const std::vector<std::pair<const char*, std::string*>> inputs{
+        {"--map", &options.map},
+        {"--reference", &options.reference},
+        {"--trajectory", &options.trajectory},
+        {"--reference-trajectory", &options.reference_trajectory},
+        {"--distances", &options.distances},
+        {"--relations", &options.relations}};
+    for (const auto& [option, file] : inputs) *file = input_named(*file, option);
     check_choices(options);
     Report report(options.json);
     if (!options.run.empty()) evaluate_crispness(options, report);
@@ -270,8 +273,10 @@ void add_evaluate(CLI::App& program) {
     command->add_option("--distances", options->distances,
                         "Named distances between parallel walls (docs/formats.md) to measure in "
                         "the map, printed as a table");
-    command->add_option("--out", options->out,
-                        "Folder for distances.csv and relations.csv, made if missing");
+    command
+        ->add_option("--out", options->out,
+                     "Folder for distances.csv and relations.csv, made if missing")
+        ->check(&complaint_of_output);
     command->add_option("--trajectory", options->trajectory, "Trajectory to measure (TUM)");
     command->add_option("--reference-trajectory", options->reference_trajectory,
                         "Reference trajectory (TUM)");

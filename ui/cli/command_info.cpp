@@ -100,7 +100,7 @@ void tell(const std::string& source, const SourceInspection& found, Report& repo
 }
 
 void info(const InfoOptions& options) {
-    const std::string source = source_named(input_named(options.log));
+    const std::string source = source_named(input_named(options.log, "log"));
     Configuracion configuration = load(options.configuration, source);
     configuration.source.file = source;
     options.source.choose(configuration.source);

@@ -107,12 +107,15 @@ void add_parameters(CLI::App& program) {
     command->add_option("key", *words,
                         "Keys, or tables such as split_merge, to list (default: all)");
     command->add_option("--write", *file,
-                        "Write a configuration file with the default of every key instead");
+                        "Write a configuration file with the default of every key instead; - for "
+                        "standard output");
     auto json = std::make_shared<bool>(false);
     add_report_option(*command, *json);
     command->callback([words, file, json] {
         if (file->empty()) {
             list(*words, *json);
+        } else if (*file == "-") {
+            fmt::print("{}", ArchivoConfiguracion::to_text(Configuracion()));
         } else {
             const Configuracion values;
             ArchivoConfiguracion::write(values, *file);

@@ -33,7 +33,7 @@ struct RelationsOptions {
 };
 
 void make_relations(RelationsOptions options) {
-    options.trajectory = input_named(options.trajectory);
+    options.trajectory = input_named(options.trajectory, "trajectory");
     const std::filesystem::path out = options.out;
     const std::filesystem::path in = options.trajectory;
     check_apart({&out, 1}, {&in, 1});
@@ -71,7 +71,9 @@ void add_relations(CLI::App& program) {
         "Make relations of a reference trajectory, for evaluate --relations (docs/formats.md)");
     command->add_option("trajectory", options->trajectory, "Reference trajectory (TUM)")
         ->required();
-    command->add_option("--out", options->out, "File to write")->required();
+    command->add_option("--out", options->out, "File to write")
+        ->required()
+        ->check(&complaint_of_output);
     CLI::Option* distance = command
                                 ->add_option("--distance", options->distance_m,
                                              "Way between the poses of a relation [m] (default: 1)")

@@ -16,6 +16,7 @@
 #include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/reproduction_maps.hpp"
 #include "hitos/workbench/shipped_data.hpp"
+#include "options.hpp"
 #include "progress_line.hpp"
 #include "report.hpp"
 
@@ -240,12 +241,16 @@ void add_reproduce(CLI::App& program) {
                      "Runs at a time (default: as many as the machine has); results do not depend "
                      "on it")
         ->check(CLI::NonNegativeNumber);
-    command->add_option("--out", options->out,
-                        "Folder for the results, made if missing (default: out/reproduction, for a "
-                        "reading out/reproduction-NAME)");
-    command->add_option("--report", options->report,
-                        "Write the document here too, and that of the maps as …-maps.md, each "
-                        "with its pictures in a folder beside it");
+    command
+        ->add_option("--out", options->out,
+                     "Folder for the results, made if missing (default: out/reproduction, for a "
+                     "reading out/reproduction-NAME)")
+        ->check(&complaint_of_output);
+    command
+        ->add_option("--report", options->report,
+                     "Write the document here too, and that of the maps as …-maps.md, each "
+                     "with its pictures in a folder beside it")
+        ->check(&complaint_of_output);
     command->add_option("--logs", options->logs,
                         "Folder of recorded tours, NAME.log.gz with NAME.gt.tum.gz, to put the "
                         "questions of the thesis's recorded tours to (aces, freiburg-101)");

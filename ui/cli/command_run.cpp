@@ -146,19 +146,22 @@ void check_outputs(const RunOptions& options, std::vector<std::filesystem::path>
 }
 
 void run(const RunOptions& options) {
-    const std::string source = source_named(input_named(options.log));
+    const std::string source = source_named(input_named(options.log, "log"));
     Configuracion configuration = load(options.configuration, source);
     configuration.source.file = source;
     options.source.choose(configuration.source);
     check_particle(options.grid_of, configuration);
     const std::vector<std::string> also = chosen_outputs(options.write, "--write");
     References references;
-    if (!options.reference.empty()) references.map = read_map(input_named(options.reference));
+    if (!options.reference.empty()) {
+        references.map = read_map(input_named(options.reference, "--reference"));
+    }
     if (!options.reference_trajectory.empty()) {
-        references.trajectory = read_trajectory(input_named(options.reference_trajectory));
+        references.trajectory =
+            read_trajectory(input_named(options.reference_trajectory, "--reference-trajectory"));
     }
     if (!options.distances.empty())
-        references.distances = read_distances(input_named(options.distances));
+        references.distances = read_distances(input_named(options.distances, "--distances"));
     const std::vector<std::filesystem::path> tour = tour_files(source);
     check_outputs(options, tour);
     StagedFolder folder = results_folder(options.out);
@@ -277,9 +280,11 @@ void add_run(CLI::App& program) {
     command->add_option("--grid-of", options->grid_of,
                         "Draw the grid along this particle's own path too, as "
                         "grid_particle_NUMBER.png and .jpg: a number from 0 on");
-    command->add_option("--figures", options->figures,
-                        "Write the figures of every scan (Neff, weights, landmarks, features, "
-                        "events, position error, time) into this CSV file (docs/formats.md)");
+    command
+        ->add_option("--figures", options->figures,
+                     "Write the figures of every scan (Neff, weights, landmarks, features, "
+                     "events, position error, time) into this CSV file (docs/formats.md)")
+        ->check(&complaint_of_output);
     command->add_option("--write", options->write,
                         "Write further files (docs/formats.md), by their names or these words with "
                         "commas between, or all: " +
@@ -287,7 +292,8 @@ void add_run(CLI::App& program) {
     command->add_flag("--strict", options->strict,
                       "End with status 2 where a file that a run can do without was not written");
     command->add_option("--out", options->out, "Folder for the results, made if missing")
-        ->required();
+        ->required()
+        ->check(&complaint_of_output);
     add_report_option(*command, options->json);
     command->callback([options] { run(*options); });
 }

@@ -11,6 +11,8 @@
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
+#include "hitos/base/process.hpp"
+#include "hitos/base/staged_files.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
@@ -57,6 +59,17 @@ World load_world(const SimulateOptions& options) {
     return world;
 }
 
+/// Leaves the command where it is asked to stop.
+void write_log(SimulatedTourReader& reader, LogWriter& writer) {
+    ProgressLine line("scans");
+    write_tour(reader, writer, [&] {
+        if (StopByRequest::wanted()) throw CLI::RuntimeError(StopByRequest::status());
+        line.show(reader.report().scans, reader.progress());
+    });
+    writer.finish();
+    line.finish(reader.report().scans);
+}
+
 void simulate(const SimulateOptions& options) {
     const std::string format = checked_target_format(options.format, "--format");
     if (options.out.empty() && options.truth.empty() && options.reference.empty() &&
@@ -67,21 +80,25 @@ void simulate(const SimulateOptions& options) {
     }
     const auto tour = std::make_shared<const SimulatedTour>(load_world(options));
     SimulatedTourReader reader(tour);
-    // The log's place is tried first and the log put there last, so that an error in any other file
-    // leaves no log behind that looks like a whole result.
-    const std::vector<std::filesystem::path> outputs{options.out, options.truth, options.reference,
-                                                     options.picture};
-    check_apart(outputs, tour_files(find_world(options.world)));
-    const auto writer = options.out.empty() ? nullptr : make_log_writer(format, options.out);
-    if (!options.picture.empty()) write_tour_picture(*tour, options.picture);
-    if (!options.truth.empty()) write_trajectory(reader.truth()->path, options.truth);
-    if (!options.reference.empty()) write_map(reference_map(tour->world()), options.reference);
-    if (writer) {
-        ProgressLine line("scans");
-        write_tour(reader, *writer, [&] { line.show(reader.report().scans, reader.progress()); });
-        writer->finish();
-        line.finish(tour->scans());
+    const StopByRequest request;
+    // The log comes last: it is what all the others belong to.
+    std::vector<std::filesystem::path> outputs;
+    for (const std::string& file :
+         {options.picture, options.truth, options.reference, options.out}) {
+        if (!file.empty()) outputs.emplace_back(file);
     }
+    check_apart(outputs, tour_files(find_world(options.world)));
+    StagedFiles files(outputs);
+    files.write([&] {
+        const auto to = [&](const std::string& file) { return files.staged(file).string(); };
+        if (!options.picture.empty()) write_tour_picture(*tour, to(options.picture));
+        if (!options.truth.empty()) write_trajectory(reader.truth()->path, to(options.truth));
+        if (!options.reference.empty()) {
+            write_map(reference_map(tour->world()), to(options.reference));
+        }
+        if (!options.out.empty()) write_log(reader, *make_log_writer(format, to(options.out)));
+    });
+    files.commit();
     Report report(options.json);
     report.say("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n", tour->world().name,
                tour->path().length_m(), tour->path().duration_s(), tour->scans(), tour->readings());
@@ -91,8 +108,9 @@ void simulate(const SimulateOptions& options) {
                        {"scans", tour->scans()},
                        {"odometry_readings", tour->readings()}};
     report.object()["files"] = nlohmann::ordered_json::array();
-    for (const std::filesystem::path& file : outputs) {
-        if (!file.empty()) report.object()["files"].push_back(file.string());
+    for (const std::string& file :
+         {options.out, options.truth, options.reference, options.picture}) {
+        if (!file.empty()) report.object()["files"].push_back(file);
     }
     report.end();
 }
@@ -120,7 +138,8 @@ void add_simulate(CLI::App& program) {
                      "World file (.toml), or the name of a world that comes with Hitos")
         ->required();
     command->add_option("--format", options->format, writable_formats() + " (default: normalized)");
-    command->add_option("--out", options->out, "Log to write; .gz compresses it");
+    command->add_option("--out", options->out, "Log to write; .gz compresses it")
+        ->check(&complaint_of_output);
     command->add_option("--seed,--tour-seed", options->seed,
                         "Seed of the noise (default: as the world says, else 1)");
     command->add_option("--laps", options->laps, "How often the way points are driven");
@@ -134,12 +153,18 @@ void add_simulate(CLI::App& program) {
                      "Change one value of the world, e.g. --set laser.rate=10; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    command->add_option("--truth", options->truth,
-                        "True trajectory to write (TUM), one pose for each scan");
-    command->add_option("--reference", options->reference,
-                        "Reference map to write, computed from the walls");
-    command->add_option("--picture", options->picture,
-                        "Picture to draw (.png or .jpg): walls, true path, odometry, way points");
+    command
+        ->add_option("--truth", options->truth,
+                     "True trajectory to write (TUM), one pose for each scan")
+        ->check(&complaint_of_output);
+    command
+        ->add_option("--reference", options->reference,
+                     "Reference map to write, computed from the walls")
+        ->check(&complaint_of_output);
+    command
+        ->add_option("--picture", options->picture,
+                     "Picture to draw (.png or .jpg): walls, true path, odometry, way points")
+        ->check(&complaint_of_output);
     add_report_option(*command, options->json);
     command->footer(footer);
     command->callback([options] { simulate(*options); });

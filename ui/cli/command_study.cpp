@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/process.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "options.hpp"
 #include "study_console.hpp"
@@ -59,7 +60,9 @@ int study(CommandOptions options) {
     study.configuration = load(options.configuration, source);
     study.configuration.source.file = source;
     options.source.choose(study.configuration.source);
-    if (!options.reference.empty()) study.reference = read_map(options.reference);
+    if (!options.reference.empty()) {
+        study.reference = read_map(input_named(options.reference, "--reference"));
+    }
     for (const std::string& assignment : options.vary)
         study.parameters.push_back(parse_study_parameter(assignment));
     study.layout = study_in_folder(options.out);
@@ -83,7 +86,9 @@ void add_merge(CLI::App& study) {
     auto options = std::make_shared<MergeOptions>();
     CLI::App* command = study.add_subcommand(
         "merge", "Put the shards of a study together: tables and plots as one process makes them");
-    command->add_option("out", options->out, "Folder of the whole study")->required();
+    command->add_option("out", options->out, "Folder of the whole study")
+        ->required()
+        ->check(&complaint_of_output);
     command->add_option("shards", options->shards,
                         "Folders of the shards, where each had its own (default: all of them "
                         "wrote to OUT)");
@@ -122,7 +127,8 @@ void add_study(CLI::App& program) {
     command->add_option("--shard", options->shard,
                         "Do part i of n only, e.g. 2/8 (default: what the job array says, else "
                         "all); study merge puts the parts together");
-    command->add_option("--out", options->out, "Folder for the results, made if missing");
+    command->add_option("--out", options->out, "Folder for the results, made if missing")
+        ->check(&complaint_of_output);
     add_merge(*command);
     command->callback([options, command] {
         if (!command->got_subcommand("merge")) leave(study(*options));

@@ -2,10 +2,13 @@
 
 #include <sysexits.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 #include <system_error>
 
+#include "hitos/base/parameter.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
@@ -27,6 +30,56 @@ CLI::Validator finite_number(bool zero_too) {
                (zero_too ? "of 0 or more" : "above 0");
     };
     return {problem, zero_too ? "NONNEGATIVE" : "POSITIVE"};
+}
+
+bool looks_like_option(const std::string& word) {
+    constexpr std::string_view kDigits = "0123456789.";
+    return word.size() > 1 && word[0] == '-' && kDigits.find(word[1]) == std::string_view::npos;
+}
+
+/// The words that may stand where this one does: options with their dashes, or commands.
+std::vector<std::string> words_of(const CLI::App& command, bool options) {
+    std::vector<std::string> words;
+    if (options) {
+        for (const CLI::Option* option : command.get_options()) {
+            if (option->get_group().empty()) continue;  // the help does not tell it either
+            for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+        }
+    } else {
+        for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
+            words.push_back(sub->get_name());
+        }
+    }
+    return words;
+}
+
+std::string slip(const CLI::App& command, const std::string& name, std::string word) {
+    const bool option = looks_like_option(word);
+    if (option) word = word.substr(0, word.find('='));
+    const std::vector<std::string> words = words_of(command, option);
+    const std::vector<std::string_view> keys(words.begin(), words.end());
+    const auto near = parameter_detail::near_keys(word, keys);
+    return word + ": " + name + " has no such " + (option ? "option" : "command") +
+           (near.empty() ? "" : "; did you mean " + parameter_detail::joined(near, " or ") + "?");
+}
+
+/// A word that is no option or no command where one is expected, with those that it is near to;
+/// nothing where there is none. Words after an unknown option may be its values: it is named first.
+std::string slip_of(const CLI::App& program) {
+    const CLI::App* command = &program;
+    std::string name = program.get_name();
+    for (;;) {
+        const std::vector<std::string> left = command->remaining();
+        const auto option = std::ranges::find_if(left, looks_like_option);
+        if (option != left.end()) return slip(*command, name, *option);
+        const auto subcommands = command->get_subcommands();
+        if (subcommands.empty()) {
+            const bool wants_command = command->get_require_subcommand_min() > 0;
+            return wants_command && !left.empty() ? slip(*command, name, left.front()) : "";
+        }
+        command = subcommands.front();
+        name += " " + command->get_name();
+    }
 }
 
 }  // namespace
@@ -82,7 +135,18 @@ void SourceOptions::choose(SourceParams& source) const {
     topics.choose(source);
 }
 
+std::string complaint_of_output(const std::string& name) {
+    if (name != "-") return {};
+    return "found \"-\", but this does not go to standard output; expected a name (./- is a file "
+           "or folder of that one)";
+}
+
 int exit_status(const CLI::App& program, const CLI::ParseError& error) {
+    const bool of_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                          dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    if (const std::string slip = of_words ? slip_of(program) : ""; !slip.empty()) {
+        return program.exit(CLI::ParseError(slip, EX_USAGE));
+    }
     const int status = program.exit(error);
     if (status == 0 || dynamic_cast<const CLI::RuntimeError*>(&error) != nullptr) return status;
     return EX_USAGE;
@@ -91,7 +155,7 @@ int exit_status(const CLI::App& program, const CLI::ParseError& error) {
 Configuracion load(const ConfigurationOptions& options, const std::string& source) {
     Configuracion configuration;
     if (!options.file.empty())
-        configuration = ArchivoConfiguracion::read(input_named(options.file));
+        configuration = ArchivoConfiguracion::read(input_named(options.file, "--config"));
     if (!options.preset.empty()) {
         configuration = preset_configuration(options.preset);
     } else if (options.file.empty() && is_world_file(source)) {

@@ -36,6 +36,10 @@ struct SourceOptions {
 
 void add_source_options(CLI::App& command, SourceOptions& options);
 
+/// What is wrong with the name of a file or folder to write: "-", which stands for standard output
+/// elsewhere, would become one of that name.
+std::string complaint_of_output(const std::string& name);
+
 /// Tells what is wrong with the command line, or the help that was asked for. Gives the program's
 /// status: that of the command that left with one of its own, 0 after help, 64 (EX_USAGE of
 /// sysexits.h) for a command line that is none.

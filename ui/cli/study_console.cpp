@@ -70,7 +70,8 @@ void apply(const StudyRunOptions& options, Study& study) {
     study.first_seed = options.first_seed;
     study.pictures = parse_study_pictures(options.pictures, "--pictures");
     if (!options.reference_trajectory.empty()) {
-        study.reference_trajectory = read_trajectory(options.reference_trajectory);
+        study.reference_trajectory =
+            read_trajectory(input_named(options.reference_trajectory, "--reference-trajectory"));
     }
     set_study_source(study, options.noise,
                      parse_noise_kind(options.noise_kind, "--odometry-noise-kind"));

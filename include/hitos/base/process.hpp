@@ -41,8 +41,10 @@ class StopSource {
 
 /// The name of an input file; where it is "-" or "/dev/stdin", standard input is made one that can
 /// be read as often as one likes, and its name is "/dev/stdin": what comes through a pipe is kept
-/// in a file without a name in the folder for temporary files. Throws FileError.
-std::string input_named(const std::string& name);
+/// in a file without a name in the folder for temporary files. Throws FileError. `what` is the
+/// option or argument that says it: there is one standard input, and ConfigError of the second one
+/// that wants it.
+std::string input_named(const std::string& name, const std::string& what);
 
 /// Runs the program and tells its errors on stderr. Gives its status once all that it said has
 /// arrived: what standard output cannot take is an error. Where nobody reads on (`| head`), the

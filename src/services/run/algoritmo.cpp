@@ -86,6 +86,9 @@ bool Algoritmo::step(AssociationRecord* record) {
                                    "%1; expected at least one scan: check the file and its format"),
                         nothing_found(report())));
         }
+        // Nothing comes of odometry after the last scan, but the log has it: report() is of all.
+        while (reader_->next_odometry()) {
+        }
         finish();
         return false;
     }
