@@ -98,7 +98,8 @@ double degrees_of(double angle_rad) {
         return same(wrap_angle(degrees * kRadiansPerDegree), angle_rad);
     };
     const double nearest = angle_rad / kRadiansPerDegree;
-    for (double scale = 1.0; scale <= 1e9; scale *= 10.0) {
+    double scale = 1.0;
+    for (int decimals = 0; decimals < 10; ++decimals, scale *= 10.0) {
         if (const double round = std::round(nearest * scale) / scale; reads_back(round))
             return round;
     }

@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
     if (name == "runs") return run<RunsTest>(arguments);
     if (name == "inspect") return run<InspectTest>(arguments);
     if (name == "keyboard") return run<KeyboardTest>(arguments);
+    if (name == "lessons") return run<LessonsTest>(arguments);
     if (name == "measure") return run<MeasureTest>(arguments);
     if (name == "study") return run<StudyTest>(arguments);
     if (name == "time") return run<TimeTest>(arguments);
@@ -50,6 +51,6 @@ int main(int argc, char** argv) {
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
         "expected contact, drive, fit, source, configuration, random, run, runs, study, time, "
-        "view, inspect, keyboard, measure or words");
+        "view, inspect, keyboard, lessons, measure or words");
     return 2;
 }

@@ -305,6 +305,15 @@ class KeyboardTest : public QObject {
     void no_key_means_two_things();
 };
 
+class LessonsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void every_lesson_opens_with_its_page_beside_it();
+    void a_lesson_does_not_take_a_run_unasked();
+    void lessons_speak_spanish();
+};
+
 class WordsTest : public QObject {
     Q_OBJECT
 

@@ -38,7 +38,7 @@ Limits limits_of(const OccupancyPicture& picture, const TracingOptions& options)
     limits.tolerance = std::max(1.0, cells(options.tolerance_m, 2.0));
     limits.shortest = cells(options.shortest_m, 6.0);
     limits.opening = std::max(4.0, 2.0 * limits.tolerance);
-    const double greatest = static_cast<double>(std::max(picture.columns, picture.rows));
+    const auto greatest = static_cast<double>(std::max(picture.columns, picture.rows));
     limits.thickest = static_cast<int>(
         std::clamp(std::ceil(options.thickest_m / picture.resolution_m), 5.0, greatest + 5.0));
     return limits;
@@ -160,11 +160,11 @@ class Tracer {
 
     /// The end `a` moved away from `b` as far as there are cells of a wall.
     Point2 lengthened(const Point2& a, const Point2& b) const {
-        constexpr double kStep = 0.25;  // cells
+        constexpr int kSteps = 4;  // a cell
         const double length = std::hypot(a.x - b.x, a.y - b.y);
-        const Point2 step{(a.x - b.x) / length * kStep, (a.y - b.y) / length * kStep};
+        const Point2 step{(a.x - b.x) / length / kSteps, (a.y - b.y) / length / kSteps};
         Point2 end = a;
-        for (double gone = 0.0; gone < limits_.thickest; gone += kStep) {
+        for (int gone = 0; gone < kSteps * limits_.thickest; ++gone) {
             const Point2 next{end.x + step.x, end.y + step.y};
             if (!thick_.at(static_cast<int>(std::lround(next.x)),
                            static_cast<int>(std::lround(next.y))))

@@ -14,11 +14,8 @@
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "manual/describe.hpp"
-<<<<<<< ours
-#include "world/live_drive.hpp"
-=======
 #include "manual/topic_options.hpp"
->>>>>>> theirs
+#include "world/live_drive.hpp"
 
 namespace hitos::window {
 namespace {

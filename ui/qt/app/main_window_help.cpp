@@ -13,6 +13,7 @@
 #include "hitos/services/run/results.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "icons.hpp"
+#include "lesson_guide.hpp"
 #include "main_window.hpp"
 #include "screen_fit.hpp"
 #include "ui_main_window.h"
@@ -55,6 +56,7 @@ void MainWindow::connect_help() {
     connect(ui_->action_about, &QAction::triggered, this, &MainWindow::show_about);
     connect(ui_->action_keys, &QAction::triggered, this, &MainWindow::show_keys);
     connect(ui_->action_guide, &QAction::triggered, this, &MainWindow::show_guide);
+    new LessonGuide(*this, *ui_->menu_help, ui_->action_keys, *configuration_, guard_, prompts_);
 }
 
 void MainWindow::show_about() {

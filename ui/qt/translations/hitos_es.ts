@@ -3818,6 +3818,22 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::LessonGuide</name>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Lecciones</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>the code of the language that the window speaks</comment>
+        <translation>es</translation>
+    </message>
+    <message>
+        <source>Lesson %1</source>
+        <translation>Lección %1</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::MainWindow</name>
     <message>
         <source>Last scan</source>

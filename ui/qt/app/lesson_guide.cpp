@@ -1,0 +1,85 @@
+#include "lesson_guide.hpp"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QTextBrowser>
+
+#include "actions/configuration_actions.hpp"
+#include "actions/prompts.hpp"
+#include "actions/run_guard.hpp"
+#include "docks.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+
+namespace hitos::window {
+
+LessonGuide::LessonGuide(QMainWindow& window, QMenu& help, QAction* before,
+                         ConfigurationActions& configuration, const RunGuard& guard,
+                         Prompts& prompts)
+    : QObject(&window),
+      window_(window),
+      configuration_(configuration),
+      guard_(guard),
+      prompts_(prompts) {
+    std::vector<Lesson> all;
+    try {
+        all = lessons();
+    } catch (const Error&) {
+        return;  // a page is missing: lessons that are not whole are not offered
+    }
+    if (all.empty()) return;
+    auto* menu = new QMenu(tr("&Lessons"), &help);
+    menu->setObjectName("menu_lessons");
+    help.insertMenu(before, menu);
+    const bool spanish = language() == "es";
+    for (const Lesson& lesson : all) {
+        const std::string& title = spanish ? lesson.title_es : lesson.title_en;
+        QAction* action = menu->addAction(
+            QString("&%1. %2").arg(lesson.number).arg(QString::fromStdString(title)));
+        action->setObjectName(QString("action_lesson_%1").arg(lesson.number));
+        connect(action, &QAction::triggered, this, [this, lesson] { open(lesson); });
+    }
+}
+
+QString LessonGuide::language() {
+    return tr("en", "the code of the language that the window speaks");
+}
+
+void LessonGuide::open(const Lesson& lesson) {
+    QString text;
+    try {
+        text = QString::fromStdString(input::read_text(lesson.page(language().toStdString())));
+    } catch (const Error& error) {
+        prompts_.warn(&window_, tr("Lesson %1").arg(lesson.number), words_of(error));
+        return;
+    }
+    if (!guard_.may_discard()) return;
+    const QString configuration = QString::fromStdString(lesson.configuration.string());
+    if (!configuration_.open(configuration, true)) return;
+    show_page(lesson, text);
+}
+
+void LessonGuide::show_page(const Lesson& lesson, const QString& text) {
+    if (dock_ == nullptr) {
+        page_ = new QTextBrowser;
+        page_->setObjectName("lesson_page");
+        page_->setOpenExternalLinks(true);
+        page_->setTabChangesFocus(true);
+        dock_ = new QDockWidget(&window_);
+        dock_->setObjectName("lesson_dock");
+        dock_->setWidget(page_);
+        keep_keys_in_front(dock_);
+        window_.addDockWidget(Qt::RightDockWidgetArea, dock_);
+        constexpr int kWidth = 360;
+        window_.resizeDocks({dock_}, {kWidth}, Qt::Horizontal);
+    }
+    const QString title = tr("Lesson %1").arg(lesson.number);
+    dock_->setWindowTitle(title);
+    page_->setAccessibleName(title);
+    page_->setMarkdown(text);
+    dock_->show();
+    dock_->raise();
+}
+
+}  // namespace hitos::window
