@@ -87,7 +87,7 @@ void WorldView::paint_scene(QPainter& painter, const Scene& scene) const {
         paint_rays(painter, scene);
         paint_walls(painter, scene);
         paint_belief(painter, scene);
-        draw_robot(painter, scene, tour_->pose_now());
+        paint_truth(painter, scene);
         if (goal_) {
             draw_cross(painter, scene.to_screen.map(point_of(*goal_)), scene.colours.accent);
         }
@@ -107,6 +107,14 @@ void WorldView::paint_walls(QPainter& painter, const Scene& scene) const {
         const double radius = world.walkers[i].radius_m * scene.pixels_per_m;
         painter.drawEllipse(scene.to_screen.map(point_of(people[i])), radius, radius);
     }
+}
+
+/// In the colour of the walls, which is no colour of what the filter believes.
+void WorldView::paint_truth(QPainter& painter, const Scene& scene) const {
+    Colours colours = scene.colours;
+    colours.robot = colours.text;
+    draw_robot(painter, {scene.to_screen, scene.size, scene.pixels_per_m, colours, false},
+               tour_->pose_now());
 }
 
 /// Where the laser's newest points are in truth.

@@ -44,6 +44,7 @@ class WorldView final : public CanvasView {
     static unsigned held_by(int key);
     void set_held(unsigned keys);
     void paint_walls(QPainter& painter, const Scene& scene) const;
+    void paint_truth(QPainter& painter, const Scene& scene) const;
     void paint_belief(QPainter& painter, const Scene& scene) const;
     void paint_rays(QPainter& painter, const Scene& scene) const;
 

@@ -150,7 +150,7 @@ void WorldWindow::open_asked() {
         }
     }
     if (!path.isEmpty()) open(path);
-    if (!drive_.active()) worlds_->setCurrentIndex(0);
+    worlds_->setCurrentIndex(0);  // which names what is driven
 }
 
 void WorldWindow::open(const QString& path) {
@@ -196,10 +196,10 @@ void WorldWindow::show_state() {
     for (QWidget* widget : {static_cast<QWidget*>(rest_), static_cast<QWidget*>(keep_)}) {
         widget->setEnabled(active);
     }
-    if (!active) {
-        view_->set_snapshot(nullptr);
-        worlds_->setCurrentIndex(0);
-    }
+    if (!active) view_->set_snapshot(nullptr);
+    worlds_->setItemText(
+        0, active ? QString::fromStdString(drive_.tour()->world().name) : tr("Choose a world…"));
+    worlds_->setCurrentIndex(0);
     figures_->setText(figures());
 }
 
@@ -215,7 +215,7 @@ QString WorldWindow::figures() const {
     QString words = tr("%1 s, %2 m/s, %3 °/s")
                         .arg(tour.duration_s(), 0, 'f', 1)
                         .arg(twist.v, 0, 'f', 2)
-                        .arg(twist.w * kDegrees, 0, 'f', 0);
+                        .arg(std::round(twist.w * kDegrees) + 0.0, 0, 'f', 0);
     const auto snapshot = session_.snapshot();
     if (!snapshot || snapshot->steps == 0 || snapshot->steps > tour.scans()) return words;
     const Pose truth = tour.true_pose(snapshot->steps - 1);
