@@ -155,10 +155,11 @@ void WordsTest::nothing_speaks_of_particles_that_are_not_there() {
         f.run_steps(30);
         QStringList said;
         for (auto* action : f.window->findChildren<QAction*>()) {
-            // The name of the tool, and the presets of other algorithms, stay.
+            // The name of the tool, the presets of other algorithms, and lessons about them, stay.
             const QString name = action->objectName();
             if (!action->isVisible() || name == "action_particles_dock") continue;
             if (name.startsWith("action_preset_") || name == "action_save_figures") continue;
+            if (name.startsWith("action_lesson_")) continue;
             said << action->text() << action->toolTip();
         }
         for (auto* dock : f.window->findChildren<QDockWidget*>()) {
