@@ -151,7 +151,7 @@ void WordsTest::damaged_lines_are_told_in_spanish() {
     QTRY_VERIFY(f.window->findChild<QDialog*>("skipped_lines") != nullptr);
     const QString text =
         f.window->findChild<QDialog*>("skipped_lines")->findChild<QPlainTextEdit*>()->toPlainText();
-    VERIFY_SPANISH(text, "Línea 3: ");
+    VERIFY_SPANISH(text, "línea 3: ");
     VERIFY_SPANISH(text, "se encontró el final de la línea, se esperaba un valor");
     VERIFY_SPANISH(text, "no es una línea del formato normalized");
     VERIFY_SPANISH(text, "tras las velocidades, se esperaba el final de la línea");
@@ -166,7 +166,7 @@ void WordsTest::a_run_that_fails_is_told_in_spanish() {
     QTRY_COMPARE(f.prompts.warnings.size(), 1);
     const QString warning = warning_about(f, path);
     VERIFY_SPANISH(warning, "no se encontró ningún barrido legible");
-    VERIFY_SPANISH(warning, "la primera es la línea 2: time: se encontró \"roto\"");
+    VERIFY_SPANISH(warning, "la primera: línea 2: time: se encontró \"roto\"");
     VERIFY_SPANISH(warning, "; se esperaba al menos un barrido");
 }
 

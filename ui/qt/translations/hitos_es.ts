@@ -2006,7 +2006,7 @@
     </message>
     <message>
         <source>found no readable scan; of the log %1 parts were skipped as damaged, the first is %2</source>
-        <translation>no se encontró ningún barrido legible; partes del registro que se saltaron por dañadas: %1, la primera es %2</translation>
+        <translation>no se encontró ningún barrido legible; partes del registro que se saltaron por dañadas: %1, la primera: %2</translation>
     </message>
 </context>
 <context>
