@@ -18,7 +18,7 @@ namespace {
 /// on the machine's speed.
 struct DriveFixture : Fixture {
     DriveFixture() : Fixture(false) {
-        world_window().open(write("room.toml", kRoom));
+        world_window().drive_through(write("room.toml", kRoom));
         drive().rest();
     }
 
@@ -194,7 +194,7 @@ void DriveTest::a_tour_that_is_given_up_is_rescued() {
     QFile::remove(rescued);
     // What was hardly begun leaves nothing.
     rescued.clear();
-    f.world_window().open(f.path("room.toml"));
+    f.world_window().drive_through(f.path("room.toml"));
     f.drive().rest();
     f.periods(10);
     f.session.set_configuration(Fixture::tour(10));
@@ -210,7 +210,7 @@ void DriveTest::bad_worlds_leave_what_was_there() {
                              "walls = [[[0.1, -1], [0.1, 1]]]\n[tour]\n"
                              "commands = [[0, 0, 1]]\n"}) {  // and on the robot
         f.prompts.warnings.clear();
-        f.world_window().open(f.write("bad.toml", text));
+        f.world_window().drive_through(f.write("bad.toml", text));
         QCOMPARE(f.prompts.warnings.size(), 1);
         QVERIFY(f.prompts.warnings[0].contains("bad.toml"));
         QVERIFY(f.drive().tour() == tour);

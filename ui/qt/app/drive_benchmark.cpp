@@ -64,7 +64,7 @@ int run_drive_benchmark(MainWindow& window, Session& session, int pace) {
     if (way.empty()) throw Error(verbatim(file + ": has no way points to drive along"));
     window.show();
     WorldWindow& world = window.open_world_window();
-    world.open(QString::fromStdString(file));
+    world.drive_through(QString::fromStdString(file));
     LiveDrive& drive = world.drive();
     if (!drive.active()) return 1;  // it has said why
     drive.set_pace(pace);

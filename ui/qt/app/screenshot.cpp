@@ -92,7 +92,7 @@ void show_drive(MainWindow& window, const Session& session, const CommandLine& l
     const std::string file = session.configuration().source.file;
     const std::vector<WayPoint> way = read_world(file).tour.way_points;
     WorldWindow& world = window.open_world_window();
-    world.open(QString::fromStdString(file));
+    world.drive_through(QString::fromStdString(file));
     LiveDrive& drive = world.drive();
     if (!drive.active()) return;  // it has said why
     drive.rest();

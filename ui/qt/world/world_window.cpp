@@ -149,11 +149,11 @@ void WorldWindow::open_asked() {
             prompts_.warn(this, tr("The world cannot be opened"), words_of(error));
         }
     }
-    if (!path.isEmpty()) open(path);
+    if (!path.isEmpty()) drive_through(path);
     worlds_->setCurrentIndex(0);  // which names what is driven
 }
 
-void WorldWindow::open(const QString& path) {
+void WorldWindow::drive_through(const QString& path) {
     if (!guard_.may_discard()) return;
     try {
         Configuracion configuration = session_.configuration();

@@ -29,7 +29,7 @@ class WorldWindow final : public QDialog {
     WorldView& view() const { return *view_; }
     /// Puts the robot at the start of a world file, in place of what the session works on if the
     /// user agrees. Says what is wrong with a world that cannot be driven through.
-    void open(const QString& path);
+    void drive_through(const QString& path);
 
   signals:
     void notice(QString words);
