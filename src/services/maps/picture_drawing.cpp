@@ -140,7 +140,7 @@ cv::Size size_of_words(const std::string& words, double size) {
 }
 
 void set_up_codecs() {
-    [[maybe_unused]] static const bool kDone = cv::haveImageWriter(".png");
+    [[maybe_unused]] static const bool done = cv::haveImageWriter(".png");
 }
 
 std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<int> compression) {
