@@ -73,7 +73,7 @@ void StagedFiles::write(const std::function<void()>& write) const {
         for (const auto& file : files_) {
             told = told.replaced(file->staged().string(), file->given.string());
         }
-        throw told;
+        throw FileError(told);
     }
 }
 

@@ -308,8 +308,8 @@ TEST_F(CommandLine, StandardInputIsOneThingOnly) {
               "--reference: found \"-\", but standard input is --map already"},
              {"study corridor --vary p=3 --reference - --reference-trajectory - --out " + path("x"),
               "--reference-trajectory: found \"-\", but standard input is --reference already"}}) {
-        for (const std::string& input :
-             {cli_ + " " + line + " < " + map, "cat " + map + " | " + cli_ + " " + line}) {
+        for (const std::string& input : {fmt::format("{} {} < {}", cli_, line, map),
+                                         fmt::format("cat {} | {} {}", map, cli_, line)}) {
             const Outcome outcome = shell(input);
             EXPECT_EQ(outcome.status, 1) << input;
             EXPECT_THAT(outcome.output, ::testing::HasSubstr(words)) << input;
@@ -333,7 +333,7 @@ TEST_F(CommandLine, ADashIsNoNameToWriteTo) {
              "simulate corridor --reference -", "study corridor --vary p=3 --out -",
              "study merge -", "relations run/trajectory.tum --out -", "reproduce --out -",
              "reproduce --report -", "evaluate --map run/map.txt --distances x --out -"}) {
-        const Outcome outcome = shell(there + cli_ + " " + line);
+        const Outcome outcome = shell(fmt::format("{}{} {}", there, cli_, line));
         EXPECT_EQ(outcome.status, 64) << line;
         EXPECT_THAT(outcome.output,
                     ::testing::HasSubstr("found \"-\", but this does not go to standard output"))
