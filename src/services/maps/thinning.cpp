@@ -42,7 +42,7 @@ CellMask windowed(const CellMask& mask, int reach, bool all) {
 
 /// Whether the cell can go and what is left hangs together as before: it is no end, and the
 /// neighbours that are set are one piece.
-bool can_go(const CellMask& mask, const Cell& cell) {
+bool can_go(const CellMask& mask, const SkeletonCell& cell) {
     std::array<bool, 8> p{};
     int count = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -56,10 +56,10 @@ bool can_go(const CellMask& mask, const Cell& cell) {
 }
 
 /// Neighbours along a line: one across a corner counts only where no other leads there.
-std::vector<Cell> neighbours(const CellMask& mask, const Cell& cell) {
-    std::vector<Cell> found;
+std::vector<SkeletonCell> neighbours(const CellMask& mask, const SkeletonCell& cell) {
+    std::vector<SkeletonCell> found;
     for (std::size_t i = 0; i < kAround.size(); ++i) {
-        const Cell next{cell.column + kAround[i].first, cell.row + kAround[i].second};
+        const SkeletonCell next{cell.column + kAround[i].first, cell.row + kAround[i].second};
         if (!mask.at(next.column, next.row)) continue;
         const bool across = i % 2 == 1;
         if (across && (mask.at(next.column, cell.row) || mask.at(cell.column, next.row))) continue;
@@ -71,15 +71,15 @@ std::vector<Cell> neighbours(const CellMask& mask, const Cell& cell) {
 std::vector<CellChain> walked(const CellMask& thin) {
     std::vector<CellChain> chains;
     CellMask done(thin.columns(), thin.rows());  // inner cells of chains
-    const auto walk = [&](const Cell& from, const Cell& first) {
+    const auto walk = [&](const SkeletonCell& from, const SkeletonCell& first) {
         CellChain chain{from, first};
         while (true) {
-            const Cell now = chain.back();
-            const std::vector<Cell> next = neighbours(thin, now);
+            const SkeletonCell now = chain.back();
+            const std::vector<SkeletonCell> next = neighbours(thin, now);
             if (next.size() != 2) break;
             done.set(now.column, now.row, true);
-            const Cell before = chain[chain.size() - 2];
-            const Cell& on =
+            const SkeletonCell before = chain[chain.size() - 2];
+            const SkeletonCell& on =
                 next[0].column == before.column && next[0].row == before.row ? next[1] : next[0];
             chain.push_back(on);
             if (on.column == from.column && on.row == from.row) break;
@@ -89,14 +89,14 @@ std::vector<CellChain> walked(const CellMask& thin) {
     const auto each = [&](const auto& visit) {
         for (int row = 0; row < thin.rows(); ++row) {
             for (int column = 0; column < thin.columns(); ++column) {
-                if (thin.at(column, row)) visit(Cell{column, row});
+                if (thin.at(column, row)) visit(SkeletonCell{column, row});
             }
         }
     };
-    each([&](const Cell& cell) {
-        const std::vector<Cell> next = neighbours(thin, cell);
+    each([&](const SkeletonCell& cell) {
+        const std::vector<SkeletonCell> next = neighbours(thin, cell);
         if (next.size() == 2) return;
-        for (const Cell& first : next) {
+        for (const SkeletonCell& first : next) {
             if (done.at(first.column, first.row)) continue;
             const bool other_end = neighbours(thin, first).size() != 2;
             // Between two ends there is no inner cell that tells; the first of both walks.
@@ -106,9 +106,9 @@ std::vector<CellChain> walked(const CellMask& thin) {
             chains.push_back(walk(cell, first));
         }
     });
-    each([&](const Cell& cell) {
+    each([&](const SkeletonCell& cell) {
         if (done.at(cell.column, cell.row)) return;
-        const std::vector<Cell> next = neighbours(thin, cell);
+        const std::vector<SkeletonCell> next = neighbours(thin, cell);
         if (next.size() == 2) {
             done.set(cell.column, cell.row, true);
             chains.push_back(walk(cell, next[0]));
@@ -128,7 +128,7 @@ CellMask shrunk(const CellMask& mask, int cells) {
 }
 
 CellMask thinned(CellMask mask) {
-    std::vector<Cell> left;
+    std::vector<SkeletonCell> left;
     for (int row = 0; row < mask.rows(); ++row) {
         for (int column = 0; column < mask.columns(); ++column) {
             if (mask.at(column, row)) left.push_back({column, row});
@@ -138,20 +138,21 @@ CellMask thinned(CellMask mask) {
         changed = false;
         for (const std::size_t side :
              {std::size_t{0}, std::size_t{4}, std::size_t{2}, std::size_t{6}}) {
-            std::vector<Cell> border;
-            for (const Cell& cell : left) {
+            std::vector<SkeletonCell> border;
+            for (const SkeletonCell& cell : left) {
                 if (!mask.at(cell.column + kAround[side].first, cell.row + kAround[side].second))
                     border.push_back(cell);
             }
             bool any = false;
-            for (const Cell& cell : border) {
+            for (const SkeletonCell& cell : border) {
                 if (!can_go(mask, cell)) continue;
                 mask.set(cell.column, cell.row, false);
                 any = true;
             }
             if (!any) continue;
             changed = true;
-            std::erase_if(left, [&](const Cell& cell) { return !mask.at(cell.column, cell.row); });
+            std::erase_if(
+                left, [&](const SkeletonCell& cell) { return !mask.at(cell.column, cell.row); });
         }
     }
     return mask;

@@ -36,7 +36,7 @@ class CellMask {
     std::vector<std::uint8_t> cells_;
 };
 
-struct Cell {
+struct SkeletonCell {
     int column = 0;
     int row = 0;
 };
@@ -50,7 +50,7 @@ CellMask shrunk(const CellMask& mask, int cells);
 CellMask thinned(CellMask mask);
 
 /// A run of neighbouring cells of a thin mask, between ends, junctions or round a loop.
-using CellChain = std::vector<Cell>;
+using CellChain = std::vector<SkeletonCell>;
 
 /// The chains of a thin mask in a fixed order. Side branches of fewer than `spur` cells are taken
 /// off the mask first.

@@ -67,7 +67,7 @@ CellMask walls_of(const OccupancyPicture& picture, const Limits& limits) {
     return result;
 }
 
-double off_line(const Cell& cell, const Cell& a, const Cell& b) {
+double off_line(const SkeletonCell& cell, const SkeletonCell& a, const SkeletonCell& b) {
     const double dx = b.column - a.column;
     const double dy = b.row - a.row;
     const double length = std::hypot(dx, dy);
@@ -77,16 +77,16 @@ double off_line(const Cell& cell, const Cell& a, const Cell& b) {
 }
 
 struct Seed {
-    Cell a;
-    Cell b;
+    SkeletonCell a;
+    SkeletonCell b;
     double length() const { return std::hypot(b.column - a.column, b.row - a.row); }
 };
 
 /// The straight pieces of a chain: split where it is furthest off (Douglas and Peucker 1973).
-void split(std::span<const Cell> chain, double tolerance, std::vector<Seed>& seeds) {
-    std::vector<std::span<const Cell>> todo{chain};
+void split(std::span<const SkeletonCell> chain, double tolerance, std::vector<Seed>& seeds) {
+    std::vector<std::span<const SkeletonCell>> todo{chain};
     while (!todo.empty()) {
-        const std::span<const Cell> part = todo.back();
+        const std::span<const SkeletonCell> part = todo.back();
         todo.pop_back();
         std::size_t worst = 0;
         double most = tolerance;
@@ -109,13 +109,14 @@ class Tracer {
         : thin_(thin), thick_(thick), limits_(limits), used_(thin.columns(), thin.rows()) {}
 
     std::optional<Straight> grow(const Seed& seed) {
-        const std::vector<Cell> own = cells_along({{double(seed.a.column), double(seed.a.row)},
-                                                   {double(seed.b.column), double(seed.b.row)}},
-                                                  false);
+        const std::vector<SkeletonCell> own =
+            cells_along({{double(seed.a.column), double(seed.a.row)},
+                         {double(seed.b.column), double(seed.b.row)}},
+                        false);
         if (static_cast<double>(own.size()) < 0.6 * seed.length()) return std::nullopt;
         Straight wall{{double(seed.a.column), double(seed.a.row)},
                       {double(seed.b.column), double(seed.b.row)}};
-        std::vector<Cell> cells;
+        std::vector<SkeletonCell> cells;
         constexpr int kRounds = 4;
         for (int round = 0; round < kRounds; ++round) {
             cells = cells_along(wall, true);
@@ -131,7 +132,7 @@ class Tracer {
     /// Cells on and beside the wall belong to no further one.
     void use(const Straight& wall) {
         visit(thin_, wall, limits_.tolerance + 1.0, false,
-              [&](const Cell& cell) { used_.set(cell.column, cell.row, true); });
+              [&](const SkeletonCell& cell) { used_.set(cell.column, cell.row, true); });
     }
 
   private:
@@ -141,9 +142,9 @@ class Tracer {
         Straight middle = wall;
         constexpr int kRounds = 3;  // what is cut off on one side comes in
         for (int round = 0; round < kRounds; ++round) {
-            std::vector<Cell> cells;
+            std::vector<SkeletonCell> cells;
             visit(thick_, middle, limits_.tolerance + 0.5, false,
-                  [&](const Cell& cell) { cells.push_back(cell); });
+                  [&](const SkeletonCell& cell) { cells.push_back(cell); });
             if (cells.size() < 2) return wall;
             const Straight fit = fitted(cells, middle);
             const double length = std::hypot(fit.b.x - fit.a.x, fit.b.y - fit.a.y);
@@ -174,10 +175,10 @@ class Tracer {
         return end;
     }
 
-    std::vector<Cell> cells_along(const Straight& wall, bool beyond) {
-        std::vector<Cell> cells;
+    std::vector<SkeletonCell> cells_along(const Straight& wall, bool beyond) {
+        std::vector<SkeletonCell> cells;
         visit(thin_, wall, limits_.tolerance, beyond,
-              [&](const Cell& cell) { cells.push_back(cell); });
+              [&](const SkeletonCell& cell) { cells.push_back(cell); });
         return cells;
     }
 
@@ -203,7 +204,7 @@ class Tracer {
             const double middle = base + slope * (at - a);
             for (int k = static_cast<int>(std::ceil(middle - reach));
                  k <= static_cast<int>(std::floor(middle + reach)); ++k) {
-                const Cell cell = wide ? Cell{at, k} : Cell{k, at};
+                const SkeletonCell cell = wide ? SkeletonCell{at, k} : SkeletonCell{k, at};
                 if (!of.at(cell.column, cell.row) || used_.at(cell.column, cell.row)) continue;
                 visitor(cell);
                 any = true;
@@ -226,16 +227,16 @@ class Tracer {
     /// The line with the least squares of distances, from the first cell along it to the last. Of
     /// a long wall the cells near its ends, which can be those of another wall, have no part in
     /// the direction.
-    Straight fitted(const std::vector<Cell>& cells, const Straight& before) const {
+    Straight fitted(const std::vector<SkeletonCell>& cells, const Straight& before) const {
         const double length = std::hypot(before.b.x - before.a.x, before.b.y - before.a.y);
         const double ux = (before.b.x - before.a.x) / length;
         const double uy = (before.b.y - before.a.y) / length;
-        const auto along = [&](const Cell& cell) {
+        const auto along = [&](const SkeletonCell& cell) {
             return (cell.column - before.a.x) * ux + (cell.row - before.a.y) * uy;
         };
         double from = along(cells.front());
         double to = from;
-        for (const Cell& cell : cells) {
+        for (const SkeletonCell& cell : cells) {
             from = std::min(from, along(cell));
             to = std::max(to, along(cell));
         }
@@ -243,10 +244,10 @@ class Tracer {
         double n = 0.0;
         double x = 0.0;
         double y = 0.0;
-        const auto counts = [&](const Cell& cell) {
+        const auto counts = [&](const SkeletonCell& cell) {
             return along(cell) >= from + trim && along(cell) <= to - trim;
         };
-        for (const Cell& cell : cells) {
+        for (const SkeletonCell& cell : cells) {
             if (!counts(cell)) continue;
             n += 1.0;
             x += cell.column;
@@ -258,7 +259,7 @@ class Tracer {
         double xx = 0.0;
         double xy = 0.0;
         double yy = 0.0;
-        for (const Cell& cell : cells) {
+        for (const SkeletonCell& cell : cells) {
             if (!counts(cell)) continue;
             xx += (cell.column - x) * (cell.column - x);
             xy += (cell.column - x) * (cell.row - y);
@@ -273,7 +274,7 @@ class Tracer {
         };
         double first = at(cells.front().column, cells.front().row);
         double last = first;
-        for (const Cell& cell : cells) {
+        for (const SkeletonCell& cell : cells) {
             first = std::min(first, at(cell.column, cell.row));
             last = std::max(last, at(cell.column, cell.row));
         }
@@ -296,7 +297,7 @@ Walls trace_walls(const OccupancyPicture& picture, const TracingOptions& options
     constexpr int kSpur = 5;  // cells; what thinning leaves at the bumps of a wall
     std::vector<Seed> seeds;
     for (const CellChain& chain : chains_of(thin, kSpur)) {
-        const std::span<const Cell> cells(chain);
+        const std::span<const SkeletonCell> cells(chain);
         // A loop has no ends to draw a line between; its halves have.
         const bool loop = cells.size() > 3 && cells.front().column == cells.back().column &&
                           cells.front().row == cells.back().row;

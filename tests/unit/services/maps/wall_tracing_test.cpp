@@ -169,9 +169,9 @@ TEST(Thinning, KeepsWhatHangsTogetherAndLeavesOneCell) {
             for (int column = 0; column < of.columns(); ++column) {
                 if (!of.at(column, row)) continue;
                 ++count;
-                std::vector<Cell> todo{{column, row}};
+                std::vector<SkeletonCell> todo{{column, row}};
                 while (!todo.empty()) {
-                    const Cell cell = todo.back();
+                    const SkeletonCell cell = todo.back();
                     todo.pop_back();
                     if (!of.at(cell.column, cell.row)) continue;
                     of.set(cell.column, cell.row, false);
