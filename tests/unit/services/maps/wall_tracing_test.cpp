@@ -13,6 +13,11 @@
 namespace hitos {
 namespace {
 
+void occupy(OccupancyPicture& picture, int column, int row) {
+    picture.occupied[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.columns) +
+                     static_cast<std::size_t>(column)] = 1;
+}
+
 using test::message_of;
 using test::TempFolder;
 
@@ -41,8 +46,7 @@ void draw(OccupancyPicture& picture, const Point2& a, const Point2& b, double ha
                 1.0);
             const double off = std::hypot(p.x - a.x - t * (b.x - a.x), p.y - a.y - t * (b.y - a.y));
             const bool on = std::uniform_real_distribution(0.0, 1.0)(random) < part;
-            if (off <= half_m && on)
-                picture.occupied[static_cast<std::size_t>(row * picture.columns + column)] = 1;
+            if (off <= half_m && on) occupy(picture, column, row);
         }
     }
 }
@@ -111,8 +115,7 @@ TEST(WallTracing, RaggedWallsAndLooseCellsAreNoMatter) {
 TEST(WallTracing, ABlockGivesItsOutline) {
     OccupancyPicture picture = empty_picture(200, 160);
     for (int row = 40; row < 100; ++row) {
-        for (int column = 40; column < 120; ++column)
-            picture.occupied[static_cast<std::size_t>(row * picture.columns + column)] = 1;
+        for (int column = 40; column < 120; ++column) occupy(picture, column, row);
     }
     const Walls walls = trace_walls(picture);
     EXPECT_EQ(walls.size(), 4U);
