@@ -15,7 +15,7 @@ namespace hitos {
 class GridBuilder;
 class SimulatedTour;
 class TourReader;
-}
+}  // namespace hitos
 
 namespace hitos::window {
 
