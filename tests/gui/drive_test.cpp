@@ -8,6 +8,7 @@
 #include "gui_fixture.hpp"
 #include "hitos/simulation/world.hpp"
 #include "tests.hpp"
+#include "world/live_drive.hpp"
 #include "world/world_view.hpp"
 #include "world/world_window.hpp"
 

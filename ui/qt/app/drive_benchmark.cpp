@@ -6,7 +6,6 @@
 #include <QEventLoop>
 #include <QTimer>
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <thread>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "hitos/base/error.hpp"
 #include "main_window.hpp"
 #include "session.hpp"
+#include "world/live_drive.hpp"
 #include "world/world_window.hpp"
 
 namespace hitos::window {

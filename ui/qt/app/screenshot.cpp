@@ -26,6 +26,7 @@
 #include "views/map_window.hpp"
 #include "views/picture.hpp"
 #include "views/scan_view.hpp"
+#include "world/live_drive.hpp"
 #include "world/world_window.hpp"
 
 namespace hitos::window {

@@ -6,16 +6,14 @@
 #include "actions/prompts.hpp"
 #include "actions/run_guard.hpp"
 #include "actions/user_files.hpp"
-#include "live_drive.hpp"
 
 class QComboBox;
-class QLabel;
-class QPushButton;
-class QToolButton;
 
 namespace hitos::window {
 
-class DisturbBar;
+class DrivePanel;
+class LiveDrive;
+class Session;
 class WorldView;
 
 class WorldWindow final : public QDialog {
@@ -25,7 +23,7 @@ class WorldWindow final : public QDialog {
     WorldWindow(Session& session, UserFiles& files, Prompts& prompts, const RunGuard& guard,
                 QWidget* parent);
 
-    LiveDrive& drive() { return drive_; }
+    LiveDrive& drive();
     WorldView& view() const { return *view_; }
     /// Puts the robot at the start of a world file, in place of what the session works on if the
     /// user agrees. Says what is wrong with a world that cannot be driven through.
@@ -39,24 +37,16 @@ class WorldWindow final : public QDialog {
 
   private:
     QWidget* make_tools();
-    void connect_drive();
     void open_asked();
-    void keep();
     void show_state();
-    QString figures() const;
 
     Session& session_;
     UserFiles& files_;
     Prompts& prompts_;
     const RunGuard& guard_;
-    LiveDrive drive_;
     QComboBox* worlds_ = nullptr;
-    QComboBox* pace_ = nullptr;
-    QToolButton* rest_ = nullptr;
-    QPushButton* keep_ = nullptr;
     WorldView* view_ = nullptr;
-    DisturbBar* disturb_ = nullptr;
-    QLabel* figures_ = nullptr;
+    DrivePanel* panel_ = nullptr;
 };
 
 }  // namespace hitos::window

@@ -1,0 +1,180 @@
+#include "drive_panel.hpp"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <array>
+#include <cmath>
+
+#include "app/words_of.hpp"
+#include "disturb_bar.hpp"
+#include "hitos/services/evaluation/nees.hpp"
+#include "world_view.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+constexpr std::array kPaces = {1, 2, 5, LiveDrive::kFastest};
+
+}  // namespace
+
+DrivePanel::DrivePanel(Session& session, UserFiles& files, Prompts& prompts, WorldView& view,
+                       QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      files_(files),
+      prompts_(prompts),
+      view_(view),
+      drive_(session, this) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    make_tools();
+    disturb_ = new DisturbBar(this);
+    column->addWidget(disturb_);
+    figures_ = new QLabel(this);
+    figures_->setObjectName("drive_figures");
+    figures_->setWordWrap(true);
+    column->addWidget(figures_);
+    connect_drive();
+    show_state();
+}
+
+void DrivePanel::make_tools() {
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(0, 0, 0, 0);
+    rest_ = new QToolButton(this);
+    rest_->setObjectName("drive_rest");
+    rest_->setText(tr("Hold the clock"));
+    rest_->setToolTip(tr("The world stands still until you let the clock go on"));
+    rest_->setCheckable(true);
+    row->addWidget(rest_);
+    pace_ = new QComboBox(this);
+    pace_->setObjectName("drive_pace");
+    pace_->setAccessibleName(tr("Pace"));
+    for (const int times : kPaces) {
+        pace_->addItem(times == 1 ? tr("real pace") : tr("%1 times as fast").arg(times), times);
+    }
+    row->addWidget(pace_);
+    row->addStretch(1);
+    keep_ = new QPushButton(tr("End and keep the tour…"), this);
+    keep_->setObjectName("drive_keep");
+    keep_->setAutoDefault(false);
+    keep_->setToolTip(
+        tr("Writes a world file that repeats the tour to the last bit, and maps it to its end"));
+    row->addWidget(keep_);
+    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+    connect(rest_, &QToolButton::toggled, this, [this](bool on) {
+        on ? drive_.rest() : drive_.go_on();
+        view_.setFocus();
+    });
+    connect(pace_, &QComboBox::activated, this, [this] {
+        drive_.set_pace(pace_->currentData().toInt());
+        view_.setFocus();
+    });
+    connect(keep_, &QPushButton::clicked, this, &DrivePanel::keep);
+}
+
+void DrivePanel::connect_drive() {
+    connect(&drive_, &LiveDrive::changed, this, &DrivePanel::show_state);
+    connect(&drive_, &LiveDrive::moved, this, [this] {
+        view_.set_goal(drive_.goal());
+        view_.refresh();
+        figures_->setText(figures());
+    });
+    connect(&drive_, &LiveDrive::failed, this, [this](const QString& reason) {
+        prompts_.warn(this, tr("The robot cannot be driven on"), reason);
+    });
+    connect(&drive_, &LiveDrive::rescued, this, [this](const QString& path) {
+        emit notice(tr("The driven tour was kept as %1").arg(path));
+    });
+    connect(&session_, &Session::snapshot_changed, this, [this] {
+        view_.set_snapshot(drive_.active() ? session_.snapshot() : nullptr);
+        figures_->setText(figures());
+    });
+    connect(&view_, &WorldView::held, &drive_, &LiveDrive::hold);
+    connect(&view_, &WorldView::goal_chosen, &drive_, [this](const QPointF& world) {
+        drive_.set_goal(Point2{world.x(), world.y()});
+    });
+    connect(disturb_, &DisturbBar::wanted, this, [this](const Disturbance& disturbance) {
+        try {
+            drive_.disturb(disturbance);
+        } catch (const std::exception& error) {
+            prompts_.warn(this, tr("That cannot happen here"), words_of(error));
+        }
+        view_.setFocus();
+    });
+}
+
+void DrivePanel::begin(const Configuracion& configuration) {
+    drive_.begin(configuration);
+    const QSignalBlocker quiet(rest_);
+    rest_->setChecked(false);
+    view_.setFocus();
+}
+
+void DrivePanel::rest() {
+    rest_->setChecked(drive_.active());
+}
+
+void DrivePanel::keep() {
+    const bool rested = drive_.rests();
+    drive_.rest();
+    const QString path = save_until_done(
+        prompts_, this,
+        {tr("Keep the tour as a world"), files_.last_folder("log") + QStringLiteral("/driven.toml"),
+         tr("Worlds (*.toml)"), QStringLiteral("toml")},
+        [this](const QString& file) { drive_.keep(file); });
+    if (path.isEmpty()) {
+        if (!rested) drive_.go_on();
+        return;
+    }
+    files_.note_folder("log", path);
+    files_.note_recent(path);
+    emit notice(tr("The tour is kept as %1").arg(path));
+    emit kept(path);
+}
+
+void DrivePanel::show_state() {
+    view_.set_tour(drive_.tour());
+    disturb_->set_tour(drive_.tour());
+    if (!drive_.active()) view_.set_snapshot(nullptr);
+    setVisible(drive_.active());
+    figures_->setText(figures());
+}
+
+/// Of the robot, and how far the run is off the truth at its newest scan.
+QString DrivePanel::figures() const {
+    if (!drive_.active()) return {};
+    const SimulatedTour& tour = *drive_.tour();
+    const Twist twist = tour.twist_now();
+    QString words = tr("%1 s, %2 m/s, %3 °/s")
+                        .arg(tour.duration_s(), 0, 'f', 1)
+                        .arg(twist.v, 0, 'f', 2)
+                        .arg(std::round(twist.w * kDegrees) + 0.0, 0, 'f', 0);
+    const auto snapshot = session_.snapshot();
+    if (!snapshot || snapshot->steps == 0 || snapshot->steps > tour.scans()) {
+        return words + '\n' +
+               tr("The arrow keys or W, A, S, D drive the robot; a click is where it drives by "
+                  "itself. Line and dots are what the filter believes.");
+    }
+    const Pose truth = tour.true_pose(snapshot->steps - 1);
+    const Pose off = between(truth, snapshot->best_pose);
+    words += tr("; scan %1: the estimate is off by %2 m and %3°")
+                 .arg(snapshot->steps)
+                 .arg(std::hypot(off.x, off.y), 0, 'f', 3)
+                 .arg(off.theta * kDegrees, 0, 'f', 1);
+    if (const auto nees = pose_nees(snapshot->mean_pose, snapshot->pose_covariance, truth)) {
+        words += tr(", NEES %1 (%2 to %3 where it is as sure as it may be)")
+                     .arg(*nees, 0, 'f', 1)
+                     .arg(kNeesLow, 0, 'f', 1)
+                     .arg(kNeesHigh, 0, 'f', 1);
+    }
+    return words;
+}
+
+}  // namespace hitos::window

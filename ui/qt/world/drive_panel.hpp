@@ -1,0 +1,58 @@
+// What one has at hand while a robot is driven: clock, pace, disturbances, figures, keeping.
+#pragma once
+
+#include <QWidget>
+
+#include "actions/prompts.hpp"
+#include "actions/user_files.hpp"
+#include "live_drive.hpp"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace hitos::window {
+
+class DisturbBar;
+class WorldView;
+
+/// Connects the drive with the view in which it is driven.
+class DrivePanel final : public QWidget {
+    Q_OBJECT
+
+  public:
+    DrivePanel(Session& session, UserFiles& files, Prompts& prompts, WorldView& view,
+               QWidget* parent);
+
+    LiveDrive& drive() { return drive_; }
+    /// As LiveDrive::begin().
+    void begin(const Configuracion& configuration);
+    /// The clock stands still until the user lets it go on.
+    void rest();
+
+  signals:
+    void notice(QString words);
+    /// The tour is over and stands in a world file.
+    void kept(QString path);
+
+  private:
+    void make_tools();
+    void connect_drive();
+    void keep();
+    void show_state();
+    QString figures() const;
+
+    Session& session_;
+    UserFiles& files_;
+    Prompts& prompts_;
+    WorldView& view_;
+    LiveDrive drive_;
+    QComboBox* pace_ = nullptr;
+    QToolButton* rest_ = nullptr;
+    QPushButton* keep_ = nullptr;
+    DisturbBar* disturb_ = nullptr;
+    QLabel* figures_ = nullptr;
+};
+
+}  // namespace hitos::window
