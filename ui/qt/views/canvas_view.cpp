@@ -267,6 +267,18 @@ void CanvasView::mousePressEvent(QMouseEvent* event) {
     press_ = last_ = event->position();
     pressed_ = true;
     dragged_ = false;
+    grabbed_ = measures() ? tool_->grab(pointed_at(press_, event->modifiers()))
+                          : grab(camera_.to_screen(size()).inverted().map(press_));
+}
+
+void CanvasView::drag_to(const QPointF& pixel, Qt::KeyboardModifiers keys) {
+    if (!grabbed_) {
+        pan(pixel - last_);
+    } else if (measures()) {
+        tool_->drag(pointed_at(pixel, keys));
+    } else {
+        drag(camera_.to_screen(size()).inverted().map(pixel));
+    }
 }
 
 void CanvasView::mouseMoveEvent(QMouseEvent* event) {
@@ -277,7 +289,7 @@ void CanvasView::mouseMoveEvent(QMouseEvent* event) {
             dragged_ = true;
             setCursor(Qt::ClosedHandCursor);
         }
-        if (dragged_) pan(pixel - last_);
+        if (dragged_) drag_to(pixel, event->modifiers());
         last_ = pixel;
     } else {
         point_at(pixel, event->modifiers());
@@ -296,13 +308,14 @@ void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
             click(camera_.to_screen(size()).inverted().map(event->position()));
         }
     }
+    if (std::exchange(grabbed_, false) && dragged_) measures() ? tool_->drop() : drop();
     dragged_ = false;
 }
 
 void CanvasView::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     press_ = last_ = event->position();
-    fit();
+    if (!measures() || !tool_->double_click()) fit();
 }
 
 void CanvasView::leaveEvent(QEvent* event) {

@@ -76,6 +76,14 @@ class CanvasView : public QWidget {
     /// The cursor is at `point` of the view's frame, nothing when it left.
     virtual void hover(std::optional<QPointF> point) { Q_UNUSED(point) }
     virtual void click(const QPointF& point) { Q_UNUSED(point) }
+    /// Whether what is at the point (view's frame) is dragged by the mouse, in place of the view.
+    virtual bool grab(const QPointF& point) {
+        Q_UNUSED(point)
+        return false;
+    }
+    /// What was grabbed is to be here.
+    virtual void drag(const QPointF& point) { Q_UNUSED(point) }
+    virtual void drop() {}
     /// What is drawn where there is nothing to see yet.
     virtual QString empty_text() const = 0;
 
@@ -107,6 +115,7 @@ class CanvasView : public QWidget {
     void point_at(const std::optional<QPointF>& pixel, Qt::KeyboardModifiers keys);
     PointedAt pointed_at(const QPointF& pixel, Qt::KeyboardModifiers keys) const;
     bool key_of_tool(int key, Qt::KeyboardModifiers keys);
+    void drag_to(const QPointF& pixel, Qt::KeyboardModifiers keys);
     void zoom_at(const QPointF& pixel, double factor);
     void pan(const QPointF& pixels);
     void moved_by_user();
@@ -119,6 +128,7 @@ class CanvasView : public QWidget {
     bool follow_ = false;
     bool pressed_ = false;
     bool dragged_ = false;
+    bool grabbed_ = false;
     QPointF press_;
     std::optional<QPointF> cursor_;  ///< [pixels], nothing where it is elsewhere
     QPointF last_;

@@ -4,4 +4,13 @@ namespace hitos::window {
 
 ViewTool::~ViewTool() = default;
 
+bool ViewTool::grab(const PointedAt& pointed) {
+    Q_UNUSED(pointed)
+    return false;
+}
+
+void ViewTool::drag(const PointedAt& pointed) {
+    Q_UNUSED(pointed)
+}
+
 }  // namespace hitos::window

@@ -39,6 +39,13 @@ class ViewTool : public QObject {
     virtual bool takes_clicks() const = 0;
     virtual void hover(const std::optional<PointedAt>& pointed) = 0;
     virtual void click(const PointedAt& pointed) = 0;
+    /// Whether it wants what is dragged from there, in place of the view; a click is one all the
+    /// same.
+    virtual bool grab(const PointedAt& pointed);
+    virtual void drag(const PointedAt& pointed);
+    virtual void drop() {}
+    /// Whether a double click, whose first click it has had, means something to it.
+    virtual bool double_click() { return false; }
     /// The user wants to leave off.
     virtual void escape() = 0;
     /// `scene` is of the world's frame.
