@@ -24,6 +24,12 @@ World seeded(World world) {
     return world;
 }
 
+/// Rather than something that happens to the robot.
+bool is_of_the_place(DisturbanceKind kind) {
+    return kind == DisturbanceKind::box || kind == DisturbanceKind::open ||
+           kind == DisturbanceKind::close;
+}
+
 }  // namespace
 
 SimulatedTour::SimulatedTour(World world)
@@ -38,7 +44,9 @@ SimulatedTour::~SimulatedTour() = default;
 std::shared_ptr<SimulatedTour> SimulatedTour::live(World world) {
     world.tour.way_points.clear();
     world.tour.commands = {DriveCommand{}};  // of no time
-    world.tour.events.clear();
+    std::erase_if(world.tour.events, [](const Disturbance& event) {
+        return event.at_s > 0.0 || !is_of_the_place(event.kind);
+    });
     world.tour.rest_s = 0.0;
     world.tour.look_around = false;
     world.tour.laps = 1;

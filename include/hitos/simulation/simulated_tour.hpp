@@ -28,7 +28,8 @@ class SimulatedTour {
     SimulatedTour& operator=(const SimulatedTour&) = delete;
 
     /// One that stands at the world's start, which has neither way points nor commands from there
-    /// on, to be driven by drive_on(). Throws as the constructor.
+    /// on, to be driven by drive_on(). Of its events only boxes and doors of the beginning stay.
+    /// Throws as the constructor.
     static std::shared_ptr<SimulatedTour> live(World world);
 
     /// Asks these velocities of a live tour's robot for one control period. It stands still where a

@@ -267,12 +267,12 @@ void CanvasView::mousePressEvent(QMouseEvent* event) {
     press_ = last_ = event->position();
     pressed_ = true;
     dragged_ = false;
-    grabbed_ = measures() ? tool_->grab(pointed_at(press_, event->modifiers()))
-                          : grab(camera_.to_screen(size()).inverted().map(press_));
+    picked_up_ = measures() ? tool_->pick_up(pointed_at(press_, event->modifiers()))
+                            : pick_up(camera_.to_screen(size()).inverted().map(press_));
 }
 
 void CanvasView::drag_to(const QPointF& pixel, Qt::KeyboardModifiers keys) {
-    if (!grabbed_) {
+    if (!picked_up_) {
         pan(pixel - last_);
     } else if (measures()) {
         tool_->drag(pointed_at(pixel, keys));
@@ -308,7 +308,7 @@ void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
             click(camera_.to_screen(size()).inverted().map(event->position()));
         }
     }
-    if (std::exchange(grabbed_, false) && dragged_) measures() ? tool_->drop() : drop();
+    if (std::exchange(picked_up_, false) && dragged_) measures() ? tool_->drop() : drop();
     dragged_ = false;
 }
 

@@ -77,11 +77,11 @@ class CanvasView : public QWidget {
     virtual void hover(std::optional<QPointF> point) { Q_UNUSED(point) }
     virtual void click(const QPointF& point) { Q_UNUSED(point) }
     /// Whether what is at the point (view's frame) is dragged by the mouse, in place of the view.
-    virtual bool grab(const QPointF& point) {
+    virtual bool pick_up(const QPointF& point) {
         Q_UNUSED(point)
         return false;
     }
-    /// What was grabbed is to be here.
+    /// What was picked up is to be here.
     virtual void drag(const QPointF& point) { Q_UNUSED(point) }
     virtual void drop() {}
     /// What is drawn where there is nothing to see yet.
@@ -128,7 +128,7 @@ class CanvasView : public QWidget {
     bool follow_ = false;
     bool pressed_ = false;
     bool dragged_ = false;
-    bool grabbed_ = false;
+    bool picked_up_ = false;
     QPointF press_;
     std::optional<QPointF> cursor_;  ///< [pixels], nothing where it is elsewhere
     QPointF last_;

@@ -4,7 +4,7 @@ namespace hitos::window {
 
 ViewTool::~ViewTool() = default;
 
-bool ViewTool::grab(const PointedAt& pointed) {
+bool ViewTool::pick_up(const PointedAt& pointed) {
     Q_UNUSED(pointed)
     return false;
 }

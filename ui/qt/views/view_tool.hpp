@@ -41,7 +41,7 @@ class ViewTool : public QObject {
     virtual void click(const PointedAt& pointed) = 0;
     /// Whether it wants what is dragged from there, in place of the view; a click is one all the
     /// same.
-    virtual bool grab(const PointedAt& pointed);
+    virtual bool pick_up(const PointedAt& pointed);
     virtual void drag(const PointedAt& pointed);
     virtual void drop() {}
     /// Whether a double click, whose first click it has had, means something to it.
