@@ -20,15 +20,15 @@ enum class OdometryNoiseKind {
 /// What is said of a kind.
 struct OdometryNoiseFacts {
     std::string_view word;
-    std::string_view label;    ///< translated in the context "OdometryNoise"
+    std::string_view label;    ///< translated in the context "ParameterChoice"
     std::string_view meaning;  ///< for help texts
 };
 
 /// In the enum's order.
 inline constexpr std::array kOdometryNoiseKinds = {
-    OdometryNoiseFacts{"relative-sigma", HITOS_TEXT("OdometryNoise", "σ = level · speed"),
+    OdometryNoiseFacts{"relative-sigma", HITOS_TEXT("ParameterChoice", "σ = level · speed"),
                        "sigma = level |v|"},
-    OdometryNoiseFacts{"variance", HITOS_TEXT("OdometryNoise", "σ² = level · speed"),
+    OdometryNoiseFacts{"variance", HITOS_TEXT("ParameterChoice", "σ² = level · speed"),
                        "variance = level |v|"}};
 
 /// The kind of that word. Throws ConfigError, under the name of the option, that lists the words.

@@ -27,6 +27,7 @@
 #include "ui_main_window.h"
 #include "views/plots.hpp"
 #include "views/view_settings.hpp"
+#include "world/world_window.hpp"
 #include "workers/log_counter.hpp"
 #include "workers/reference_meter.hpp"
 
@@ -343,7 +344,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    if (!guard_.may_discard()) {
+    if (!guard_.may_discard() || (world_ != nullptr && !world_->may_end())) {
         event->ignore();
         return;
     }

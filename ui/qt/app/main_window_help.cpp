@@ -80,7 +80,7 @@ void MainWindow::show_keys() {
         {"Ctrl+Shift+S", tr("save the map")},
         {"Ctrl+P", tr("save the view in use as an image")},
         {"Ctrl+O, Ctrl+M", tr("data source, parameters")},
-        {"Ctrl+D", tr("drive a robot through a world")},
+        {"Ctrl+D", tr("draw a world, drive a robot through it")},
         {"Ctrl+L, Ctrl+S", tr("load, save the configuration")},
         {"Ctrl+Z, Ctrl+Shift+Z", tr("undo, redo a change of the configuration")},
         {"Ctrl+H", tr("configuration at a glance")},

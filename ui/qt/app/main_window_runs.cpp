@@ -10,6 +10,8 @@
 #include "status_line.hpp"
 #include "ui_main_window.h"
 #include "views/grid_view.hpp"
+#include "views/view_settings.hpp"
+#include "world/world_view.hpp"
 #include "world/world_window.hpp"
 
 namespace hitos::window {
@@ -49,6 +51,15 @@ WorldWindow& MainWindow::open_world_window() {
     if (world_ == nullptr) {
         world_ = new WorldWindow(session_, files_, prompts_, guard_, this);
         connect(world_, &WorldWindow::notice, status_, &StatusLine::notice);
+        connect(world_, &WorldWindow::run_wanted, configuration_, [this](const QString& path) {
+            if (!configuration_->open(path)) return;
+            session_.run();
+            raise();
+            activateWindow();
+        });
+        connect(view_settings_, &ViewSettings::layers_changed, &world_->view(),
+                &WorldView::set_layers);
+        world_->view().set_layers(view_settings_->layers());
     }
     world_->show();
     world_->raise();

@@ -26,6 +26,7 @@
 #include "views/map_window.hpp"
 #include "views/picture.hpp"
 #include "views/scan_view.hpp"
+#include "world/check_line.hpp"
 #include "world/live_drive.hpp"
 #include "world/world_window.hpp"
 
@@ -109,6 +110,14 @@ void show_drive(MainWindow& window, const Session& session, const CommandLine& l
     drive.give_up();
 }
 
+/// The world as it is drawn, with the verdict on it.
+void show_draw(MainWindow& window, const CommandLine& line) {
+    WorldWindow& world = window.open_world_window();
+    process_until([&world] { return world.check_line().up_to_date(); });
+    settle(100);
+    write_picture_of(world, line);
+}
+
 /// With its first feature, where the scan has one.
 void show_associations(MainWindow& window, const Session& session, const CommandLine& line) {
     auto* inspector = window.findChild<AssociationInspector*>();
@@ -169,6 +178,8 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
         write_picture_of(comparison, line);
     } else if (line.show == "study") {
         show_study(window, line);
+    } else if (line.show == "draw") {
+        show_draw(window, line);
     } else if (line.show == "drive") {
         show_drive(window, session, line);
     } else if (line.show == "associations") {

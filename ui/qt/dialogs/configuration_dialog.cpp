@@ -91,7 +91,7 @@ void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box
     rows->addWidget(title, 0, 0, 1, 3);
     for (const ConfigParameter& parameter : parameters()) {
         if (group_of(parameter.table()).group != group) continue;
-        auto* field = new ParameterField(parameter, rows, box);
+        auto* field = new FieldOf<Configuracion>(parameter, rows, box);
         fields_.push_back(field);
         connect(field, &ParameterField::edited, this, [this, field] {
             Configuracion scratch = original_;
@@ -103,12 +103,12 @@ void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box
 }
 
 void ConfigurationDialog::fill(const Configuracion& configuration) {
-    for (ParameterField* field : fields_) field->set_value(configuration);
+    for (FieldOf<Configuracion>* field : fields_) field->set_value(configuration);
     mark_unused();
     show_verdict();
 }
 
-ParameterField* ConfigurationDialog::field(std::string_view key) const {
+FieldOf<Configuracion>* ConfigurationDialog::field(std::string_view key) const {
     const auto found = std::find_if(fields_.begin(), fields_.end(), [key](const auto* candidate) {
         return candidate->parameter().key == key;
     });
@@ -119,8 +119,9 @@ ParameterField* ConfigurationDialog::field(std::string_view key) const {
 /// chosen.
 void ConfigurationDialog::mark_unused() {
     Configuracion edited = original_;
-    for (const ParameterField* field : fields_) field->give(edited);
-    for (ParameterField* field : fields_) field->set_used(field->parameter().used_by(edited));
+    for (const FieldOf<Configuracion>* field : fields_) field->give(edited);
+    for (FieldOf<Configuracion>* field : fields_)
+        field->set_used(field->parameter().used_by(edited));
     for (const auto& [group, title] : titles_) title->setText(title_of(group, edited));
 }
 
@@ -135,8 +136,8 @@ void ConfigurationDialog::show_verdict() {
 }
 
 bool ConfigurationDialog::read(Configuracion& out) {
-    ParameterField* first_wrong = nullptr;
-    for (ParameterField* field : fields_) {
+    FieldOf<Configuracion>* first_wrong = nullptr;
+    for (FieldOf<Configuracion>* field : fields_) {
         if (!field->apply(out) && first_wrong == nullptr) first_wrong = field;
     }
     if (first_wrong == nullptr) {

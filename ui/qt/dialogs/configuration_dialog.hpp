@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "actions/prompts.hpp"
+#include "hitos/services/configuration/configuracion.hpp"
 #include "parameter_field.hpp"
 
 class QGridLayout;
@@ -38,7 +39,7 @@ class ConfigurationDialog final : public QDialog {
     void add_group(ParameterGroup group, QGridLayout* rows, QWidget* box);
     void fill(const Configuracion& configuration);
     void mark_unused();
-    ParameterField* field(std::string_view key) const;
+    FieldOf<Configuracion>* field(std::string_view key) const;
     /// The form's values, or nothing where one is not possible; each mistake is shown at its field.
     bool read(Configuracion& out);
     QString changes(const Configuracion& next) const;
@@ -48,7 +49,7 @@ class ConfigurationDialog final : public QDialog {
     Prompts& prompts_;
     const Configuracion original_;
     Configuracion result_;
-    std::vector<ParameterField*> fields_;
+    std::vector<FieldOf<Configuracion>*> fields_;
     std::vector<std::pair<ParameterGroup, QLabel*>> titles_;
 };
 

@@ -12,35 +12,34 @@
 namespace hitos::window {
 namespace {
 
-QString tip_of(const ConfigParameter& parameter) {
-    static const Configuracion defaults;
+QString tip_of(const ParameterFacts& facts, const std::string& normal) {
     QString tip =
-        "<p style='white-space:pre-wrap'>" + description_of(parameter).toHtmlEscaped() + "</p><p>";
-    if (parameter.type == ConfigParameter::Type::real ||
-        parameter.type == ConfigParameter::Type::integer) {
-        tip += ParameterField::tr("Allowed: %1").arg(allowed_of(parameter)) + "<br/>";
+        "<p style='white-space:pre-wrap'>" + description_of(facts).toHtmlEscaped() + "</p><p>";
+    if (facts.type == ParameterFacts::Type::real || facts.type == ParameterFacts::Type::integer) {
+        tip += ParameterField::tr("Allowed: %1").arg(allowed_of(facts)) + "<br/>";
     }
-    if (parameter.type != ConfigParameter::Type::text) {
-        tip += ParameterField::tr("Default: %1").arg(value_of(parameter, defaults)) + "<br/>";
+    if (facts.type != ParameterFacts::Type::text) {
+        tip += ParameterField::tr("Default: %1").arg(value_words(facts, normal)) + "<br/>";
     }
-    tip += "<code>" + to_qt(parameter.key) + "</code>";
-    if (!parameter.symbol.empty()) tip += " · " + to_qt(parameter.symbol);
+    tip += "<code>" + to_qt(facts.key) + "</code>";
+    if (!facts.symbol.empty()) tip += " · " + to_qt(facts.symbol);
     return tip + "</p>";
 }
 
 }  // namespace
 
-ParameterField::ParameterField(const ConfigParameter& parameter, QGridLayout* rows, QWidget* parent)
-    : QObject(parent), parameter_(parameter) {
-    const QString key = to_qt(parameter.key);
+ParameterField::ParameterField(const ParameterFacts& facts, const std::string& normal,
+                               QGridLayout* rows, QWidget* parent)
+    : QObject(parent), facts_(facts), normal_(QString::fromStdString(normal)) {
+    const QString key = to_qt(facts.key);
     const int row = rows->rowCount();
-    label_ = new QLabel(label_of(parameter), parent);
-    if (parameter.type == ConfigParameter::Type::choice) {
+    label_ = new QLabel(label_of(facts), parent);
+    if (facts.type == ParameterFacts::Type::choice) {
         choice_ = new QComboBox(parent);
         choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         choice_->setFocusPolicy(Qt::StrongFocus);
-        for (std::size_t i = 0; i < parameter.choices.size(); ++i)
-            choice_->addItem(choice_of(parameter, i));
+        for (std::size_t i = 0; i < facts.choices.size(); ++i)
+            choice_->addItem(choice_of(facts, i));
         connect(choice_, &QComboBox::currentIndexChanged, this, &ParameterField::mark_changed);
         connect(choice_, &QComboBox::currentIndexChanged, this, &ParameterField::edited);
     } else {
@@ -50,7 +49,7 @@ ParameterField::ParameterField(const ConfigParameter& parameter, QGridLayout* ro
     }
     editor()->setObjectName("field_" + key);
     label_->setBuddy(editor());
-    unit_ = new QLabel(unit_of(parameter), parent);
+    unit_ = new QLabel(unit_of(facts), parent);
     unit_->setProperty("role", "muted");
     error_ = new QLabel(parent);
     error_->setObjectName("error_" + key);
@@ -58,7 +57,7 @@ ParameterField::ParameterField(const ConfigParameter& parameter, QGridLayout* ro
     error_->setWordWrap(true);
     error_->hide();
     for (QWidget* widget : {static_cast<QWidget*>(label_), editor()})
-        widget->setToolTip(tip_of(parameter));
+        widget->setToolTip(tip_of(facts, normal));
     rows->addWidget(label_, row, 0);
     rows->addWidget(editor(), row, 1);
     rows->addWidget(unit_, row, 2);
@@ -72,13 +71,12 @@ QWidget* ParameterField::editor() const {
 QString ParameterField::text() const {
     if (choice_ == nullptr) return line_->text();
     return QString::fromStdString(
-        parameter_.choices.at(static_cast<std::size_t>(choice_->currentIndex())).word);
+        facts_.choices.at(static_cast<std::size_t>(choice_->currentIndex())).word);
 }
 
-void ParameterField::set_value(const Configuracion& configuration) {
-    const std::string value = parameter_.text(configuration);
+void ParameterField::set_text(const std::string& value) {
     if (choice_ != nullptr) {
-        choice_->setCurrentIndex(static_cast<int>(parameter_.place_of(value).value_or(0)));
+        choice_->setCurrentIndex(static_cast<int>(facts_.place_of(value).value_or(0)));
     } else {
         line_->setText(QString::fromStdString(value));
     }
@@ -87,26 +85,26 @@ void ParameterField::set_value(const Configuracion& configuration) {
     mark_changed();
 }
 
-bool ParameterField::apply(Configuracion& configuration) {
+std::optional<ParameterFacts::Value> ParameterField::take() {
     try {
-        parameter_.set(configuration, text().toStdString());
+        ParameterFacts::Value value = facts_.value_from(text().toStdString());
         good_ = text();
         set_error({});
-        return true;
+        return value;
     } catch (const Error&) {
         // The library's words name the key; here the field itself says what is meant.
-        set_error(parameter_.type == ConfigParameter::Type::integer
-                      ? tr("Whole numbers: %1").arg(allowed_of(parameter_))
-                      : tr("Allowed: %1").arg(allowed_of(parameter_)));
-        return false;
+        set_error(facts_.type == ParameterFacts::Type::integer
+                      ? tr("Whole numbers: %1").arg(allowed_of(facts_))
+                      : tr("Allowed: %1").arg(allowed_of(facts_)));
+        return std::nullopt;
     }
 }
 
-void ParameterField::give(Configuracion& configuration) const {
+std::optional<ParameterFacts::Value> ParameterField::last_good() const {
     try {
-        parameter_.set(configuration, good_.toStdString());
+        return facts_.value_from(good_.toStdString());
     } catch (const Error&) {
-        return;  // so impossible was what the form was opened with
+        return std::nullopt;  // so impossible was what the form was opened with
     }
 }
 
@@ -134,9 +132,7 @@ void ParameterField::focus() {
 }
 
 void ParameterField::mark_changed() {
-    static const Configuracion defaults;
-    const QString normal = QString::fromStdString(parameter_.text(defaults));
-    set_look(*label_, "role", text() == normal ? "value" : "changed");
+    set_look(*label_, "role", text() == normal_ ? "value" : "changed");
 }
 
 }  // namespace hitos::window

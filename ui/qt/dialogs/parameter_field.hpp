@@ -3,8 +3,10 @@
 
 #include <QObject>
 #include <QString>
+#include <optional>
+#include <string>
 
-#include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/base/parameter.hpp"
 
 class QComboBox;
 class QGridLayout;
@@ -13,21 +15,22 @@ class QLineEdit;
 
 namespace hitos::window {
 
-class ParameterField final : public QObject {
+class ParameterField : public QObject {
     Q_OBJECT
 
   public:
-    /// Adds its widgets as new rows of the grid (columns: label, editor, unit).
-    ParameterField(const ConfigParameter& parameter, QGridLayout* rows, QWidget* parent);
+    /// Adds its widgets as new rows of the grid (columns: label, editor, unit). `normal` is the
+    /// text of the default.
+    ParameterField(const ParameterFacts& facts, const std::string& normal, QGridLayout* rows,
+                   QWidget* parent);
 
-    const ConfigParameter& parameter() const { return parameter_; }
+    const ParameterFacts& facts() const { return facts_; }
     QString text() const;
-    void set_value(const Configuracion& configuration);
-    /// Gives the value to the configuration. Where it cannot be, says so at the field and returns
-    /// false.
-    bool apply(Configuracion& configuration);
-    /// Gives its last possible value, and says nothing.
-    void give(Configuracion& configuration) const;
+    void set_text(const std::string& text);
+    /// The value; nothing where it cannot be, which is said at the field.
+    std::optional<ParameterFacts::Value> take();
+    /// The last possible value; nothing where there was none.
+    std::optional<ParameterFacts::Value> last_good() const;
     void set_error(const QString& error);
     bool has_error() const;
     /// What is not used is grey, and has its last possible value.
@@ -41,13 +44,38 @@ class ParameterField final : public QObject {
     void mark_changed();
     QWidget* editor() const;
 
-    const ConfigParameter& parameter_;
+    const ParameterFacts& facts_;
+    const QString normal_;
     QLabel* label_ = nullptr;
     QComboBox* choice_ = nullptr;
     QLineEdit* line_ = nullptr;
     QLabel* unit_ = nullptr;
     QLabel* error_ = nullptr;
     QString good_;
+};
+
+/// The field of a parameter of `Owner`.
+template <class Owner>
+class FieldOf final : public ParameterField {
+  public:
+    FieldOf(const Parameter<Owner>& parameter, QGridLayout* rows, QWidget* parent)
+        : ParameterField(parameter, parameter.text(Owner{}), rows, parent), parameter_(parameter) {}
+
+    const Parameter<Owner>& parameter() const { return parameter_; }
+    void set_value(const Owner& owner) { set_text(parameter_.text(owner)); }
+    /// Gives the value to the owner. Where it cannot be, says so at the field and returns false.
+    bool apply(Owner& owner) {
+        const auto value = take();
+        if (value) parameter_.put(owner, *value);
+        return value.has_value();
+    }
+    /// Gives its last possible value, and says nothing.
+    void give(Owner& owner) const {
+        if (const auto value = last_good()) parameter_.put(owner, *value);
+    }
+
+  private:
+    const Parameter<Owner>& parameter_;
 };
 
 }  // namespace hitos::window

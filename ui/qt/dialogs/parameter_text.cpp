@@ -28,29 +28,32 @@ QString to_qt(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-QString label_of(const ConfigParameter& parameter) {
+QString label_of(const ParameterFacts& parameter) {
     return translated("ParameterLabel", parameter.label);
 }
 
-QString description_of(const ConfigParameter& parameter) {
+QString description_of(const ParameterFacts& parameter) {
     return translated("Parameter", parameter.description);
 }
 
-QString unit_of(const ConfigParameter& parameter) {
+QString unit_of(const ParameterFacts& parameter) {
     return shown_unit(parameter.unit);
 }
 
-QString choice_of(const ConfigParameter& parameter, std::size_t place) {
+QString choice_of(const ParameterFacts& parameter, std::size_t place) {
     return translated("ParameterChoice", parameter.choices.at(place).label);
 }
 
-QString value_of(const ConfigParameter& parameter, const Configuracion& configuration) {
-    const std::string text = parameter.text(configuration);
-    if (parameter.type == ConfigParameter::Type::text) {
+QString value_words(const ParameterFacts& parameter, const std::string& text) {
+    if (parameter.type == ParameterFacts::Type::text) {
         return QFileInfo(QString::fromStdString(text)).fileName();
     }
     const std::optional<std::size_t> place = parameter.place_of(text);
     return place ? choice_of(parameter, *place) : QString::fromStdString(text);
+}
+
+QString value_of(const ConfigParameter& parameter, const Configuracion& configuration) {
+    return value_words(parameter, parameter.text(configuration));
 }
 
 QString title_of(ParameterGroup group, const Configuracion& configuration) {
@@ -73,11 +76,11 @@ QString value_with_unit(const ConfigParameter& parameter, const Configuracion& c
     return unit.isEmpty() || value.isEmpty() ? value : value + ' ' + unit;
 }
 
-QString allowed_of(const ConfigParameter& parameter) {
+QString allowed_of(const ParameterFacts& parameter) {
     const QString unit = unit_of(parameter);
     const auto limit = [&parameter](double value) {
-        return parameter.type == ConfigParameter::Type::integer ? QString::number(value, 'f', 0)
-                                                                : QString::number(value);
+        return parameter.type == ParameterFacts::Type::integer ? QString::number(value, 'f', 0)
+                                                               : QString::number(value);
     };
     return QCoreApplication::translate("Parameter", "%1 to %2 %3")
         .arg(limit(parameter.minimum), limit(parameter.maximum))

@@ -12,25 +12,26 @@ QString to_qt(std::string_view text);
 /// A text that HITOS_TEXT marks, in the user's language.
 QString translated(const char* context, std::string_view text);
 /// "D max"
-QString label_of(const ConfigParameter& parameter);
+QString label_of(const ParameterFacts& parameter);
 /// The sentence of the parameter table, translated.
-QString description_of(const ConfigParameter& parameter);
+QString description_of(const ParameterFacts& parameter);
 /// "m²", "rad²/m", or empty.
-QString unit_of(const ConfigParameter& parameter);
+QString unit_of(const ParameterFacts& parameter);
 /// A word of a choice as the user reads it: "Differential with odometry".
-QString choice_of(const ConfigParameter& parameter, std::size_t place);
+QString choice_of(const ParameterFacts& parameter, std::size_t place);
 /// The group's title; that of the algorithm and of the line method is what is chosen.
 QString title_of(ParameterGroup group, const Configuracion& configuration);
 /// "EKF-SLAM"
 QString algorithm_of(const Configuracion& configuration);
 /// Whether the algorithm has particles to speak of.
 bool has_particles(const Configuracion& configuration);
-/// The value as the user reads it, without unit; file names without their folder.
+/// A value's text as the user reads it, without unit; file names without their folder.
+QString value_words(const ParameterFacts& parameter, const std::string& text);
 QString value_of(const ConfigParameter& parameter, const Configuracion& configuration);
 /// "0.02 m"
 QString value_with_unit(const ConfigParameter& parameter, const Configuracion& configuration);
 /// "0 to 10 m", translated.
-QString allowed_of(const ConfigParameter& parameter);
+QString allowed_of(const ParameterFacts& parameter);
 bool is_default(const ConfigParameter& parameter, const Configuracion& configuration);
 
 }  // namespace hitos::window

@@ -87,7 +87,7 @@ void StudyForm::fill() {
     }
     for (const OdometryNoiseFacts& kind : kOdometryNoiseKinds) {
         ui_.noise_kind->addItem(
-            QCoreApplication::translate("OdometryNoise", std::string(kind.label).c_str()));
+            QCoreApplication::translate("ParameterChoice", std::string(kind.label).c_str()));
     }
     ui_.threads->setSpecialValueText(tr("all (%1)").arg(std::thread::hardware_concurrency()));
 }

@@ -99,8 +99,8 @@ void CanvasView::set_tool(ViewTool& tool) {
 /// With Shift a place is a place, whatever lies there.
 PointedAt CanvasView::pointed_at(const QPointF& pixel, Qt::KeyboardModifiers keys) const {
     const QPointF world = world_at(pixel);
-    PointedAt pointed{{world.x(), world.y()}, {}};
-    if (!keys.testFlag(Qt::ShiftModifier)) {
+    PointedAt pointed{{world.x(), world.y()}, {}, tolerance_m(), keys.testFlag(Qt::ShiftModifier)};
+    if (!pointed.exact) {
         pointed.landmark = landmark_below(camera_.to_screen(size()).inverted().map(pixel));
     }
     return pointed;

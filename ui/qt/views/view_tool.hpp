@@ -26,6 +26,8 @@ struct Scene {
 struct PointedAt {
     Point2 place;
     std::optional<ICaracteristica> landmark;
+    double reach_m = 0.0;  ///< what is further from it is not meant
+    bool exact = false;    ///< the place itself, whatever lies near
 };
 
 class ViewTool : public QObject {

@@ -40,12 +40,12 @@ LiveDrive::LiveDrive(Session& session, QObject* parent) : QObject(parent), sessi
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &LiveDrive::tick);
     connect(&session, &Session::configuration_changed, this, [this] {
-        if (tour_ && session_.live_tour() != tour_) let_go();
+        if (tour_ && session_.live_tour() != tour_) leave();
     });
 }
 
 LiveDrive::~LiveDrive() {
-    if (tour_) let_go();
+    leave();
 }
 
 void LiveDrive::begin(const Configuracion& configuration) {
@@ -156,7 +156,8 @@ QString LiveDrive::rescue_folder() {
 }
 
 /// Whoever loads something else in the middle of a tour still finds it.
-void LiveDrive::let_go() {
+void LiveDrive::leave() {
+    if (!tour_) return;
     rest();
     if (tour_->duration_s() >= kWorthKeepingS) {
         const QDir folder(rescue_folder());

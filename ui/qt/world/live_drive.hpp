@@ -53,6 +53,8 @@ class LiveDrive final : public QObject {
     /// hitos::FileError where it cannot be written, and the tour goes on.
     void keep(const QString& path);
 
+    /// Ends the tour; of one that was worth it a copy is kept, and rescued() says where.
+    void leave();
     /// Ends the tour; nothing of it stays.
     void give_up();
 
@@ -67,7 +69,6 @@ class LiveDrive final : public QObject {
 
   private:
     void tick();
-    void let_go();
     void write(const QString& path) const;
     static QString rescue_folder();
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "views/canvas_paint.hpp"
+#include "views/landmark_painter.hpp"
 
 namespace hitos::window {
 namespace {
@@ -22,30 +23,79 @@ void draw_walls(QPainter& painter, const Scene& scene, const std::vector<WallSeg
     }
 }
 
+std::vector<QPointF> as_points(const std::vector<Point2>& points) {
+    std::vector<QPointF> all;
+    for (const Point2& point : points) all.push_back(point_of(point));
+    return all;
+}
+
+/// Everything that lies somewhere.
+std::vector<QPointF> all_places(const World& world) {
+    std::vector<QPointF> points = {{world.tour.start.x, world.tour.start.y}};
+    for (const auto* walls : {&world.walls, &world.doors}) {
+        for (const WallSegment& wall : *walls) {
+            points.push_back(point_of(wall.a));
+            points.push_back(point_of(wall.b));
+        }
+    }
+    for (const Walker& walker : world.walkers) {
+        for (const Point2& point : walker.way) points.push_back(point_of(point));
+    }
+    for (const WayPoint& point : world.tour.way_points) points.push_back(point_of(point.at));
+    for (const Disturbance& event : world.tour.events) {
+        if (event.kind == DisturbanceKind::box)
+            points.emplace_back(event.values[0], event.values[1]);
+    }
+    return points;
+}
+
+/// What is in sight of a world without walls [m].
+constexpr QRectF kEmptySheet(-2.0, -2.0, 14.0, 9.0);
+
 }  // namespace
 
 WorldView::WorldView(QWidget* parent) : CanvasView(parent) {
     setFocusPolicy(Qt::StrongFocus);
 }
 
+const World* WorldView::world() const {
+    return tour_ ? &tour_->world() : world_.get();
+}
+
+void WorldView::forget_place() {
+    sheet_ = {};
+    fit();
+}
+
+void WorldView::set_world(std::shared_ptr<const World> world) {
+    world_ = std::move(world);
+    grow_sheet();
+}
+
+/// Whoever draws is not to see everything jump with each line.
+void WorldView::grow_sheet() {
+    const World* shown = world();
+    if (shown == nullptr) return;
+    constexpr double kMargin = 1.0;  // m
+    const QRectF all = box_of(all_places(*shown));
+    if (sheet_.isEmpty()) {
+        sheet_ = shown->walls.empty() ? kEmptySheet.united(all) : all;
+    } else if (!sheet_.contains(all)) {
+        sheet_ = sheet_.united(all.adjusted(-kMargin, -kMargin, kMargin, kMargin));
+    }
+    content_changed(std::nullopt);
+}
+
 void WorldView::set_tour(std::shared_ptr<const SimulatedTour> tour) {
     tour_ = std::move(tour);
     goal_.reset();
     set_held(0);
-    content_ = {};
-    if (tour_) {
-        std::vector<QPointF> points;
-        for (const auto* walls : {&tour_->world().walls, &tour_->world().doors}) {
-            for (const WallSegment& wall : *walls) {
-                points.push_back(point_of(wall.a));
-                points.push_back(point_of(wall.b));
-            }
-        }
-        const Pose start = tour_->pose_now();
-        points.emplace_back(start.x, start.y);
-        content_ = box_of(points);
-    }
-    content_changed(std::nullopt);
+    grow_sheet();
+}
+
+void WorldView::set_layers(const LayerSet& layers) {
+    layers_ = layers;
+    update();
 }
 
 void WorldView::set_snapshot(std::shared_ptr<const Snapshot> snapshot) {
@@ -65,7 +115,7 @@ void WorldView::refresh() {
 }
 
 QRectF WorldView::content() const {
-    return content_;
+    return sheet_;
 }
 
 std::optional<ICaracteristica> WorldView::landmark_below(const QPointF& point) const {
@@ -74,7 +124,7 @@ std::optional<ICaracteristica> WorldView::landmark_below(const QPointF& point) c
 }
 
 QString WorldView::empty_text() const {
-    return tr("Choose a world to drive a robot through.");
+    return tr("Draw a world, or open one, and drive a robot through it.");
 }
 
 void WorldView::click(const QPointF& point) {
@@ -84,29 +134,66 @@ void WorldView::click(const QPointF& point) {
 void WorldView::paint_scene(QPainter& painter, const Scene& scene) const {
     draw_metre_grid(painter, scene);
     if (tour_) {
-        paint_rays(painter, scene);
+        if (layers_.has(Layer::scan)) paint_rays(painter, scene);
         paint_walls(painter, scene);
         paint_belief(painter, scene);
-        paint_truth(painter, scene);
+        if (layers_.has(Layer::robot)) paint_truth(painter, scene);
         if (goal_) {
             draw_cross(painter, scene.to_screen.map(point_of(*goal_)), scene.colours.accent);
         }
+    } else if (world_) {
+        paint_walls(painter, scene);
+        paint_plan(painter, scene);
     }
     if (scene.chrome) draw_scale_bar(painter, scene);
 }
 
 void WorldView::paint_walls(QPainter& painter, const Scene& scene) const {
-    const World& world = tour_->world();
     // Where a door is, whether it stands open or not: a closed one is a wall too.
-    draw_walls(painter, scene, world.doors, thin_pen(scene.colours.accent, 1.2, Qt::DashLine));
-    draw_walls(painter, scene, tour_->walls_now(), thin_pen(scene.colours.text, 2.0));
-    const std::vector<Point2> people = tour_->people_now();
-    painter.setPen(thin_pen(scene.colours.text, 1.2));
-    painter.setBrush(faded(scene.colours.text, 60));
-    for (std::size_t i = 0; i < people.size(); ++i) {
-        const double radius = world.walkers[i].radius_m * scene.pixels_per_m;
-        painter.drawEllipse(scene.to_screen.map(point_of(people[i])), radius, radius);
+    draw_walls(painter, scene, world()->doors, thin_pen(scene.colours.accent, 1.2, Qt::DashLine));
+    draw_walls(painter, scene, tour_ ? tour_->walls_now() : world()->walls,
+               thin_pen(scene.colours.text, 2.0));
+    std::vector<Point2> people;
+    if (tour_) people = tour_->people_now();
+    for (std::size_t i = 0; i < world()->walkers.size(); ++i) {
+        const Walker& walker = world()->walkers[i];
+        painter.setPen(thin_pen(scene.colours.text, 1.2));
+        painter.setBrush(faded(scene.colours.text, 60));
+        const double radius = walker.radius_m * scene.pixels_per_m;
+        const Point2 at = tour_ ? people[i] : walker.way.front();
+        painter.drawEllipse(scene.to_screen.map(point_of(at)), radius, radius);
     }
+}
+
+/// What is to happen in a world: ways of people, boxes, the tour from its start.
+void WorldView::paint_plan(QPainter& painter, const Scene& scene) const {
+    for (const Walker& walker : world_->walkers) {
+        draw_path(painter, scene, as_points(walker.way),
+                  thin_pen(faded(scene.colours.text, 130), 1.2, Qt::DotLine));
+    }
+    painter.setPen(thin_pen(scene.colours.text, 1.6));
+    painter.setBrush(faded(scene.colours.text, 30));
+    for (const Disturbance& event : world_->tour.events) {
+        if (event.kind != DisturbanceKind::box) continue;
+        const double half = event.values[2] / 2.0;
+        painter.drawPolygon(scene.to_screen.map(QPolygonF(
+            QRectF(event.values[0] - half, event.values[1] - half, 2.0 * half, 2.0 * half))));
+    }
+    const TourParams& tour = world_->tour;
+    std::vector<QPointF> way = {{tour.start.x, tour.start.y}};
+    for (const WayPoint& point : tour.way_points) way.push_back(point_of(point.at));
+    draw_path(painter, scene, way, thin_pen(scene.colours.path, 1.2, Qt::DashLine));
+    int number = 0;
+    for (const WayPoint& point : tour.way_points) {
+        const QPointF at = scene.to_screen.map(point_of(point.at));
+        draw_disc(painter, at, 3.5, scene.colours.path);
+        painter.setPen(scene.colours.muted);
+        painter.drawText(at + QPointF(6.0, -4.0), QString::number(++number));
+    }
+    Colours quiet = scene.colours;
+    quiet.robot = quiet.text;
+    draw_robot(painter, {scene.to_screen, scene.size, scene.pixels_per_m, quiet, false},
+               tour.start);
 }
 
 /// In the colour of the walls, which is no colour of what the filter believes.
@@ -136,6 +223,14 @@ void WorldView::paint_rays(QPainter& painter, const Scene& scene) const {
     }
 }
 
+void WorldView::paint_landmarks(QPainter& painter, const Scene& scene) const {
+    LandmarkStyle style;
+    style.uncertainty = layers_.has(Layer::uncertainty);
+    style.endless = layers_.has(Layer::endless);
+    style.numbers = layers_.has(Layer::names);
+    draw_landmarks(painter, scene, {snapshot_->best_map, snapshot_->line_extents}, style);
+}
+
 /// The run's frame is that of the start.
 void WorldView::paint_belief(QPainter& painter, const Scene& scene) const {
     if (!snapshot_) return;
@@ -145,8 +240,12 @@ void WorldView::paint_belief(QPainter& painter, const Scene& scene) const {
     run_world.rotateRadians(start.theta);
     const Scene of_run{run_world * scene.to_screen, scene.size, scene.pixels_per_m, scene.colours,
                        false};
-    draw_path(painter, of_run, points_of(snapshot_->best_trajectory),
-              thin_pen(scene.colours.path, 1.6));
+    if (layers_.has(Layer::landmarks)) paint_landmarks(painter, of_run);
+    if (layers_.has(Layer::path)) {
+        draw_path(painter, of_run, points_of(snapshot_->best_trajectory),
+                  thin_pen(scene.colours.path, 1.6));
+    }
+    if (!layers_.has(Layer::particles)) return;
     for (const WeightedPose& hypothesis : snapshot_->hypotheses) {
         draw_disc(painter, of_run.to_screen.map(QPointF(hypothesis.pose.x, hypothesis.pose.y)), 1.6,
                   scene.colours.particle);
@@ -189,6 +288,11 @@ void WorldView::set_held(unsigned keys) {
 }
 
 void WorldView::keyPressEvent(QKeyEvent* event) {
+    const QString text = event->text();
+    if (!tour_ && text.size() == 1 && (text[0].isDigit() || text[0] == '.')) {
+        emit number_begun(text);
+        return;
+    }
     const unsigned key = held_by(event->key());
     if (!tour_ || key == 0 || event->modifiers().testFlag(Qt::ControlModifier)) {
         CanvasView::keyPressEvent(event);

@@ -6,17 +6,23 @@
 #include "hitos/services/run/run_worker.hpp"
 #include "hitos/simulation/simulated_tour.hpp"
 #include "views/canvas_view.hpp"
+#include "views/layers.hpp"
 
 namespace hitos::window {
 
-/// In the world's frame. While a robot is driven the arrow keys and W, A, S, D drive it, and a
-/// click is where it is to go.
+/// In the world's frame: the world as it is drawn, or the robot that is driven through it. While
+/// one is, the arrow keys and W, A, S, D drive it, and a click is where it is to go.
 class WorldView final : public CanvasView {
     Q_OBJECT
 
   public:
     explicit WorldView(QWidget* parent = nullptr);
 
+    /// What is seen while nothing is driven.
+    void set_world(std::shared_ptr<const World> world);
+    /// Shows all of it anew, as a world that was opened.
+    void forget_place();
+    void set_layers(const LayerSet& layers);
     /// What is driven; null: nothing.
     void set_tour(std::shared_ptr<const SimulatedTour> tour);
     void set_snapshot(std::shared_ptr<const Snapshot> snapshot);
@@ -28,6 +34,8 @@ class WorldView final : public CanvasView {
     /// Parts of the greatest speed and turn rate (to the left).
     void held(double ahead, double left);
     void goal_chosen(QPointF world_m);
+    /// The beginning of a number, while a tool has the clicks.
+    void number_begun(QString digits);
 
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;
@@ -43,15 +51,21 @@ class WorldView final : public CanvasView {
     enum Held : unsigned { ahead = 1, back = 2, left_turn = 4, right_turn = 8 };
     static unsigned held_by(int key);
     void set_held(unsigned keys);
+    const World* world() const;
+    void grow_sheet();
+    void paint_landmarks(QPainter& painter, const Scene& scene) const;
     void paint_walls(QPainter& painter, const Scene& scene) const;
+    void paint_plan(QPainter& painter, const Scene& scene) const;
     void paint_truth(QPainter& painter, const Scene& scene) const;
     void paint_belief(QPainter& painter, const Scene& scene) const;
     void paint_rays(QPainter& painter, const Scene& scene) const;
 
+    std::shared_ptr<const World> world_;
     std::shared_ptr<const SimulatedTour> tour_;
     std::shared_ptr<const Snapshot> snapshot_;
     std::optional<Point2> goal_;
-    QRectF content_;
+    QRectF sheet_;  ///< what is in sight; grows with what is drawn beyond it
+    LayerSet layers_ = default_layers();
     unsigned keys_ = 0;
 };
 

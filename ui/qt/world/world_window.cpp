@@ -1,20 +1,27 @@
 #include "world_window.hpp"
 
-#include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/screen_fit.hpp"
+#include "app/session.hpp"
 #include "app/words_of.hpp"
+#include "check_line.hpp"
+#include "draw_bar.hpp"
 #include "drive_panel.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "hitos/workbench/presets.hpp"
-#include "hitos/workbench/shipped_data.hpp"
+#include "world_form.hpp"
 #include "world_view.hpp"
 
 namespace hitos::window {
 namespace {
 
-constexpr QSize kWished(860, 640);
+constexpr QSize kWished(960, 700);
 
 }  // namespace
 
@@ -22,22 +29,38 @@ WorldWindow::WorldWindow(Session& session, UserFiles& files, Prompts& prompts,
                          const RunGuard& guard, QWidget* parent)
     : QDialog(parent, Qt::Window),
       session_(session),
-      files_(files),
       prompts_(prompts),
-      guard_(guard) {
+      guard_(guard),
+      draft_(this),
+      tool_(draft_, this),
+      files_of_worlds_(draft_, files, prompts, this) {
     setObjectName("world_window");
-    setWindowTitle(tr("Drive a robot"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(make_tools());
     view_ = new WorldView(this);
     view_->setObjectName("world_view");
+    view_->set_tool(tool_);
+    bar_ = new DrawBar(draft_, tool_, *view_, this);
+    column->addWidget(bar_);
     column->addWidget(view_, 1);
+    check_ = new CheckLine(this);
+    column->addWidget(check_);
     panel_ = new DrivePanel(session, files, prompts, *view_, this);
     column->addWidget(panel_);
-    connect(panel_, &DrivePanel::notice, this, &WorldWindow::notice);
+    said_ = new QLabel(this);
+    said_->setObjectName("world_notice");
+    said_->setWordWrap(true);
+    said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addWidget(said_);
+    say({});
+    make_actions();
+    connect_draft();
+    connect(panel_, &DrivePanel::notice, this, &WorldWindow::say);
+    connect(panel_, &DrivePanel::kept, this, &WorldWindow::go_on_with);
     connect(&drive(), &LiveDrive::changed, this, &WorldWindow::show_state);
     resize(kWished);
     fit_to_screen(*this);
+    show_draft();
     show_state();
 }
 
@@ -49,42 +72,108 @@ QWidget* WorldWindow::make_tools() {
     auto* tools = new QWidget(this);
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(0, 0, 0, 0);
-    worlds_ = new QComboBox(tools);
-    worlds_->setObjectName("drive_world");
-    worlds_->setAccessibleName(tr("World"));
-    worlds_->addItem(tr("Choose a world…"));
-    for (const std::string& name : shipped_worlds()) {
-        worlds_->addItem(QString::fromStdString(name));
-    }
-    worlds_->addItem(tr("Another file…"));
-    row->addWidget(worlds_);
+    const auto add_button = [&](const QString& text, const char* name) {
+        auto* button = new QToolButton(tools);
+        button->setObjectName(name);
+        button->setText(text);
+        row->addWidget(button);
+        return button;
+    };
+    QToolButton* worlds = add_button(tr("World"), "world_menu_button");
+    worlds->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(worlds);
+    menu->setObjectName("world_menu");
+    files_of_worlds_.fill(*menu);
+    menu->addSeparator();
+    QAction* values = menu->addAction(tr("&Robot, laser, odometry…"), this, [this] {
+        WorldForm form(draft_.world(), this);
+        if (form.exec() == QDialog::Accepted) {
+            draft_.change([&](WorldText& text) { text.set(form.world()); });
+        }
+    });
+    values->setObjectName("world_values");
+    worlds->setMenu(menu);
+    undo_ = new QAction(tr("Undo"), this);
+    redo_ = new QAction(tr("Redo"), this);
+    add_button({}, "world_undo_button")->setDefaultAction(undo_);
+    add_button({}, "world_redo_button")->setDefaultAction(redo_);
     row->addStretch(1);
-    connect(worlds_, &QComboBox::activated, this, &WorldWindow::open_asked);
+    run_ = new QPushButton(tr("Run its tour"), tools);
+    run_->setObjectName("world_run");
+    run_->setToolTip(tr("Maps the tour along the way points in the main window"));
+    row->addWidget(run_);
+    drive_ = new QPushButton(tools);
+    drive_->setObjectName("world_drive");
+    row->addWidget(drive_);
+    // Return belongs to the drawing.
+    for (QPushButton* button : {run_, drive_}) button->setAutoDefault(false);
     return tools;
 }
 
-void WorldWindow::open_asked() {
-    const int place = worlds_->currentIndex();
-    if (place == 0) return;
-    QString path;
-    if (place == worlds_->count() - 1) {
-        path = prompts_.open_file(this, {tr("World to drive through"),
-                                         files_.folder_to_open("log"),
-                                         tr("Worlds (*.toml);;All files (*)"),
-                                         {}});
-    } else {
+void WorldWindow::make_actions() {
+    undo_->setObjectName("world_undo");
+    undo_->setShortcut(QKeySequence::Undo);
+    redo_->setObjectName("world_redo");
+    redo_->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence::Redo});
+    addActions({undo_, redo_});
+    connect(undo_, &QAction::triggered, this, [this] {
+        // A point that was just drawn goes first.
+        tool_.pending().empty() ? draft_.undo() : tool_.drop_last_point();
+    });
+    connect(redo_, &QAction::triggered, &draft_, &WorldDraft::redo);
+    connect(run_, &QPushButton::clicked, this, [this] {
         try {
-            path =
-                QString::fromStdString(find_world(worlds_->currentText().toStdString()).string());
+            emit run_wanted(files_of_worlds_.file_as_drawn());
         } catch (const std::exception& error) {
-            prompts_.warn(this, tr("The world cannot be opened"), words_of(error));
+            tell_not_written(prompts_, this, words_of(error));
         }
-    }
-    if (!path.isEmpty()) drive_through(path);
-    worlds_->setCurrentIndex(0);  // which names what is driven
+    });
+    connect(drive_, &QPushButton::clicked, this,
+            [this] { drive().active() ? drive().leave() : drive_through_drawn(); });
+}
+
+void WorldWindow::connect_draft() {
+    connect(&files_of_worlds_, &WorldFiles::notice, this, &WorldWindow::say);
+    connect(&draft_, &WorldDraft::opened, this, [this] {
+        if (drive().active()) drive().leave();
+        view_->set_world(std::make_shared<const World>(draft_.world()));
+        view_->forget_place();
+    });
+    connect(&draft_, &WorldDraft::changed, this, &WorldWindow::show_draft);
+    connect(&tool_, &DrawTool::pending_changed, this, &WorldWindow::show_state);
+    connect(&draft_, &WorldDraft::refused, this, [this](const QString& reason) {
+        prompts_.warn(this, tr("That cannot be drawn"), reason);
+    });
+}
+
+void WorldWindow::show_draft() {
+    say({});  // it was about what was before
+    view_->set_world(std::make_shared<const World>(draft_.world()));
+    check_->check(draft_.world());
+    show_state();
+}
+
+void WorldWindow::show_state() {
+    const bool drives = drive().active();
+    tool_.set_active(!drives);
+    bar_->setVisible(!drives);
+    check_->setVisible(!drives);
+    undo_->setEnabled(!drives && (draft_.can_undo() || !tool_.pending().empty()));
+    redo_->setEnabled(!drives && draft_.can_redo());
+    run_->setEnabled(!drives && !draft_.world().walls.empty());
+    drive_->setText(drives ? tr("Back to drawing") : tr("Drive a robot"));
+    drive_->setToolTip(drives ? tr("Ends the tour; of five seconds or more a copy is kept")
+                              : tr("Puts the robot at the start, to be driven by hand"));
+    drive_->setEnabled(drives || !draft_.world().walls.empty());
+    setWindowTitle(tr("%1 – World workshop")
+                       .arg(draft_.name() + (draft_.modified() ? QStringLiteral("*") : QString())));
 }
 
 void WorldWindow::drive_through(const QString& path) {
+    if (files_of_worlds_.open(path)) drive_through_drawn();
+}
+
+void WorldWindow::drive_through_drawn() {
     if (!guard_.may_discard()) return;
     try {
         Configuracion configuration = session_.configuration();
@@ -93,17 +182,40 @@ void WorldWindow::drive_through(const QString& path) {
             configuration = preset_configuration(kWorldPreset);
         }
         configuration.source = {};
-        configuration.source.file = path.toStdString();
+        configuration.source.file = files_of_worlds_.file_as_drawn().toStdString();
         panel_->begin(configuration);
     } catch (const std::exception& error) {
+        prompts_.warn(this, tr("The world cannot be driven through"), words_of(error));
+    }
+}
+
+/// What was driven is part of the world from now on, and can be undone.
+void WorldWindow::go_on_with(const QString& path) {
+    try {
+        draft_.go_on_as(WorldText::read(path.toStdString()), path);
+    } catch (const std::exception& error) {  // somebody has taken it away already
         prompts_.warn(this, tr("The world cannot be opened"), words_of(error));
     }
 }
 
-void WorldWindow::show_state() {
-    worlds_->setItemText(0, drive().active() ? QString::fromStdString(drive().tour()->world().name)
-                                             : tr("Choose a world…"));
-    worlds_->setCurrentIndex(0);
+/// Here, and in the main window.
+void WorldWindow::say(const QString& words) {
+    said_->setText(words);
+    said_->setVisible(!words.isEmpty());
+    if (!words.isEmpty()) emit notice(words);
+}
+
+/// Whoever works on a world sees that one.
+void WorldWindow::showEvent(QShowEvent* event) {
+    const std::string& source = session_.configuration().source.file;
+    if (draft_.empty() && is_world_file(source)) {
+        try {
+            draft_.open(WorldText::read(source), QString::fromStdString(source));
+        } catch (const std::exception&) {  // it is told where it is run
+        }
+    }
+    QDialog::showEvent(event);
+    view_->setFocus();
 }
 
 /// Who does not see the world does not drive through it.

@@ -1,4 +1,4 @@
-// The world workshop: a world, the robot in it, and what is done to both.
+// The world workshop: a place is drawn, and a robot driven through it.
 #pragma once
 
 #include <QDialog>
@@ -6,16 +6,25 @@
 #include "actions/prompts.hpp"
 #include "actions/run_guard.hpp"
 #include "actions/user_files.hpp"
+#include "draw_tool.hpp"
+#include "views/layers.hpp"
+#include "world_draft.hpp"
+#include "world_files.hpp"
 
-class QComboBox;
+class QAction;
+class QLabel;
+class QPushButton;
 
 namespace hitos::window {
 
+class CheckLine;
+class DrawBar;
 class DrivePanel;
 class LiveDrive;
 class Session;
 class WorldView;
 
+/// Shows either of the two: the draft with the tools to draw, or the robot with what drives it.
 class WorldWindow final : public QDialog {
     Q_OBJECT
 
@@ -25,28 +34,51 @@ class WorldWindow final : public QDialog {
 
     LiveDrive& drive();
     WorldView& view() const { return *view_; }
-    /// Puts the robot at the start of a world file, in place of what the session works on if the
-    /// user agrees. Says what is wrong with a world that cannot be driven through.
+    WorldDraft& draft() { return draft_; }
+    DrawTool& tool() { return tool_; }
+    WorldFiles& world_files() { return files_of_worlds_; }
+    const CheckLine& check_line() const { return *check_; }
+    /// Opens a world file and puts the robot at its start, in place of what the session works on
+    /// if the user agrees. Says what is wrong with a world that cannot be driven through.
     void drive_through(const QString& path);
+    /// The same with what is drawn.
+    void drive_through_drawn();
+    /// Whether what was drawn may be given up, if it is not saved.
+    bool may_end() { return files_of_worlds_.may_discard(); }
 
   signals:
     void notice(QString words);
+    /// A world file whose own tour is to be run.
+    void run_wanted(QString path);
 
   protected:
+    void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
   private:
     QWidget* make_tools();
-    void open_asked();
+    void make_actions();
+    void connect_draft();
+    void show_draft();
     void show_state();
+    void go_on_with(const QString& path);
+    void say(const QString& words);
 
     Session& session_;
-    UserFiles& files_;
     Prompts& prompts_;
     const RunGuard& guard_;
-    QComboBox* worlds_ = nullptr;
+    WorldDraft draft_;
+    DrawTool tool_;
+    WorldFiles files_of_worlds_;
+    QAction* undo_ = nullptr;
+    QAction* redo_ = nullptr;
+    QPushButton* run_ = nullptr;
+    QPushButton* drive_ = nullptr;
     WorldView* view_ = nullptr;
+    DrawBar* bar_ = nullptr;
+    CheckLine* check_ = nullptr;
     DrivePanel* panel_ = nullptr;
+    QLabel* said_ = nullptr;
 };
 
 }  // namespace hitos::window

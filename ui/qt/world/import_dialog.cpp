@@ -1,0 +1,107 @@
+#include "import_dialog.hpp"
+
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/theme.hpp"
+#include "app/words_of.hpp"
+#include "workers/background.hpp"
+
+namespace hitos::window {
+namespace {
+
+QDoubleSpinBox* length_field(QWidget* parent, const char* name, double greatest) {
+    constexpr int kDecimals = 4;
+    auto* field = new QDoubleSpinBox(parent);
+    field->setObjectName(name);
+    field->setDecimals(kDecimals);
+    field->setRange(0.0, greatest);
+    field->setSingleStep(0.01);
+    field->setSuffix(ImportDialog::tr(" m"));
+    return field;
+}
+
+}  // namespace
+
+ImportDialog::ImportDialog(const QString& source, WallSource kind, QWidget* parent)
+    : QDialog(parent), source_(source), kind_(kind) {
+    setObjectName("import_dialog");
+    setWindowTitle(tr("Walls of %1").arg(QFileInfo(source).fileName()));
+    auto* form = new QFormLayout(this);
+    if (kind == WallSource::picture) {
+        constexpr double kUsual = 0.05;  // as most grids of robots have
+        pixel_ = length_field(this, "import_pixel", 100.0);
+        pixel_->setValue(kUsual);
+        pixel_->setToolTip(
+            tr("How long a side of a pixel is. The YAML file of map_server beside "
+               "a picture says it: open that one instead, if there is one."));
+        form->addRow(tr("A pixel"), pixel_);
+    }
+    tolerance_ = length_field(this, "import_tolerance", 10.0);
+    tolerance_->setSpecialValueText(kind == WallSource::map ? tr("0.05 m") : tr("two pixels"));
+    tolerance_->setToolTip(kind == WallSource::map
+                               ? tr("How far a corner may lie from a line to be on it")
+                               : tr("How far a wall may lie from the middle of what is drawn; "
+                                    "more gives fewer and straighter walls"));
+    form->addRow(tr("Tolerance"), tolerance_);
+    verdict_ = new QLabel(this);
+    verdict_->setObjectName("import_verdict");
+    verdict_->setWordWrap(true);
+    form->addRow(verdict_);
+    buttons_ = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    buttons_->addButton(tr("Find the walls"), QDialogButtonBox::AcceptRole)->setDefault(true);
+    form->addRow(buttons_);
+    connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+ImportDialog::~ImportDialog() {
+    pool_.waitForDone();
+}
+
+void ImportDialog::accept() {
+    ImportOptions options;
+    options.tolerance_m = tolerance_->value();
+    if (pixel_ != nullptr) options.resolution_m = pixel_->value();
+    buttons_->setEnabled(false);
+    set_look(*verdict_, "role", "muted");
+    verdict_->setText(tr("Looking for walls…"));
+    pool_.start([this, options, source = source_.toStdString()] {
+        begin_background_work();
+        std::optional<WorldText> world;
+        std::size_t left_out = 0;
+        QString problem;
+        try {
+            world = import_world(source, {}, options, &left_out);
+        } catch (const std::exception& error) {
+            problem = words_of(error);
+        }
+        QMetaObject::invokeMethod(
+            this, [this, world, left_out, problem] { finish(world, left_out, problem); });
+    });
+}
+
+void ImportDialog::finish(const std::optional<WorldText>& world, std::size_t left_out,
+                          const QString& problem) {
+    buttons_->setEnabled(true);
+    if (!world) {
+        set_look(*verdict_, "role", "error");
+        verdict_->setText(problem);
+        return;
+    }
+    world_ = world;
+    words_ =
+        tr("%n wall(s) found, tolerance %1", nullptr, static_cast<int>(world->world().walls.size()))
+            .arg(tolerance_->text());
+    if (left_out > 0) {
+        words_ +=
+            tr("; %n line(s) without two corners left out", nullptr, static_cast<int>(left_out));
+    }
+    QDialog::accept();
+}
+
+}  // namespace hitos::window

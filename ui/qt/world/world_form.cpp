@@ -1,0 +1,95 @@
+#include "world_form.hpp"
+
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <array>
+#include <utility>
+
+#include "app/screen_fit.hpp"
+
+namespace hitos::window {
+namespace {
+
+struct WorldGroup {
+    const char* table = "";
+    const char* title = "";
+};
+
+/// Two columns, about as long as each other.
+constexpr std::array<std::array<WorldGroup, 3>, 2> kColumns = {
+    {{{{"robot", QT_TRANSLATE_NOOP("WorldForm", "Robot")},
+       {"tour", QT_TRANSLATE_NOOP("WorldForm", "Tour")},
+       {"seed", QT_TRANSLATE_NOOP("WorldForm", "Noise")}}},
+     {{{"laser", QT_TRANSLATE_NOOP("WorldForm", "Laser")},
+       {"odometry", QT_TRANSLATE_NOOP("WorldForm", "Odometry")},
+       {"raster", QT_TRANSLATE_NOOP("WorldForm", "Raster of the walls")}}}}};
+
+}  // namespace
+
+WorldForm::WorldForm(const World& world, QWidget* parent) : QDialog(parent), world_(world) {
+    setObjectName("world_form");
+    setWindowTitle(tr("Robot, laser, odometry"));
+    auto* all = new QVBoxLayout(this);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    auto* groups = new QWidget(scroll);
+    auto* columns = new QHBoxLayout(groups);
+    for (const auto& tables : kColumns) {
+        auto* column = new QVBoxLayout;
+        for (const WorldGroup& group : tables) {
+            auto* box = new QFrame(groups);
+            box->setProperty("role", "card");
+            auto* rows = new QGridLayout(box);
+            rows->setColumnStretch(1, 1);
+            add_group(group.table, tr(group.title), rows, box);
+            column->addWidget(box);
+        }
+        column->addStretch(1);
+        columns->addLayout(column, 1);
+    }
+    scroll->setWidget(groups);
+    scroll->setMinimumWidth(groups->minimumSizeHint().width() +
+                            scroll->verticalScrollBar()->sizeHint().width());
+    all->addWidget(scroll, 1);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    all->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &WorldForm::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    resize(sizeHint().width(), groups->sizeHint().height() + buttons->sizeHint().height() * 2);
+    fit_to_screen(*this);
+}
+
+void WorldForm::add_group(std::string_view group, const QString& title, QGridLayout* rows,
+                          QWidget* box) {
+    auto* label = new QLabel(title, box);
+    label->setProperty("role", "title");
+    rows->addWidget(label, 0, 0, 1, 3);
+    for (const WorldKey& key : world_keys()) {
+        if (key.table() != group) continue;
+        auto* field = new FieldOf<World>(key, rows, box);
+        field->set_value(world_);
+        fields_.push_back(field);
+        connect(field, &ParameterField::edited, field, [field] { field->take(); });
+    }
+}
+
+void WorldForm::accept() {
+    World next = world_;
+    FieldOf<World>* first_wrong = nullptr;
+    for (FieldOf<World>* field : fields_) {
+        if (!field->apply(next) && first_wrong == nullptr) first_wrong = field;
+    }
+    if (first_wrong != nullptr) {
+        first_wrong->focus();
+        return;
+    }
+    world_ = std::move(next);
+    QDialog::accept();
+}
+
+}  // namespace hitos::window
