@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
     if (name == "fit") return run<FitTest>(arguments);
     if (name == "source") return run<SourceTest>(arguments);
     if (name == "configuration") return run<ConfigurationTest>(arguments);
+    if (name == "draw") return run<DrawTest>(arguments);
     if (name == "drive") return run<DriveTest>(arguments);
     if (name == "run") return run<RunTest>(arguments);
     if (name == "runs") return run<RunsTest>(arguments);

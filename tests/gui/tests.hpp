@@ -24,6 +24,22 @@ class SourceTest : public QObject {
     void what_is_no_file_cannot_be_dropped();
 };
 
+class DrawTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void from_an_empty_window_to_a_saved_map();
+    void what_is_drawn_is_saved_and_read_the_same();
+    void shipped_worlds_keep_their_comments();
+    void things_are_chosen_moved_and_taken_out();
+    void points_snap_and_what_cannot_be_is_told();
+    void drawings_maps_and_pictures_are_opened();
+    void nothing_drawn_is_lost_unasked();
+    void an_unsaved_world_is_driven_through_a_copy();
+    void robot_and_laser_are_set_in_the_form();
+    void distances_are_measured();
+};
+
 class ConfigurationTest : public QObject {
     Q_OBJECT
 

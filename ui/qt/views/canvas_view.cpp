@@ -332,7 +332,7 @@ bool CanvasView::key_of_tool(int key, Qt::KeyboardModifiers keys) {
     } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
         tool_->click(pointed_at(picking_place(), keys));
     } else {
-        return false;
+        return tool_->key(key, keys);
     }
     return true;
 }

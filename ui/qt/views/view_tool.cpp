@@ -9,6 +9,12 @@ bool ViewTool::pick_up(const PointedAt& pointed) {
     return false;
 }
 
+bool ViewTool::key(int key, Qt::KeyboardModifiers keys) {
+    Q_UNUSED(key)
+    Q_UNUSED(keys)
+    return false;
+}
+
 void ViewTool::drag(const PointedAt& pointed) {
     Q_UNUSED(pointed)
 }

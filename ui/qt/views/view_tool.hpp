@@ -50,6 +50,8 @@ class ViewTool : public QObject {
     virtual bool double_click() { return false; }
     /// The user wants to leave off.
     virtual void escape() = 0;
+    /// Whether another key means something to it.
+    virtual bool key(int key, Qt::KeyboardModifiers keys);
     /// `scene` is of the world's frame.
     virtual void paint(QPainter& painter, const Scene& scene) const = 0;
 

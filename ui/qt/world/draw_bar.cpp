@@ -1,6 +1,5 @@
 #include "draw_bar.hpp"
 
-#include <QAction>
 #include <QButtonGroup>
 #include <QCoreApplication>
 #include <QDoubleSpinBox>
@@ -80,7 +79,6 @@ DrawBar::DrawBar(WorldDraft& draft, DrawTool& tool, WorldView& view, QWidget* pa
     hint_->setProperty("role", "muted");
     hint_->setWordWrap(true);
     words->addWidget(hint_, 1);
-    make_actions();
     connect_numbers();
     connect(&tool_, &DrawTool::mode_changed, this, &DrawBar::show_mode);
     connect(&tool_, &DrawTool::mode_changed, this, &DrawBar::show_numbers);
@@ -124,25 +122,6 @@ void DrawBar::make_grid() {
         tr("Points are drawn on multiples of it, unless ends, walls or right angles "
            "are nearer; with Shift a point is where the cursor is"));
     connect(grid_, &QDoubleSpinBox::valueChanged, &tool_, &DrawTool::set_grid);
-}
-
-void DrawBar::make_actions() {
-    const auto add = [this](const QKeySequence& key, const char* name, auto act) {
-        auto* action = new QAction(this);
-        action->setObjectName(name);
-        action->setShortcut(key);
-        action->setShortcutContext(Qt::WidgetShortcut);
-        view_.addAction(action);
-        connect(action, &QAction::triggered, this, [this, act] {
-            if (tool_.takes_clicks()) act();
-        });
-    };
-    add(QKeySequence::Delete, "draw_delete", [this] { tool_.remove_chosen(); });
-    add(Qt::Key_Backspace, "draw_back", [this] { tool_.drop_last_point(); });
-    add(Qt::CTRL | Qt::Key_Right, "draw_right", [this] { tool_.nudge(1, 0); });
-    add(Qt::CTRL | Qt::Key_Left, "draw_left", [this] { tool_.nudge(-1, 0); });
-    add(Qt::CTRL | Qt::Key_Up, "draw_up", [this] { tool_.nudge(0, 1); });
-    add(Qt::CTRL | Qt::Key_Down, "draw_down", [this] { tool_.nudge(0, -1); });
 }
 
 void DrawBar::connect_numbers() {

@@ -4,7 +4,6 @@
 #include <QWidget>
 #include <vector>
 
-class QAction;
 class QDoubleSpinBox;
 class QLabel;
 class QToolButton;
@@ -25,7 +24,6 @@ class DrawBar final : public QWidget {
   private:
     void make_modes();
     void make_grid();
-    void make_actions();
     void connect_numbers();
     void show_mode();
     void show_numbers();

@@ -65,16 +65,14 @@ void DrawTool::keep_chosen() {
 void DrawTool::set_active(bool on) {
     if (active_ == on) return;
     active_ = on;
-    if (is_line()) finish_line();
-    clear_pending();
+    finish();
     emit switched();
 }
 
 void DrawTool::set_mode(DrawMode mode) {
     if (mode == mode_) return;
-    if (is_line()) finish_line();
+    finish();
     mode_ = mode;
-    clear_pending();
     if (mode != DrawMode::select) choose(std::nullopt);
     emit mode_changed();
     emit switched();
@@ -200,7 +198,7 @@ void DrawTool::place(const Point2& point) {
     switch (mode_) {
         case DrawMode::wall:
         case DrawMode::person:
-            if (pending_.size() > 3 && point == pending_.front()) finish_line();
+            if (pending_.size() > 3 && point == pending_.front()) finish();
             break;
         case DrawMode::room:
             if (pending_.size() < 2) break;
@@ -249,12 +247,12 @@ void DrawTool::place(const Point2& point) {
     emit changed();
 }
 
-void DrawTool::finish_line() {
-    if (pending_.size() < 2) {
+void DrawTool::finish() {
+    if (is_line() && pending_.size() > 1) {
+        add_line(pending_);
+    } else {
         clear_pending();
-        return;
     }
-    add_line(pending_);
 }
 
 void DrawTool::add_line(std::vector<Point2> line) {
@@ -269,18 +267,30 @@ bool DrawTool::double_click() {
         if (chosen_) choose(whole_of(draft_.text(), *chosen_));
         return chosen_.has_value();
     }
-    if (is_line()) finish_line();
+    if (is_line()) finish();
     return true;
 }
 
 void DrawTool::escape() {
     if (!pending_.empty()) {
-        is_line() ? finish_line() : clear_pending();
+        finish();
     } else if (chosen_) {
         choose(std::nullopt);
     } else {
         set_mode(DrawMode::select);
     }
+}
+
+bool DrawTool::key(int key, Qt::KeyboardModifiers keys) {
+    if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
+        pending_.empty() ? remove_chosen() : drop_last_point();
+        return true;
+    }
+    const int right = (key == Qt::Key_Right ? 1 : 0) - (key == Qt::Key_Left ? 1 : 0);
+    const int up = (key == Qt::Key_Up ? 1 : 0) - (key == Qt::Key_Down ? 1 : 0);
+    if (!keys.testFlag(Qt::ControlModifier) || (right == 0 && up == 0)) return false;
+    nudge(right, up);
+    return true;
 }
 
 /// Only what is chosen already, or lies there: else the view is dragged.

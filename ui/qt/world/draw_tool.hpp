@@ -36,6 +36,8 @@ class DrawTool final : public ViewTool {
     void set_grid(double step_m);
     double grid() const { return grid_m_; }
     void type(const TypedPiece& piece);
+    /// Ends what was begun: a line has the points that it has.
+    void finish();
     /// The point that the typed numbers and the cursor say, as if it were clicked.
     void place_typed();
     /// Points that are drawn and belong to nothing yet.
@@ -44,10 +46,6 @@ class DrawTool final : public ViewTool {
 
     const std::optional<WorldItem>& chosen() const { return chosen_; }
     void choose(std::optional<WorldItem> item);
-    /// Takes out what is chosen.
-    void remove_chosen();
-    /// Moves what is chosen by so many steps of the grid.
-    void nudge(int right, int up);
 
     bool takes_clicks() const override { return active_; }
     void hover(const std::optional<PointedAt>& pointed) override;
@@ -58,6 +56,9 @@ class DrawTool final : public ViewTool {
     bool double_click() override;
     /// Ends a line with the points that it has; then lets go of what is chosen; then of the mode.
     void escape() override;
+    /// Delete and Backspace take out what is chosen, or the point drawn last; Ctrl and an arrow
+    /// move what is chosen by a step of the grid.
+    bool key(int key, Qt::KeyboardModifiers keys) override;
     void paint(QPainter& painter, const Scene& scene) const override;
 
   signals:
@@ -73,10 +74,11 @@ class DrawTool final : public ViewTool {
     Point2 target(const PointedAt& pointed) const;
     Point2 as_typed(const Point2& point) const;
     void place(const Point2& point);
-    void finish_line();
     void add_line(std::vector<Point2> line);
     void clear_pending();
     void keep_chosen();
+    void remove_chosen();
+    void nudge(int right, int up);
     QString words_of_piece(const Point2& to) const;
     void paint_chosen(QPainter& painter, const Scene& scene) const;
     void paint_pending(QPainter& painter, const Scene& scene) const;

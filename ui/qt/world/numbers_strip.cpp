@@ -76,7 +76,6 @@ void NumbersStrip::lay_out(const std::vector<ItemNumber>& numbers, bool asks) {
 }
 
 void NumbersStrip::show_numbers(const std::vector<ItemNumber>& numbers) {
-    if (!asks_ && numbers == shown_) return;
     lay_out(numbers, false);
 }
 

@@ -58,6 +58,7 @@ void WorldFiles::fill(QMenu& menu) {
 }
 
 bool WorldFiles::may_discard() {
+    emit asked_for();
     if (!draft_.modified()) return true;
     return prompts_.confirm(window_, {tr("The world is not saved"),
                                       tr("Give up what was drawn in %1?").arg(draft_.name()),
@@ -123,6 +124,7 @@ bool WorldFiles::changed_by_others() const {
 }
 
 bool WorldFiles::save() {
+    emit asked_for();
     if (draft_.file().isEmpty() || is_shipped(draft_.file())) return save_as();
     if (changed_by_others() && !may_overwrite(prompts_, window_, draft_.file())) return false;
     try {
@@ -134,6 +136,7 @@ bool WorldFiles::save() {
 }
 
 bool WorldFiles::save_as() {
+    emit asked_for();
     const QString name = draft_.name() + QStringLiteral(".toml");
     const QString path =
         save_until_done(prompts_, window_,
@@ -153,6 +156,7 @@ bool WorldFiles::write(const QString& path) {
 }
 
 QString WorldFiles::file_as_drawn() {
+    emit asked_for();
     if (!draft_.file().isEmpty() && !draft_.modified() && !changed_by_others() &&
         QFileInfo::exists(draft_.file())) {
         return draft_.file();

@@ -36,6 +36,8 @@ class WorldFiles final : public QObject {
 
   signals:
     void notice(QString words);
+    /// What is drawn counts now: what was begun is to be ended.
+    void asked_for();
 
   private:
     void ask_to_open();

@@ -134,6 +134,7 @@ void WorldWindow::make_actions() {
 
 void WorldWindow::connect_draft() {
     connect(&files_of_worlds_, &WorldFiles::notice, this, &WorldWindow::say);
+    connect(&files_of_worlds_, &WorldFiles::asked_for, &tool_, &DrawTool::finish);
     connect(&draft_, &WorldDraft::opened, this, [this] {
         if (drive().active()) drive().leave();
         view_->set_world(std::make_shared<const World>(draft_.world()));
