@@ -58,6 +58,19 @@ std::string checked_target_format(std::string_view word, const std::string& opti
                                       log_formats().either(writable)));
 }
 
+std::string format_by_ending(const std::filesystem::path& path, std::string_view wished) {
+    const std::filesystem::path name = path.extension() == ".gz" ? path.stem() : path.filename();
+    const std::string ending = "*" + name.extension().string();
+    std::vector<std::string> owners;
+    for (const LogFormat& format : log_formats().entries()) {
+        const std::vector<std::string_view> endings = input::fields(format.endings);
+        if (writable(format) && std::ranges::find(endings, ending) != endings.end()) {
+            owners.emplace_back(format.word);
+        }
+    }
+    return owners.size() == 1 ? owners.front() : std::string(wished);
+}
+
 void write_tour(TourReader& reader, LogWriter& writer, const std::function<void()>& told) {
     std::optional<Odometria> reading = reader.next_odometry();
     while (const std::optional<Scan> scan = reader.next_scan()) {

@@ -10,17 +10,12 @@
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/base/input_files.hpp"
 #include "hitos/base/process.hpp"
-#include "hitos/base/staged_files.hpp"
 #include "hitos/capture/log_format.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
-#include "hitos/simulation/reference_map.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/simulation/simulated_tour.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
-#include "hitos/workbench/tour_picture.hpp"
+#include "hitos/workbench/tour_files.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
 #include "report.hpp"
@@ -59,19 +54,9 @@ World load_world(const SimulateOptions& options) {
     return world;
 }
 
-/// Leaves the command where it is asked to stop.
-void write_log(SimulatedTourReader& reader, LogWriter& writer) {
-    ProgressLine line("scans");
-    write_tour(reader, writer, [&] {
-        if (StopByRequest::wanted()) throw CLI::RuntimeError(StopByRequest::status());
-        line.show(reader.report().scans, reader.progress());
-    });
-    writer.finish();
-    line.finish(reader.report().scans);
-}
-
 void simulate(const SimulateOptions& options) {
-    const std::string format = checked_target_format(options.format, "--format");
+    const TourFiles files{checked_target_format(options.format, "--format"), options.out,
+                          options.truth, options.reference, options.picture};
     if (options.out.empty() && options.truth.empty() && options.reference.empty() &&
         options.picture.empty()) {
         throw ConfigError(
@@ -79,26 +64,13 @@ void simulate(const SimulateOptions& options) {
             verbatim("found nothing to write; give --out, --truth, --reference or --picture"));
     }
     const auto tour = std::make_shared<const SimulatedTour>(load_world(options));
-    SimulatedTourReader reader(tour);
     const StopByRequest request;
-    // The log comes last: it is what all the others belong to.
-    std::vector<std::filesystem::path> outputs;
-    for (const std::string& file :
-         {options.picture, options.truth, options.reference, options.out}) {
-        if (!file.empty()) outputs.emplace_back(file);
-    }
-    check_apart(outputs, tour_files(find_world(options.world)));
-    StagedFiles files(outputs);
-    files.write([&] {
-        const auto to = [&](const std::string& file) { return files.staged(file).string(); };
-        if (!options.picture.empty()) write_tour_picture(*tour, to(options.picture));
-        if (!options.truth.empty()) write_trajectory(reader.truth()->path, to(options.truth));
-        if (!options.reference.empty()) {
-            write_map(reference_map(tour->world()), to(options.reference));
-        }
-        if (!options.out.empty()) write_log(reader, *make_log_writer(format, to(options.out)));
+    ProgressLine line("scans");
+    write_tour_files(tour, files, tour_files(find_world(options.world)), [&](const auto& reader) {
+        if (StopByRequest::wanted()) throw CLI::RuntimeError(StopByRequest::status());
+        line.show(reader.report().scans, reader.progress());
     });
-    files.commit();
+    if (!options.out.empty()) line.finish(tour->scans());
     Report report(options.json);
     report.say("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n", tour->world().name,
                tour->path().length_m(), tour->path().duration_s(), tour->scans(), tour->readings());

@@ -78,4 +78,8 @@ std::string checked_log_format(std::string_view word, const std::string& option)
 /// The same for formats that can be written; "auto" is none.
 std::string checked_target_format(std::string_view word, const std::string& option);
 
+/// In which format to write a file of this name: where a single format that can be written has its
+/// ending (.gz aside), in that one ("tour.mcap"), else in the `wished` one ("tour.log").
+std::string format_by_ending(const std::filesystem::path& path, std::string_view wished);
+
 }  // namespace hitos

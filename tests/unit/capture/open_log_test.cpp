@@ -140,5 +140,14 @@ TEST(LogFormats, AreListedWhereOneIsAskedFor) {
     EXPECT_THROW(open_log(folder.put("a", kCarmen), "carmin"), ConfigError);
 }
 
+TEST(LogFormats, AnEndingOfOneFormatSaysWhichItIs) {
+    EXPECT_EQ(format_by_ending("a/tour.mcap", "normalized"), "mcap");
+    EXPECT_EQ(format_by_ending("a/tour.clf.gz", "player"), "carmen");
+    // Several have it, nobody has it, or nobody can write it.
+    for (const char* name : {"tour.log", "tour.txt", "tour", "tour.bag", "tour.gz", ".clf"}) {
+        EXPECT_EQ(format_by_ending(name, "radish"), "radish") << name;
+    }
+}
+
 }  // namespace
 }  // namespace hitos
