@@ -5,43 +5,11 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "gui_fixture.hpp"
+#include "drive_fixture.hpp"
 #include "hitos/simulation/world.hpp"
 #include "tests.hpp"
-#include "world/live_drive.hpp"
-#include "world/world_view.hpp"
-#include "world/world_window.hpp"
 
 namespace hitos::window {
-namespace {
-
-/// A window whose robot is driven by the test, a control period at a time, so that nothing depends
-/// on the machine's speed.
-struct DriveFixture : Fixture {
-    DriveFixture() : Fixture(false) {
-        world_window().drive_through(write("room.toml", kRoom));
-        drive().rest();
-    }
-
-    ~DriveFixture() { drive().give_up(); }
-
-    static constexpr const char* kRoom =
-        "# A room with a door.\n"
-        "walls = [[[-1, -2], [5, -2], [5, 3], [-1, 3], [-1, -2]]]  # all round\n"
-        "doors = [[[2, -2], [2, 0]]]\n"
-        "[tour]\n"
-        "way_points = [[1, 0]]\n";
-
-    WorldWindow& world_window() { return window->open_world_window(); }
-    LiveDrive& drive() { return world_window().drive(); }
-    void periods(int count) {
-        for (int k = 0; k < count; ++k) drive().drive_period();
-    }
-    /// The run has come to where the robot is.
-    bool caught_up() { return steps() == drive().tour()->scans() && shows_everything(); }
-};
-
-}  // namespace
 
 void DriveTest::keys_drive_the_robot_and_the_run_follows() {
     DriveFixture f;
@@ -243,6 +211,32 @@ void DriveTest::a_world_that_is_gone_loses_nothing() {
     QCOMPARE(kept.walls.size(), before.walls.size());
     QCOMPARE(kept.doors.size(), before.doors.size());
     QCOMPARE(kept.tour.commands.size(), before.tour.commands.size());
+    const QByteArray text = Fixture::read(f.path("kept.toml"));
+    QVERIFY(text.contains("# A room with a door."));
+    QVERIFY(text.contains("# all round"));
+    QTRY_VERIFY(f.state() == Progress::State::finished);
+}
+
+void DriveTest::a_drawing_that_is_elsewhere_loses_nothing() {
+    DriveFixture f;
+    f.drive().give_up();
+    f.write("plan.dxf",
+            "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n-1\n20\n-1\n30\n0\n11\n4\n21\n-1\n31\n0\n"
+            "0\nENDSEC\n0\nEOF\n");
+    f.world_window().drive_through(f.write(
+        "drawn.toml", "# Drawn.\nwalls_dxf = \"plan.dxf\"\n[tour]\nway_points = [[1, 0]]\n"));
+    f.drive().rest();
+    QVERIFY2(f.drive().active(), qPrintable(f.prompts.warnings.join('\n')));
+    const std::vector<WallSegment> walls = f.drive().tour()->world().walls;
+    f.drive().hold(0.3, 0.0);
+    f.periods(20);
+    QDir(f.folder.path()).mkdir("elsewhere");
+    const QString kept = f.path("elsewhere/kept.toml");
+    f.drive().keep(kept);
+    const World world = read_world(kept.toStdString());
+    QCOMPARE(world.walls.size(), walls.size());
+    QVERIFY(world.walls[0].a == walls[0].a && world.walls[0].b == walls[0].b);
+    QCOMPARE(world.tour.commands.size(), std::size_t{1});
     QTRY_VERIFY(f.state() == Progress::State::finished);
 }
 

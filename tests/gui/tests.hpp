@@ -110,6 +110,7 @@ class DriveTest : public QObject {
     void a_tour_that_is_given_up_is_rescued();
     void bad_worlds_leave_what_was_there();
     void a_world_that_is_gone_loses_nothing();
+    void a_drawing_that_is_elsewhere_loses_nothing();
 };
 
 class RunTest : public QObject {

@@ -5,12 +5,12 @@
 #include <QStandardPaths>
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <utility>
 
 #include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/simulation/driver.hpp"
-#include "hitos/simulation/world_text.hpp"
 #include "hitos/workbench/open_tour.hpp"
 
 namespace hitos::window {
@@ -21,17 +21,18 @@ constexpr double kMostAtOnceS = 0.5;
 /// A tour shorter than this is no loss [s].
 constexpr double kWorthKeepingS = 5.0;
 
-/// The file's own text with this tour; where the file is gone or another one by now, a new text.
-WorldText text_of(const World& driven) {
+/// The text with this tour, as it reads at the path. Where the drawing of its walls cannot be found
+/// from there, or is another one by now, a new text that has the walls itself.
+WorldText with_tour(WorldText text, const World& driven, const std::filesystem::path& path) {
     try {
-        WorldText text = WorldText::read(driven.file);
         text.set(driven);
-        return text;
-    } catch (const Error&) {
-        WorldText text;
-        text.set(driven);
-        return text;
+        WorldText there(text.text(), path);
+        if (same_world(there.world(), driven)) return there;
+    } catch (const Error&) {  // as it says
     }
+    WorldText anew;
+    anew.set(driven);
+    return anew;
 }
 
 }  // namespace
@@ -51,8 +52,10 @@ LiveDrive::~LiveDrive() {
 void LiveDrive::begin(const Configuracion& configuration) {
     std::shared_ptr<SimulatedTour> tour =
         SimulatedTour::live(open_world(configuration.source, configuration.run.seed));
+    WorldText text = WorldText::read(configuration.source.file);
     session_.set_live(configuration, tour);  // gives up an earlier tour
     tour_ = std::move(tour);
+    text_ = std::move(text);
     goal_.reset();
     ahead_ = left_ = 0.0;
     go_on();
@@ -122,8 +125,7 @@ void LiveDrive::drive_period() {
 }
 
 void LiveDrive::write(const QString& path) const {
-    WorldText text = text_of(tour_->recorded());
-    text.save(path.toStdString());
+    with_tour(text_, tour_->recorded(), path.toStdString()).save(path.toStdString());
 }
 
 void LiveDrive::keep(const QString& path) {

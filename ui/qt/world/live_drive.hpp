@@ -9,6 +9,7 @@
 
 #include "app/session.hpp"
 #include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/world_text.hpp"
 
 namespace hitos::window {
 
@@ -48,9 +49,10 @@ class LiveDrive final : public QObject {
     /// One control period, whatever the clock says.
     void drive_period();
 
-    /// Ends the tour and gives the world that repeats it to the last bit: it replaces the tour of
-    /// the world's file, whose comments stay, or is a new text where that file is gone. Throws
-    /// hitos::FileError where it cannot be written, and the tour goes on.
+    /// Ends the tour and gives the world that repeats it to the last bit: it stands in place of the
+    /// tour in the world's text as it was at begin(), whose comments stay, whatever has become of
+    /// its file. Where the drawing of its walls is not found from the path, the walls stand in a
+    /// new text. Throws hitos::FileError where it cannot be written, and the tour goes on.
     void keep(const QString& path);
 
     /// Ends the tour; of one that was worth it a copy is kept, and rescued() says where.
@@ -74,6 +76,7 @@ class LiveDrive final : public QObject {
 
     Session& session_;
     std::shared_ptr<SimulatedTour> tour_;
+    WorldText text_;  ///< of the world as it was when the tour began
     QTimer timer_;
     QElapsedTimer clock_;
     double due_s_ = 0.0;  ///< tour time that the clock asks for and nobody has driven yet
