@@ -45,6 +45,7 @@ class ScriptedPrompts final : public Prompts {
   public:
     QStringList opens;
     QStringList saves;
+    QStringList filters;  ///< chosen with them; where there is none, the dialog's first
     QStringList folders;
     QList<bool> confirms;
     QList<int> numbers;
@@ -62,8 +63,12 @@ class ScriptedPrompts final : public Prompts {
         ++opens_asked;
         return opens.isEmpty() ? QString() : opens.takeFirst();
     }
-    QString save_file(QWidget*, const FileQuestion&) override {
+    QString save_file(QWidget*, const FileQuestion& question) override {
         ++saves_asked;
+        if (question.chosen != nullptr && !saves.isEmpty()) {
+            *question.chosen =
+                filters.isEmpty() ? question.filters.section(";;", 0, 0) : filters.takeFirst();
+        }
         return saves.isEmpty() ? QString() : saves.takeFirst();
     }
     QString choose_folder(QWidget*, const QString&, const QString&) override {

@@ -111,6 +111,12 @@ class DriveTest : public QObject {
     void bad_worlds_leave_what_was_there();
     void a_world_that_is_gone_loses_nothing();
     void a_drawing_that_is_elsewhere_loses_nothing();
+    void a_log_is_saved_on_the_way_data();
+    void a_log_is_saved_on_the_way();
+    void endings_and_filters_choose_the_format();
+    void no_log_is_written_over_anything_unasked();
+    void a_log_that_cannot_be_written_is_told();
+    void who_ends_while_a_log_is_written_has_it();
 };
 
 class RunTest : public QObject {

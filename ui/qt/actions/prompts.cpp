@@ -60,6 +60,7 @@ QString QtPrompts::save_file(QWidget* parent, const FileQuestion& question) {
     const QString path =
         QFileDialog::getSaveFileName(parent, question.title, question.start, question.filters,
                                      &filter, QFileDialog::DontConfirmOverwrite);
+    if (question.chosen != nullptr) *question.chosen = filter;
     return path.isEmpty() ? path : with_ending(path, filter, question.suffix);
 }
 

@@ -17,9 +17,10 @@ class Prompts {
   public:
     struct FileQuestion {
         QString title;
-        QString start;    ///< folder or file to begin with
-        QString filters;  ///< as QFileDialog takes them
-        QString suffix;   ///< added to a name without one where the filter names none
+        QString start;              ///< folder or file to begin with
+        QString filters;            ///< as QFileDialog takes them
+        QString suffix;             ///< added to a name without one where the filter names none
+        QString* chosen = nullptr;  ///< takes the filter under which a file to write was named
     };
     struct Question {
         QString title;

@@ -1,6 +1,7 @@
 #include "drive_panel.hpp"
 
 #include <QComboBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -9,9 +10,11 @@
 #include <QVBoxLayout>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/words_of.hpp"
 #include "disturb_bar.hpp"
+#include "hitos/capture/log_format.hpp"
 #include "hitos/services/evaluation/nees.hpp"
 #include "world_view.hpp"
 
@@ -30,7 +33,8 @@ DrivePanel::DrivePanel(Session& session, UserFiles& files, Prompts& prompts, Wor
       files_(files),
       prompts_(prompts),
       view_(view),
-      drive_(session, this) {
+      drive_(session, this),
+      logs_(this) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     make_tools();
@@ -61,6 +65,13 @@ void DrivePanel::make_tools() {
     }
     row->addWidget(pace_);
     row->addStretch(1);
+    log_ = new QPushButton(tr("Save a log…"), this);
+    log_->setObjectName("drive_log");
+    log_->setAutoDefault(false);
+    log_->setToolTip(
+        tr("Writes what has been driven so far as a log, and the true path beside it; the tour "
+           "goes on"));
+    row->addWidget(log_);
     keep_ = new QPushButton(tr("End and keep the tour…"), this);
     keep_->setObjectName("drive_keep");
     keep_->setAutoDefault(false);
@@ -76,6 +87,7 @@ void DrivePanel::make_tools() {
         drive_.set_pace(pace_->currentData().toInt());
         view_.setFocus();
     });
+    connect(log_, &QPushButton::clicked, this, &DrivePanel::save_log);
     connect(keep_, &QPushButton::clicked, this, &DrivePanel::keep);
 }
 
@@ -91,6 +103,14 @@ void DrivePanel::connect_drive() {
     });
     connect(&drive_, &LiveDrive::rescued, this, [this](const QString& path) {
         emit notice(tr("The driven tour was kept as %1").arg(path));
+    });
+    connect(&logs_, &LogSaver::changed, this,
+            [this] { log_->setEnabled(drive_.active() && !logs_.busy()); });
+    connect(&logs_, &LogSaver::saved, this, [this](const QString& path) {
+        emit notice(tr("The log is written: %1, and the true path beside it").arg(path));
+    });
+    connect(&logs_, &LogSaver::failed, this, [this](const QString& reason) {
+        prompts_.warn(this, tr("The log was not written"), reason);
     });
     connect(&session_, &Session::snapshot_changed, this, [this] {
         view_.set_snapshot(drive_.active() ? session_.snapshot() : nullptr);
@@ -139,11 +159,43 @@ void DrivePanel::keep() {
     emit kept(path);
 }
 
+/// The world stands still while the user answers.
+void DrivePanel::save_log() {
+    const bool rested = drive_.rests();
+    drive_.rest();
+    ask_for_log();
+    if (!rested) drive_.go_on();
+    view_.setFocus();
+}
+
+void DrivePanel::ask_for_log() {
+    Prompts::FileQuestion question{tr("Save a log; the true path goes beside it as NAME.truth.tum"),
+                                   files_.last_folder("log") + QStringLiteral("/driven.log"),
+                                   log_filters().join(QStringLiteral(";;")), QStringLiteral("log")};
+    QString chosen;
+    question.chosen = &chosen;
+    for (;;) {
+        const QString path = ask_where_to_save(prompts_, this, question);
+        if (path.isEmpty()) return;
+        TourFiles files;
+        files.log = path.toStdString();
+        files.truth = truth_beside(files.log);
+        files.format = format_by_ending(files.log, format_of_filter(chosen));
+        question.start = path;
+        const QString truth = QString::fromStdString(files.truth.string());
+        if (QFileInfo::exists(truth) && !may_overwrite(prompts_, this, truth)) continue;
+        files_.note_folder("log", path);
+        logs_.save(drive_.tour()->recorded(), std::move(files));
+        return;
+    }
+}
+
 void DrivePanel::show_state() {
     view_.set_tour(drive_.tour());
     disturb_->set_tour(drive_.tour());
     if (!drive_.active()) view_.set_snapshot(nullptr);
     setVisible(drive_.active());
+    log_->setEnabled(drive_.active() && !logs_.busy());
     figures_->setText(figures());
 }
 

@@ -1,4 +1,4 @@
-// What one has at hand while a robot is driven: clock, pace, disturbances, figures, keeping.
+// What one has at hand while a robot is driven: clock, pace, disturbances, figures, logs.
 #pragma once
 
 #include <QWidget>
@@ -6,6 +6,7 @@
 #include "actions/prompts.hpp"
 #include "actions/user_files.hpp"
 #include "live_drive.hpp"
+#include "log_saver.hpp"
 
 class QComboBox;
 class QLabel;
@@ -40,6 +41,8 @@ class DrivePanel final : public QWidget {
     void make_tools();
     void connect_drive();
     void keep();
+    void save_log();
+    void ask_for_log();
     void show_state();
     QString figures() const;
 
@@ -48,8 +51,10 @@ class DrivePanel final : public QWidget {
     Prompts& prompts_;
     WorldView& view_;
     LiveDrive drive_;
+    LogSaver logs_;
     QComboBox* pace_ = nullptr;
     QToolButton* rest_ = nullptr;
+    QPushButton* log_ = nullptr;
     QPushButton* keep_ = nullptr;
     DisturbBar* disturb_ = nullptr;
     QLabel* figures_ = nullptr;
