@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
     if (name == "configuration") return run<ConfigurationTest>(arguments);
     if (name == "draw") return run<DrawTest>(arguments);
     if (name == "drive") return run<DriveTest>(arguments);
+    if (name == "gamepad") return run<GamepadTest>(arguments);
     if (name == "run") return run<RunTest>(arguments);
     if (name == "runs") return run<RunsTest>(arguments);
     if (name == "inspect") return run<InspectTest>(arguments);
@@ -51,7 +52,7 @@ int main(int argc, char** argv) {
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
-        "expected contact, drive, fit, source, configuration, random, run, runs, study, time, "
-        "view, inspect, keyboard, lessons, measure or words");
+        "expected contact, drive, fit, gamepad, source, configuration, random, run, runs, study, "
+        "time, view, inspect, keyboard, lessons, measure or words");
     return 2;
 }

@@ -119,6 +119,19 @@ class DriveTest : public QObject {
     void who_ends_while_a_log_is_written_has_it();
 };
 
+class GamepadTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init();
+    void its_stick_drives_the_robot();
+    void unplugged_it_lets_go();
+    void whoever_moved_last_drives();
+    void a_joystick_that_nobody_knows_drives_too();
+    void start_holds_the_clock();
+    void what_a_stick_drove_is_kept_to_the_last_bit();
+};
+
 class RunTest : public QObject {
     Q_OBJECT
 

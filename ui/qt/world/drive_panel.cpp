@@ -34,7 +34,8 @@ DrivePanel::DrivePanel(Session& session, UserFiles& files, Prompts& prompts, Wor
       prompts_(prompts),
       view_(view),
       drive_(session, this),
-      logs_(this) {
+      logs_(this),
+      gamepad_(this) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     make_tools();
@@ -64,6 +65,10 @@ void DrivePanel::make_tools() {
         pace_->addItem(times == 1 ? tr("real pace") : tr("%1 times as fast").arg(times), times);
     }
     row->addWidget(pace_);
+    pad_ = new QLabel(this);
+    pad_->setObjectName("drive_gamepad");
+    pad_->hide();
+    row->addWidget(pad_);
     row->addStretch(1);
     log_ = new QPushButton(tr("Save a log…"), this);
     log_->setObjectName("drive_log");
@@ -116,7 +121,12 @@ void DrivePanel::connect_drive() {
         view_.set_snapshot(drive_.active() ? session_.snapshot() : nullptr);
         figures_->setText(figures());
     });
-    connect(&view_, &WorldView::held, &drive_, &LiveDrive::hold);
+    connect(&view_, &WorldView::held, this,
+            [this](double ahead, double left) { hold(Holder::keys, ahead, left); });
+    connect(&gamepad_, &Gamepad::held, this,
+            [this](double ahead, double left) { hold(Holder::gamepad, ahead, left); });
+    connect(&gamepad_, &Gamepad::start_pressed, rest_, &QToolButton::toggle);
+    connect(&gamepad_, &Gamepad::changed, this, &DrivePanel::show_gamepad);
     connect(&view_, &WorldView::goal_chosen, &drive_, [this](const QPointF& world) {
         drive_.set_goal(Point2{world.x(), world.y()});
     });
@@ -130,8 +140,25 @@ void DrivePanel::connect_drive() {
     });
 }
 
+/// Who lets go of what another one has taken over meanwhile changes nothing.
+void DrivePanel::hold(Holder holder, double ahead, double left) {
+    if (ahead == 0.0 && left == 0.0 && holder != holder_) return;
+    holder_ = holder;
+    drive_.hold(ahead, left);
+}
+
+void DrivePanel::show_gamepad() {
+    constexpr int kWidest = 220;  // pixels
+    const QString words = tr("Gamepad: %1").arg(gamepad_.name());
+    pad_->setVisible(!gamepad_.name().isEmpty());
+    pad_->setText(pad_->fontMetrics().elidedText(words, Qt::ElideRight, kWidest));
+    pad_->setToolTip(
+        tr("%1. The left stick or the cross drives the robot, Start holds the clock.").arg(words));
+}
+
 void DrivePanel::begin(const Configuracion& configuration) {
     drive_.begin(configuration);
+    holder_ = Holder::keys;
     const QSignalBlocker quiet(rest_);
     rest_->setChecked(false);
     view_.setFocus();
@@ -195,6 +222,7 @@ void DrivePanel::show_state() {
     disturb_->set_tour(drive_.tour());
     if (!drive_.active()) view_.set_snapshot(nullptr);
     setVisible(drive_.active());
+    gamepad_.listen(drive_.active());
     log_->setEnabled(drive_.active() && !logs_.busy());
     figures_->setText(figures());
 }

@@ -1,10 +1,11 @@
-// What one has at hand while a robot is driven: clock, pace, disturbances, figures, logs.
+// What one has at hand while a robot is driven: clock, pace, gamepad, disturbances, figures, logs.
 #pragma once
 
 #include <QWidget>
 
 #include "actions/prompts.hpp"
 #include "actions/user_files.hpp"
+#include "gamepad.hpp"
 #include "live_drive.hpp"
 #include "log_saver.hpp"
 
@@ -38,7 +39,10 @@ class DrivePanel final : public QWidget {
     void kept(QString path);
 
   private:
+    enum class Holder { keys, gamepad };
     void make_tools();
+    void show_gamepad();
+    void hold(Holder holder, double ahead, double left);
     void connect_drive();
     void keep();
     void save_log();
@@ -52,8 +56,11 @@ class DrivePanel final : public QWidget {
     WorldView& view_;
     LiveDrive drive_;
     LogSaver logs_;
+    Gamepad gamepad_;
+    Holder holder_ = Holder::keys;  ///< whose word was the last
     QComboBox* pace_ = nullptr;
     QToolButton* rest_ = nullptr;
+    QLabel* pad_ = nullptr;
     QPushButton* log_ = nullptr;
     QPushButton* keep_ = nullptr;
     DisturbBar* disturb_ = nullptr;
