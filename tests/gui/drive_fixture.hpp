@@ -16,7 +16,9 @@ struct DriveFixture : Fixture {
         drive().rest();
     }
 
-    ~DriveFixture() { drive().give_up(); }
+    ~DriveFixture() {
+        if (window) drive().give_up();
+    }
 
     static constexpr const char* kRoom =
         "# A room with a door.\n"

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <QToolButton>
 
 #include "drive_fixture.hpp"
@@ -168,6 +169,21 @@ void DriveTest::a_tour_that_is_given_up_is_rescued() {
     f.periods(10);
     f.session.set_configuration(Fixture::tour(10));
     QVERIFY(rescued.isEmpty());
+}
+
+void DriveTest::a_tour_that_ends_with_the_program_is_rescued() {
+    QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/driven");
+    const QStringList before = folder.entryList(QDir::Files);
+    DriveFixture f;
+    f.drive().hold(0.3, 0.0);
+    f.periods(70);
+    f.window.reset();
+    folder.refresh();
+    const QStringList after = folder.entryList(QDir::Files);
+    QCOMPARE(after.size(), before.size() + 1);
+    for (const QString& file : after) {
+        if (!before.contains(file)) QVERIFY(folder.remove(file));
+    }
 }
 
 void DriveTest::bad_worlds_leave_what_was_there() {

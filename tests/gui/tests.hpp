@@ -108,6 +108,7 @@ class DriveTest : public QObject {
     void parameters_change_on_the_way();
     void what_happens_is_kept_too();
     void a_tour_that_is_given_up_is_rescued();
+    void a_tour_that_ends_with_the_program_is_rescued();
     void bad_worlds_leave_what_was_there();
     void a_world_that_is_gone_loses_nothing();
     void a_drawing_that_is_elsewhere_loses_nothing();

@@ -49,6 +49,11 @@ DrivePanel::DrivePanel(Session& session, UserFiles& files, Prompts& prompts, Wor
     show_state();
 }
 
+/// A tour that ends with the window is still rescued; those who would hear of it are going too.
+DrivePanel::~DrivePanel() {
+    drive_.disconnect();
+}
+
 void DrivePanel::make_tools() {
     auto* row = new QHBoxLayout;
     row->setContentsMargins(0, 0, 0, 0);

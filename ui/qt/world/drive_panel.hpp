@@ -26,6 +26,7 @@ class DrivePanel final : public QWidget {
   public:
     DrivePanel(Session& session, UserFiles& files, Prompts& prompts, WorldView& view,
                QWidget* parent);
+    ~DrivePanel() override;
 
     LiveDrive& drive() { return drive_; }
     /// As LiveDrive::begin().
