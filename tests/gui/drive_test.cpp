@@ -56,6 +56,48 @@ void DriveTest::a_click_is_where_it_drives() {
     QVERIFY(!f.drive().goal());
 }
 
+void DriveTest::the_goal_is_dragged() {
+    DriveFixture f;
+    WorldView& view = f.world_window().view();
+    const QPoint from = view.rect().center();
+    const QPoint to = from + QPoint(40, -25);
+    // A press, two moves and a release, as a hand does it.
+    const auto drag = [&view](const QPoint& begin, const QPoint& end) {
+        QTest::mousePress(&view, Qt::LeftButton, {}, begin);
+        QTest::mouseMove(&view, (begin + end) / 2);
+        QTest::mouseMove(&view, end);
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, end);
+    };
+    const auto goal_is_at = [&](const QPoint& pixel) {
+        const QPointF there = view.world_at(pixel);
+        return f.drive().goal() &&
+               std::hypot(f.drive().goal()->x - there.x(), f.drive().goal()->y - there.y()) < 1e-9;
+    };
+    QTest::mouseClick(&view, Qt::LeftButton, {}, from);
+    const QPointF centre = view.camera().centre;
+    drag(from + QPoint(3, 2), to);
+    QVERIFY(goal_is_at(to));
+    QCOMPARE(view.camera().centre, centre);
+    f.periods(5);
+    QVERIFY(f.drive().goal());  // it is on its way there
+    // A click on it is a click, and elsewhere the view is dragged.
+    QTest::mouseClick(&view, Qt::LeftButton, {}, to);
+    QVERIFY(goal_is_at(to));
+    const Point2 goal = *f.drive().goal();
+    drag(to + QPoint(30, 30), to + QPoint(60, 30));
+    QVERIFY(f.drive().goal()->x == goal.x && f.drive().goal()->y == goal.y);
+    QVERIFY(view.camera().centre != centre);
+    // Where it has arrived meanwhile, it is led on.
+    view.fit();
+    const QPoint middle = view.rect().center();
+    QTest::mouseClick(&view, Qt::LeftButton, {}, middle);
+    QTest::mousePress(&view, Qt::LeftButton, {}, middle);
+    f.drive().set_goal(std::nullopt);
+    QTest::mouseMove(&view, middle + QPoint(20, 0));
+    QVERIFY(goal_is_at(middle + QPoint(20, 0)));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(20, 0));
+}
+
 void DriveTest::what_is_kept_is_the_same_run() {
     DriveFixture f;
     f.drive().hold(1.0, 0.2);

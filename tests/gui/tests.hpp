@@ -103,6 +103,7 @@ class DriveTest : public QObject {
   private slots:
     void keys_drive_the_robot_and_the_run_follows();
     void a_click_is_where_it_drives();
+    void the_goal_is_dragged();
     void what_is_kept_is_the_same_run();
     void the_run_may_stand_still_or_go_back_meanwhile();
     void parameters_change_on_the_way();

@@ -131,6 +131,16 @@ void WorldView::click(const QPointF& point) {
     if (tour_) emit goal_chosen(point);
 }
 
+/// The goal.
+bool WorldView::pick_up(const QPointF& point) {
+    return tour_ && goal_ &&
+           std::hypot(point.x() - goal_->x, point.y() - goal_->y) <= tolerance_m();
+}
+
+void WorldView::drag(const QPointF& point) {
+    if (tour_) emit goal_chosen(point);
+}
+
 void WorldView::paint_scene(QPainter& painter, const Scene& scene) const {
     draw_metre_grid(painter, scene);
     if (tour_) {

@@ -11,7 +11,8 @@
 namespace hitos::window {
 
 /// In the world's frame: the world as it is drawn, or the robot that is driven through it. While
-/// one is, the arrow keys and W, A, S, D drive it, and a click is where it is to go.
+/// one is, the arrow keys and W, A, S, D drive it, and a click is where it is to go,
+/// which the mouse can drag elsewhere.
 class WorldView final : public CanvasView {
     Q_OBJECT
 
@@ -42,6 +43,8 @@ class WorldView final : public CanvasView {
     QRectF content() const override;
     std::optional<ICaracteristica> landmark_below(const QPointF& point) const override;
     void click(const QPointF& point) override;
+    bool pick_up(const QPointF& point) override;
+    void drag(const QPointF& point) override;
     QString empty_text() const override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
