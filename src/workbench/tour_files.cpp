@@ -9,7 +9,7 @@
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/simulation/reference_map.hpp"
 #include "hitos/simulation/simulated_tour_reader.hpp"
-#include "hitos/workbench/tour_picture.hpp"
+#include "tour_picture.hpp"
 
 namespace hitos {
 

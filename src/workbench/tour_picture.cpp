@@ -1,4 +1,4 @@
-#include "hitos/workbench/tour_picture.hpp"
+#include "tour_picture.hpp"
 
 #include <fmt/format.h>
 

@@ -345,7 +345,7 @@ void DrawTest::drawings_maps_and_pictures_are_opened() {
         QTRY_VERIFY(!dialog.isVisible());
     });
     QVERIFY(f.world().world_files().open(f.path("room.png")));
-    QVERIFY2(f.said().contains("4 wall(s) found") && f.said().contains("tolerance"),
+    QVERIFY2(f.said().contains("Walls found: 4") && f.said().contains("tolerance"),
              qPrintable(f.said()));
     QCOMPARE(f.text().world().walls.size(), std::size_t{4});
     QVERIFY(f.world().draft().file().isEmpty());  // it is a new world

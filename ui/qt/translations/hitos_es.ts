@@ -255,6 +255,81 @@
     </message>
 </context>
 <context>
+    <name>DrawBar</name>
+    <message>
+        <source>Select</source>
+        <translation>Elegir</translation>
+    </message>
+    <message>
+        <source>Click what is to be changed; a double click takes the whole of it. Drag it, move it by Ctrl and the arrow keys, type its numbers, or delete it.</source>
+        <translation>Pulse lo que quiera cambiar; un doble clic lo toma entero. Arrástrelo, muévalo con Ctrl y las flechas, escriba sus números o bórrelo.</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Pared</translation>
+    </message>
+    <message>
+        <source>Click point after point; a double click or Escape ends the wall, a click on its beginning closes it. Type a length, Tab, a direction, Return.</source>
+        <translation>Pulse punto tras punto; un doble clic o Escape termina la pared, un clic en su principio la cierra. Escriba una longitud, Tab, una dirección, Intro.</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Sala</translation>
+    </message>
+    <message>
+        <source>Click two opposite corners.</source>
+        <translation>Pulse dos esquinas opuestas.</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Puerta</translation>
+    </message>
+    <message>
+        <source>Click both sides of the door on a wall, which gets a gap there.</source>
+        <translation>Pulse los dos lados de la puerta sobre una pared, que se abre ahí.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>Click the middle of the box.</source>
+        <translation>Pulse el centro de la caja.</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Persona</translation>
+    </message>
+    <message>
+        <source>Click the way point after point; a double click or Escape ends it, a click on its beginning makes it a round.</source>
+        <translation>Pulse su camino punto tras punto; un doble clic o Escape lo termina, un clic en su principio lo hace una ronda.</translation>
+    </message>
+    <message>
+        <source>Way points</source>
+        <translation>Puntos de paso</translation>
+    </message>
+    <message>
+        <source>Click where the tour is to lead next.</source>
+        <translation>Pulse adonde debe seguir el recorrido.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Salida</translation>
+    </message>
+    <message>
+        <source>Click where the robot starts, then where it looks; Escape leaves its heading as it is.</source>
+        <translation>Pulse donde sale el robot y después hacia donde mira; Escape deja su orientación como está.</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Click two points.</source>
+        <translation>Pulse dos puntos.</translation>
+    </message>
+</context>
+<context>
     <name>Errors</name>
     <message>
         <source>line %1: %2</source>
@@ -2103,17 +2178,6 @@
     </message>
 </context>
 <context>
-    <name>OdometryNoise</name>
-    <message>
-        <source>σ = level · speed</source>
-        <translation>σ = nivel · velocidad</translation>
-    </message>
-    <message>
-        <source>σ² = level · speed</source>
-        <translation>σ² = nivel · velocidad</translation>
-    </message>
-</context>
-<context>
     <name>Parameter</name>
     <message>
         <source>Readings at or beyond this range are no points, so a higher value keeps more far readings; 0 takes what the log says.</source>
@@ -2487,6 +2551,122 @@
         <source>What becomes of scans before the first odometry reading: they are used as if the robot had stood still until then, or left out. Both are counted.</source>
         <translation>Qué se hace con los barridos anteriores a la primera lectura de odometría: usarlos como si el robot hubiera estado parado hasta ella u omitirlos. En ambos casos se cuentan.</translation>
     </message>
+    <message>
+        <source>seed of the laser&apos;s and the odometry&apos;s noise; 0: that of the run</source>
+        <translation>semilla del ruido del láser y de la odometría; 0: la de la ejecución</translation>
+    </message>
+    <message>
+        <source>how often the way points are driven, end to end</source>
+        <translation>cuántas veces se recorren los puntos de paso, de principio a fin</translation>
+    </message>
+    <message>
+        <source>time at rest before the robot leaves</source>
+        <translation>tiempo en reposo antes de que el robot salga</translation>
+    </message>
+    <message>
+        <source>turn once round on the spot before leaving</source>
+        <translation>dar una vuelta sobre sí mismo antes de salir</translation>
+    </message>
+    <message>
+        <source>the way points backwards, the last one still last</source>
+        <translation>los puntos de paso al revés, el último sigue siendo el último</translation>
+    </message>
+    <message>
+        <source>no wall may come nearer to the robot&apos;s centre</source>
+        <translation>ninguna pared puede acercarse más al centro del robot</translation>
+    </message>
+    <message>
+        <source>greatest speed</source>
+        <translation>velocidad máxima</translation>
+    </message>
+    <message>
+        <source>greatest change of speed</source>
+        <translation>cambio máximo de la velocidad</translation>
+    </message>
+    <message>
+        <source>greatest turn rate</source>
+        <translation>velocidad de giro máxima</translation>
+    </message>
+    <message>
+        <source>greatest change of the turn rate</source>
+        <translation>cambio máximo de la velocidad de giro</translation>
+    </message>
+    <message>
+        <source>every way point is passed at least this near</source>
+        <translation>se pasa al menos así de cerca de cada punto de paso</translation>
+    </message>
+    <message>
+        <source>how often the robot&apos;s velocities are set anew</source>
+        <translation>con qué frecuencia se fijan de nuevo las velocidades del robot</translation>
+    </message>
+    <message>
+        <source>between the wheels; of a robot whose wheel slips</source>
+        <translation>entre las ruedas; de un robot al que le patina una rueda</translation>
+    </message>
+    <message>
+        <source>rays of a scan</source>
+        <translation>rayos de un barrido</translation>
+    </message>
+    <message>
+        <source>from the first ray to the last</source>
+        <translation>del primer rayo al último</translation>
+    </message>
+    <message>
+        <source>walls further away give no reading</source>
+        <translation>las paredes más lejanas no dan lectura</translation>
+    </message>
+    <message>
+        <source>standard deviation of a range</source>
+        <translation>desviación típica de una distancia</translation>
+    </message>
+    <message>
+        <source>scans per second</source>
+        <translation>barridos por segundo</translation>
+    </message>
+    <message>
+        <source>the laser&apos;s place, ahead of the robot&apos;s centre</source>
+        <translation>lugar del láser, delante del centro del robot</translation>
+    </message>
+    <message>
+        <source>the laser&apos;s place, left of the robot&apos;s centre</source>
+        <translation>lugar del láser, a la izquierda del centro del robot</translation>
+    </message>
+    <message>
+        <source>the laser&apos;s heading, left of the robot&apos;s</source>
+        <translation>orientación del láser, a la izquierda de la del robot</translation>
+    </message>
+    <message>
+        <source>what a ray gives that meets no wall: nothing, or a point at max_range</source>
+        <translation>qué da un rayo que no encuentra pared: nada, o un punto a max_range</translation>
+    </message>
+    <message>
+        <source>cells in which the laser sees the walls; 0: none</source>
+        <translation>celdas en las que el láser ve las paredes; 0: ninguna</translation>
+    </message>
+    <message>
+        <source>how thick the walls are drawn into the cells</source>
+        <translation>con qué grosor se dibujan las paredes en las celdas</translation>
+    </message>
+    <message>
+        <source>shrink the drawing until the thick walls end at the outermost lines</source>
+        <translation>encoger el dibujo hasta que las paredes gruesas acaben en las líneas exteriores</translation>
+    </message>
+    <message>
+        <source>to the edge of the cell that is hit, or in whole cells as Stage counts</source>
+        <translation>hasta el borde de la celda alcanzada, o en celdas enteras como cuenta Stage</translation>
+    </message>
+    <message>
+        <source>odometry readings per second</source>
+        <translation>lecturas de odometría por segundo</translation>
+    </message>
+    <message>
+        <source>level of the noise on v and w of each reading</source>
+        <translation>nivel del ruido en v y w de cada lectura</translation>
+    </message>
+    <message>
+        <source>sigma = level |v|, or variance = level |v|</source>
+        <translation>sigma = nivel |v|, o varianza = nivel |v|</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -2697,6 +2877,38 @@
     <message>
         <source>Leave out</source>
         <translation>Omitir</translation>
+    </message>
+    <message>
+        <source>σ = level · speed</source>
+        <translation>σ = nivel · velocidad</translation>
+    </message>
+    <message>
+        <source>σ² = level · speed</source>
+        <translation>σ² = nivel · velocidad</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no point</source>
+        <translation>ningún punto</translation>
+    </message>
+    <message>
+        <source>greatest range</source>
+        <translation>alcance máximo</translation>
+    </message>
+    <message>
+        <source>to the edge</source>
+        <translation>hasta el borde</translation>
+    </message>
+    <message>
+        <source>in whole cells</source>
+        <translation>en celdas enteras</translation>
     </message>
 </context>
 <context>
@@ -3096,6 +3308,114 @@
         <source>Scans before the odometry</source>
         <translation>Barridos antes de la odometría</translation>
     </message>
+    <message>
+        <source>Seed of the noise</source>
+        <translation>Semilla del ruido</translation>
+    </message>
+    <message>
+        <source>Laps</source>
+        <translation>Vueltas</translation>
+    </message>
+    <message>
+        <source>Rest at first</source>
+        <translation>Reposo inicial</translation>
+    </message>
+    <message>
+        <source>Look around first</source>
+        <translation>Mirar alrededor antes</translation>
+    </message>
+    <message>
+        <source>Backwards</source>
+        <translation>Al revés</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>Greatest speed</source>
+        <translation>Velocidad máxima</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>Greatest turn rate</source>
+        <translation>Giro máximo</translation>
+    </message>
+    <message>
+        <source>Turn acceleration</source>
+        <translation>Aceleración del giro</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>Control rate</source>
+        <translation>Frecuencia de control</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Ancho de vía</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Rayos</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Campo de visión</translation>
+    </message>
+    <message>
+        <source>Greatest range</source>
+        <translation>Alcance máximo</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>Barridos</translation>
+    </message>
+    <message>
+        <source>Mounted ahead</source>
+        <translation>Montado delante</translation>
+    </message>
+    <message>
+        <source>Mounted left</source>
+        <translation>Montado a la izquierda</translation>
+    </message>
+    <message>
+        <source>Mounted turned</source>
+        <translation>Montado girado</translation>
+    </message>
+    <message>
+        <source>No return</source>
+        <translation>Sin eco</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Celda</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Pared</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Distancias</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Lecturas</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Ruido</translation>
+    </message>
+    <message>
+        <source>Kind of noise</source>
+        <translation>Tipo de ruido</translation>
+    </message>
 </context>
 <context>
     <name>Picture</name>
@@ -3229,6 +3549,68 @@
     <message>
         <source>Damaged messages and records of %1</source>
         <translation>Mensajes y partes dañados de %1</translation>
+    </message>
+</context>
+<context>
+    <name>WorldForm</name>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Ruido</translation>
+    </message>
+    <message>
+        <source>Laser</source>
+        <translation>Láser</translation>
+    </message>
+    <message>
+        <source>Odometry</source>
+        <translation>Odometría</translation>
+    </message>
+    <message>
+        <source>Raster of the walls</source>
+        <translation>Cuadrícula de las paredes</translation>
+    </message>
+</context>
+<context>
+    <name>WorldItem</name>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>side</source>
+        <translation>lado</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>longitud</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>dirección</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>orientación</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>radio</translation>
     </message>
 </context>
 <context>
@@ -3444,6 +3826,13 @@
     <message>
         <source>Copy picture</source>
         <translation>Copiar imagen</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::CheckLine</name>
+    <message>
+        <source>Nothing is drawn yet.</source>
+        <translation>Todavía no hay nada dibujado.</translation>
     </message>
 </context>
 <context>
@@ -3678,6 +4067,135 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::DrawBar</name>
+    <message>
+        <source>Grid</source>
+        <translation>Cuadrícula</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Points are drawn on multiples of it, unless ends, walls or right angles are nearer; with Shift a point is where the cursor is</source>
+        <translation>Los puntos se dibujan en sus múltiplos, salvo que haya más cerca extremos, paredes o ángulos rectos; con Mayús un punto está donde el cursor</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::DrawTool</name>
+    <message>
+        <source>%1 × %2 m</source>
+        <translation>%1 × %2 m</translation>
+    </message>
+    <message>
+        <source>%1 m, %2°</source>
+        <translation>%1 m, %2°</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::DrivePanel</name>
+    <message>
+        <source>Hold the clock</source>
+        <translation>Parar el reloj</translation>
+    </message>
+    <message>
+        <source>The world stands still until you let the clock go on</source>
+        <translation>El mundo queda quieto hasta que deje seguir el reloj</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>Ritmo</translation>
+    </message>
+    <message>
+        <source>real pace</source>
+        <translation>ritmo real</translation>
+    </message>
+    <message>
+        <source>%1 times as fast</source>
+        <translation>%1 veces más rápido</translation>
+    </message>
+    <message>
+        <source>Save a log…</source>
+        <translation>Guardar un registro…</translation>
+    </message>
+    <message>
+        <source>Writes what has been driven so far as a log, and the true path beside it; the tour goes on</source>
+        <translation>Escribe lo conducido hasta ahora como registro, y a su lado la trayectoria verdadera; el recorrido sigue</translation>
+    </message>
+    <message>
+        <source>End and keep the tour…</source>
+        <translation>Terminar y guardar el recorrido…</translation>
+    </message>
+    <message>
+        <source>Writes a world file that repeats the tour to the last bit, and maps it to its end</source>
+        <translation>Escribe un archivo de mundo que repite el recorrido hasta el último bit, y lo procesa hasta el final</translation>
+    </message>
+    <message>
+        <source>The robot cannot be driven on</source>
+        <translation>No se puede seguir conduciendo el robot</translation>
+    </message>
+    <message>
+        <source>The driven tour was kept as %1</source>
+        <translation>El recorrido conducido se ha guardado como %1</translation>
+    </message>
+    <message>
+        <source>The log is written: %1, and the true path beside it</source>
+        <translation>El registro está escrito: %1, y a su lado la trayectoria verdadera</translation>
+    </message>
+    <message>
+        <source>The log was not written</source>
+        <translation>No se ha escrito el registro</translation>
+    </message>
+    <message>
+        <source>That cannot happen here</source>
+        <translation>Eso no puede ocurrir aquí</translation>
+    </message>
+    <message>
+        <source>Gamepad: %1</source>
+        <translation>Mando: %1</translation>
+    </message>
+    <message>
+        <source>%1. The left stick or the cross drives the robot, Start holds the clock.</source>
+        <translation>%1. La palanca izquierda o la cruceta conducen el robot; Start para el reloj.</translation>
+    </message>
+    <message>
+        <source>Keep the tour as a world</source>
+        <translation>Guardar el recorrido como mundo</translation>
+    </message>
+    <message>
+        <source>Worlds (*.toml)</source>
+        <translation>Mundos (*.toml)</translation>
+    </message>
+    <message>
+        <source>The tour is kept as %1</source>
+        <translation>El recorrido se ha guardado como %1</translation>
+    </message>
+    <message>
+        <source>Save a log; the true path goes beside it as NAME.truth.tum</source>
+        <translation>Guardar un registro; la trayectoria verdadera queda a su lado como NOMBRE.truth.tum</translation>
+    </message>
+    <message>
+        <source>%1 s, %2 m/s, %3 °/s</source>
+        <translation>%1 s, %2 m/s, %3 °/s</translation>
+    </message>
+    <message>
+        <source>The arrow keys or W, A, S, D drive the robot; a click is where it drives by itself. Line and dots are what the filter believes.</source>
+        <translation>Las flechas o W, A, S, D conducen el robot; un clic es adonde va él solo. La línea y los puntos son lo que cree el filtro.</translation>
+    </message>
+    <message>
+        <source>; scan %1: the estimate is off by %2 m and %3°</source>
+        <translation>; barrido %1: la estimación se desvía %2 m y %3°</translation>
+    </message>
+    <message>
+        <source>, NEES %1 (%2 to %3 where it is as sure as it may be)</source>
+        <translation>, NEES %1 (de %2 a %3 si está tan seguro como puede estarlo)</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::FeatureModel</name>
     <message>
         <source>No.</source>
@@ -3708,6 +4226,13 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::Gamepad</name>
+    <message>
+        <source>without a name</source>
+        <translation>sin nombre</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::GridView</name>
     <message>
         <source>The map grows here, step by step, from where the robot is believed to be.</source>
@@ -3723,6 +4248,61 @@
     <message>
         <source>Use “%1”</source>
         <translation>Usar «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ImportDialog</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Walls of %1</source>
+        <translation>Paredes de %1</translation>
+    </message>
+    <message>
+        <source>How long a side of a pixel is. The YAML file of map_server beside a picture says it: open that one instead, if there is one.</source>
+        <translation>Cuánto mide el lado de un píxel. Lo dice el archivo YAML de map_server que acompaña a una imagen: si lo hay, abra ese en su lugar.</translation>
+    </message>
+    <message>
+        <source>A pixel</source>
+        <translation>Un píxel</translation>
+    </message>
+    <message>
+        <source>0.05 m</source>
+        <translation>0.05 m</translation>
+    </message>
+    <message>
+        <source>two pixels</source>
+        <translation>dos píxeles</translation>
+    </message>
+    <message>
+        <source>How far a corner may lie from a line to be on it</source>
+        <translation>A qué distancia de una línea puede estar una esquina para pertenecer a ella</translation>
+    </message>
+    <message>
+        <source>How far a wall may lie from the middle of what is drawn; more gives fewer and straighter walls</source>
+        <translation>A qué distancia puede estar una pared del medio de lo dibujado; más da menos paredes y más rectas</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>Find the walls</source>
+        <translation>Buscar las paredes</translation>
+    </message>
+    <message>
+        <source>Looking for walls…</source>
+        <translation>Buscando paredes…</translation>
+    </message>
+    <message>
+        <source>; lines without two corners left out: %1</source>
+        <translation>; líneas sin dos esquinas, omitidas: %1</translation>
+    </message>
+    <message>
+        <source>Walls found: %1, tolerance %2</source>
+        <translation>Paredes encontradas: %1, tolerancia %2</translation>
     </message>
 </context>
 <context>
@@ -4328,16 +4908,16 @@
         <translation>Escribir la ejecución como imágenes, una tras otra, y como película</translation>
     </message>
     <message>
-        <source>Drive a robot…</source>
-        <translation>Conducir un robot…</translation>
+        <source>World workshop…</source>
+        <translation>Taller de mundos…</translation>
     </message>
     <message>
-        <source>Drive a simulated robot through a world and see it mapped (Ctrl+D)</source>
-        <translation>Conducir un robot simulado por un mundo y ver cómo se hace el mapa (Ctrl+D)</translation>
+        <source>Draw a world, drive a robot through it and see it mapped (Ctrl+D)</source>
+        <translation>Dibujar un mundo, conducir un robot por él y verlo en el mapa (Ctrl+D)</translation>
     </message>
     <message>
-        <source>drive a robot through a world</source>
-        <translation>conducir un robot por un mundo</translation>
+        <source>draw a world, drive a robot through it</source>
+        <translation>dibujar un mundo, conducir un robot por él</translation>
     </message>
 </context>
 <context>
@@ -5516,10 +6096,91 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::WorldDraft</name>
+    <message>
+        <source>untitled</source>
+        <translation>sin nombre</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::WorldFiles</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nuevo</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Abrir…</translation>
+    </message>
+    <message>
+        <source>&amp;Worlds that come with Hitos</source>
+        <translation>&amp;Mundos que vienen con Hitos</translation>
+    </message>
+    <message>
+        <source>The world cannot be opened</source>
+        <translation>No se puede abrir el mundo</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Guardar &amp;como…</translation>
+    </message>
+    <message>
+        <source>The world is not saved</source>
+        <translation>El mundo no está guardado</translation>
+    </message>
+    <message>
+        <source>Give up what was drawn in %1?</source>
+        <translation>¿Abandonar lo dibujado en %1?</translation>
+    </message>
+    <message>
+        <source>It will be lost.</source>
+        <translation>Se perderá.</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>Abandonar</translation>
+    </message>
+    <message>
+        <source>World, drawing, map, picture or segments to open</source>
+        <translation>Mundo, dibujo, mapa, imagen o segmentos que abrir</translation>
+    </message>
+    <message>
+        <source>All of them (*.toml *.dxf *.map *.txt *.yaml *.yml *.png *.pgm *.jpg *.bmp);;Worlds (*.toml);;Drawings (*.dxf);;Maps and segments (*.map *.txt);;Occupancy pictures (*.yaml *.yml *.png *.pgm *.jpg *.jpeg *.bmp);;All files (*)</source>
+        <translation>Todos ellos (*.toml *.dxf *.map *.txt *.yaml *.yml *.png *.pgm *.jpg *.bmp);;Mundos (*.toml);;Dibujos (*.dxf);;Mapas y segmentos (*.map *.txt);;Imágenes de ocupación (*.yaml *.yml *.png *.pgm *.jpg *.jpeg *.bmp);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Save the world</source>
+        <translation>Guardar el mundo</translation>
+    </message>
+    <message>
+        <source>Worlds (*.toml)</source>
+        <translation>Mundos (*.toml)</translation>
+    </message>
+    <message>
+        <source>The world is saved as %1</source>
+        <translation>El mundo se ha guardado como %1</translation>
+    </message>
+    <message>
+        <source>Walls found: %1</source>
+        <translation>Paredes encontradas: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::WorldForm</name>
+    <message>
+        <source>Robot, laser, odometry</source>
+        <translation>Robot, láser, odometría</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::WorldView</name>
     <message>
-        <source>Choose a world to drive a robot through.</source>
-        <translation>Elija un mundo por el que conducir un robot.</translation>
+        <source>Draw a world, or open one, and drive a robot through it.</source>
+        <translation>Dibuje un mundo, o abra uno, y conduzca un robot por él.</translation>
     </message>
 </context>
 <context>
@@ -5533,92 +6194,52 @@
         <translation>Mundo</translation>
     </message>
     <message>
-        <source>Choose a world…</source>
-        <translation>Elegir un mundo…</translation>
-    </message>
-    <message>
-        <source>Another file…</source>
-        <translation>Otro archivo…</translation>
-    </message>
-    <message>
-        <source>Hold the clock</source>
-        <translation>Parar el reloj</translation>
-    </message>
-    <message>
-        <source>The world stands still until you let the clock go on</source>
-        <translation>El mundo queda quieto hasta que deje seguir el reloj</translation>
-    </message>
-    <message>
-        <source>Pace</source>
-        <translation>Ritmo</translation>
-    </message>
-    <message>
-        <source>real pace</source>
-        <translation>ritmo real</translation>
-    </message>
-    <message>
-        <source>%1 times as fast</source>
-        <translation>%1 veces más rápido</translation>
-    </message>
-    <message>
-        <source>End and keep the tour…</source>
-        <translation>Terminar y guardar el recorrido…</translation>
-    </message>
-    <message>
-        <source>Writes a world file that repeats the tour to the last bit, and maps it to its end</source>
-        <translation>Escribe un archivo de mundo que repite el recorrido hasta el último bit, y lo procesa hasta el final</translation>
-    </message>
-    <message>
-        <source>The robot cannot be driven on</source>
-        <translation>No se puede seguir conduciendo el robot</translation>
-    </message>
-    <message>
-        <source>The driven tour was kept as %1</source>
-        <translation>El recorrido conducido se ha guardado como %1</translation>
-    </message>
-    <message>
-        <source>That cannot happen here</source>
-        <translation>Eso no puede ocurrir aquí</translation>
-    </message>
-    <message>
-        <source>World to drive through</source>
-        <translation>Mundo por el que conducir</translation>
-    </message>
-    <message>
-        <source>Worlds (*.toml);;All files (*)</source>
-        <translation>Mundos (*.toml);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>The world cannot be opened</source>
         <translation>No se puede abrir el mundo</translation>
     </message>
     <message>
-        <source>Keep the tour as a world</source>
-        <translation>Guardar el recorrido como mundo</translation>
+        <source>&amp;Robot, laser, odometry…</source>
+        <translation>&amp;Robot, láser, odometría…</translation>
     </message>
     <message>
-        <source>Worlds (*.toml)</source>
-        <translation>Mundos (*.toml)</translation>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
     </message>
     <message>
-        <source>The tour is kept as %1</source>
-        <translation>El recorrido se ha guardado como %1</translation>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
     </message>
     <message>
-        <source>The arrow keys or W, A, S, D drive the robot; a click is where it drives by itself. Line and dots are what the filter believes.</source>
-        <translation>Las flechas o W, A, S, D conducen el robot; un clic es adonde va él solo. La línea y los puntos son lo que cree el filtro.</translation>
+        <source>Run its tour</source>
+        <translation>Ejecutar su recorrido</translation>
     </message>
     <message>
-        <source>%1 s, %2 m/s, %3 °/s</source>
-        <translation>%1 s, %2 m/s, %3 °/s</translation>
+        <source>Maps the tour along the way points in the main window</source>
+        <translation>Procesa el recorrido por los puntos de paso en la ventana principal</translation>
     </message>
     <message>
-        <source>; scan %1: the estimate is off by %2 m and %3°</source>
-        <translation>; barrido %1: la estimación se desvía %2 m y %3°</translation>
+        <source>That cannot be drawn</source>
+        <translation>Eso no se puede dibujar</translation>
     </message>
     <message>
-        <source>, NEES %1 (%2 to %3 where it is as sure as it may be)</source>
-        <translation>, NEES %1 (de %2 a %3 si está tan seguro como puede estarlo)</translation>
+        <source>Back to drawing</source>
+        <translation>Volver a dibujar</translation>
+    </message>
+    <message>
+        <source>Ends the tour; of five seconds or more a copy is kept</source>
+        <translation>Termina el recorrido; si dura cinco segundos o más se guarda una copia</translation>
+    </message>
+    <message>
+        <source>Puts the robot at the start, to be driven by hand</source>
+        <translation>Pone el robot en la salida, para conducirlo a mano</translation>
+    </message>
+    <message>
+        <source>%1 – World workshop</source>
+        <translation>%1 – Taller de mundos</translation>
+    </message>
+    <message>
+        <source>The world cannot be driven through</source>
+        <translation>No se puede conducir por el mundo</translation>
     </message>
 </context>
 </TS>

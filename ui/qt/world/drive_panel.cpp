@@ -187,8 +187,8 @@ void DrivePanel::keep() {
     }
     files_.note_folder("log", path);
     files_.note_recent(path);
-    emit notice(tr("The tour is kept as %1").arg(path));
     emit kept(path);
+    emit notice(tr("The tour is kept as %1").arg(path));
 }
 
 /// The world stands still while the user answers.

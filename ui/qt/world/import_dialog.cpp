@@ -94,12 +94,11 @@ void ImportDialog::finish(const std::optional<WorldText>& world, std::size_t lef
         return;
     }
     world_ = world;
-    words_ =
-        tr("%n wall(s) found, tolerance %1", nullptr, static_cast<int>(world->world().walls.size()))
-            .arg(tolerance_->text());
+    words_ = tr("Walls found: %1, tolerance %2")
+                 .arg(world->world().walls.size())
+                 .arg(tolerance_->text());
     if (left_out > 0) {
-        words_ +=
-            tr("; %n line(s) without two corners left out", nullptr, static_cast<int>(left_out));
+        words_ += tr("; lines without two corners left out: %1").arg(left_out);
     }
     QDialog::accept();
 }

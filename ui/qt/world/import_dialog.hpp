@@ -23,7 +23,7 @@ class ImportDialog final : public QDialog {
     ~ImportDialog() override;
 
     const std::optional<WorldText>& world() const { return world_; }
-    /// "34 walls within 0.10 m of the picture"
+    /// "Walls found: 34, tolerance two pixels"
     const QString& words() const { return words_; }
 
     void accept() override;

@@ -103,7 +103,7 @@ bool WorldFiles::import(const QString& path) {
     const WallSource kind = wall_source(path.toStdString());
     if (kind == WallSource::drawing || kind == WallSource::segments) {
         draft_.open(import_world(path.toStdString(), {}, {}), {});
-        emit notice(tr("%n wall(s) found", nullptr, static_cast<int>(draft_.world().walls.size())));
+        emit notice(tr("Walls found: %1").arg(draft_.world().walls.size()));
         return true;
     }
     ImportDialog dialog(path, kind, window_);

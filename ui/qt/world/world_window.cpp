@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/screen_fit.hpp"
 #include "app/session.hpp"
@@ -81,18 +82,18 @@ QWidget* WorldWindow::make_tools() {
     };
     QToolButton* worlds = add_button(tr("World"), "world_menu_button");
     worlds->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(worlds);
-    menu->setObjectName("world_menu");
-    files_of_worlds_.fill(*menu);
-    menu->addSeparator();
-    QAction* values = menu->addAction(tr("&Robot, laser, odometry…"), this, [this] {
+    menu_ = new QMenu(worlds);
+    menu_->setObjectName("world_menu");
+    files_of_worlds_.fill(*menu_);
+    menu_->addSeparator();
+    QAction* values = menu_->addAction(tr("&Robot, laser, odometry…"), this, [this] {
         WorldForm form(draft_.world(), this);
         if (form.exec() == QDialog::Accepted) {
             draft_.change([&](WorldText& text) { text.set(form.world()); });
         }
     });
     values->setObjectName("world_values");
-    worlds->setMenu(menu);
+    worlds->setMenu(menu_);
     undo_ = new QAction(tr("Undo"), this);
     redo_ = new QAction(tr("Redo"), this);
     add_button({}, "world_undo_button")->setDefaultAction(undo_);
@@ -136,7 +137,6 @@ void WorldWindow::connect_draft() {
     connect(&files_of_worlds_, &WorldFiles::notice, this, &WorldWindow::say);
     connect(&files_of_worlds_, &WorldFiles::asked_for, &tool_, &DrawTool::finish);
     connect(&draft_, &WorldDraft::opened, this, [this] {
-        if (drive().active()) drive().leave();
         view_->set_world(std::make_shared<const World>(draft_.world()));
         view_->forget_place();
     });
@@ -159,6 +159,7 @@ void WorldWindow::show_state() {
     tool_.set_active(!drives);
     bar_->setVisible(!drives);
     check_->setVisible(!drives);
+    for (QAction* action : menu_->actions()) action->setEnabled(!drives);
     undo_->setEnabled(!drives && (draft_.can_undo() || !tool_.pending().empty()));
     redo_->setEnabled(!drives && draft_.can_redo());
     run_->setEnabled(!drives && !draft_.world().walls.empty());
@@ -171,11 +172,26 @@ void WorldWindow::show_state() {
 }
 
 void WorldWindow::drive_through(const QString& path) {
-    if (files_of_worlds_.open(path)) drive_through_drawn();
+    // What cannot be driven through leaves what was there, a driven tour too.
+    if (!files_of_worlds_.may_discard()) return;
+    try {
+        WorldText text = WorldText::read(path.toStdString());
+        if (begin_driving(path)) draft_.open(std::move(text), path);
+    } catch (const std::exception& error) {
+        prompts_.warn(this, tr("The world cannot be opened"), words_of(error));
+    }
 }
 
 void WorldWindow::drive_through_drawn() {
-    if (!guard_.may_discard()) return;
+    try {
+        begin_driving(files_of_worlds_.file_as_drawn());
+    } catch (const std::exception& error) {
+        prompts_.warn(this, tr("The world cannot be driven through"), words_of(error));
+    }
+}
+
+bool WorldWindow::begin_driving(const QString& path) {
+    if (!guard_.may_discard()) return false;
     try {
         Configuracion configuration = session_.configuration();
         // What suits a log suits no world, and nothing was chosen for worlds yet.
@@ -183,10 +199,12 @@ void WorldWindow::drive_through_drawn() {
             configuration = preset_configuration(kWorldPreset);
         }
         configuration.source = {};
-        configuration.source.file = files_of_worlds_.file_as_drawn().toStdString();
+        configuration.source.file = path.toStdString();
         panel_->begin(configuration);
+        return true;
     } catch (const std::exception& error) {
         prompts_.warn(this, tr("The world cannot be driven through"), words_of(error));
+        return false;
     }
 }
 

@@ -13,6 +13,7 @@
 
 class QAction;
 class QLabel;
+class QMenu;
 class QPushButton;
 
 namespace hitos::window {
@@ -61,6 +62,7 @@ class WorldWindow final : public QDialog {
     void connect_draft();
     void show_draft();
     void show_state();
+    bool begin_driving(const QString& path);
     void go_on_with(const QString& path);
     void say(const QString& words);
 
@@ -70,6 +72,7 @@ class WorldWindow final : public QDialog {
     WorldDraft draft_;
     DrawTool tool_;
     WorldFiles files_of_worlds_;
+    QMenu* menu_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     QPushButton* run_ = nullptr;
