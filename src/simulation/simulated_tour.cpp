@@ -1,5 +1,6 @@
 #include "hitos/simulation/simulated_tour.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -85,6 +86,19 @@ void SimulatedTour::end() {
 bool SimulatedTour::is_live() const {
     const std::lock_guard lock(mutex_);
     return live_;
+}
+
+std::vector<Disturbance> SimulatedTour::disturbances() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<Disturbance> all = world_.tour.events;
+    all.insert(all.end(), events_.begin(), events_.end());
+    return all;
+}
+
+std::uint64_t SimulatedTour::scan_from(double at_s) const {
+    constexpr double kRounding = 1e-9;
+    return static_cast<std::uint64_t>(
+        std::max(0.0, std::ceil(at_s * world_.laser.rate_hz - kRounding)));
 }
 
 World SimulatedTour::recorded() const {

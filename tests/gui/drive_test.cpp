@@ -9,6 +9,7 @@
 #include "drive_fixture.hpp"
 #include "hitos/simulation/world.hpp"
 #include "tests.hpp"
+#include "views/time_line.hpp"
 
 namespace hitos::window {
 
@@ -181,6 +182,16 @@ void DriveTest::what_happens_is_kept_too() {
     }
     QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join('\n')));
     QTRY_VERIFY(f.caught_up());
+    // Each stands on the time line, at the first scan after it.
+    const auto& marks = f.window->findChild<TimeLine*>()->marks();
+    const auto disturbances = [&marks] {
+        return static_cast<std::size_t>(
+            std::ranges::count(marks, TimeLine::Mark::Kind::disturbance, &TimeLine::Mark::kind));
+    };
+    QTRY_COMPARE(disturbances(), kDisturbances.size());
+    const auto push = std::ranges::find(marks, QString("Push the robot"), &TimeLine::Mark::text);
+    QVERIFY(push != marks.end());
+    QCOMPARE(push->scan, 11);  // after 2 s, with 5 scans a second
     f.drive().keep(f.path("kept.toml"));
     const World kept = read_world(f.path("kept.toml").toStdString());
     QCOMPARE(kept.tour.events.size(), kDisturbances.size());

@@ -26,6 +26,7 @@ class SimulatedTourReader final : public TourReader {
     std::string name() const override { return tour_->world().file; }
     std::string format() const override { return kWorldFormat; }
     std::optional<Truth> truth() const override;
+    const std::shared_ptr<const SimulatedTour>& tour() const { return tour_; }
 
   private:
     std::shared_ptr<const SimulatedTour> tour_;

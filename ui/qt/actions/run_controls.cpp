@@ -8,6 +8,8 @@
 #include <algorithm>
 
 #include "app/icons.hpp"
+#include "dialogs/parameter_text.hpp"
+#include "hitos/simulation/simulated_tour.hpp"
 #include "pace_control.hpp"
 #include "views/time_line.hpp"
 
@@ -185,11 +187,30 @@ void RunControls::note_marks(const Session& session) {
         skipped_ = step.skipped;
     }
     time_line_->add_marks(fresh);
+    note_disturbances(session);
+}
+
+/// What happens to a simulated robot, at the first scan after it.
+void RunControls::note_disturbances(const Session& session) {
+    const auto& tour = session.simulated_tour();
+    if (!tour) return;
+    std::vector<TimeLine::Mark> fresh;
+    const std::vector<Disturbance> all = tour->disturbances();
+    disturbances_noted_.resize(all.size(), false);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::uint64_t scan = tour->scan_from(all[i].at_s) + 1;
+        if (disturbances_noted_[i] || scan > figures_taken_) continue;
+        disturbances_noted_[i] = true;
+        const QString words = translated("Disturbance", all[i].facts().label);
+        fresh.push_back({static_cast<int>(scan), words, TimeLine::Mark::Kind::disturbance});
+    }
+    time_line_->add_marks(fresh);
 }
 
 void RunControls::forget_marks() {
     figures_taken_ = 0;
     skipped_ = 0;
+    disturbances_noted_.clear();
     time_line_->set_marks({});
 }
 

@@ -50,6 +50,7 @@ class RunControls final : public QWidget {
     void measure();
     void fit_buttons();
     void note_marks(const Session& session);
+    void note_disturbances(const Session& session);
     void forget_marks();
     QToolButton* add_button(QAction* action, const char* name, bool primary = false);
     /// A button that goes inactive would give the keyboard to whatever is next: from running or
@@ -67,6 +68,7 @@ class RunControls final : public QWidget {
     TimeLine* time_line_ = nullptr;
     std::size_t figures_taken_ = 0;  // for marks
     std::uint64_t skipped_ = 0;      // damaged lines so far
+    std::vector<bool> disturbances_noted_;
     std::optional<quint64> total_;
 };
 

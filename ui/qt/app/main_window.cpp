@@ -27,9 +27,9 @@
 #include "ui_main_window.h"
 #include "views/plots.hpp"
 #include "views/view_settings.hpp"
-#include "world/world_window.hpp"
 #include "workers/log_counter.hpp"
 #include "workers/reference_meter.hpp"
+#include "world/world_window.hpp"
 
 namespace hitos::window {
 namespace {

@@ -80,12 +80,16 @@ void Session::open(const Configuracion& configuration, std::shared_ptr<const Sim
     check(configuration);
     std::unique_ptr<RunWorker> next;
     std::optional<Truth> truth;
+    std::shared_ptr<const SimulatedTour> simulated;
     if (!configuration.source.file.empty()) {
         next = in_background([&] {
             std::unique_ptr<TourReader> reader =
                 live ? std::make_unique<SimulatedTourReader>(live, configuration.source.read)
                      : open_tour(configuration);
             truth = reader->truth();
+            if (const auto* tour = dynamic_cast<const SimulatedTourReader*>(reader.get())) {
+                simulated = tour->tour();
+            }
             AlgoritmoOptions options;
             options.go_back = true;
             return std::make_unique<RunWorker>(configuration, std::move(reader), options);
@@ -100,6 +104,7 @@ void Session::open(const Configuracion& configuration, std::shared_ptr<const Sim
     worker_ = std::move(next);
     if (worker_) worker_->set_pace(pace_);
     truth_ = std::move(truth);
+    simulated_ = std::move(simulated);
     if (another_log) {
         set_references({});
     } else {

@@ -44,6 +44,8 @@ class Session final : public QObject {
     void set_live(const Configuracion& configuration, std::shared_ptr<const SimulatedTour> tour);
     /// The tour that is or was driven; null where the run is of a log or world.
     const std::shared_ptr<const SimulatedTour>& live_tour() const { return live_; }
+    /// The same, or the one that the run of a world goes along; null where it is of a log.
+    const std::shared_ptr<const SimulatedTour>& simulated_tour() const { return simulated_; }
     /// Whether it is still being driven.
     bool is_live() const;
     /// Takes notice of what was driven since: the truth grows, and the run goes on to the newest
@@ -115,6 +117,7 @@ class Session final : public QObject {
 
     Configuracion configuration_;
     std::shared_ptr<const SimulatedTour> live_;
+    std::shared_ptr<const SimulatedTour> simulated_;
     bool following_ = false;  ///< the run goes where the driven tour is
     References user_references_;
     References references_;       ///< with the truth

@@ -139,7 +139,7 @@ void TimeLine::draw_marks(QPainter& painter, Mark::Kind kind, int middle) const 
     using Kind = Mark::Kind;
     const Colours& c = colours();
     const bool above = kind == Kind::filter;
-    const bool rare = kind == Kind::loop || kind == Kind::damage;
+    const bool rare = kind == Kind::loop || kind == Kind::damage || kind == Kind::disturbance;
     const int from = above ? middle - kGroove : middle + kGroove;
     std::vector<bool> drawn(static_cast<std::size_t>(std::max(width(), 0)) + 1);
     QList<QLine> lines;
@@ -151,7 +151,10 @@ void TimeLine::draw_marks(QPainter& painter, Mark::Kind kind, int middle) const 
         place = true;
         lines.append(QLine(x, from, x, above ? from - 3 : from + (rare ? 6 : 3)));
     }
-    painter.setPen(kind == Kind::loop ? c.highlight : kind == Kind::damage ? c.danger : c.muted);
+    painter.setPen(kind == Kind::loop          ? c.highlight
+                   : kind == Kind::damage      ? c.danger
+                   : kind == Kind::disturbance ? c.accent
+                                               : c.muted);
     painter.drawLines(lines);
 }
 
@@ -171,7 +174,8 @@ void TimeLine::paintEvent(QPaintEvent* /*event*/) {
                             kGroove / 2.0, kGroove / 2.0);
     painter.setRenderHint(QPainter::Antialiasing, false);
     using Kind = Mark::Kind;
-    for (const Kind kind : {Kind::filter, Kind::event, Kind::loop, Kind::damage}) {
+    for (const Kind kind :
+         {Kind::filter, Kind::event, Kind::loop, Kind::disturbance, Kind::damage}) {
         draw_marks(painter, kind, middle);
     }
     painter.setRenderHint(QPainter::Antialiasing);

@@ -16,7 +16,7 @@ class TimeLine final : public QAbstractSlider {
   public:
     /// Something that happened at a scan, counted from 1.
     struct Mark {
-        enum class Kind { event, loop, filter, damage };
+        enum class Kind { event, loop, filter, damage, disturbance };
         int scan = 0;
         QString text;
         /// Below the line, the rare ones longer, or above it: what the filter does all the time.
