@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hitos/simulation/world_editing.hpp"
 #include "raster_laser.hpp"
 
 namespace hitos {
@@ -61,14 +62,9 @@ void ConditionTrack::apply(const Disturbance& disturbance, double time_s, const 
             next.blind_until_s = time_s + one;
             break;
         case DisturbanceKind::box: {
-            const double half = 0.5 * third;
-            const std::array<Point2, 4> corners{{{one - half, other - half},
-                                                 {one + half, other - half},
-                                                 {one + half, other + half},
-                                                 {one - half, other + half}}};
-            for (std::size_t i = 0; i < corners.size(); ++i) {
-                boxes_.push_back(
-                    {corners[i], corners[(i + 1) % corners.size()], 0, disturbance.line});
+            const Polyline outline = box_outline(disturbance);
+            for (std::size_t i = 1; i < outline.size(); ++i) {
+                boxes_.push_back({outline[i - 1], outline[i], 0, disturbance.line});
             }
             next.surroundings = surroundings(world);
             break;

@@ -91,6 +91,9 @@ bool SimulatedTour::is_live() const {
 std::vector<Disturbance> SimulatedTour::disturbances() const {
     const std::lock_guard lock(mutex_);
     std::vector<Disturbance> all = world_.tour.events;
+    std::erase_if(all, [](const Disturbance& event) {
+        return event.at_s <= 0.0 && is_of_the_place(event.kind);
+    });
     all.insert(all.end(), events_.begin(), events_.end());
     return all;
 }

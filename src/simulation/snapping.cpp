@@ -7,10 +7,6 @@
 namespace hitos {
 namespace {
 
-double length_of(const Point2& a, const Point2& b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
-}
-
 double to_step(double value, double step) {
     return step > 0.0 ? std::round(value / step) * step : value;
 }

@@ -6,15 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "hitos/simulation/snapping.hpp"
+
 namespace hitos {
 namespace {
 
 constexpr double kAlong = 0.01;  // m; so near is along
 constexpr double kSame = 1e-6;   // m; so near is one point
-
-double length_of(const Point2& a, const Point2& b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
-}
 
 bool near(const Point2& a, const Point2& b) {
     return length_of(a, b) <= kSame;
@@ -74,9 +72,12 @@ std::vector<Polyline> cut(const Polyline& wall, const Point2& a, const Point2& b
 
 /// Whether b lies between a and c, in their line.
 bool straight(const Point2& a, const Point2& b, const Point2& c) {
-    const double ab = length_of(a, b);
-    const double bc = length_of(b, c);
-    return std::abs(ab + bc - length_of(a, c)) <= kSame && ab > 0.0 && bc > 0.0;
+    const double length = length_of(a, c);
+    if (length <= kSame) return false;
+    const Point2 along{(c.x - a.x) / length, (c.y - a.y) / length};
+    const double way = (b.x - a.x) * along.x + (b.y - a.y) * along.y;
+    const double off = (b.y - a.y) * along.x - (b.x - a.x) * along.y;
+    return std::abs(off) <= kAlong && way > 0.0 && way < length;
 }
 
 /// Leads away from the wall's last point.
@@ -107,20 +108,27 @@ std::vector<Polyline> with_stretch(const std::vector<Polyline>& walls, const Poi
                                    const Point2& b) {
     for (std::size_t i = 0; i < walls.size(); ++i) {
         auto to_a = ending_at(walls[i], a);
-        if (!to_a || !goes_on(*to_a, b)) continue;
-        to_a->pop_back();              // the wall goes straight on
+        if (!to_a) continue;
+        const bool from_a = goes_on(*to_a, b);
         if (near(to_a->front(), b)) {  // round a room
-            if (!straight(a, b, (*to_a)[std::min<std::size_t>(1, to_a->size() - 1)])) continue;
-            std::vector<Polyline> all = walls;
-            to_a->erase(to_a->begin());
+            const Polyline back(to_a->rbegin(), to_a->rend());
+            const bool from_b = goes_on(back, a);
+            if (!from_a && !from_b) continue;
+            // Where the wall goes straight on it has no point.
+            if (from_a) to_a->pop_back();
+            if (from_b) to_a->erase(to_a->begin());
             to_a->push_back(to_a->front());
+            std::vector<Polyline> all = walls;
             all[i] = std::move(*to_a);
             return all;
         }
         for (std::size_t j = 0; j < walls.size(); ++j) {
             const auto to_b = j == i ? std::nullopt : ending_at(walls[j], b);
-            if (!to_b || !goes_on(*to_b, a)) continue;
-            to_a->insert(to_a->end(), to_b->rbegin() + 1, to_b->rend());
+            if (!to_b) continue;
+            const bool from_b = goes_on(*to_b, a);
+            if (!from_a && !from_b) continue;
+            if (from_a) to_a->pop_back();
+            to_a->insert(to_a->end(), to_b->rbegin() + (from_b ? 1 : 0), to_b->rend());
             std::vector<Polyline> all = walls;
             all[i] = std::move(*to_a);
             all.erase(all.begin() + static_cast<std::ptrdiff_t>(j));

@@ -12,8 +12,8 @@ namespace hitos {
 std::vector<Polyline> without_stretch(const std::vector<Polyline>& walls, const Point2& a,
                                       const Point2& b);
 
-/// The walls with that stretch again where a wall ends at a and one begins at b, each in its line;
-/// else the same.
+/// The walls with that stretch again where a wall ends at a and one at b, and one of them leads
+/// straight along it; else the same.
 std::vector<Polyline> with_stretch(const std::vector<Polyline>& walls, const Point2& a,
                                    const Point2& b);
 

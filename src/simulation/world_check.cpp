@@ -9,6 +9,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/simulation/driven_path.hpp"
+#include "hitos/simulation/world_editing.hpp"
 
 namespace hitos {
 namespace {
@@ -51,11 +52,24 @@ std::optional<double> way_out(const std::vector<WallSegment>& walls, const Point
     return found;
 }
 
+/// With closed doors, and the boxes that stand there.
+std::vector<WallSegment> walls_at_first(const World& world) {
+    std::vector<WallSegment> walls = world.walls;
+    walls.insert(walls.end(), world.doors.begin(), world.doors.end());
+    for (const Disturbance& event : world.tour.events) {
+        if (event.kind != DisturbanceKind::box || event.at_s > 0.0) continue;
+        const Polyline outline = box_outline(event);
+        for (std::size_t i = 1; i < outline.size(); ++i) {
+            walls.push_back({outline[i - 1], outline[i], 0, event.line});
+        }
+    }
+    return walls;
+}
+
 }  // namespace
 
 WorldCheck check_world(const World& world) {
-    std::vector<WallSegment> walls = world.walls;
-    walls.insert(walls.end(), world.doors.begin(), world.doors.end());
+    const std::vector<WallSegment> walls = walls_at_first(world);
     const Point2 start{world.tour.start.x, world.tour.start.y};
     WorldCheck check;
     check.nearest_m = std::numeric_limits<double>::infinity();

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kRadiansPerDegree = kPi / 180.0;
 
-double length_of(const Point2& a, const Point2& b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
-}
-
 Point2 moved(const Point2& point, const Point2& by) {
     return to_the_micrometre({point.x + by.x, point.y + by.y});
 }
@@ -32,14 +28,6 @@ std::size_t place_of_box(const std::vector<Disturbance>& events, std::size_t num
         if (is_box(events[i]) && number-- == 0) return i;
     }
     return events.size();
-}
-
-Polyline box_outline(const Disturbance& box) {
-    const double half = box.values[2] / 2.0;
-    const auto corner = [&](double x, double y) {
-        return Point2{box.values[0] + x * half, box.values[1] + y * half};
-    };
-    return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), corner(-1, -1)};
 }
 
 std::vector<Polyline> lines_of(const WorldText& text, ItemKind kind) {
@@ -192,6 +180,8 @@ std::vector<Polyline> without_points(const Polyline& line, std::size_t first, st
                 rest.erase(rest.begin());
             rest.push_back(rest.front());
         }
+        // What is left of a triangle is a piece, there and not back again.
+        if (closed && rest.size() == 3) rest.pop_back();
         return {rest};
     }
     if (closed) {  // opened there
@@ -223,6 +213,14 @@ void remove_person(WorldText& text, const WorldItem& item) {
 }
 
 }  // namespace
+
+Polyline box_outline(const Disturbance& box) {
+    const double half = box.values[2] / 2.0;
+    const auto corner = [&](double x, double y) {
+        return Point2{box.values[0] + x * half, box.values[1] + y * half};
+    };
+    return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), corner(-1, -1)};
+}
 
 std::optional<WorldItem> item_at(const WorldText& text, const Point2& point, double within_m) {
     std::optional<WorldItem> found;

@@ -279,8 +279,24 @@ WorldText::WorldText(std::string text, std::filesystem::path path)
       text_(std::move(text)),
       world_(parse_unfinished_world(text_, path_)) {}
 
+WorldText WorldText::read_unfinished(const std::filesystem::path& path) {
+    return {read_world_text(path), path};
+}
+
+WorldText WorldText::moved_to(const std::filesystem::path& path) const {
+    if (world_.drawing.empty()) return {text_, path};
+    try {
+        WorldText there(text_, path);
+        if (same_world(there.world_, world_)) return there;
+    } catch (const Error&) {  // not found from there
+    }
+    TomlText text(text_);
+    text.set("", "walls_dxf", TomlValue::word(std::filesystem::absolute(world_.drawing).string()));
+    return {text.text(), path};
+}
+
 WorldText WorldText::read(const std::filesystem::path& path) {
-    WorldText text(read_world_text(path), path);
+    WorldText text = read_unfinished(path);
     parse_world(text.text_, path);  // the file must have walls
     return text;
 }

@@ -118,7 +118,7 @@ bool are(const Polyline& line, const Polyline& wanted) {
 /// The guide's walk from an empty window to a saved map ("Drawing a world"), step by step.
 void DrawTest::from_an_empty_window_to_a_saved_map() {
     DrawFixture f;
-    QVERIFY(f.world().draft().empty());
+    QVERIFY(f.text().text().empty());
     QCOMPARE(f.verdict(), QString("Nothing is drawn yet."));
     QVERIFY(!f.world().findChild<QPushButton*>("world_drive")->isEnabled());
     f.draw_room();
@@ -284,7 +284,7 @@ void DrawTest::things_are_chosen_moved_and_taken_out() {
     f.key(Qt::Key_Delete);
     QVERIFY(f.text().walls().empty());
     for (int step = 0; step < 20; ++step) f.act("world_undo");
-    QVERIFY(f.world().draft().empty());
+    QVERIFY(f.text().text().empty());
     f.act("world_redo");
     QCOMPARE(f.text().walls().size(), std::size_t{1});
 }
@@ -360,7 +360,7 @@ void DrawTest::drawings_maps_and_pictures_are_opened() {
     QCOMPARE(f.text().world().walls.size(), std::size_t{8});
     // What is no world leaves what is there.
     const std::string before = f.text().text();
-    for (const char* bad : {"walls = 3\n", "walls = [[[0, 0], [0, 0]]]\n", "\x00\xff"}) {
+    for (const char* bad : {"walls = 3\n", "walls = [[[0, 0], [0, 0]]]\n", "\xff\xfe"}) {
         f.prompts.confirms = {true};
         QVERIFY(!f.world().world_files().open(f.write("bad.toml", bad)));
         QCOMPARE(f.text().text(), before);
@@ -377,7 +377,7 @@ void DrawTest::nothing_drawn_is_lost_unasked() {
     f.draw_room();
     f.act("world_new");
     QCOMPARE(f.prompts.confirmed_texts.size(), 1);
-    QVERIFY(!f.world().draft().empty());
+    QVERIFY(!f.text().text().empty());
     f.window->close();
     QVERIFY(f.window->isVisible());
     QCOMPARE(f.prompts.confirmed_texts.size(), 2);
@@ -398,7 +398,7 @@ void DrawTest::nothing_drawn_is_lost_unasked() {
     QVERIFY(same_world(read_world(f.path("room.toml").toStdString()), f.text().world()));
     f.act("world_new");  // everything is in the file
     QCOMPARE(f.prompts.confirmed_texts.size(), 4);
-    QVERIFY(f.world().draft().empty());
+    QVERIFY(f.text().text().empty());
 }
 
 void DrawTest::an_unsaved_world_is_driven_through_a_copy() {
@@ -428,6 +428,88 @@ void DrawTest::an_unsaved_world_is_driven_through_a_copy() {
     QVERIFY(f.world().draft().modified());
     QCOMPARE(f.text().walls().size(), std::size_t{2});
     QDir(QFileInfo(f.said().section("kept as ", 1)).path()).removeRecursively();
+}
+
+void DrawTest::drawings_segments_and_grids_are_opened() {
+    DrawFixture f;
+    QByteArray drawing("0\nSECTION\n2\nENTITIES\n");
+    const int corners[5][2] = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0}};
+    for (int i = 0; i < 4; ++i) {
+        drawing += "0\nLINE\n8\n0\n10\n" + QByteArray::number(corners[i][0]) + "\n20\n" +
+                   QByteArray::number(corners[i][1]) + "\n11\n" +
+                   QByteArray::number(corners[i + 1][0]) + "\n21\n" +
+                   QByteArray::number(corners[i + 1][1]) + "\n";
+    }
+    drawing += "0\nENDSEC\n0\nEOF\n";
+    f.write("room.dxf", drawing);
+    QVERIFY(f.world().world_files().open(f.path("room.dxf")));
+    QVERIFY(f.no_warnings());
+    QCOMPARE(f.text().world().walls.size(), std::size_t{4});
+    f.prompts.confirms = {true, true, true, true};
+    f.write("segments.txt", "# x1 y1 x2 y2 landmark\n0 0 4 0 1\n4 0 4 3 2\n");
+    QVERIFY(f.world().world_files().open(f.path("segments.txt")));
+    QVERIFY(f.no_warnings());
+    QCOMPARE(f.text().world().walls.size(), std::size_t{2});
+    // A world that takes its walls from a drawing is driven through with what is not saved.
+    f.write("hall.toml",
+            "walls_dxf = \"room.dxf\"  # the hall\ndxf_unit = 1\n[tour]\nstart = [1, 1, 0]\n");
+    QVERIFY(f.world().world_files().open(f.path("hall.toml")));
+    f.press("draw_box");
+    f.click(3.0, 2.0);
+    QVERIFY(f.no_warnings());
+    f.press("world_drive");
+    QVERIFY(f.no_warnings());
+    QVERIFY(f.world().drive().active());
+    f.world().drive().rest();
+    QCOMPARE(f.world().drive().tour()->walls_now().size(), std::size_t{8});
+    f.press("world_drive");
+    QDir(f.path(".")).mkdir("elsewhere");
+    f.prompts.saves << f.path("elsewhere/hall.toml");
+    f.act("world_save_as");
+    QVERIFY(f.no_warnings());
+    QVERIFY(same_world(read_world(f.path("elsewhere/hall.toml").toStdString()), f.text().world()));
+    QVERIFY(Fixture::read(f.path("elsewhere/hall.toml")).contains("# the hall"));
+}
+
+void DrawTest::what_was_driven_and_left_is_not_run_in_its_place() {
+    DrawFixture f;
+    f.draw_room();
+    f.prompts.saves << f.path("room.toml");
+    f.act("world_save");
+    f.press("world_drive");
+    LiveDrive& drive = f.world().drive();
+    drive.rest();
+    for (int k = 0; k < 20; ++k) drive.drive_period();
+    QTRY_VERIFY(f.steps() == drive.tour()->scans() && f.shows_everything());
+    f.press("world_drive");  // too short to be rescued: there is no file that repeats it
+    QVERIFY(!drive.active());
+    QVERIFY(!f.action("action_save_results")->isEnabled());
+    f.press("draw_way_point");
+    f.click(3.0, 0.0);
+    f.press("world_run");
+    QVERIFY(f.no_warnings());
+    QTRY_VERIFY(f.state() == Progress::State::finished && f.shows_everything());
+    QVERIFY(f.session.live_tour() == nullptr);
+    QVERIFY(f.steps() > 25);  // the tour to the way point
+    QVERIFY(f.action("action_save_results")->isEnabled());
+    f.act("world_save");
+    // A kept tour that is undone is not written over by the drawing that it began with.
+    f.press("world_drive");
+    drive.rest();
+    for (int k = 0; k < 20; ++k) drive.drive_period();
+    f.prompts.saves << f.path("kept.toml");
+    f.press("drive_keep");
+    QTRY_VERIFY(f.state() == Progress::State::finished);
+    const QByteArray kept = Fixture::read(f.path("kept.toml"));
+    QVERIFY(f.world().windowTitle().startsWith("kept"));
+    f.act("world_undo");
+    QVERIFY(f.world().windowTitle().startsWith("room"));
+    f.press("draw_box");
+    f.click(5.0, 4.0);
+    f.act("world_save");
+    QVERIFY(f.no_warnings());
+    QCOMPARE(Fixture::read(f.path("kept.toml")), kept);
+    QVERIFY(Fixture::read(f.path("room.toml")).contains("box"));
 }
 
 void DrawTest::robot_and_laser_are_set_in_the_form() {

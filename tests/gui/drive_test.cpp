@@ -130,6 +130,33 @@ void DriveTest::what_is_kept_is_the_same_run() {
     }
 }
 
+void DriveTest::the_same_keys_give_the_same_bytes() {
+    QList<QByteArray> worlds;
+    QList<QByteArray> maps;
+    for (int time = 0; time < 2; ++time) {
+        DriveFixture f;
+        WorldView& view = f.world_window().view();
+        QTest::keyPress(&view, Qt::Key_Up);
+        f.periods(25);
+        QTest::keyPress(&view, Qt::Key_A);
+        f.periods(30);
+        QTest::keyRelease(&view, Qt::Key_Up);
+        f.periods(10);
+        QTest::keyRelease(&view, Qt::Key_A);
+        f.drive().set_goal(Point2{3.0, 1.5});
+        f.periods(60);
+        f.drive().keep(f.path("kept.toml"));
+        QTRY_VERIFY(f.state() == Progress::State::finished && f.shows_everything());
+        f.prompts.saves << f.path("kept.map");
+        f.trigger("action_save_map");
+        worlds << Fixture::read(f.path("kept.toml"));
+        maps << Fixture::read(f.path("kept.map"));
+    }
+    QVERIFY(!worlds[0].isEmpty() && !maps[0].isEmpty());
+    QCOMPARE(worlds[0], worlds[1]);
+    QCOMPARE(maps[0], maps[1]);
+}
+
 void DriveTest::the_run_may_stand_still_or_go_back_meanwhile() {
     DriveFixture f;
     f.drive().hold(0.4, 0.1);

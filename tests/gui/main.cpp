@@ -52,7 +52,8 @@ int main(int argc, char** argv) {
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
-        "expected contact, drive, fit, gamepad, source, configuration, random, run, runs, study, "
+        "expected contact, draw, drive, fit, gamepad, source, configuration, random, run, runs, "
+        "study, "
         "time, view, inspect, keyboard, lessons, measure or words");
     return 2;
 }

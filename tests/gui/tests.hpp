@@ -36,6 +36,8 @@ class DrawTest : public QObject {
     void drawings_maps_and_pictures_are_opened();
     void nothing_drawn_is_lost_unasked();
     void an_unsaved_world_is_driven_through_a_copy();
+    void drawings_segments_and_grids_are_opened();
+    void what_was_driven_and_left_is_not_run_in_its_place();
     void robot_and_laser_are_set_in_the_form();
     void distances_are_measured();
 };
@@ -105,6 +107,7 @@ class DriveTest : public QObject {
     void a_click_is_where_it_drives();
     void the_goal_is_dragged();
     void what_is_kept_is_the_same_run();
+    void the_same_keys_give_the_same_bytes();
     void the_run_may_stand_still_or_go_back_meanwhile();
     void parameters_change_on_the_way();
     void what_happens_is_kept_too();

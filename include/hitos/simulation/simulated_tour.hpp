@@ -39,7 +39,8 @@ class SimulatedTour {
     /// Happens to a live tour now, at whatever time the disturbance names. Throws ConfigError where
     /// it cannot happen in this world.
     void disturb(Disturbance disturbance);
-    /// All that happens on it, so far: what the world's file says, then what was done by hand.
+    /// All that happens on it, so far: what the world's file says, then what was done by hand;
+    /// without boxes and doors of the beginning.
     std::vector<Disturbance> disturbances() const;
     /// The first scan that is not before this time.
     std::uint64_t scan_from(double at_s) const;

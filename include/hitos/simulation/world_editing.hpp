@@ -29,6 +29,9 @@ struct WorldItem {
 /// pieces between them.
 std::optional<WorldItem> item_at(const WorldText& text, const Point2& point, double within_m);
 
+/// The square of a DisturbanceKind::box, closed.
+Polyline box_outline(const Disturbance& box);
+
 /// The whole that a part belongs to.
 WorldItem whole_of(const WorldText& text, const WorldItem& item);
 
@@ -48,8 +51,9 @@ void add_way_point(WorldText& text, const Point2& point);
 /// Moves its points by that much; a point that begins and ends a closed wall stays one. A door
 /// moved as a whole takes its gap along.
 void move_item(WorldText& text, const WorldItem& item, const Point2& by_m);
-/// Takes it out: of a wall the piece, or the point between two pieces; a door leaves a wall where
-/// one goes on at both of its sides. The start stays.
+/// Takes it out: of a wall the piece, or the point between two pieces; of a person's way the point,
+/// else the person. A door gives back the wall that led straight to it, up to the wall at its other
+/// side. The start stays.
 void remove_item(WorldText& text, const WorldItem& item);
 
 /// One of the numbers that say what an item is.

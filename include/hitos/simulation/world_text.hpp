@@ -26,6 +26,8 @@ class WorldText {
     WorldText(std::string text, std::filesystem::path path);
     /// As read_world().
     static WorldText read(const std::filesystem::path& path);
+    /// The same of one that need not have walls yet.
+    static WorldText read_unfinished(const std::filesystem::path& path);
 
     const std::string& text() const { return text_; }
     const std::filesystem::path& path() const { return path_; }
@@ -50,6 +52,11 @@ class WorldText {
     /// All that differs from `world`. The walls of a drawing that the text names stay what they
     /// are: other ones in their place are a ConfigError.
     void set(const World& world);
+
+    /// The same world as a file at that path: where its drawing would not be found from there, the
+    /// drawing's whole path stands in the text. Throws FileError where there is no drawing any
+    /// more.
+    WorldText moved_to(const std::filesystem::path& path) const;
 
     /// Writes the text atomically; from then on the path is this one. Throws FileError.
     void save(const std::filesystem::path& path);

@@ -35,6 +35,17 @@ bool reads(const QString& path, Read read) {
 
 }  // namespace
 
+QString new_file_of_data(const QString& folder, const QString& name, const QString& ending) {
+    const QDir place(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + '/' +
+                     folder);
+    place.mkpath(QStringLiteral("."));
+    QString path;
+    for (int number = 1; path.isEmpty() || QFileInfo::exists(path); ++number) {
+        path = place.filePath(QStringLiteral("%1-%2.%3").arg(name).arg(number).arg(ending));
+    }
+    return path;
+}
+
 QString shipped_folder(const QString& kind) {
     static const QMap<QString, const char*> folders{
         {"config", "config"}, {"log", "data"}, {"map", "data/maps"}, {"distances", "data/worlds"}};

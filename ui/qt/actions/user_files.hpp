@@ -57,6 +57,10 @@ enum class FileKind {
 /// By the file's ending; a .txt is whichever it reads as.
 FileKind kind_of(const QString& path);
 
+/// A file that is not there yet, in that folder of the program's data, which is made:
+/// "NAME-3.toml".
+QString new_file_of_data(const QString& folder, const QString& name, const QString& ending);
+
 /// The folder of the files of this kind that come with Hitos; empty where there is none.
 QString shipped_folder(const QString& kind);
 

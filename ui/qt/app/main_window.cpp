@@ -237,14 +237,15 @@ void MainWindow::connect_run() {
     connect(results_, &ResultActions::opened, this,
             [this](QWidget* map) { map->addActions(ui_->menu_run->actions()); });
     const auto enable = [this] {
-        // What is still being driven has no file yet that the results could name.
-        ui_->action_save_results->setEnabled(session_.progress().steps > 0 && !session_.is_live() &&
+        const bool driven = session_.live_tour() != nullptr;
+        // What was driven and not kept has no file that the results could name.
+        ui_->action_save_results->setEnabled(session_.progress().steps > 0 && !driven &&
                                              !results_->writing());
         ui_->action_save_figures->setEnabled(session_.progress().steps > 0);
         ui_->action_save_animation->setEnabled(session_.progress().steps > 0);
         ui_->action_particle_map->setEnabled(session_.progress().steps > 0);
-        ui_->action_study->setEnabled(session_.has_source() && !session_.is_live());
-        ui_->action_run_until->setEnabled(session_.has_source() && !session_.is_live());
+        ui_->action_study->setEnabled(session_.has_source() && !driven);
+        ui_->action_run_until->setEnabled(session_.has_source() && !driven);
     };
     connect(&session_, &Session::progress_changed, this, enable);
     connect(results_, &ResultActions::writing_changed, this, enable);

@@ -67,7 +67,7 @@ void Session::retire() {
 }
 
 void Session::set_configuration(const Configuracion& configuration) {
-    const bool same = live_ && configuration.source == configuration_.source;
+    const bool same = is_live() && configuration.source == configuration_.source;
     open(configuration, same ? live_ : nullptr);
 }
 

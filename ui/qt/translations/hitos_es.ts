@@ -4095,6 +4095,10 @@
         <source>%1 m, %2°</source>
         <translation>%1 m, %2°</translation>
     </message>
+    <message>
+        <source>Found a point at %1; expected one no further than %2 km from the origin.</source>
+        <translation>El punto está en %1; se esperaba uno a no más de %2 km del origen.</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::DrivePanel</name>

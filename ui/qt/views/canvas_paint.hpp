@@ -40,6 +40,10 @@ QPolygonF visible_line(const Scene& scene, double rho_m, double theta_rad);
 /// The ellipse of `sigmas` standard deviations of a covariance, in the view's frame [m].
 QPolygonF ellipse(const QPointF& centre_m, const Eigen::Matrix2d& covariance, double sigmas);
 
+inline QPointF point_of(const Point2& point) {
+    return {point.x, point.y};
+}
+
 /// Around points; null where there are none.
 QRectF box_of(const std::vector<QPointF>& points);
 

@@ -27,6 +27,7 @@ CheckLine::~CheckLine() {
 void CheckLine::check(const World& world) {
     world_ = world;
     ++asked_;
+    setEnabled(false);  // what it says is about what was before
     pause_.start();
 }
 
@@ -59,6 +60,7 @@ void CheckLine::show_result(std::uint64_t number, const QString& words, bool goo
         return;
     }
     shown_ = number;
+    setEnabled(true);
     setText(world_.walls.empty() ? tr("Nothing is drawn yet.") : words);
     set_look(*this, "role", good || world_.walls.empty() ? "muted" : "warning");
 }

@@ -38,6 +38,7 @@ DisturbBar::DisturbBar(QWidget* parent) : QWidget(parent) {
     }
     auto* now = new QPushButton(tr("Now"), this);
     now->setObjectName("button_disturb");
+    now->setAutoDefault(false);
     now->setToolTip(tr("Let it happen to the robot now"));
     row->addWidget(now);
     row->addStretch(1);

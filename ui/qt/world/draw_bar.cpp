@@ -125,7 +125,7 @@ void DrawBar::make_grid() {
 }
 
 void DrawBar::connect_numbers() {
-    connect(&view_, &WorldView::number_begun, numbers_, &NumbersStrip::begin);
+    connect(&tool_, &DrawTool::number_begun, numbers_, &NumbersStrip::begin);
     connect(numbers_, &NumbersStrip::edited, this, [this] {
         tool_.type({numbers_->typed(0), numbers_->typed(1)});
     });

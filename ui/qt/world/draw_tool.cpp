@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "views/canvas_paint.hpp"
+#include "hitos/base/error.hpp"
+#include "views/canvas_view.hpp"
 #include "world_draft.hpp"
 
 namespace hitos::window {
@@ -13,36 +14,10 @@ namespace {
 constexpr double kDegrees = 180.0 / kPi;
 constexpr double kUsualSide = 0.5;  // m, of a box
 
-QPointF point_of(const Point2& point) {
-    return {point.x, point.y};
-}
-
-double length_of(const Point2& a, const Point2& b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
-}
-
-Polyline rectangle(const Point2& a, const Point2& b) {
-    return {a, {b.x, a.y}, b, {a.x, b.y}, a};
-}
-
 std::vector<WallSegment> walls_and_doors(const World& world) {
     std::vector<WallSegment> walls = world.walls;
     walls.insert(walls.end(), world.doors.begin(), world.doors.end());
     return walls;
-}
-
-void draw_line(QPainter& painter, const Scene& scene, const std::vector<Point2>& line) {
-    QPolygonF pixels;
-    for (const Point2& point : line) pixels.append(scene.to_screen.map(point_of(point)));
-    painter.drawPolyline(pixels);
-}
-
-void draw_handle(QPainter& painter, const Scene& scene, const Point2& point, bool filled) {
-    constexpr double kHalf = 4.0;
-    const QPointF at = scene.to_screen.map(point_of(point));
-    painter.setPen(thin_pen(scene.colours.accent, 1.6));
-    painter.setBrush(filled ? QBrush(scene.colours.accent) : QBrush(Qt::NoBrush));
-    painter.drawRect(QRectF(at.x() - kHalf, at.y() - kHalf, 2.0 * kHalf, 2.0 * kHalf));
 }
 
 }  // namespace
@@ -52,12 +27,14 @@ DrawTool::DrawTool(WorldDraft& draft, QObject* parent) : ViewTool(parent), draft
         clear_pending();
         choose(std::nullopt);
     });
+    // The same number may be another thing there.
+    connect(&draft, &WorldDraft::stepped, this, [this] { choose(std::nullopt); });
     connect(&draft, &WorldDraft::changed, this, &DrawTool::keep_chosen);
 }
 
 /// What is chosen may be no more.
 void DrawTool::keep_chosen() {
-    if (chosen_ && outline_of(draft_.text(), *chosen_).empty()) chosen_.reset();
+    if (chosen_ && outline_of(draft_.text(), *chosen_).empty()) choose(std::nullopt);
     emit chosen_changed();
     emit changed();
 }
@@ -66,12 +43,14 @@ void DrawTool::set_active(bool on) {
     if (active_ == on) return;
     active_ = on;
     finish();
+    clear_pending();
     emit switched();
 }
 
 void DrawTool::set_mode(DrawMode mode) {
     if (mode == mode_) return;
     finish();
+    clear_pending();
     mode_ = mode;
     if (mode != DrawMode::select) choose(std::nullopt);
     emit mode_changed();
@@ -98,12 +77,17 @@ void DrawTool::clear_pending() {
 void DrawTool::drop_last_point() {
     if (pending_.empty()) return;
     pending_.pop_back();
+    typed_ = {};
     emit pending_changed();
     emit changed();
 }
 
 void DrawTool::choose(std::optional<WorldItem> item) {
     chosen_ = item;
+    if (!item) {
+        held_at_.reset();
+        dragged_by_ = {};
+    }
     emit chosen_changed();
     emit changed();
 }
@@ -112,7 +96,7 @@ void DrawTool::remove_chosen() {
     if (!chosen_) return;
     const WorldItem item = *chosen_;
     // What lies beside it may take its number: nothing is chosen by chance.
-    chosen_.reset();
+    choose(std::nullopt);
     if (!draft_.change([&](WorldText& text) { remove_item(text, item); })) choose(item);
 }
 
@@ -121,6 +105,10 @@ void DrawTool::nudge(int right, int up) {
     constexpr double kWithoutGrid = 0.01;  // m
     const double step = grid_m_ > 0.0 ? grid_m_ : kWithoutGrid;
     draft_.change([&](WorldText& text) { move_item(text, *chosen_, {right * step, up * step}); });
+}
+
+Polyline DrawTool::rectangle(const Point2& a, const Point2& b) {
+    return {a, {b.x, a.y}, b, {a.x, b.y}, a};
 }
 
 Snapped DrawTool::snapped(const PointedAt& pointed, const std::optional<Point2>& from) const {
@@ -193,72 +181,80 @@ void DrawTool::place_typed() {
 
 void DrawTool::place(const Point2& point) {
     if (!pending_.empty() && pending_.back() == point) return;  // nothing has no length
+    if (!(std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest)) {
+        emit draft_.refused(tr("Found a point at %1; expected one no further than %2 km from the "
+                               "origin.")
+                                .arg(place_words({point.x, point.y}))
+                                .arg(kFarthest / 1000.0));
+        return;
+    }
     pending_.push_back(point);
     typed_ = {};
+    if (takes_effect()) {
+        clear_pending();
+    } else {
+        emit pending_changed();
+        emit changed();
+    }
+}
+
+/// Whether the points drawn so far have become something.
+bool DrawTool::takes_effect() {
+    const Point2& point = pending_.back();
+    const bool two = pending_.size() > 1;
+    bool could = true;
     switch (mode_) {
         case DrawMode::wall:
         case DrawMode::person:
             if (pending_.size() > 3 && point == pending_.front()) finish();
-            break;
+            return false;
         case DrawMode::room:
-            if (pending_.size() < 2) break;
-            if (pending_[0].x == point.x || pending_[0].y == point.y) {  // no room yet
-                pending_.pop_back();
-                break;
-            }
-            add_line(rectangle(pending_[0], point));
-            return;
+            could = two && pending_[0].x != point.x && pending_[0].y != point.y;
+            if (could) could = add_line(rectangle(pending_[0], point));
+            break;
         case DrawMode::door:
-            if (pending_.size() < 2) break;
-            draft_.change([&](WorldText& text) { add_door(text, pending_[0], pending_[1]); });
-            clear_pending();
-            return;
+            could = two && draft_.change([this](WorldText& text) {
+                add_door(text, pending_[0], pending_[1]);
+            });
+            break;
         case DrawMode::box:
             draft_.change([&](WorldText& text) { add_box(text, point, kUsualSide); });
-            clear_pending();
-            return;
+            return true;
         case DrawMode::way_point:
             draft_.change([&](WorldText& text) { add_way_point(text, point); });
-            clear_pending();
-            return;
+            return true;
         case DrawMode::start:
             draft_.change([&](WorldText& text) {
                 Pose start = text.world().tour.start;
-                if (pending_.size() == 1) {
-                    start = {point.x, point.y, start.theta};
-                } else {
+                if (two) {
                     start.theta = std::atan2(point.y - start.y, point.x - start.x);
+                } else {
+                    start = {point.x, point.y, start.theta};
                 }
                 text.set_start(start);
             });
-            if (pending_.size() > 1) {
-                clear_pending();
-                return;
-            }
-            break;
+            return two;
         case DrawMode::measure:
             if (pending_.size() > 2) pending_ = {point};
-            break;
+            return false;
         case DrawMode::select:
-            pending_.clear();
-            break;
+            return true;
     }
-    emit pending_changed();
-    emit changed();
+    // What could not be done is done by another second point.
+    if (two && !could) pending_.pop_back();
+    return could;
 }
 
 void DrawTool::finish() {
-    if (is_line() && pending_.size() > 1) {
-        add_line(pending_);
-    } else {
-        clear_pending();
-    }
+    const bool line = is_line() && pending_.size() > 1;
+    if (!line || add_line(pending_)) clear_pending();
 }
 
-void DrawTool::add_line(std::vector<Point2> line) {
+/// Where it cannot be the points stay, to be taken back.
+bool DrawTool::add_line(const std::vector<Point2>& line) {
     const bool walks = mode_ == DrawMode::person;
-    clear_pending();
-    draft_.change([&](WorldText& text) { walks ? add_person(text, line) : add_wall(text, line); });
+    return draft_.change(
+        [&](WorldText& text) { walks ? add_person(text, line) : add_wall(text, line); });
 }
 
 /// The second click of the two has put no point: it was where the first one was.
@@ -286,6 +282,11 @@ bool DrawTool::key(int key, Qt::KeyboardModifiers keys) {
         pending_.empty() ? remove_chosen() : drop_last_point();
         return true;
     }
+    const bool number = (key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Period;
+    if (number && !keys.testFlag(Qt::ControlModifier) && (!pending_.empty() || chosen_)) {
+        emit number_begun(QChar(key));
+        return true;
+    }
     const int right = (key == Qt::Key_Right ? 1 : 0) - (key == Qt::Key_Left ? 1 : 0);
     const int up = (key == Qt::Key_Up ? 1 : 0) - (key == Qt::Key_Down ? 1 : 0);
     if (!keys.testFlag(Qt::ControlModifier) || (right == 0 && up == 0)) return false;
@@ -304,7 +305,26 @@ bool DrawTool::pick_up(const PointedAt& pointed) {
     if (!part_of_chosen) choose(item);
     held_at_ = pointed.place;
     dragged_by_ = {};
+    keep_others();
     return true;
+}
+
+/// What is dragged does not snap to itself.
+void DrawTool::keep_others() {
+    others_.clear();
+    if (chosen_->kind == ItemKind::door) {
+        WorldText without = draft_.text();
+        try {
+            remove_item(without, *chosen_);
+            others_ = without.world().walls;
+        } catch (const Error&) {  // then it goes by the grid
+        }
+    } else if (chosen_->kind == ItemKind::wall && chosen_->first == chosen_->last) {
+        const int own = static_cast<int>(chosen_->index) + 1;
+        for (const WallSegment& wall : draft_.world().walls) {
+            if (wall.wall != own) others_.push_back(wall);
+        }
+    }
 }
 
 void DrawTool::drag(const PointedAt& pointed) {
@@ -320,10 +340,8 @@ void DrawTool::drag(const PointedAt& pointed) {
     SnapOptions options;
     options.grid_m = grid_m_;
     options.reach_m = pointed.reach_m;
-    options.to_walls = chosen_->first == chosen_->last ? chosen_->kind == ItemKind::wall
-                                                       : chosen_->kind == ItemKind::door;
     Snapped place{to_the_micrometre(to.place), SnappedTo::nothing};
-    if (!pointed.exact) place = snap(draft_.world().walls, {}, to.place, {}, options);
+    if (!pointed.exact) place = snap(others_, {}, to.place, {}, options);
     dragged_by_ = {place.at.x - anchor.x, place.at.y - anchor.y};
     emit changed();
 }
@@ -332,79 +350,8 @@ void DrawTool::drop() {
     if (!std::exchange(held_at_, std::nullopt) || !chosen_) return;
     const Point2 by = std::exchange(dragged_by_, {});
     const WorldItem item = *chosen_;
-    draft_.change([&](WorldText& text) { move_item(text, item, by); });
+    if (by != Point2{}) draft_.change([&](WorldText& text) { move_item(text, item, by); });
     emit changed();
-}
-
-QString DrawTool::words_of_piece(const Point2& to) const {
-    const Point2& from = pending_.back();
-    const double heading = std::atan2(to.y - from.y, to.x - from.x) * kDegrees;
-    if (mode_ == DrawMode::room) {
-        return tr("%1 × %2 m")
-            .arg(std::abs(to.x - from.x), 0, 'f', 2)
-            .arg(std::abs(to.y - from.y), 0, 'f', 2);
-    }
-    return tr("%1 m, %2°").arg(length_of(from, to), 0, 'f', 3).arg(heading, 0, 'f', 1);
-}
-
-void DrawTool::paint(QPainter& painter, const Scene& scene) const {
-    if (!active_) return;
-    paint_chosen(painter, scene);
-    paint_pending(painter, scene);
-}
-
-void DrawTool::paint_chosen(QPainter& painter, const Scene& scene) const {
-    if (!chosen_) return;
-    const WorldItem whole = whole_of(draft_.text(), *chosen_);
-    Polyline line = outline_of(draft_.text(), whole);
-    const bool box = chosen_->kind == ItemKind::box;
-    const std::size_t first = box ? 0 : chosen_->first;
-    const std::size_t last = box ? line.size() - 1 : chosen_->last;
-    const bool closed = line.size() > 2 && line.front() == line.back();
-    for (std::size_t i = first; i <= last && i < line.size(); ++i) {
-        line[i] = {line[i].x + dragged_by_.x, line[i].y + dragged_by_.y};
-    }
-    if (closed && !box && first == 0) line.back() = line.front();
-    if (closed && !box && last + 1 == line.size()) line.front() = line.back();
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(thin_pen(faded(scene.colours.accent, 110), 2.0));
-    draw_line(painter, scene, line);
-    painter.setPen(thin_pen(scene.colours.accent, 3.0));
-    const auto at = [&](std::size_t i) { return line.begin() + static_cast<std::ptrdiff_t>(i); };
-    draw_line(painter, scene, {at(first), at(last + 1)});
-    for (std::size_t i = 0; i < line.size() && !box; ++i) {
-        draw_handle(painter, scene, line[i], i >= first && i <= last);
-    }
-}
-
-void DrawTool::paint_pending(QPainter& painter, const Scene& scene) const {
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(thin_pen(scene.colours.accent, 2.4));
-    draw_line(painter, scene, pending_);
-    if (mode_ == DrawMode::measure && pending_.size() == 2) {
-        const QPointF at = scene.to_screen.map(point_of(pending_[1]));
-        const Point2 from = pending_[0];
-        const double heading =
-            std::atan2(pending_[1].y - from.y, pending_[1].x - from.x) * kDegrees;
-        draw_chip(
-            painter, scene, at + QPointF(12.0, 12.0),
-            {tr("%1 m, %2°").arg(length_of(from, pending_[1]), 0, 'f', 3).arg(heading, 0, 'f', 1)});
-        return;
-    }
-    if (!cursor_ || mode_ == DrawMode::select) return;
-    const Point2 to = target(*cursor_);
-    const QPointF at = scene.to_screen.map(point_of(to));
-    if (!pending_.empty()) {
-        painter.setPen(thin_pen(scene.colours.accent, 1.6, Qt::DashLine));
-        draw_line(painter, scene,
-                  mode_ == DrawMode::room ? rectangle(pending_.back(), to)
-                                          : Polyline{pending_.back(), to});
-    }
-    const bool near = shown_ && (shown_->to == SnappedTo::end || shown_->to == SnappedTo::wall);
-    near ? draw_handle(painter, scene, to, shown_->to == SnappedTo::end)
-         : draw_cross(painter, at, scene.colours.accent);
-    const QString words = pending_.empty() ? place_words(point_of(to)) : words_of_piece(to);
-    draw_chip(painter, scene, at + QPointF(14.0, 14.0), {words});
 }
 
 }  // namespace hitos::window

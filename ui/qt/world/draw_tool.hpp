@@ -56,8 +56,8 @@ class DrawTool final : public ViewTool {
     bool double_click() override;
     /// Ends a line with the points that it has; then lets go of what is chosen; then of the mode.
     void escape() override;
-    /// Delete and Backspace take out what is chosen, or the point drawn last; Ctrl and an arrow
-    /// move what is chosen by a step of the grid.
+    /// Digits begin a number. Delete and Backspace take out what is chosen, or the point drawn
+    /// last; Ctrl and an arrow move what is chosen by a step of the grid.
     bool key(int key, Qt::KeyboardModifiers keys) override;
     void paint(QPainter& painter, const Scene& scene) const override;
 
@@ -66,6 +66,8 @@ class DrawTool final : public ViewTool {
     void mode_changed();
     /// Points were drawn, or begun things are done.
     void pending_changed();
+    /// The beginning of a number was typed, with something that has numbers.
+    void number_begun(QString digits);
 
   private:
     bool is_line() const { return mode_ == DrawMode::wall || mode_ == DrawMode::person; }
@@ -74,12 +76,15 @@ class DrawTool final : public ViewTool {
     Point2 target(const PointedAt& pointed) const;
     Point2 as_typed(const Point2& point) const;
     void place(const Point2& point);
-    void add_line(std::vector<Point2> line);
+    bool takes_effect();
+    bool add_line(const std::vector<Point2>& line);
     void clear_pending();
     void keep_chosen();
+    void keep_others();
     void remove_chosen();
     void nudge(int right, int up);
-    QString words_of_piece(const Point2& to) const;
+    static Polyline rectangle(const Point2& a, const Point2& b);
+    QString words_of_piece(const Point2& from, const Point2& to) const;
     void paint_chosen(QPainter& painter, const Scene& scene) const;
     void paint_pending(QPainter& painter, const Scene& scene) const;
 
@@ -94,6 +99,7 @@ class DrawTool final : public ViewTool {
     std::optional<WorldItem> chosen_;
     std::optional<Point2> held_at_;  ///< where what is dragged was picked up
     Point2 dragged_by_;
+    std::vector<WallSegment> others_;  ///< walls that it may snap to
 };
 
 }  // namespace hitos::window

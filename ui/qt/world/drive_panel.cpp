@@ -109,6 +109,7 @@ void DrivePanel::connect_drive() {
         figures_->setText(figures());
     });
     connect(&drive_, &LiveDrive::failed, this, [this](const QString& reason) {
+        show_rest();
         prompts_.warn(this, tr("The robot cannot be driven on"), reason);
     });
     connect(&drive_, &LiveDrive::rescued, this, [this](const QString& path) {
@@ -164,9 +165,14 @@ void DrivePanel::show_gamepad() {
 void DrivePanel::begin(const Configuracion& configuration) {
     drive_.begin(configuration);
     holder_ = Holder::keys;
-    const QSignalBlocker quiet(rest_);
-    rest_->setChecked(false);
+    show_rest();
     view_.setFocus();
+}
+
+/// Whether the clock stands still, whoever has held it.
+void DrivePanel::show_rest() {
+    const QSignalBlocker quiet(rest_);
+    rest_->setChecked(drive_.active() && drive_.rests());
 }
 
 void DrivePanel::rest() {
@@ -176,12 +182,14 @@ void DrivePanel::rest() {
 void DrivePanel::keep() {
     const bool rested = drive_.rests();
     drive_.rest();
+    gamepad_.listen(false);  // a question has the user
     const QString path = save_until_done(
         prompts_, this,
         {tr("Keep the tour as a world"), files_.last_folder("log") + QStringLiteral("/driven.toml"),
          tr("Worlds (*.toml)"), QStringLiteral("toml")},
         [this](const QString& file) { drive_.keep(file); });
     if (path.isEmpty()) {
+        gamepad_.listen(drive_.active());
         if (!rested) drive_.go_on();
         return;
     }
@@ -195,7 +203,9 @@ void DrivePanel::keep() {
 void DrivePanel::save_log() {
     const bool rested = drive_.rests();
     drive_.rest();
+    gamepad_.listen(false);
     ask_for_log();
+    gamepad_.listen(drive_.active());
     if (!rested) drive_.go_on();
     view_.setFocus();
 }

@@ -49,6 +49,7 @@ class DrivePanel final : public QWidget {
     void save_log();
     void ask_for_log();
     void show_state();
+    void show_rest();
     QString figures() const;
 
     Session& session_;

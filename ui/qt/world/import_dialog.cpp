@@ -1,11 +1,14 @@
 #include "import_dialog.hpp"
 
+#include <QApplication>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
+#include <QThreadPool>
 
 #include "app/theme.hpp"
 #include "app/words_of.hpp"
@@ -52,42 +55,42 @@ ImportDialog::ImportDialog(const QString& source, WallSource kind, QWidget* pare
     verdict_->setObjectName("import_verdict");
     verdict_->setWordWrap(true);
     form->addRow(verdict_);
-    buttons_ = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    buttons_->addButton(tr("Find the walls"), QDialogButtonBox::AcceptRole)->setDefault(true);
-    form->addRow(buttons_);
-    connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-}
-
-ImportDialog::~ImportDialog() {
-    pool_.waitForDone();
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    find_ = buttons->addButton(tr("Find the walls"), QDialogButtonBox::AcceptRole);
+    find_->setDefault(true);
+    form->addRow(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
 void ImportDialog::accept() {
     ImportOptions options;
     options.tolerance_m = tolerance_->value();
     if (pixel_ != nullptr) options.resolution_m = pixel_->value();
-    buttons_->setEnabled(false);
+    find_->setEnabled(false);
     set_look(*verdict_, "role", "muted");
     verdict_->setText(tr("Looking for walls…"));
-    pool_.start([this, options, source = source_.toStdString()] {
-        begin_background_work();
-        std::optional<WorldText> world;
-        std::size_t left_out = 0;
-        QString problem;
-        try {
-            world = import_world(source, {}, options, &left_out);
-        } catch (const std::exception& error) {
-            problem = words_of(error);
-        }
-        QMetaObject::invokeMethod(
-            this, [this, world, left_out, problem] { finish(world, left_out, problem); });
-    });
+    // Whoever cancels does not wait for the end of it.
+    QThreadPool::globalInstance()->start(
+        [self = QPointer(this), options, source = source_.toStdString()] {
+            begin_background_work();
+            std::optional<WorldText> world;
+            std::size_t left_out = 0;
+            QString problem;
+            try {
+                world = import_world(source, {}, options, &left_out);
+            } catch (const std::exception& error) {
+                problem = words_of(error);
+            }
+            QMetaObject::invokeMethod(qApp, [self, world, left_out, problem] {
+                if (self) self->finish(world, left_out, problem);
+            });
+        });
 }
 
 void ImportDialog::finish(const std::optional<WorldText>& world, std::size_t left_out,
                           const QString& problem) {
-    buttons_->setEnabled(true);
+    find_->setEnabled(true);
     if (!world) {
         set_look(*verdict_, "role", "error");
         verdict_->setText(problem);

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <QDialog>
-#include <QThreadPool>
 #include <optional>
 
 #include "hitos/workbench/world_import.hpp"
 
-class QDialogButtonBox;
 class QDoubleSpinBox;
 class QLabel;
+class QPushButton;
 
 namespace hitos::window {
 
@@ -20,7 +19,6 @@ class ImportDialog final : public QDialog {
 
   public:
     ImportDialog(const QString& source, WallSource kind, QWidget* parent);
-    ~ImportDialog() override;
 
     const std::optional<WorldText>& world() const { return world_; }
     /// "Walls found: 34, tolerance two pixels"
@@ -37,8 +35,7 @@ class ImportDialog final : public QDialog {
     QDoubleSpinBox* pixel_ = nullptr;
     QDoubleSpinBox* tolerance_ = nullptr;
     QLabel* verdict_ = nullptr;
-    QDialogButtonBox* buttons_ = nullptr;
-    QThreadPool pool_;
+    QPushButton* find_ = nullptr;
     std::optional<WorldText> world_;
     QString words_;
 };

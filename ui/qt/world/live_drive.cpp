@@ -1,13 +1,12 @@
 #include "live_drive.hpp"
 
-#include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 #include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <utility>
 
+#include "actions/user_files.hpp"
 #include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/simulation/driver.hpp"
@@ -21,12 +20,12 @@ constexpr double kMostAtOnceS = 0.5;
 /// A tour shorter than this is no loss [s].
 constexpr double kWorthKeepingS = 5.0;
 
-/// The text with this tour, as it reads at the path. Where the drawing of its walls cannot be found
-/// from there, or is another one by now, a new text that has the walls itself.
+/// The text with this tour, as it reads at the path. Where the drawing of its walls is gone, or
+/// another one by now, a new text that has the walls itself.
 WorldText with_tour(WorldText text, const World& driven, const std::filesystem::path& path) {
     try {
         text.set(driven);
-        WorldText there(text.text(), path);
+        WorldText there = text.moved_to(path);
         if (same_world(there.world(), driven)) return there;
     } catch (const Error&) {  // as it says
     }
@@ -41,12 +40,15 @@ LiveDrive::LiveDrive(Session& session, QObject* parent) : QObject(parent), sessi
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &LiveDrive::tick);
     connect(&session, &Session::configuration_changed, this, [this] {
-        if (tour_ && session_.live_tour() != tour_) leave();
+        if (!tour_ || session_.live_tour() == tour_) return;
+        rescue();
+        give_up();
     });
 }
 
 LiveDrive::~LiveDrive() {
-    leave();
+    if (tour_) rescue();
+    give_up();
 }
 
 void LiveDrive::begin(const Configuracion& configuration) {
@@ -101,7 +103,7 @@ void LiveDrive::tick() {
     clock_.start();
     due_s_ = std::min(due_s_, kMostAtOnceS);
     const double period_s = 1.0 / tour_->world().robot.control_rate_hz;
-    for (; tour_ && due_s_ >= period_s; due_s_ -= period_s) drive_period();
+    for (; timer_.isActive() && due_s_ >= period_s; due_s_ -= period_s) drive_period();
 }
 
 void LiveDrive::drive_period() {
@@ -131,15 +133,16 @@ void LiveDrive::write(const QString& path) const {
 void LiveDrive::keep(const QString& path) {
     if (!tour_) return;
     write(path);
-    rest();
+    give_up();
+    map(path);
+}
+
+/// The run goes along the file from now on, which says what was changed of it and its noise.
+void LiveDrive::map(const QString& path) {
     Configuracion configuration = session_.configuration();
     configuration.source.file = path.toStdString();
-    // The file says what they did.
     configuration.source.world_set.clear();
     configuration.source.tour_seed = 0;
-    const std::shared_ptr<SimulatedTour> kept = std::exchange(tour_, nullptr);
-    kept->end();
-    emit changed();
     session_.set_configuration(configuration);
     session_.run();
 }
@@ -152,32 +155,27 @@ void LiveDrive::give_up() {
     emit changed();
 }
 
-QString LiveDrive::rescue_folder() {
-    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
-           QStringLiteral("/driven");
+void LiveDrive::leave() {
+    if (!tour_) return;
+    const QString path = rescue();
+    give_up();
+    if (!path.isEmpty()) map(path);
 }
 
 /// Whoever loads something else in the middle of a tour still finds it.
-void LiveDrive::leave() {
-    if (!tour_) return;
+QString LiveDrive::rescue() {
     rest();
-    if (tour_->duration_s() >= kWorthKeepingS) {
-        const QDir folder(rescue_folder());
-        const QString stem =
-            QFileInfo(QString::fromStdString(tour_->world().name)).completeBaseName();
-        QString path;
-        for (int number = 1; path.isEmpty() || QFileInfo::exists(path); ++number) {
-            path = folder.filePath(QStringLiteral("%1-%2.toml").arg(stem).arg(number));
-        }
-        try {
-            folder.mkpath(QStringLiteral("."));
-            write(path);
-            emit rescued(path);
-        } catch (const std::exception& error) {
-            emit failed(words_of(error));
-        }
+    if (tour_->duration_s() < kWorthKeepingS) return {};
+    const QString name = QFileInfo(QString::fromStdString(tour_->world().name)).completeBaseName();
+    QString path = new_file_of_data(QStringLiteral("driven"), name, QStringLiteral("toml"));
+    try {
+        write(path);
+        emit rescued(path);
+        return path;
+    } catch (const std::exception& error) {
+        emit failed(words_of(error));
+        return {};
     }
-    give_up();
 }
 
 }  // namespace hitos::window

@@ -55,7 +55,8 @@ class LiveDrive final : public QObject {
     /// new text. Throws hitos::FileError where it cannot be written, and the tour goes on.
     void keep(const QString& path);
 
-    /// Ends the tour; of one that was worth it a copy is kept, and rescued() says where.
+    /// Ends the tour; one that was worth it is kept in the program's data and mapped there, and
+    /// rescued() says where.
     void leave();
     /// Ends the tour; nothing of it stays.
     void give_up();
@@ -72,7 +73,8 @@ class LiveDrive final : public QObject {
   private:
     void tick();
     void write(const QString& path) const;
-    static QString rescue_folder();
+    QString rescue();
+    void map(const QString& path);
 
     Session& session_;
     std::shared_ptr<SimulatedTour> tour_;

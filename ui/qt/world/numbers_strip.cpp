@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 
 #include "app/theme.hpp"
@@ -104,6 +105,7 @@ void NumbersStrip::take(std::size_t place) {
         set_look(*fields_[place], "state", "good");
         return;
     }
+    fields_[place]->setText(before);  // until it is so: a question may take the keyboard away
     emit entered(place, *value);
 }
 
@@ -119,7 +121,10 @@ bool NumbersStrip::eventFilter(QObject* watched, QEvent* event) {
     }
     if (key != Qt::Key_Return && key != Qt::Key_Enter) return QWidget::eventFilter(watched, event);
     if (asks_) {
-        emit finished();
+        const bool good = std::ranges::all_of(fields_, [](const QLineEdit* field) {
+            return field->text().isEmpty() || number_of(field->text());
+        });
+        if (good) emit finished();  // else the red one waits
         return true;
     }
     for (std::size_t i = 0; i < kMost; ++i) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/words_of.hpp"
+#include "hitos/base/error.hpp"
 
 namespace hitos::window {
 namespace {
@@ -13,36 +14,39 @@ constexpr std::size_t kMostSteps = 300;
 }  // namespace
 
 WorldDraft::WorldDraft(QObject* parent)
-    : QObject(parent), steps_{std::make_shared<const WorldText>()} {}
+    : QObject(parent), steps_{{std::make_shared<const WorldText>(), {}}} {}
 
 QString WorldDraft::name() const {
-    return file_.isEmpty() ? tr("untitled") : QFileInfo(file_).completeBaseName();
+    return file().isEmpty() ? tr("untitled") : QFileInfo(file()).completeBaseName();
 }
 
-bool WorldDraft::empty() const {
-    return text().text().empty();
+const std::string& WorldDraft::saved_text() const {
+    static const std::string none;
+    const auto found = saved_.find(file());
+    return found == saved_.end() ? none : found->second;
 }
 
 void WorldDraft::open(WorldText text, const QString& file) {
-    file_ = file;
-    saved_ = file.isEmpty() ? std::string() : text.text();
-    steps_ = {std::make_shared<const WorldText>(std::move(text))};
+    saved_.clear();
+    if (!file.isEmpty()) saved_[file] = text.text();
+    steps_ = {{std::make_shared<const WorldText>(std::move(text)), file}};
     now_ = 0;
+    untouched_ = false;
     emit opened();
     emit changed();
 }
 
 void WorldDraft::go_on_as(WorldText text, const QString& file) {
-    file_ = file;
-    saved_ = text.text();
-    add(std::move(text));
+    saved_[file] = text.text();
+    add(std::move(text), file);
 }
 
-void WorldDraft::add(WorldText text) {
+void WorldDraft::add(WorldText text, const QString& file) {
     steps_.resize(now_ + 1);
-    steps_.push_back(std::make_shared<const WorldText>(std::move(text)));
+    steps_.push_back({std::make_shared<const WorldText>(std::move(text)), file});
     if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
     now_ = steps_.size() - 1;
+    untouched_ = false;
     emit changed();
 }
 
@@ -54,29 +58,43 @@ bool WorldDraft::change(const Edit& edit) {
         emit refused(words_of(error));
         return false;
     }
-    if (next.text() != text().text()) add(std::move(next));
+    const QString same_file = file();
+    if (next.text() != text().text()) add(std::move(next), same_file);
     return true;
 }
 
 void WorldDraft::save(const QString& path) {
-    auto next = std::make_shared<WorldText>(text());
-    next->save(path.toStdString());
-    file_ = path;
-    saved_ = next->text();
-    steps_[now_] = std::move(next);
+    WorldText there = text().moved_to(path.toStdString());
+    there.save(path.toStdString());
+    saved_[path] = there.text();
+    const QString before = file();
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+        if (i == now_) {
+            steps_[i] = {std::make_shared<const WorldText>(there), path};
+        } else if (steps_[i].file == before) {
+            try {
+                steps_[i] = {
+                    std::make_shared<const WorldText>(steps_[i].text->moved_to(path.toStdString())),
+                    path};
+            } catch (const Error&) {  // its drawing is gone: it stays what it was
+            }
+        }
+    }
+    emit changed();
+}
+
+void WorldDraft::go_to(std::size_t step) {
+    now_ = step;
+    emit stepped();
     emit changed();
 }
 
 void WorldDraft::undo() {
-    if (!can_undo()) return;
-    --now_;
-    emit changed();
+    if (can_undo()) go_to(now_ - 1);
 }
 
 void WorldDraft::redo() {
-    if (!can_redo()) return;
-    ++now_;
-    emit changed();
+    if (can_redo()) go_to(now_ + 1);
 }
 
 }  // namespace hitos::window

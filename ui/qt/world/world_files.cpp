@@ -3,7 +3,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QMenu>
-#include <QStandardPaths>
 
 #include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
@@ -26,9 +25,7 @@ bool is_shipped(const QString& path) {
 }  // namespace
 
 WorldFiles::WorldFiles(WorldDraft& draft, UserFiles& files, Prompts& prompts, QWidget* window)
-    : QObject(window), draft_(draft), files_(files), prompts_(prompts), window_(window) {
-    connect(&draft, &WorldDraft::opened, this, [this] { copy_.clear(); });
-}
+    : QObject(window), draft_(draft), files_(files), prompts_(prompts), window_(window) {}
 
 void WorldFiles::fill(QMenu& menu) {
     const auto add = [&](const QString& text, const char* name, const QKeySequence& key, auto act) {
@@ -87,7 +84,7 @@ bool WorldFiles::open(const QString& path) {
     if (!may_discard()) return false;
     try {
         if (is_world_file(path.toStdString())) {
-            draft_.open(WorldText::read(path.toStdString()), path);
+            draft_.open(WorldText::read_unfinished(path.toStdString()), path);
         } else if (!import(path)) {
             return false;
         }
@@ -161,16 +158,13 @@ QString WorldFiles::file_as_drawn() {
         QFileInfo::exists(draft_.file())) {
         return draft_.file();
     }
-    if (copy_.isEmpty()) {
-        const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
-                          QStringLiteral("/drawn"));
-        folder.mkpath(QStringLiteral("."));
-        for (int number = 1; copy_.isEmpty() || QFileInfo::exists(copy_); ++number) {
-            copy_ = folder.filePath(QStringLiteral("%1-%2.toml").arg(draft_.name()).arg(number));
-        }
+    // What was run of an earlier copy may be named by its results: another text is another file.
+    const WorldText& text = draft_.text();
+    if (copy_.isEmpty() || copied_ != text.text()) {
+        copy_ = new_file_of_data(QStringLiteral("drawn"), draft_.name(), QStringLiteral("toml"));
+        copied_ = text.text();
     }
-    WorldText text = draft_.text();
-    text.save(copy_.toStdString());
+    text.moved_to(copy_.toStdString()).save(copy_.toStdString());
     return copy_;
 }
 

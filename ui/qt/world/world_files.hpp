@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <string>
 
 #include "actions/prompts.hpp"
 #include "actions/user_files.hpp"
@@ -49,7 +50,8 @@ class WorldFiles final : public QObject {
     UserFiles& files_;
     Prompts& prompts_;
     QWidget* window_;
-    QString copy_;  ///< of what is not saved
+    QString copy_;        ///< of what is not saved
+    std::string copied_;  ///< what it says
 };
 
 }  // namespace hitos::window

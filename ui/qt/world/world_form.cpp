@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/screen_fit.hpp"
+#include "app/words_of.hpp"
 
 namespace hitos::window {
 namespace {
@@ -31,7 +32,7 @@ constexpr std::array<std::array<WorldGroup, 3>, 2> kColumns = {
 
 }  // namespace
 
-WorldForm::WorldForm(const World& world, QWidget* parent) : QDialog(parent), world_(world) {
+WorldForm::WorldForm(const WorldText& text, QWidget* parent) : QDialog(parent), text_(text) {
     setObjectName("world_form");
     setWindowTitle(tr("Robot, laser, odometry"));
     auto* all = new QVBoxLayout(this);
@@ -56,6 +57,12 @@ WorldForm::WorldForm(const World& world, QWidget* parent) : QDialog(parent), wor
     scroll->setMinimumWidth(groups->minimumSizeHint().width() +
                             scroll->verticalScrollBar()->sizeHint().width());
     all->addWidget(scroll, 1);
+    verdict_ = new QLabel(this);
+    verdict_->setObjectName("world_form_verdict");
+    verdict_->setProperty("role", "error");
+    verdict_->setWordWrap(true);
+    verdict_->hide();
+    all->addWidget(verdict_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     all->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &WorldForm::accept);
@@ -72,14 +79,14 @@ void WorldForm::add_group(std::string_view group, const QString& title, QGridLay
     for (const WorldKey& key : world_keys()) {
         if (key.table() != group) continue;
         auto* field = new FieldOf<World>(key, rows, box);
-        field->set_value(world_);
+        field->set_value(text_.world());
         fields_.push_back(field);
         connect(field, &ParameterField::edited, field, [field] { field->take(); });
     }
 }
 
 void WorldForm::accept() {
-    World next = world_;
+    World next = text_.world();
     FieldOf<World>* first_wrong = nullptr;
     for (FieldOf<World>* field : fields_) {
         if (!field->apply(next) && first_wrong == nullptr) first_wrong = field;
@@ -88,7 +95,13 @@ void WorldForm::accept() {
         first_wrong->focus();
         return;
     }
-    world_ = std::move(next);
+    try {
+        text_.set(next);
+    } catch (const std::exception& error) {  // a tour that was driven faster, say
+        verdict_->setText(words_of(error));
+        verdict_->show();
+        return;
+    }
     QDialog::accept();
 }
 

@@ -5,28 +5,31 @@
 #include <vector>
 
 #include "dialogs/parameter_field.hpp"
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/world_text.hpp"
 
 class QGridLayout;
+class QLabel;
 
 namespace hitos::window {
 
-/// Made from world_keys(). It can be left by OK only when every value is possible.
+/// Made from world_keys(). It can be left by OK only when every value and all of them together are
+/// possible.
 class WorldForm final : public QDialog {
     Q_OBJECT
 
   public:
-    WorldForm(const World& world, QWidget* parent);
+    WorldForm(const WorldText& text, QWidget* parent);
 
     /// As accepted.
-    const World& world() const { return world_; }
+    const WorldText& text() const { return text_; }
 
     void accept() override;
 
   private:
     void add_group(std::string_view group, const QString& title, QGridLayout* rows, QWidget* box);
 
-    World world_;
+    WorldText text_;
+    QLabel* verdict_ = nullptr;
     std::vector<FieldOf<World>*> fields_;
 };
 

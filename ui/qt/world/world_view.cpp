@@ -4,15 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "hitos/simulation/world_editing.hpp"
 #include "views/canvas_paint.hpp"
 #include "views/landmark_painter.hpp"
 
 namespace hitos::window {
 namespace {
-
-QPointF point_of(const Point2& point) {
-    return {point.x, point.y};
-}
 
 void draw_walls(QPainter& painter, const Scene& scene, const std::vector<WallSegment>& walls,
                 const QPen& pen) {
@@ -25,6 +22,7 @@ void draw_walls(QPainter& painter, const Scene& scene, const std::vector<WallSeg
 
 std::vector<QPointF> as_points(const std::vector<Point2>& points) {
     std::vector<QPointF> all;
+    all.reserve(points.size());
     for (const Point2& point : points) all.push_back(point_of(point));
     return all;
 }
@@ -185,9 +183,9 @@ void WorldView::paint_plan(QPainter& painter, const Scene& scene) const {
     painter.setBrush(faded(scene.colours.text, 30));
     for (const Disturbance& event : world_->tour.events) {
         if (event.kind != DisturbanceKind::box) continue;
-        const double half = event.values[2] / 2.0;
-        painter.drawPolygon(scene.to_screen.map(QPolygonF(
-            QRectF(event.values[0] - half, event.values[1] - half, 2.0 * half, 2.0 * half))));
+        QPolygonF outline;
+        for (const Point2& corner : box_outline(event)) outline << point_of(corner);
+        painter.drawPolygon(scene.to_screen.map(outline));
     }
     const TourParams& tour = world_->tour;
     std::vector<QPointF> way = {{tour.start.x, tour.start.y}};
@@ -298,11 +296,6 @@ void WorldView::set_held(unsigned keys) {
 }
 
 void WorldView::keyPressEvent(QKeyEvent* event) {
-    const QString text = event->text();
-    if (!tour_ && text.size() == 1 && (text[0].isDigit() || text[0] == '.')) {
-        emit number_begun(text);
-        return;
-    }
     const unsigned key = held_by(event->key());
     if (!tour_ || key == 0 || event->modifiers().testFlag(Qt::ControlModifier)) {
         CanvasView::keyPressEvent(event);

@@ -35,8 +35,6 @@ class WorldView final : public CanvasView {
     /// Parts of the greatest speed and turn rate (to the left).
     void held(double ahead, double left);
     void goal_chosen(QPointF world_m);
-    /// The beginning of a number, while a tool has the clicks.
-    void number_begun(QString digits);
 
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;

@@ -1,6 +1,7 @@
 #include "world_window.hpp"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -65,6 +66,22 @@ WorldWindow::WorldWindow(Session& session, UserFiles& files, Prompts& prompts,
     show_state();
 }
 
+/// Before the draft and the tool that they refer to.
+WorldWindow::~WorldWindow() {
+    delete panel_;
+    delete bar_;
+}
+
+/// Escape ends what is begun, wherever the keyboard is; it does not close the window.
+void WorldWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape) {
+        QDialog::keyPressEvent(event);
+        return;
+    }
+    if (!drive().active()) tool_.escape();
+    view_->setFocus();
+}
+
 LiveDrive& WorldWindow::drive() {
     return panel_->drive();
 }
@@ -87,9 +104,9 @@ QWidget* WorldWindow::make_tools() {
     files_of_worlds_.fill(*menu_);
     menu_->addSeparator();
     QAction* values = menu_->addAction(tr("&Robot, laser, odometry…"), this, [this] {
-        WorldForm form(draft_.world(), this);
+        WorldForm form(draft_.text(), this);
         if (form.exec() == QDialog::Accepted) {
-            draft_.change([&](WorldText& text) { text.set(form.world()); });
+            draft_.change([&](WorldText& text) { text = form.text(); });
         }
     });
     values->setObjectName("world_values");
@@ -227,7 +244,7 @@ void WorldWindow::say(const QString& words) {
 /// Whoever works on a world sees that one.
 void WorldWindow::showEvent(QShowEvent* event) {
     const std::string& source = session_.configuration().source.file;
-    if (draft_.empty() && is_world_file(source)) {
+    if (draft_.untouched() && is_world_file(source)) {
         try {
             draft_.open(WorldText::read(source), QString::fromStdString(source));
         } catch (const std::exception&) {  // it is told where it is run

@@ -32,6 +32,7 @@ class WorldWindow final : public QDialog {
   public:
     WorldWindow(Session& session, UserFiles& files, Prompts& prompts, const RunGuard& guard,
                 QWidget* parent);
+    ~WorldWindow() override;
 
     LiveDrive& drive();
     WorldView& view() const { return *view_; }
@@ -53,6 +54,7 @@ class WorldWindow final : public QDialog {
     void run_wanted(QString path);
 
   protected:
+    void keyPressEvent(QKeyEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
