@@ -40,7 +40,9 @@ ConditionTrack::ConditionTrack(const World& world) : open_(world.doors.size(), f
 std::shared_ptr<const Surroundings> ConditionTrack::surroundings(const World& world) const {
     std::vector<WallSegment> walls = world.walls;
     for (std::size_t i = 0; i < world.doors.size(); ++i) {
-        if (!open_[i]) walls.push_back(world.doors[i]);
+        if (open_[i]) continue;
+        walls.push_back(world.doors[i]);
+        walls.back().wall = -static_cast<int>(i) - 1;  // told from the walls by it
     }
     walls.insert(walls.end(), boxes_.begin(), boxes_.end());
     return std::make_shared<Surroundings>(std::move(walls), world);

@@ -106,9 +106,18 @@ class Driver {
     }
 
     static Message wall_name(const WallSegment& wall) {
-        return message(HITOS_TEXT("Errors", "wall %1, (%2, %3) to (%4, %5)"), wall.wall,
-                       fmt::format("{:g}", wall.a.x), fmt::format("{:g}", wall.a.y),
-                       fmt::format("{:g}", wall.b.x), fmt::format("{:g}", wall.b.y));
+        const auto of = [](double value) { return fmt::format("{:g}", value); };
+        const auto& [a, b, number, line] = wall;
+        if (number > 0) {
+            return message(HITOS_TEXT("Errors", "wall %1, (%2, %3) to (%4, %5)"), number, of(a.x),
+                           of(a.y), of(b.x), of(b.y));
+        }
+        if (number < 0) {
+            return message(HITOS_TEXT("Errors", "closed door %1, (%2, %3) to (%4, %5)"), -number,
+                           of(a.x), of(a.y), of(b.x), of(b.y));
+        }
+        return message(HITOS_TEXT("Errors", "a side of a box, (%1, %2) to (%3, %4)"), of(a.x),
+                       of(a.y), of(b.x), of(b.y));
     }
 
     void check_start() const {

@@ -251,6 +251,10 @@ std::optional<WorldItem> item_at(const WorldText& text, const Point2& point, dou
                 offer(distance(piece, point),
                       box ? WorldItem{kKinds[k], i, 0, 0} : WorldItem{kKinds[k], i, j - 1, j});
             }
+            const bool inside = kKinds[k] == ItemKind::box && point.x >= lines[k][i][0].x &&
+                                point.x <= lines[k][i][2].x && point.y >= lines[k][i][0].y &&
+                                point.y <= lines[k][i][2].y;
+            if (inside) offer(0.0, {kKinds[k], i, 0, 0});
         }
     }
     return found;

@@ -14,6 +14,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/tour_reader.hpp"
+#include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
 #include "hitos/services/maps/wall_tracing.hpp"
@@ -127,6 +128,19 @@ std::vector<Polyline> walls_of_map(const std::filesystem::path& file, double tol
     return walls;
 }
 
+/// Of a run's own map.dxf the layer of its segments: the corners' ellipses are no walls.
+std::vector<Polyline> walls_of_drawing(const std::filesystem::path& file) {
+    try {
+        return read_dxf_walls(file);
+    } catch (const FormatError&) {
+        try {
+            return read_dxf_walls(file, {kDxfLines, {}});
+        } catch (const FormatError&) {  // what is wrong with the whole says more
+        }
+        throw;
+    }
+}
+
 std::vector<Polyline> walls_of_picture(const OccupancyPicture& picture, double tolerance_m) {
     TracingOptions options;
     options.tolerance_m = tolerance_m;
@@ -166,7 +180,7 @@ std::vector<Polyline> import_walls(const std::filesystem::path& source,
     std::vector<Polyline> walls;
     switch (wall_source(source)) {
         case WallSource::drawing:
-            for (Polyline& wall : read_dxf_walls(source)) {
+            for (Polyline& wall : walls_of_drawing(source)) {
                 // Drawings hold points twice where a line was snapped to itself.
                 wall.erase(std::unique(wall.begin(), wall.end()), wall.end());
                 if (wall.size() >= 2) walls.push_back(std::move(wall));

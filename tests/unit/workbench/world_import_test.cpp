@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "hitos/base/error.hpp"
+#include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/services/maps/picture_file.hpp"
 #include "hitos/services/run/grid.hpp"
 #include "hitos/simulation/driven_path.hpp"
@@ -111,6 +112,22 @@ TEST(WorldImport, WhatShowsNoWallIsRefused) {
               }).find("is a world; expected a drawing"),
               std::string::npos);
     message_of<FileError>([&] { import_walls(folder / "none.map", {}); });
+}
+
+TEST(WorldImport, TheDrawingOfARunGivesItsSegments) {
+    const TempFolder folder;
+    LandmarkMap map;
+    ICaracteristica wall;
+    wall.value = Recta{2.0, 0.0};
+    map.push_back(wall);
+    ICaracteristica corner;
+    corner.value = Esquina{2.0, 3.0};
+    corner.covariance << 0.01, 0.002, 0.002, 0.02;  // an ellipse in the drawing
+    map.push_back(corner);
+    const LineExtent extent{0, {2.0, -1.0}, {2.0, 3.0}, 7};
+    write_dxf(map, {&extent, 1}, {}, folder / "map.dxf");
+    const auto walls = import_walls(folder / "map.dxf", {});
+    EXPECT_EQ(walls, (std::vector<Polyline>{{{2.0, -1.0}, {2.0, 3.0}}}));
 }
 
 }  // namespace

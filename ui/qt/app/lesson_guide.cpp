@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
+#include <QScreen>
 #include <QTextBrowser>
 
 #include "actions/configuration_actions.hpp"
@@ -72,7 +73,16 @@ void LessonGuide::show_page(const Lesson& lesson, const QString& text) {
         keep_keys_in_front(dock_);
         window_.addDockWidget(Qt::RightDockWidgetArea, dock_);
         constexpr int kWidth = 360;
-        window_.resizeDocks({dock_}, {kWidth}, Qt::Horizontal);
+        constexpr int kRoomForBoth = 1280;
+        constexpr int kHeight = 460;
+        if (window_.width() < kRoomForBoth) {  // beside the views nobody could read it
+            dock_->setFloating(true);
+            dock_->resize(kWidth, kHeight);
+            const QRect room = window_.screen()->availableGeometry();
+            dock_->move(room.right() - kWidth - 8, room.bottom() - kHeight - 36);
+        } else {
+            window_.resizeDocks({dock_}, {kWidth}, Qt::Horizontal);
+        }
     }
     const QString title = tr("Lesson %1").arg(lesson.number);
     dock_->setWindowTitle(title);

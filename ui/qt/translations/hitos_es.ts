@@ -2083,6 +2083,14 @@
         <source>found no readable scan; of the log %1 parts were skipped as damaged, the first is %2</source>
         <translation>no se encontró ningún barrido legible; partes del registro que se saltaron por dañadas: %1, la primera: %2</translation>
     </message>
+    <message>
+        <source>closed door %1, (%2, %3) to (%4, %5)</source>
+        <translation>la puerta cerrada %1, de (%2, %3) a (%4, %5)</translation>
+    </message>
+    <message>
+        <source>a side of a box, (%1, %2) to (%3, %4)</source>
+        <translation>un lado de una caja, de (%1, %2) a (%3, %4)</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -6218,10 +6226,6 @@
         <translation>Ejecutar su recorrido</translation>
     </message>
     <message>
-        <source>Maps the tour along the way points in the main window</source>
-        <translation>Procesa el recorrido por los puntos de paso en la ventana principal</translation>
-    </message>
-    <message>
         <source>That cannot be drawn</source>
         <translation>Eso no se puede dibujar</translation>
     </message>
@@ -6244,6 +6248,10 @@
     <message>
         <source>The world cannot be driven through</source>
         <translation>No se puede conducir por el mundo</translation>
+    </message>
+    <message>
+        <source>Maps the tour along the way points, or the one that was driven, in the main window</source>
+        <translation>Procesa en la ventana principal el recorrido por los puntos de paso, o el que se condujo</translation>
     </message>
 </context>
 </TS>

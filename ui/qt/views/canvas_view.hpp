@@ -49,7 +49,7 @@ class CanvasView : public QWidget {
     /// Draws over the view, and has its clicks while it wants them.
     void set_tool(hitos::window::ViewTool& tool);
 
-    void fit();
+    virtual void fit();
     void zoom(double factor);
     void set_follow(bool on);
     /// Looks where another one looks.

@@ -1,15 +1,16 @@
 #include "draw_bar.hpp"
 
 #include <QButtonGroup>
-#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 #include <array>
 
+#include "dialogs/parameter_text.hpp"
 #include "draw_tool.hpp"
 #include "numbers_strip.hpp"
+#include "steady_label.hpp"
 #include "world_draft.hpp"
 #include "world_view.hpp"
 
@@ -78,6 +79,7 @@ DrawBar::DrawBar(WorldDraft& draft, DrawTool& tool, WorldView& view, QWidget* pa
     hint_->setObjectName("draw_hint");
     hint_->setProperty("role", "muted");
     hint_->setWordWrap(true);
+    keep_lines(*hint_, 2);
     words->addWidget(hint_, 1);
     connect_numbers();
     connect(&tool_, &DrawTool::mode_changed, this, &DrawBar::show_mode);
@@ -94,11 +96,12 @@ void DrawBar::make_modes() {
     for (const ModeInfo& info : kModes) {
         auto* button = new QToolButton(this);
         button->setObjectName(QString("draw_") + info.name);
-        button->setText(tr(info.label));
+        button->setText(translated("DrawBar", info.label));
         button->setProperty("role", "view");
         button->setCheckable(true);
         const QKeySequence key(QStringLiteral("Ctrl+%1").arg(++number));
-        button->setToolTip(tr(info.hint) + " (" + key.toString(QKeySequence::NativeText) + ')');
+        button->setToolTip(translated("DrawBar", info.hint) + " (" +
+                           key.toString(QKeySequence::NativeText) + ')');
         button->setShortcut(key);
         group->addButton(button);
         modes_.push_back(button);
@@ -149,7 +152,7 @@ void DrawBar::show_mode() {
     for (std::size_t i = 0; i < kModes.size(); ++i) {
         if (kModes[i].mode != tool_.mode()) continue;
         modes_[i]->setChecked(true);
-        hint_->setText(tr(kModes[i].hint));
+        hint_->setText(translated("DrawBar", kModes[i].hint));
     }
 }
 

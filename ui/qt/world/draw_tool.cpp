@@ -179,7 +179,11 @@ void DrawTool::place_typed() {
     }
 }
 
-void DrawTool::place(const Point2& point) {
+void DrawTool::place(Point2 point) {
+    // What was typed round a room comes back to its beginning but for its last digits.
+    constexpr double kSamePoint = 1e-4;  // m
+    const bool closes = is_line() && pending_.size() > 2;
+    if (closes && length_of(pending_.front(), point) < kSamePoint) point = pending_.front();
     if (!pending_.empty() && pending_.back() == point) return;  // nothing has no length
     if (!(std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest)) {
         emit draft_.refused(tr("Found a point at %1; expected one no further than %2 km from the "

@@ -75,7 +75,7 @@ class DrawTool final : public ViewTool {
     /// Where a click there would put a point.
     Point2 target(const PointedAt& pointed) const;
     Point2 as_typed(const Point2& point) const;
-    void place(const Point2& point);
+    void place(Point2 point);
     bool takes_effect();
     bool add_line(const std::vector<Point2>& line);
     void clear_pending();

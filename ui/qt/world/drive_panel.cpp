@@ -16,6 +16,7 @@
 #include "disturb_bar.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/services/evaluation/nees.hpp"
+#include "steady_label.hpp"
 #include "world_view.hpp"
 
 namespace hitos::window {
@@ -44,6 +45,7 @@ DrivePanel::DrivePanel(Session& session, UserFiles& files, Prompts& prompts, Wor
     figures_ = new QLabel(this);
     figures_->setObjectName("drive_figures");
     figures_->setWordWrap(true);
+    keep_lines(*figures_, 2);
     column->addWidget(figures_);
     connect_drive();
     show_state();

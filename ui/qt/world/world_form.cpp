@@ -12,6 +12,7 @@
 
 #include "app/screen_fit.hpp"
 #include "app/words_of.hpp"
+#include "dialogs/parameter_text.hpp"
 
 namespace hitos::window {
 namespace {
@@ -46,8 +47,10 @@ WorldForm::WorldForm(const WorldText& text, QWidget* parent) : QDialog(parent), 
             auto* box = new QFrame(groups);
             box->setProperty("role", "card");
             auto* rows = new QGridLayout(box);
+            constexpr int kEditorWidth = 150;
             rows->setColumnStretch(1, 1);
-            add_group(group.table, tr(group.title), rows, box);
+            rows->setColumnMinimumWidth(1, kEditorWidth);
+            add_group(group.table, translated("WorldForm", group.title), rows, box);
             column->addWidget(box);
         }
         column->addStretch(1);

@@ -1,6 +1,7 @@
 #include "world_view.hpp"
 
 #include <QKeyEvent>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -60,9 +61,10 @@ const World* WorldView::world() const {
     return tour_ ? &tour_->world() : world_.get();
 }
 
-void WorldView::forget_place() {
+void WorldView::fit() {
     sheet_ = {};
-    fit();
+    grow_sheet();
+    CanvasView::fit();
 }
 
 void WorldView::set_world(std::shared_ptr<const World> world) {
@@ -157,10 +159,9 @@ void WorldView::paint_scene(QPainter& painter, const Scene& scene) const {
 }
 
 void WorldView::paint_walls(QPainter& painter, const Scene& scene) const {
-    // Where a door is, whether it stands open or not: a closed one is a wall too.
-    draw_walls(painter, scene, world()->doors, thin_pen(scene.colours.accent, 1.2, Qt::DashLine));
-    draw_walls(painter, scene, tour_ ? tour_->walls_now() : world()->walls,
-               thin_pen(scene.colours.text, 2.0));
+    const std::vector<WallSegment> walls = tour_ ? tour_->walls_now() : world()->walls;
+    draw_walls(painter, scene, walls, thin_pen(scene.colours.text, 2.0));
+    paint_doors(painter, scene, walls);
     std::vector<Point2> people;
     if (tour_) people = tour_->people_now();
     for (std::size_t i = 0; i < world()->walkers.size(); ++i) {
@@ -170,6 +171,24 @@ void WorldView::paint_walls(QPainter& painter, const Scene& scene) const {
         const double radius = walker.radius_m * scene.pixels_per_m;
         const Point2 at = tour_ ? people[i] : walker.way.front();
         painter.drawEllipse(scene.to_screen.map(point_of(at)), radius, radius);
+    }
+}
+
+/// Closed ones solid, open ones dashed; with their numbers.
+void WorldView::paint_doors(QPainter& painter, const Scene& scene,
+                            const std::vector<WallSegment>& walls) const {
+    int number = 0;
+    for (const WallSegment& door : world()->doors) {
+        const bool closed = !tour_ || std::ranges::any_of(walls, [&](const WallSegment& wall) {
+            return wall.a == door.a && wall.b == door.b;
+        });
+        draw_walls(painter, scene, {door},
+                   closed ? thin_pen(scene.colours.accent, 3.0)
+                          : thin_pen(scene.colours.accent, 1.2, Qt::DashLine));
+        const Point2 middle{(door.a.x + door.b.x) / 2.0, (door.a.y + door.b.y) / 2.0};
+        painter.setPen(scene.colours.accent);
+        painter.drawText(scene.to_screen.map(point_of(middle)) + QPointF(5.0, -5.0),
+                         QString::number(++number));
     }
 }
 

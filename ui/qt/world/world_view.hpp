@@ -21,8 +21,8 @@ class WorldView final : public CanvasView {
 
     /// What is seen while nothing is driven.
     void set_world(std::shared_ptr<const World> world);
-    /// Shows all of it anew, as a world that was opened.
-    void forget_place();
+    /// All that is there now, and no more.
+    void fit() override;
     void set_layers(const LayerSet& layers);
     /// What is driven; null: nothing.
     void set_tour(std::shared_ptr<const SimulatedTour> tour);
@@ -56,6 +56,8 @@ class WorldView final : public CanvasView {
     void grow_sheet();
     void paint_landmarks(QPainter& painter, const Scene& scene) const;
     void paint_walls(QPainter& painter, const Scene& scene) const;
+    void paint_doors(QPainter& painter, const Scene& scene,
+                     const std::vector<WallSegment>& walls) const;
     void paint_plan(QPainter& painter, const Scene& scene) const;
     void paint_truth(QPainter& painter, const Scene& scene) const;
     void paint_belief(QPainter& painter, const Scene& scene) const;

@@ -17,6 +17,7 @@
 #include "drive_panel.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/workbench/presets.hpp"
+#include "steady_label.hpp"
 #include "world_form.hpp"
 #include "world_view.hpp"
 
@@ -24,6 +25,7 @@ namespace hitos::window {
 namespace {
 
 constexpr QSize kWished(960, 700);
+constexpr int kBeside = 40;  // pixels from the main window
 
 }  // namespace
 
@@ -45,23 +47,25 @@ WorldWindow::WorldWindow(Session& session, UserFiles& files, Prompts& prompts,
     bar_ = new DrawBar(draft_, tool_, *view_, this);
     column->addWidget(bar_);
     column->addWidget(view_, 1);
+    auto* words = new QHBoxLayout;
     check_ = new CheckLine(this);
-    column->addWidget(check_);
-    panel_ = new DrivePanel(session, files, prompts, *view_, this);
-    column->addWidget(panel_);
+    words->addWidget(check_, 2);
     said_ = new QLabel(this);
     said_->setObjectName("world_notice");
     said_->setWordWrap(true);
     said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    column->addWidget(said_);
-    say({});
+    words->addWidget(said_, 1);
+    for (QLabel* label : {static_cast<QLabel*>(check_), said_}) keep_lines(*label, 2);
+    panel_ = new DrivePanel(session, files, prompts, *view_, this);
+    column->addWidget(panel_);
+    column->addLayout(words);
     make_actions();
     connect_draft();
     connect(panel_, &DrivePanel::notice, this, &WorldWindow::say);
     connect(panel_, &DrivePanel::kept, this, &WorldWindow::go_on_with);
     connect(&drive(), &LiveDrive::changed, this, &WorldWindow::show_state);
     resize(kWished);
-    fit_to_screen(*this);
+    place_beside_parent(*this, QPoint(kBeside, kBeside));
     show_draft();
     show_state();
 }
@@ -118,7 +122,8 @@ QWidget* WorldWindow::make_tools() {
     row->addStretch(1);
     run_ = new QPushButton(tr("Run its tour"), tools);
     run_->setObjectName("world_run");
-    run_->setToolTip(tr("Maps the tour along the way points in the main window"));
+    run_->setToolTip(
+        tr("Maps the tour along the way points, or the one that was driven, in the main window"));
     row->addWidget(run_);
     drive_ = new QPushButton(tools);
     drive_->setObjectName("world_drive");
@@ -132,7 +137,8 @@ void WorldWindow::make_actions() {
     undo_->setObjectName("world_undo");
     undo_->setShortcut(QKeySequence::Undo);
     redo_->setObjectName("world_redo");
-    redo_->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence::Redo});
+    redo_->setShortcuts(
+        {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     addActions({undo_, redo_});
     connect(undo_, &QAction::triggered, this, [this] {
         // A point that was just drawn goes first.
@@ -155,7 +161,7 @@ void WorldWindow::connect_draft() {
     connect(&files_of_worlds_, &WorldFiles::asked_for, &tool_, &DrawTool::finish);
     connect(&draft_, &WorldDraft::opened, this, [this] {
         view_->set_world(std::make_shared<const World>(draft_.world()));
-        view_->forget_place();
+        view_->fit();
     });
     connect(&draft_, &WorldDraft::changed, this, &WorldWindow::show_draft);
     connect(&tool_, &DrawTool::pending_changed, this, &WorldWindow::show_state);
@@ -179,7 +185,9 @@ void WorldWindow::show_state() {
     for (QAction* action : menu_->actions()) action->setEnabled(!drives);
     undo_->setEnabled(!drives && (draft_.can_undo() || !tool_.pending().empty()));
     redo_->setEnabled(!drives && draft_.can_redo());
-    run_->setEnabled(!drives && !draft_.world().walls.empty());
+    const TourParams& tour = draft_.world().tour;
+    const bool has_tour = !tour.way_points.empty() || !tour.commands.empty();
+    run_->setEnabled(!drives && !draft_.world().walls.empty() && has_tour);
     drive_->setText(drives ? tr("Back to drawing") : tr("Drive a robot"));
     drive_->setToolTip(drives ? tr("Ends the tour; of five seconds or more a copy is kept")
                               : tr("Puts the robot at the start, to be driven by hand"));
@@ -237,7 +245,7 @@ void WorldWindow::go_on_with(const QString& path) {
 /// Here, and in the main window.
 void WorldWindow::say(const QString& words) {
     said_->setText(words);
-    said_->setVisible(!words.isEmpty());
+    said_->setToolTip(words);
     if (!words.isEmpty()) emit notice(words);
 }
 
