@@ -1,6 +1,7 @@
 #include "hitos/simulation/world_editing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -230,7 +231,7 @@ std::optional<WorldItem> item_at(const WorldText& text, const Point2& point, dou
         nearest = away;
         found = item;
     };
-    constexpr ItemKind kKinds[] = {ItemKind::wall,   ItemKind::door,      ItemKind::box,
+    constexpr std::array kKinds = {ItemKind::wall,   ItemKind::door,      ItemKind::box,
                                    ItemKind::person, ItemKind::way_point, ItemKind::start};
     std::vector<std::vector<Polyline>> lines;
     for (const ItemKind kind : kKinds) lines.push_back(lines_of(text, kind));
@@ -409,6 +410,7 @@ void set_number(WorldText& text, const WorldItem& item, std::size_t place, doubl
     const std::vector<ItemNumber> numbers = numbers_of(text, item);
     if (place >= numbers.size() || numbers[place].value == value) return;
     std::vector<double> wanted;
+    wanted.reserve(numbers.size());
     for (const ItemNumber& number : numbers) wanted.push_back(number.value);
     wanted[place] = value;
     const World& world = text.world();

@@ -238,6 +238,13 @@ class WorldText::Change {
     /// Throws, and leaves the text as it was, where it would not read as expected.
     void finish() {
         World now = parse_unfinished_world(text_.text(), owner_.path_);
+        if (now.walls.size() != expected_.walls.size() && drawn(now) != drawn(expected_)) {
+            throw FormatError(owner_.path_.string(), 0,
+                              message(HITOS_TEXT("Errors",
+                                                 "the drawing %1 has changed meanwhile; save the "
+                                                 "world under another name, or open it again"),
+                                      now.drawing.string()));
+        }
         if (!same_world(now, expected_)) {
             throw FormatError(owner_.path_.string(), 0,
                               message(HITOS_TEXT("Errors",
@@ -285,13 +292,22 @@ WorldText WorldText::read_unfinished(const std::filesystem::path& path) {
 
 WorldText WorldText::moved_to(const std::filesystem::path& path) const {
     if (world_.drawing.empty()) return {text_, path};
-    try {
-        WorldText there(text_, path);
-        if (same_world(there.world_, world_)) return there;
-    } catch (const Error&) {  // not found from there
-    }
     TomlText text(text_);
-    text.set("", "walls_dxf", TomlValue::word(std::filesystem::absolute(world_.drawing).string()));
+    for (const bool whole_path : {false, true}) {
+        if (whole_path) {
+            const std::string drawing = std::filesystem::absolute(world_.drawing).string();
+            text.set("", "walls_dxf", TomlValue::word(drawing));
+        }
+        try {
+            WorldText there(text.text(), path);
+            if (same_world(there.world_, world_)) return there;
+        } catch (const Error&) {  // not found from there
+        }
+    }
+    for (const char* key : {"walls_dxf", "dxf_layer", "dxf_unit"}) text.remove("", key);
+    std::vector<TomlValue> list;
+    for (const Polyline& wall : polylines_of(world_.walls)) list.push_back(points_of(wall));
+    text.set("", "walls", TomlValue::of(std::move(list), true));
     return {text.text(), path};
 }
 

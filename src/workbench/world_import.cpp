@@ -225,7 +225,12 @@ WorldText import_world(const std::filesystem::path& source, const std::filesyste
         name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
     // The start is written even where it is the origin, to be seen and changed.
     WorldText text(fmt::format("# The walls of {}.\n[tour]\nstart = [0, 0, 0]\n", name), path);
-    text.set_walls(import_walls(source, options, left_out));
+    const std::vector<Polyline> walls = import_walls(source, options, left_out);
+    try {
+        text.set_walls(walls);
+    } catch (const FormatError& error) {  // of the source, not of what is made of it
+        throw FormatError(source.string(), 0, error.message());
+    }
     text.set_start(options.start.value_or(Pose{}));
     return text;
 }

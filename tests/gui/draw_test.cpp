@@ -287,6 +287,10 @@ void DrawTest::things_are_chosen_moved_and_taken_out() {
     QVERIFY(f.text().text().empty());
     f.act("world_redo");
     QCOMPARE(f.text().walls().size(), std::size_t{1});
+    // A key that stands twice is heard of by nobody.
+    QList<QKeySequence> keys;
+    for (const QAction* action : f.world().actions()) keys << action->shortcuts();
+    for (const QKeySequence& shortcut : keys) QCOMPARE(keys.count(shortcut), 1);
 }
 
 void DrawTest::points_snap_and_what_cannot_be_is_told() {
@@ -382,9 +386,12 @@ void DrawTest::nothing_drawn_is_lost_unasked() {
     QVERIFY(f.window->isVisible());
     QCOMPARE(f.prompts.confirmed_texts.size(), 2);
     // Where it cannot be written it says why and asks again.
-    f.prompts.saves << f.path("no-such-folder/room.toml") << f.path("room.toml");
+    f.prompts.saves << f.path("no-such-folder/room.toml") << f.path("room.txt")
+                    << Fixture::source_file("data/worlds/new.toml") << f.path("room.toml");
     f.act("world_save");
-    QCOMPARE(f.prompts.warnings.size(), 1);
+    QCOMPARE(f.prompts.warnings.size(), 3);
+    QVERIFY(!QFile::exists(f.path("room.txt")));
+    QVERIFY(!QFile::exists(Fixture::source_file("data/worlds/new.toml")));
     QVERIFY(QFile::exists(f.path("room.toml")));
     // Somebody else has written it meanwhile.
     f.write("room.toml", "walls = [[[0, 0], [1, 1]]]\n");
@@ -469,6 +476,15 @@ void DrawTest::drawings_segments_and_grids_are_opened() {
     QVERIFY(f.no_warnings());
     QVERIFY(same_world(read_world(f.path("elsewhere/hall.toml").toStdString()), f.text().world()));
     QVERIFY(Fixture::read(f.path("elsewhere/hall.toml")).contains("# the hall"));
+    // The drawing goes: what was drawn is saved with its walls all the same.
+    QVERIFY(QFile::remove(f.path("room.dxf")));
+    f.prompts.saves << f.path("alone.toml");
+    f.act("world_save_as");
+    QVERIFY(f.no_warnings());
+    QCOMPARE(read_world(f.path("alone.toml").toStdString()).walls.size(), std::size_t{4});
+    f.press("draw_box");
+    f.click(1.0, 2.0);
+    QVERIFY(f.no_warnings());
 }
 
 void DrawTest::what_was_driven_and_left_is_not_run_in_its_place() {

@@ -287,11 +287,12 @@ void DriveTest::bad_worlds_leave_what_was_there() {
     QVERIFY_EXCEPTION_THROWN(f.drive().disturb(box), std::exception);
     f.periods(5);
     QTRY_VERIFY(f.caught_up());
-    // Where it cannot be written it goes on.
-    f.prompts.saves << f.path("no-such-folder/kept.toml");
+    // Where it cannot be written, or would be no world, it goes on.
+    f.prompts.saves << f.path("no-such-folder/kept.toml") << f.path("kept.txt");
     QTest::mouseClick(f.world_window().findChild<QPushButton*>("drive_keep"), Qt::LeftButton);
     QVERIFY(f.drive().tour() == tour);
     QVERIFY(f.session.is_live());
+    QVERIFY(!QFile::exists(f.path("kept.txt")));
 }
 
 void DriveTest::a_world_that_is_gone_loses_nothing() {

@@ -54,8 +54,7 @@ class WorldText {
     void set(const World& world);
 
     /// The same world as a file at that path: where its drawing would not be found from there, the
-    /// drawing's whole path stands in the text. Throws FileError where there is no drawing any
-    /// more.
+    /// drawing's whole path stands in the text; where it is gone or another one by now, the walls.
     WorldText moved_to(const std::filesystem::path& path) const;
 
     /// Writes the text atomically; from then on the path is this one. Throws FileError.

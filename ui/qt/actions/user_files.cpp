@@ -6,7 +6,9 @@
 #include <QStandardPaths>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/translatable.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/workbench/shipped_data.hpp"
@@ -15,6 +17,7 @@ namespace hitos::window {
 namespace {
 
 constexpr int kMostRecent = 10;
+constexpr int kLongestName = 60;  // letters, of which a file system may count each as four
 constexpr const char* kRecentKey = "recent/files";
 
 QString folder_or_default(const QString& folder) {
@@ -35,13 +38,33 @@ bool reads(const QString& path, Read read) {
 
 }  // namespace
 
+bool is_shipped(const QString& path) {
+    const QString folder = QFileInfo(shipped_folder("log")).canonicalFilePath();
+    const QString place = QFileInfo(path).dir().canonicalPath() + '/';
+    return !folder.isEmpty() && place.startsWith(folder + '/');
+}
+
+void check_world_name(const QString& path) {
+    if (!is_world_file(path.toStdString())) {
+        throw FileError(path.toStdString(),
+                        message(HITOS_TEXT("Errors", "expected a name that ends in .toml")));
+    }
+    if (is_shipped(path)) {
+        throw FileError(path.toStdString(),
+                        message(HITOS_TEXT("Errors",
+                                           "lies among the files that come with Hitos; choose "
+                                           "another folder")));
+    }
+}
+
 QString new_file_of_data(const QString& folder, const QString& name, const QString& ending) {
     const QDir place(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + '/' +
                      folder);
     place.mkpath(QStringLiteral("."));
     QString path;
     for (int number = 1; path.isEmpty() || QFileInfo::exists(path); ++number) {
-        path = place.filePath(QStringLiteral("%1-%2.%3").arg(name).arg(number).arg(ending));
+        path = place.filePath(
+            QStringLiteral("%1-%2.%3").arg(name.left(kLongestName)).arg(number).arg(ending));
     }
     return path;
 }

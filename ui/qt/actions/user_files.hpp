@@ -61,6 +61,11 @@ FileKind kind_of(const QString& path);
 /// "NAME-3.toml".
 QString new_file_of_data(const QString& folder, const QString& name, const QString& ending);
 
+/// Throws hitos::Error where a world may not be written under that name: without the ending by
+/// which it is known, or among those that come with Hitos.
+void check_world_name(const QString& path);
+bool is_shipped(const QString& path);
+
 /// The folder of the files of this kind that come with Hitos; empty where there is none.
 QString shipped_folder(const QString& kind);
 

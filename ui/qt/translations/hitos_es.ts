@@ -2091,6 +2091,18 @@
         <source>a side of a box, (%1, %2) to (%3, %4)</source>
         <translation>un lado de una caja, de (%1, %2) a (%3, %4)</translation>
     </message>
+    <message>
+        <source>the drawing %1 has changed meanwhile; save the world under another name, or open it again</source>
+        <translation>el dibujo %1 ha cambiado entretanto; guarde el mundo con otro nombre o vuelva a abrirlo</translation>
+    </message>
+    <message>
+        <source>expected a name that ends in .toml</source>
+        <translation>se esperaba un nombre que acabe en .toml</translation>
+    </message>
+    <message>
+        <source>lies among the files that come with Hitos; choose another folder</source>
+        <translation>está entre los archivos que vienen con Hitos; elija otra carpeta</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -3842,6 +3854,10 @@
         <source>Nothing is drawn yet.</source>
         <translation>Todavía no hay nada dibujado.</translation>
     </message>
+    <message>
+        <source>tour: too long to be driven while it is drawn</source>
+        <translation>recorrido: demasiado largo para probarlo mientras se dibuja</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::CompareWindow</name>
@@ -4147,10 +4163,6 @@
         <translation>Escribe un archivo de mundo que repite el recorrido hasta el último bit, y lo procesa hasta el final</translation>
     </message>
     <message>
-        <source>The robot cannot be driven on</source>
-        <translation>No se puede seguir conduciendo el robot</translation>
-    </message>
-    <message>
         <source>The driven tour was kept as %1</source>
         <translation>El recorrido conducido se ha guardado como %1</translation>
     </message>
@@ -4205,6 +4217,10 @@
     <message>
         <source>, NEES %1 (%2 to %3 where it is as sure as it may be)</source>
         <translation>, NEES %1 (de %2 a %3 si está tan seguro como puede estarlo)</translation>
+    </message>
+    <message>
+        <source>The tour stands still</source>
+        <translation>El recorrido está parado</translation>
     </message>
 </context>
 <context>

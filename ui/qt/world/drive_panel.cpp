@@ -112,7 +112,7 @@ void DrivePanel::connect_drive() {
     });
     connect(&drive_, &LiveDrive::failed, this, [this](const QString& reason) {
         show_rest();
-        prompts_.warn(this, tr("The robot cannot be driven on"), reason);
+        prompts_.warn(this, tr("The tour stands still"), reason);
     });
     connect(&drive_, &LiveDrive::rescued, this, [this](const QString& path) {
         emit notice(tr("The driven tour was kept as %1").arg(path));
@@ -189,7 +189,10 @@ void DrivePanel::keep() {
         prompts_, this,
         {tr("Keep the tour as a world"), files_.last_folder("log") + QStringLiteral("/driven.toml"),
          tr("Worlds (*.toml)"), QStringLiteral("toml")},
-        [this](const QString& file) { drive_.keep(file); });
+        [this](const QString& file) {
+            check_world_name(file);
+            drive_.keep(file);
+        });
     if (path.isEmpty()) {
         gamepad_.listen(drive_.active());
         if (!rested) drive_.go_on();

@@ -133,8 +133,16 @@ void LiveDrive::write(const QString& path) const {
 void LiveDrive::keep(const QString& path) {
     if (!tour_) return;
     write(path);
-    give_up();
-    map(path);
+    rest();
+    const std::shared_ptr<SimulatedTour> kept = std::exchange(tour_, nullptr);
+    try {
+        map(path);
+    } catch (...) {  // the tour is not over before there is a file that is run in its place
+        tour_ = kept;
+        throw;
+    }
+    kept->end();
+    emit changed();
 }
 
 /// The run goes along the file from now on, which says what was changed of it and its noise.
@@ -157,15 +165,21 @@ void LiveDrive::give_up() {
 
 void LiveDrive::leave() {
     if (!tour_) return;
+    const bool worth = is_worth_keeping();
     const QString path = rescue();
+    if (worth && path.isEmpty()) return;  // why is told; it goes on until it can be kept
     give_up();
     if (!path.isEmpty()) map(path);
+}
+
+bool LiveDrive::is_worth_keeping() const {
+    return tour_->duration_s() >= kWorthKeepingS;
 }
 
 /// Whoever loads something else in the middle of a tour still finds it.
 QString LiveDrive::rescue() {
     rest();
-    if (tour_->duration_s() < kWorthKeepingS) return {};
+    if (!is_worth_keeping()) return {};
     const QString name = QFileInfo(QString::fromStdString(tour_->world().name)).completeBaseName();
     QString path = new_file_of_data(QStringLiteral("driven"), name, QStringLiteral("toml"));
     try {

@@ -56,7 +56,7 @@ class LiveDrive final : public QObject {
     void keep(const QString& path);
 
     /// Ends the tour; one that was worth it is kept in the program's data and mapped there, and
-    /// rescued() says where.
+    /// rescued() says where. Where it cannot be written it goes on, and failed() says why.
     void leave();
     /// Ends the tour; nothing of it stays.
     void give_up();
@@ -73,6 +73,7 @@ class LiveDrive final : public QObject {
   private:
     void tick();
     void write(const QString& path) const;
+    bool is_worth_keeping() const;
     QString rescue();
     void map(const QString& path);
 

@@ -14,16 +14,6 @@
 #include "world_draft.hpp"
 
 namespace hitos::window {
-namespace {
-
-/// What comes with Hitos stays as it is.
-bool is_shipped(const QString& path) {
-    const QString folder = QFileInfo(shipped_folder("log")).canonicalFilePath();
-    return !folder.isEmpty() && QFileInfo(path).canonicalFilePath().startsWith(folder + '/');
-}
-
-}  // namespace
-
 WorldFiles::WorldFiles(WorldDraft& draft, UserFiles& files, Prompts& prompts, QWidget* window)
     : QObject(window), draft_(draft), files_(files), prompts_(prompts), window_(window) {}
 
@@ -147,6 +137,7 @@ bool WorldFiles::save_as() {
 }
 
 bool WorldFiles::write(const QString& path) {
+    check_world_name(path);
     draft_.save(path);
     emit notice(tr("The world is saved as %1").arg(path));
     return true;
