@@ -55,6 +55,8 @@ MeasurementModel::MeasurementModel(Measurements& measurements, QObject* parent)
                    parent),
       measurements_(measurements) {
     connect(&measurements, &Measurements::changed, this, &MeasurementModel::refresh);
+    // Those of the old log go before the others come: an edit under way belongs to none of these.
+    connect(&measurements, &Measurements::log_changed, this, &MeasurementModel::refresh);
 }
 
 void MeasurementModel::refresh() {
@@ -95,6 +97,12 @@ bool MeasurementModel::setData(const QModelIndex& index, const QVariant& value, 
     if (role != Qt::EditRole) return false;
     const QString written = value.toString().trimmed();
     if (written == data(index, role).toString()) return true;  // nothing was changed
+    // A row that is just going ends its editor, which writes once more.
+    const auto place = static_cast<std::size_t>(index.row());
+    const std::vector<MeasuredRow>& rows = measurements_.rows();
+    if (place >= rows.size() || rows[place].measurement.name != shown_[place].measurement.name) {
+        return false;
+    }
     if (index.column() == name) {
         const bool done = measurements_.rename(index.row(), written);
         if (!done) {

@@ -51,7 +51,7 @@ Measurements::Measurements(Session& session, QObject* parent)
 void Measurements::change_log() {
     const std::string log = log_of(session_);
     if (log == log_) return;
-    of_other_logs_[log_] = std::move(rows_);
+    of_other_logs_[log_] = std::exchange(rows_, {});
     log_ = log;
     chosen_ = -1;
     emit log_changed();
