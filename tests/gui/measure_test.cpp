@@ -239,6 +239,13 @@ void MeasureTest::measurements_go_with_their_log() {
     const Configuracion here = f.session.configuration();
     Configuracion other = here;
     other.source.file = Fixture::source_file("data/bigloop-noisy.log.gz").toStdString();
+    // A name is being written: it belongs to no row of the other log.
+    FiguresTable& table = measured(f);
+    const QString before = QString::fromStdString(rows(f)[0].measurement.name);
+    table.setCurrentIndex(table.model()->index(0, MeasurementModel::name));
+    table.edit(table.model()->index(0, MeasurementModel::name));
+    QTRY_VERIFY(table.findChild<QLineEdit*>() != nullptr);
+    QTest::keyClicks(table.findChild<QLineEdit*>(), "hall");
     f.session.set_configuration(other);
     QVERIFY(rows(f).empty());
     // What was begun on a log ends with it.
@@ -246,6 +253,7 @@ void MeasureTest::measurements_go_with_their_log() {
     click_wall(f, f.window->grid_view(), kSouth);
     f.session.set_configuration(here);
     QCOMPARE(rows(f).size(), std::size_t{1});
+    QCOMPARE(QString::fromStdString(rows(f)[0].measurement.name), before);
     f.run_steps(200);
     click_wall(f, f.window->grid_view(), kNorth);
     QCOMPARE(rows(f).size(), std::size_t{1});
