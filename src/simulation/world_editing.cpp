@@ -234,6 +234,7 @@ std::optional<WorldItem> item_at(const WorldText& text, const Point2& point, dou
     constexpr std::array kKinds = {ItemKind::wall,   ItemKind::door,      ItemKind::box,
                                    ItemKind::person, ItemKind::way_point, ItemKind::start};
     std::vector<std::vector<Polyline>> lines;
+    lines.reserve(kKinds.size());
     for (const ItemKind kind : kKinds) lines.push_back(lines_of(text, kind));
     for (std::size_t k = 0; k < lines.size(); ++k) {
         const bool box = kKinds[k] == ItemKind::box;
