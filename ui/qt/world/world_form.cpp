@@ -33,7 +33,7 @@ constexpr std::array<std::array<WorldGroup, 3>, 2> kColumns = {
 
 }  // namespace
 
-WorldForm::WorldForm(const WorldText& text, QWidget* parent) : QDialog(parent), text_(text) {
+WorldForm::WorldForm(WorldText text, QWidget* parent) : QDialog(parent), text_(std::move(text)) {
     setObjectName("world_form");
     setWindowTitle(tr("Robot, laser, odometry"));
     auto* all = new QVBoxLayout(this);

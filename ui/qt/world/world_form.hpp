@@ -18,7 +18,7 @@ class WorldForm final : public QDialog {
     Q_OBJECT
 
   public:
-    WorldForm(const WorldText& text, QWidget* parent);
+    WorldForm(WorldText text, QWidget* parent);
 
     /// As accepted.
     const WorldText& text() const { return text_; }
