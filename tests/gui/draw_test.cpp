@@ -440,12 +440,12 @@ void DrawTest::an_unsaved_world_is_driven_through_a_copy() {
 void DrawTest::drawings_segments_and_grids_are_opened() {
     DrawFixture f;
     QByteArray drawing("0\nSECTION\n2\nENTITIES\n");
-    const int corners[5][2] = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0}};
-    for (int i = 0; i < 4; ++i) {
-        drawing += "0\nLINE\n8\n0\n10\n" + QByteArray::number(corners[i][0]) + "\n20\n" +
-                   QByteArray::number(corners[i][1]) + "\n11\n" +
-                   QByteArray::number(corners[i + 1][0]) + "\n21\n" +
-                   QByteArray::number(corners[i + 1][1]) + "\n";
+    const Polyline corners = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        drawing += "0\nLINE\n8\n0\n10\n" + QByteArray::number(corners[i].x) + "\n20\n" +
+                   QByteArray::number(corners[i].y) + "\n11\n" +
+                   QByteArray::number(corners[i + 1].x) + "\n21\n" +
+                   QByteArray::number(corners[i + 1].y) + "\n";
     }
     drawing += "0\nENDSEC\n0\nEOF\n";
     f.write("room.dxf", drawing);
