@@ -111,21 +111,23 @@ Polyline DrawTool::rectangle(const Point2& a, const Point2& b) {
     return {a, {b.x, a.y}, b, {a.x, b.y}, a};
 }
 
-Snapped DrawTool::snapped(const PointedAt& pointed, const std::optional<Point2>& from) const {
+Snapped DrawTool::snapped(const PointedAt& pointed) const {
     if (pointed.exact) return {to_the_micrometre(pointed.place), SnappedTo::nothing};
     SnapOptions options;
     options.grid_m = grid_m_;
     options.reach_m = pointed.reach_m;
     options.to_walls = mode_ != DrawMode::person && mode_ != DrawMode::way_point &&
                        mode_ != DrawMode::start && mode_ != DrawMode::box;
-    SnapFrom drawn_from{from, {}};
-    if (pending_.size() > 1 && from == pending_.back()) {
-        drawn_from.before = pending_[pending_.size() - 2];
+    SnapFrom from;
+    // The two corners of a room have nothing to do with right angles.
+    if (!pending_.empty() && mode_ != DrawMode::room) {
+        from.point = pending_.back();
+        if (pending_.size() > 1) from.before = pending_[pending_.size() - 2];
     }
     // Its beginning, to close it. The last point is no place for the next one.
     const bool closes = is_line() && pending_.size() > 2;
     const std::span<const Point2> ends(pending_.data(), closes ? 1U : 0U);
-    return snap(walls_and_doors(draft_.world()), ends, pointed.place, drawn_from, options);
+    return snap(walls_and_doors(draft_.world()), ends, pointed.place, from, options);
 }
 
 Point2 DrawTool::as_typed(const Point2& point) const {
@@ -139,19 +141,13 @@ Point2 DrawTool::as_typed(const Point2& point) const {
 }
 
 Point2 DrawTool::target(const PointedAt& pointed) const {
-    // The two corners of a room have nothing to do with right angles.
-    const bool from = !pending_.empty() && mode_ != DrawMode::room;
-    return as_typed(snapped(pointed, from ? std::optional(pending_.back()) : std::nullopt).at);
+    return as_typed(snapped(pointed).at);
 }
 
 void DrawTool::hover(const std::optional<PointedAt>& pointed) {
     cursor_ = pointed;
     shown_.reset();
-    if (pointed && mode_ != DrawMode::select) {
-        shown_ = snapped(*pointed, pending_.empty() || mode_ == DrawMode::room
-                                       ? std::nullopt
-                                       : std::optional(pending_.back()));
-    }
+    if (pointed && mode_ != DrawMode::select) shown_ = snapped(*pointed);
     emit changed();
 }
 

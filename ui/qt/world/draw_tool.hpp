@@ -71,7 +71,7 @@ class DrawTool final : public ViewTool {
 
   private:
     bool is_line() const { return mode_ == DrawMode::wall || mode_ == DrawMode::person; }
-    Snapped snapped(const PointedAt& pointed, const std::optional<Point2>& from) const;
+    Snapped snapped(const PointedAt& pointed) const;
     /// Where a click there would put a point.
     Point2 target(const PointedAt& pointed) const;
     Point2 as_typed(const Point2& point) const;

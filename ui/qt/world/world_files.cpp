@@ -14,6 +14,7 @@
 #include "world_draft.hpp"
 
 namespace hitos::window {
+
 WorldFiles::WorldFiles(WorldDraft& draft, UserFiles& files, Prompts& prompts, QWidget* window)
     : QObject(window), draft_(draft), files_(files), prompts_(prompts), window_(window) {}
 
