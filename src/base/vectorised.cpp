@@ -11,7 +11,7 @@ std::atomic<VectorTarget> in_use = widest_vectors();  // NOLINT(*-avoid-non-cons
 }  // namespace
 
 VectorTarget widest_vectors() {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(HITOS_ONE_KIND_OF_VECTORS)
     __builtin_cpu_init();
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl")) {

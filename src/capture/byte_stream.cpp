@@ -9,8 +9,6 @@
 namespace hitos {
 namespace {
 
-constexpr std::size_t kInputBytes = std::size_t{1} << 16;
-
 bool is_gzip_magic(const char* bytes, std::size_t count) {
     return count >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
 }

@@ -13,6 +13,9 @@
 
 namespace hitos {
 
+/// What packed data are read by.
+inline constexpr std::size_t kInputBytes = std::size_t{1} << 16;
+
 /// Reads a regular file from its beginning. Gzip is known by its first two bytes, whatever the
 /// file's name; several gzip members in a row are read as one.
 class ByteStream {

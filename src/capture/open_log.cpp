@@ -139,7 +139,7 @@ Message problem_of(const Probe& found) {
         found.first_line);
 }
 
-[[noreturn]] void refuse(const std::string& path, const Probe& found) {
+[[noreturn]] void refuse_unknown(const std::string& path, const Probe& found) {
     throw FormatError(path, 0,
                       message(HITOS_TEXT("Errors", "%1, expected a log (%2); text may be gzip"),
                               problem_of(found), log_formats().either()));
@@ -179,7 +179,7 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
         return recording->open(path, *recording, options);
     }
     const Probe found = probe(path);
-    if (found.claimed == 0) refuse(path.string(), found);
+    if (found.claimed == 0) refuse_unknown(path.string(), found);
     const std::vector<LogFormat>& formats = log_formats().entries();
     const auto most = std::ranges::max_element(found.votes) - found.votes.begin();
     const LogFormat& likely = formats[static_cast<std::size_t>(most)];

@@ -29,7 +29,7 @@ class Stamps {
     double last_ = -std::numeric_limits<double>::infinity();
 };
 
-[[noreturn]] void refuse(const TourReader& reader) {
+[[noreturn]] void refuse_empty(const TourReader& reader) {
     const ReadReport& report = reader.report();
     if (report.examples.empty()) {
         throw FormatError(
@@ -119,7 +119,7 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
     if (summary.complete) {
         read_odometry_to(kWholeTour);
         if (progress) progress(1.0);
-        if (!stamps.any()) refuse(reader);
+        if (!stamps.any()) refuse_empty(reader);
     }
     summary.report = reader.report();
     if (stamps.any()) {

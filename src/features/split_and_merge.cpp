@@ -1,18 +1,9 @@
 #include "split_and_merge.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 namespace hitos {
-namespace {
-
-double distance(const Point2& a, const Point2& b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-}  // namespace
-
 bool SplitAndMerge::gap_between(const Point2& a, const Point2& b, const Point2& laser) const {
     if (params_.gap_m == 0.0 && params_.gap_per_range == 0.0) return false;
     const double range = std::min(distance(a, laser), distance(b, laser));

@@ -18,7 +18,7 @@ class Nearest {
 
     /// `place` is what is kept where `near` is near.
     void offer(const Point2& near, const Snapped& place) {
-        const double away = length_of(cursor_, near);
+        const double away = distance(cursor_, near);
         if (away > reach_) return;
         reach_ = away;
         found_ = place;
@@ -32,7 +32,7 @@ class Nearest {
 };
 
 /// A straight line by a point of it and its direction, of length 1.
-struct Ray {
+struct Direction {
     Point2 from;
     Point2 along;
 
@@ -52,8 +52,8 @@ struct Ray {
     }
 };
 
-Ray ray_between(const Point2& a, const Point2& b) {
-    const double length = length_of(a, b);
+Direction ray_between(const Point2& a, const Point2& b) {
+    const double length = distance(a, b);
     return {a, {(b.x - a.x) / length, (b.y - a.y) / length}};
 }
 
@@ -74,14 +74,14 @@ std::optional<Snapped> right_angle(std::span<const WallSegment> walls, const Poi
                                    const SnapFrom& from, const SnapOptions& options) {
     if (!options.right_angles || !from.point) return std::nullopt;
     const Point2 origin = *from.point;
-    std::vector<Ray> rays = {{origin, {1.0, 0.0}}, {origin, {0.0, 1.0}}};
+    std::vector<Direction> rays = {{origin, {1.0, 0.0}}, {origin, {0.0, 1.0}}};
     if (from.before && *from.before != origin) {
         const Point2 along = ray_between(*from.before, origin).along;
         rays.push_back({origin, along});
         rays.push_back({origin, {-along.y, along.x}});
     }
     Nearest nearest(cursor, options.reach_m);
-    for (const Ray& ray : rays) {
+    for (const Direction& ray : rays) {
         const double way = ray.way_to(cursor);
         const double step = to_step(way, options.grid_m);
         if (step != 0.0) nearest.offer(ray.at(way), {ray.at(step), SnappedTo::right_angle});
@@ -89,7 +89,7 @@ std::optional<Snapped> right_angle(std::span<const WallSegment> walls, const Poi
     const auto found = nearest.found();
     if (!found || !options.to_walls) return found;
     Nearest wall_there(cursor, options.reach_m);
-    const Ray taken = ray_between(origin, found->at);
+    const Direction taken = ray_between(origin, found->at);
     for (const WallSegment& wall : walls) {
         const auto way = taken.crossing(wall);
         if (way && *way > 0.0) wall_there.offer(taken.at(*way), {taken.at(*way), SnappedTo::wall});
@@ -102,8 +102,8 @@ std::optional<Snapped> onto_wall(std::span<const WallSegment> walls, const Point
     if (!options.to_walls) return std::nullopt;
     Nearest nearest(cursor, options.reach_m);
     for (const WallSegment& wall : walls) {
-        const Ray ray = ray_between(wall.a, wall.b);
-        const double length = length_of(wall.a, wall.b);
+        const Direction ray = ray_between(wall.a, wall.b);
+        const double length = distance(wall.a, wall.b);
         const double way = ray.way_to(cursor);
         const double step = std::clamp(to_step(way, options.grid_m), 0.0, length);
         nearest.offer(ray.at(std::clamp(way, 0.0, length)), {ray.at(step), SnappedTo::wall});

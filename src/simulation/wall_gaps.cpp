@@ -15,13 +15,13 @@ constexpr double kAlong = 0.01;  // m; so near is along
 constexpr double kSame = 1e-6;   // m; so near is one point
 
 bool near(const Point2& a, const Point2& b) {
-    return length_of(a, b) <= kSame;
+    return distance(a, b) <= kSame;
 }
 
 /// Distances along the wall p q at which the stretch a b covers it.
 std::optional<std::pair<double, double>> covered(const Point2& p, const Point2& q, const Point2& a,
                                                  const Point2& b) {
-    const double length = length_of(p, q);
+    const double length = distance(p, q);
     const Point2 along{(q.x - p.x) / length, (q.y - p.y) / length};
     const auto way = [&](const Point2& c) { return (c.x - p.x) * along.x + (c.y - p.y) * along.y; };
     const auto off = [&](const Point2& c) {
@@ -37,10 +37,10 @@ std::optional<std::pair<double, double>> covered(const Point2& p, const Point2& 
 
 /// The stretch's own end where that is meant, so that wall and door meet to the last bit.
 Point2 at(const Point2& p, const Point2& q, double way, const Point2& a, const Point2& b) {
-    const double length = length_of(p, q);
+    const double length = distance(p, q);
     const Point2 point{p.x + (q.x - p.x) * way / length, p.y + (q.y - p.y) * way / length};
-    if (length_of(point, a) <= kAlong) return a;
-    return length_of(point, b) <= kAlong ? b : point;
+    if (distance(point, a) <= kAlong) return a;
+    return distance(point, b) <= kAlong ? b : point;
 }
 
 std::vector<Polyline> cut(const Polyline& wall, const Point2& a, const Point2& b) {
@@ -54,7 +54,7 @@ std::vector<Polyline> cut(const Polyline& wall, const Point2& a, const Point2& b
                 pieces.back().push_back(at(wall[i - 1], wall[i], gap->first, a, b));
             }
             pieces.emplace_back();
-            const bool to_the_end = gap->second >= length_of(wall[i - 1], wall[i]);
+            const bool to_the_end = gap->second >= distance(wall[i - 1], wall[i]);
             if (!to_the_end) pieces.back().push_back(at(wall[i - 1], wall[i], gap->second, a, b));
         }
         pieces.back().push_back(wall[i]);
@@ -72,7 +72,7 @@ std::vector<Polyline> cut(const Polyline& wall, const Point2& a, const Point2& b
 
 /// Whether b lies between a and c, in their line.
 bool straight(const Point2& a, const Point2& b, const Point2& c) {
-    const double length = length_of(a, c);
+    const double length = distance(a, c);
     if (length <= kSame) return false;
     const Point2 along{(c.x - a.x) / length, (c.y - a.y) / length};
     const double way = (b.x - a.x) * along.x + (b.y - a.y) * along.y;

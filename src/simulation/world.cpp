@@ -18,8 +18,6 @@
 namespace hitos {
 namespace {
 
-constexpr double kRadiansPerDegree = kPi / 180.0;
-
 class Reading {
   public:
     explicit Reading(const std::filesystem::path& path) : path_(path) {

@@ -13,8 +13,6 @@
 namespace hitos {
 namespace {
 
-constexpr double kRadiansPerDegree = kPi / 180.0;
-
 Point2 moved(const Point2& point, const Point2& by) {
     return to_the_micrometre({point.x + by.x, point.y + by.y});
 }
@@ -240,7 +238,7 @@ std::optional<WorldItem> item_at(const WorldText& text, const Point2& point, dou
         const bool box = kKinds[k] == ItemKind::box;
         for (std::size_t i = 0; i < lines[k].size() && !box; ++i) {
             for (std::size_t j = 0; j < lines[k][i].size(); ++j) {
-                offer(length_of(lines[k][i][j], point), {kKinds[k], i, j, j});
+                offer(distance(lines[k][i][j], point), {kKinds[k], i, j, j});
             }
         }
     }
@@ -392,7 +390,7 @@ std::vector<ItemNumber> numbers_of(const WorldText& text, const WorldItem& item)
     } else if (is_piece(item) && item.kind != ItemKind::person) {
         const Point2& a = line[item.first];
         const Point2& b = line[item.last];
-        numbers = {{HITOS_TEXT("WorldItem", "length"), "m", length_of(a, b)},
+        numbers = {{HITOS_TEXT("WorldItem", "length"), "m", distance(a, b)},
                    {HITOS_TEXT("WorldItem", "direction"), "°",
                     std::atan2(b.y - a.y, b.x - a.x) / kRadiansPerDegree}};
     }

@@ -93,7 +93,6 @@ TomlValue value_of(const Walker& walker) {
 
 /// Degrees that read back to the angle, in the fewest digits; the nearest ones where none do.
 double degrees_of(double angle_rad) {
-    constexpr double kRadiansPerDegree = kPi / 180.0;
     const auto reads_back = [&](double degrees) {
         return same(wrap_angle(degrees * kRadiansPerDegree), angle_rad);
     };

@@ -12,12 +12,13 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// Of a landmark that no observation is compared with.
-constexpr Likelihood kNothing{-kNever, kNever};
+constexpr Likelihood kNoLikelihood{-kNever, kNever};
 
 /// Rounding can cost S its positivity where variances are next to nothing: no comparison then.
 Likelihood compared(const Vector2& nu, const Matrix2& s) {
     const Likelihood likelihood = likelihood_of(nu, s);
-    return s.determinant() > 0.0 && likelihood.mahalanobis_squared >= 0.0 ? likelihood : kNothing;
+    return s.determinant() > 0.0 && likelihood.mahalanobis_squared >= 0.0 ? likelihood
+                                                                          : kNoLikelihood;
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 namespace hitos {
 namespace {
 
-constexpr std::size_t kRows = Strip::kRows;
-
 /// Three strips, each become the sum of all three by a row of F.
 HITOS_INLINE void turn_three(double* x, double* y, double* z, const Matrix3& f) {
     const double xx = f(0, 0);
@@ -19,7 +17,7 @@ HITOS_INLINE void turn_three(double* x, double* y, double* z, const Matrix3& f) 
     const double zy = f(2, 1);
     const double zz = f(2, 2);
     HITOS_LANES
-    for (std::size_t i = 0; i < kRows; ++i) {
+    for (std::size_t i = 0; i < Strip::kRows; ++i) {
         const double x0 = x[i];
         const double y0 = y[i];
         const double z0 = z[i];
@@ -34,7 +32,7 @@ void turn_pose(TallMatrix& columns, const Matrix3& f) {
     vectorised([&]() HITOS_INLINED {
         for (std::size_t p = 0; p < columns.panels(); ++p) {
             double* const x = columns.panel(p);
-            turn_three(x, x + kRows, x + 2 * kRows, f);
+            turn_three(x, x + Strip::kRows, x + 2 * Strip::kRows, f);
         }
     });
 }
@@ -44,9 +42,10 @@ void add_columns(TallMatrix& columns, std::size_t at, const Matrix23& g) {
     for (std::size_t p = 0; p < columns.panels(); ++p) {
         double* const x = columns.panel(p);
         for (Eigen::Index k = 0; k < 2; ++k) {
-            double* const to = x + (at + static_cast<std::size_t>(k)) * kRows;
-            for (std::size_t i = 0; i < kRows; ++i) {
-                to[i] = g(k, 0) * x[i] + g(k, 1) * x[kRows + i] + g(k, 2) * x[2 * kRows + i];
+            double* const to = x + (at + static_cast<std::size_t>(k)) * Strip::kRows;
+            for (std::size_t i = 0; i < Strip::kRows; ++i) {
+                to[i] = g(k, 0) * x[i] + g(k, 1) * x[Strip::kRows + i] +
+                        g(k, 2) * x[2 * Strip::kRows + i];
             }
         }
     }
@@ -55,7 +54,7 @@ void add_columns(TallMatrix& columns, std::size_t at, const Matrix23& g) {
 }  // namespace
 
 JointState::JointState() {
-    hand_.reshape(0, kRows);
+    hand_.reshape(0, Strip::kRows);
     own_.reshape(0, 2);
     set_rows(kPose);
 }
@@ -180,7 +179,7 @@ void JointState::settle() {
         w_.reshape(hand_.panels(), terms);
         vectorised([&]() HITOS_INLINED {
             for (std::size_t p = 0; p < w_.panels(); ++p) {
-                std::fill_n(w_.panel(p), terms * kRows, 0.0);
+                std::fill_n(w_.panel(p), terms * Strip::kRows, 0.0);
                 subtract_products(w_.panel(p), count, first_.panel(p), by_.data(), count, terms);
             }
         });
@@ -203,12 +202,12 @@ void JointState::begin_anew() {
     const std::size_t room = hand_.columns();
     first_.reshape(hand_.panels(), room);
     for (std::size_t p = 0; p < first_.panels(); ++p) {
-        std::copy_n(hand_.panel(p), kFirst * kRows, first_.panel(p));
+        std::copy_n(hand_.panel(p), kFirst * Strip::kRows, first_.panel(p));
     }
     for (TallMatrix* square : {&now_, &gained_}) {
-        square->reshape(room / kRows, room);
+        square->reshape(room / Strip::kRows, room);
         for (std::size_t p = 0; p < square->panels(); ++p) {
-            std::fill_n(square->panel(p), room * kRows, 0.0);
+            std::fill_n(square->panel(p), room * Strip::kRows, 0.0);
         }
     }
     for (std::size_t i = 0; i + 1 < kFirst; ++i) now_(i, i) = 1.0;
@@ -217,33 +216,35 @@ void JointState::begin_anew() {
 void JointState::set_rows(Eigen::Index size) {
     // Counted last: where memory ends, the state is as it was.
     const auto count = static_cast<std::size_t>(size) + 1;
-    const std::size_t panels = (count + kRows - 1) / kRows;
+    const std::size_t panels = (count + Strip::kRows - 1) / Strip::kRows;
     if (settled_.size() > 0) {  // else all are at hand
         settled_.resize(count);
         first_.set_panels(panels);
     }
     own_.set_panels(panels);
-    mean_.conservativeResizeLike(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(panels * kRows)));
+    mean_.conservativeResizeLike(
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(panels * Strip::kRows)));
     column_of_.resize(static_cast<std::size_t>(size - kPose) / 2);
     hand_.set_panels(panels);  // by which the others are walked through
     size_ = size;
 }
 
 void JointState::make_room(std::size_t more, std::size_t anew) {
-    constexpr std::size_t kMost = 2 * kRows;  // 30 landmarks; more where more are needed at once
+    constexpr std::size_t kMost =
+        2 * Strip::kRows;  // 30 landmarks; more where more are needed at once
     std::size_t needed = columns() + more;
     if (needed <= hand_.columns()) return;
     if (needed > kMost) {
         settle();
         needed = std::max(columns() + anew, kMost);
     }
-    const std::size_t room = (needed + kRows - 1) / kRows * kRows;
+    const std::size_t room = (needed + Strip::kRows - 1) / Strip::kRows * Strip::kRows;
     if (room == hand_.columns()) return;
     if (settled_.size() > 0) {
         first_.set_columns(room);
         for (TallMatrix* square : {&now_, &gained_}) {
             square->set_columns(room);
-            square->set_panels(room / kRows);
+            square->set_panels(room / Strip::kRows);
         }
     }
     hand_.set_columns(room);  // which tells that there is room

@@ -9,8 +9,6 @@
 namespace hitos {
 namespace {
 
-constexpr std::size_t kRows = Strip::kRows;
-
 /// What a reading has of one of its columns: the strip in a panel, and H's two numbers.
 struct Share {
     const double* strip;
@@ -20,9 +18,9 @@ struct Share {
 
 /// Two columns of W = P H' in one panel.
 HITOS_INLINE void combine(double* to, Share a, Share b, Share c, Share d, Share e) {
-    double* const second = to + kRows;
+    double* const second = to + Strip::kRows;
     HITOS_LANES
-    for (std::size_t i = 0; i < kRows; ++i) {
+    for (std::size_t i = 0; i < Strip::kRows; ++i) {
         to[i] = a.strip[i] * a.first + b.strip[i] * b.first + c.strip[i] * c.first +
                 d.strip[i] * d.first + e.strip[i] * e.first;
         second[i] = a.strip[i] * a.second + b.strip[i] * b.second + c.strip[i] * c.second +
@@ -34,9 +32,9 @@ HITOS_INLINE void combine(double* to, Share a, Share b, Share c, Share d, Share 
 /// the columns of l being those of L'.
 HITOS_INLINE void divide_four(double* x, const double* l, std::size_t stride,
                               const double* inverse) {
-    double* const x1 = x + kRows;
-    double* const x2 = x1 + kRows;
-    double* const x3 = x2 + kRows;
+    double* const x1 = x + Strip::kRows;
+    double* const x2 = x1 + Strip::kRows;
+    double* const x3 = x2 + Strip::kRows;
     const double* const l1 = l + stride;
     const double* const l2 = l1 + stride;
     const double l01 = l[1];
@@ -50,7 +48,7 @@ HITOS_INLINE void divide_four(double* x, const double* l, std::size_t stride,
     const double i2 = inverse[2];
     const double i3 = inverse[3];
     HITOS_LANES
-    for (std::size_t i = 0; i < kRows; ++i) {
+    for (std::size_t i = 0; i < Strip::kRows; ++i) {
         const double y0 = x[i] * i0;
         const double y1 = (x1[i] - y0 * l01) * i1;
         const double y2 = ((x2[i] - y0 * l02) - y1 * l12) * i2;
@@ -64,25 +62,25 @@ HITOS_INLINE void divide_four(double* x, const double* l, std::size_t stride,
 
 HITOS_INLINE void divide(double* x, const double* l, std::size_t terms, const double* inverse) {
     for (std::size_t k = 0; k < terms; k += 4) {
-        subtract_products(x + k * kRows, 4, x, l + k, terms, k);
-        divide_four(x + k * kRows, l + k * terms + k, terms, inverse + k);
+        subtract_products(x + k * Strip::kRows, 4, x, l + k, terms, k);
+        divide_four(x + k * Strip::kRows, l + k * terms + k, terms, inverse + k);
     }
 }
 
 /// mean += U y and P -= U U' where P's own blocks are kept.
 HITOS_INLINE void learn_own(double* mean, double* own, const double* u, const double* y,
                             std::size_t terms) {
-    double* const next = own + kRows;
+    double* const next = own + Strip::kRows;
     for (std::size_t k = 0; k < terms; ++k) {
-        const double* const column = u + k * kRows;
+        const double* const column = u + k * Strip::kRows;
         const double by = y[k];
         HITOS_LANES
-        for (std::size_t i = 0; i < kRows; ++i) {
+        for (std::size_t i = 0; i < Strip::kRows; ++i) {
             mean[i] += column[i] * by;
             own[i] -= column[i] * column[i];
         }
         HITOS_LANES
-        for (std::size_t i = 0; i + 1 < kRows; ++i) next[i] -= column[i] * column[i + 1];
+        for (std::size_t i = 0; i + 1 < Strip::kRows; ++i) next[i] -= column[i] * column[i + 1];
     }
 }
 
@@ -103,28 +101,28 @@ void absorb(TallMatrix& z, TallMatrix& g, std::size_t rows, std::size_t terms) {
         const double v0 = before + std::copysign(after, before);
         const double by = 2.0 / (v0 * v0 + rest);
         vectorised([&]() HITOS_INLINED {
-            for (std::size_t p = row / kRows; p * kRows < rows; ++p) {
-                double* const column = z.panel(p) + row * kRows;
+            for (std::size_t p = row / Strip::kRows; p * Strip::kRows < rows; ++p) {
+                double* const column = z.panel(p) + row * Strip::kRows;
                 double* const strips = g.panel(p);
-                alignas(64) double along[kRows];  // NOLINT(*-avoid-c-arrays): registers
+                alignas(64) double along[Strip::kRows];  // NOLINT(*-avoid-c-arrays): registers
                 HITOS_LANES
-                for (std::size_t i = 0; i < kRows; ++i) along[i] = column[i] * v0;
+                for (std::size_t i = 0; i < Strip::kRows; ++i) along[i] = column[i] * v0;
                 for (std::size_t k = 0; k < terms; ++k) {
-                    const double* const strip = strips + k * kRows;
+                    const double* const strip = strips + k * Strip::kRows;
                     const double vk = v[k];
                     HITOS_LANES
-                    for (std::size_t i = 0; i < kRows; ++i) along[i] += strip[i] * vk;
+                    for (std::size_t i = 0; i < Strip::kRows; ++i) along[i] += strip[i] * vk;
                 }
                 HITOS_LANES
-                for (std::size_t i = 0; i < kRows; ++i) {
+                for (std::size_t i = 0; i < Strip::kRows; ++i) {
                     along[i] *= by;
                     column[i] -= along[i] * v0;
                 }
                 for (std::size_t k = 0; k < terms; ++k) {
-                    double* const strip = strips + k * kRows;
+                    double* const strip = strips + k * Strip::kRows;
                     const double vk = v[k];
                     HITOS_LANES
-                    for (std::size_t i = 0; i < kRows; ++i) strip[i] -= along[i] * vk;
+                    for (std::size_t i = 0; i < Strip::kRows; ++i) strip[i] -= along[i] * vk;
                 }
             }
         });
@@ -171,12 +169,13 @@ void JointState::learn(std::span<const Reading> readings) {
                     const Reading& reading = readings[k];
                     const auto share = [&](std::size_t place) HITOS_INLINED {
                         const auto at = static_cast<Eigen::Index>(place);
-                        return Share{panel + reading.columns[place] * kRows, reading.by(0, at),
-                                     reading.by(1, at)};
+                        return Share{panel + reading.columns[place] * Strip::kRows,
+                                     reading.by(0, at), reading.by(1, at)};
                     };
-                    combine(out + 2 * k * kRows, share(0), share(1), share(2), share(3), share(4));
+                    combine(out + 2 * k * Strip::kRows, share(0), share(1), share(2), share(3),
+                            share(4));
                 }
-                std::fill(out + count * kRows, out + terms * kRows, 0.0);
+                std::fill(out + count * Strip::kRows, out + terms * Strip::kRows, 0.0);
             }
         });
     };
@@ -220,7 +219,7 @@ void JointState::learn(std::span<const Reading> readings) {
     vectorised([&]() HITOS_INLINED {
         for (std::size_t p = 0; p < w_.panels(); ++p) {
             divide(w_.panel(p), by_.data(), terms, inverse);
-            learn_own(mean_.data() + p * kRows, own_.panel(p), w_.panel(p), y, terms);
+            learn_own(mean_.data() + p * Strip::kRows, own_.panel(p), w_.panel(p), y, terms);
         }
     });
     if (lags()) {
@@ -272,11 +271,11 @@ void JointState::attend_to(Eigen::Index at) {
     for (std::size_t k = 0; k < 2; ++k) {
         settled_.read_column(row + k, first_, place + k);
         for (std::size_t p = 0; p < hand_.panels(); ++p) {
-            std::copy_n(first_.panel(p) + (place + k) * kRows, kRows,
-                        hand_.panel(p) + (column + k) * kRows);
+            std::copy_n(first_.panel(p) + (place + k) * Strip::kRows, Strip::kRows,
+                        hand_.panel(p) + (column + k) * Strip::kRows);
         }
         for (std::size_t p = 0; p < now_.panels(); ++p) {
-            std::fill_n(now_.panel(p) + (column + k) * kRows, kRows, 0.0);
+            std::fill_n(now_.panel(p) + (column + k) * Strip::kRows, Strip::kRows, 0.0);
         }
     }
     if (lagging_) {
@@ -298,8 +297,8 @@ void JointState::attend_to(Eigen::Index at) {
         }
         vectorised([&]() HITOS_INLINED {
             for (std::size_t p = 0; p < hand_.panels(); ++p) {
-                subtract_products(hand_.panel(p) + column * kRows, 2, first_.panel(p), by_.data(),
-                                  2, terms);
+                subtract_products(hand_.panel(p) + column * Strip::kRows, 2, first_.panel(p),
+                                  by_.data(), 2, terms);
             }
         });
     }

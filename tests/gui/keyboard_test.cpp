@@ -23,12 +23,12 @@ namespace {
 
 using State = Progress::State;
 
-QString verdict_of(const QWidget& dialog) {
+QString verdict_by_key(const QWidget& dialog) {
     return dialog.findChild<QLabel*>("verdict")->text();
 }
 
 void wait_until_read(const QWidget& dialog) {
-    QTRY_VERIFY(!verdict_of(dialog).startsWith("Reading"));
+    QTRY_VERIFY(!verdict_by_key(dialog).startsWith("Reading"));
 }
 
 }  // namespace
@@ -40,12 +40,13 @@ void KeyboardTest::the_source_is_selected() {
         QCOMPARE(focused(), QString("path"));
         type("/nowhere/tour.log");
         wait_until_read(dialog);
-        QVERIFY(verdict_of(dialog).contains("/nowhere/tour.log"));
+        QVERIFY(verdict_by_key(dialog).contains("/nowhere/tour.log"));
         press(Qt::Key_Return);  // nothing can be accepted
         QVERIFY(dialog.isVisible());
         answer_file(Fixture::source_file("data/bigloop.log.gz"));
         press(Qt::Key_B, Qt::AltModifier);
-        QTRY_VERIFY2(verdict_of(dialog).contains("1050 scans"), qPrintable(verdict_of(dialog)));
+        QTRY_VERIFY2(verdict_by_key(dialog).contains("1050 scans"),
+                     qPrintable(verdict_by_key(dialog)));
         press(Qt::Key_T, Qt::AltModifier);
         press(Qt::Key_Down);
         wait_until_read(dialog);
@@ -322,7 +323,8 @@ void KeyboardTest::a_study_is_done() {
     press(Qt::Key_A, kCtrl);
     type("0.02, 0.05");
     press(Qt::Key_Return);
-    QTRY_VERIFY2(verdict_of(study).startsWith("Runs done: 2 of 2"), qPrintable(verdict_of(study)));
+    QTRY_VERIFY2(verdict_by_key(study).startsWith("Runs done: 2 of 2"),
+                 qPrintable(verdict_by_key(study)));
     QVERIFY(QFile::exists(f.path("study/quality.csv")));
     QTRY_COMPARE(focused(), QString("start"));
     tab_to("save");

@@ -12,11 +12,11 @@
 namespace hitos {
 namespace {
 
-const std::filesystem::path kSource = HITOS_SOURCE_DIR;
+const std::filesystem::path kEkfSource = HITOS_SOURCE_DIR;
 
 Configuracion configuration_for(const std::string& world, const char* preset = "ekf.cfg") {
-    Configuracion configuration = ArchivoConfiguracion::read(kSource / "config" / preset);
-    configuration.source.file = (kSource / "data/worlds" / (world + ".toml")).string();
+    Configuracion configuration = ArchivoConfiguracion::read(kEkfSource / "config" / preset);
+    configuration.source.file = (kEkfSource / "data/worlds" / (world + ".toml")).string();
     return configuration;
 }
 
@@ -32,7 +32,7 @@ class EkfOnWorld : public testing::TestWithParam<const char*> {};
 TEST_P(EkfOnWorld, FindsEveryLandmarkOnceAndWithinADecimetre) {
     const std::string world = GetParam();
     const Algoritmo run = finished_run(configuration_for(world));
-    const LandmarkMap reference = read_map(kSource / "data/maps" / (world + ".map"));
+    const LandmarkMap reference = read_map(kEkfSource / "data/maps" / (world + ".map"));
     const auto error = map_error(run.filter().best_map(), reference);
     ASSERT_TRUE(error);
     EXPECT_EQ(error->landmarks, static_cast<int>(reference.size()));
@@ -51,7 +51,7 @@ TEST(EkfOnWorlds, ThePaperToTheLetterMeasuresTheCorridorBetterThanItsTable) {
         configuration.run.seed = static_cast<std::uint64_t>(seed);
         const Algoritmo run = finished_run(configuration);
         const auto measured = measure_distances(
-            run.filter().best_map(), read_distances(kSource / "data/worlds/corridor.distances"));
+            run.filter().best_map(), read_distances(kEkfSource / "data/worlds/corridor.distances"));
         ASSERT_EQ(measured.size(), 9U);
         for (const MeasuredDistance& distance : measured) {
             ASSERT_TRUE(distance.error_percent()) << distance.missing;
@@ -64,7 +64,7 @@ TEST(EkfOnWorlds, JointCompatibilityFindsEveryLandmarkToo) {
     Configuracion configuration = configuration_for("complex");
     configuration.filter.association.method = AssociationMethod::joint_compatibility;
     const Algoritmo run = finished_run(configuration);
-    const LandmarkMap reference = read_map(kSource / "data/maps/complex.map");
+    const LandmarkMap reference = read_map(kEkfSource / "data/maps/complex.map");
     const auto error = map_error(run.filter().best_map(), reference);
     ASSERT_TRUE(error);
     EXPECT_EQ(error->landmarks, static_cast<int>(reference.size()));

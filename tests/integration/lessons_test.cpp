@@ -37,7 +37,7 @@ std::vector<std::string> ratios(const std::string& value) {
 }
 
 /// What is kept of a run.
-struct Seen {
+struct LessonSeen {
     double ate_m = 0.0;
     double odometry_ate_m = 0.0;
     int lines = 0;
@@ -50,8 +50,8 @@ struct Seen {
     std::size_t ancestry = 0;  ///< scans of the past that all particles share
 };
 
-Seen run(const Lesson& lesson, std::uint64_t seed, const Change& change,
-         std::uint64_t tour_seed = 0) {
+LessonSeen run(const Lesson& lesson, std::uint64_t seed, const Change& change,
+               std::uint64_t tour_seed = 0) {
     Configuracion configuration = ArchivoConfiguracion::read(lesson.folder / change.configuration);
     EXPECT_EQ(std::filesystem::path(configuration.source.file), lesson.world);
     configuration.source.file = (lesson.folder / change.world).string();
@@ -66,7 +66,7 @@ Seen run(const Lesson& lesson, std::uint64_t seed, const Change& change,
     EXPECT_LT(truth.back().time_s - truth.front().time_s, 120.0);
     PositionError position(truth);
     PositionError of_odometry(truth);
-    Seen seen;
+    LessonSeen seen;
     while (algorithm.step()) {
         seen.steps.push_back(figures_of(algorithm, 0.0));
         seen.position_error_m.push_back(position.at(seen.steps.back().online).value());
@@ -92,35 +92,37 @@ class Lessons : public testing::Test {
         static const std::vector<Lesson> all = lessons();
         return all.at(static_cast<std::size_t>(number - 1));
     }
-    static std::vector<Seen> runs(int number, const Change& change = {}, int seeds = kSeeds) {
-        std::vector<Seen> all;
+    static std::vector<LessonSeen> runs(int number, const Change& change = {}, int seeds = kSeeds) {
+        std::vector<LessonSeen> all;
         for (int seed = 1; seed <= seeds; ++seed)
             all.push_back(run(lesson(number), static_cast<std::uint64_t>(seed), change));
         return all;
     }
 };
 
-double median(const std::vector<Seen>& all, const std::function<double(const Seen&)>& figure) {
+double median(const std::vector<LessonSeen>& all,
+              const std::function<double(const LessonSeen&)>& figure) {
     std::vector<double> values;
-    for (const Seen& seen : all) values.push_back(figure(seen));
+    for (const LessonSeen& seen : all) values.push_back(figure(seen));
     std::ranges::sort(values);
     return values[values.size() / 2];
 }
 
-double ate(const std::vector<Seen>& all) {
-    return median(all, [](const Seen& seen) { return seen.ate_m; });
+double ate(const std::vector<LessonSeen>& all) {
+    return median(all, [](const LessonSeen& seen) { return seen.ate_m; });
 }
 
-double odometry_ate(const std::vector<Seen>& all) {
-    return median(all, [](const Seen& seen) { return seen.odometry_ate_m; });
+double odometry_ate(const std::vector<LessonSeen>& all) {
+    return median(all, [](const LessonSeen& seen) { return seen.odometry_ate_m; });
 }
 
-long count(const std::vector<Seen>& all, const std::function<bool(const Seen&)>& is_so) {
+long count(const std::vector<LessonSeen>& all,
+           const std::function<bool(const LessonSeen&)>& is_so) {
     return std::ranges::count_if(all, is_so);
 }
 
-double neff(const std::vector<Seen>& all) {
-    return median(all, [](const Seen& seen) {
+double neff(const std::vector<LessonSeen>& all) {
+    return median(all, [](const LessonSeen& seen) {
         std::vector<double> values;
         for (const StepFigures& step : seen.steps) values.push_back(step.neff);
         std::ranges::sort(values);
@@ -128,7 +130,7 @@ double neff(const std::vector<Seen>& all) {
     });
 }
 
-bool better_than_odometry(const Seen& seen) {
+bool better_than_odometry(const LessonSeen& seen) {
     return seen.ate_m < seen.odometry_ate_m;
 }
 
@@ -136,8 +138,9 @@ TEST_F(Lessons, OdometryDriftsByItsNoiseAndItsWayAndTheFilterHardlyDoes) {
     const auto all = runs(1);
     EXPECT_EQ(count(all, better_than_odometry), kSeeds);
     EXPECT_GT(odometry_ate(all), 3.0 * ate(all));
-    EXPECT_EQ(count(all, [](const Seen& seen) { return seen.lines == 4 && seen.corners == 4; }),
-              kSeeds);
+    EXPECT_EQ(
+        count(all, [](const LessonSeen& seen) { return seen.lines == 4 && seen.corners == 4; }),
+        kSeeds);
     const auto third = runs(1, {.world_set = {"odometry.noise=0.1"}});
     for (std::size_t i = 0; i < all.size(); ++i)
         EXPECT_NEAR(all[i].odometry_ate_m / third[i].odometry_ate_m, 3.0, 0.15);
@@ -150,54 +153,60 @@ TEST_F(Lessons, OdometryDriftsByItsNoiseAndItsWayAndTheFilterHardlyDoes) {
 }
 
 /// The first scan after the turn at the far end at which the robot is back at 9 m.
-std::size_t on_the_way_back(const Seen& seen) {
+std::size_t on_the_way_back(const LessonSeen& seen) {
     const auto far = std::ranges::max_element(seen.truth, {}, &Pose::x);
     const auto back = std::find_if(far, seen.truth.end(), [](const Pose& p) { return p.x < 9.0; });
     return static_cast<std::size_t>(back - seen.truth.begin());
 }
 
-double sigma_along(const Seen& seen, std::size_t step) {
+double sigma_along(const LessonSeen& seen, std::size_t step) {
     return std::sqrt(seen.steps[step].covariance(0, 0));
 }
 
-double sigma_across(const Seen& seen, std::size_t step) {
+double sigma_across(const LessonSeen& seen, std::size_t step) {
     return std::sqrt(seen.steps[step].covariance(1, 1));
 }
 
 TEST_F(Lessons, OneWallTellsTheDistanceToItAndNothingOfTheWayAlongIt) {
     const auto all = runs(2);
     EXPECT_GE(count(all,
-                    [](const Seen& seen) {
+                    [](const LessonSeen& seen) {
                         const std::size_t back = on_the_way_back(seen);
                         return sigma_along(seen, back) > 2.5 * sigma_across(seen, back);
                     }),
               kSeeds - 1);
     EXPECT_EQ(count(all,
-                    [](const Seen& seen) {
+                    [](const LessonSeen& seen) {
                         return sigma_along(seen, seen.steps.size() - 1) <
                                sigma_along(seen, on_the_way_back(seen)) / 4.0;
                     }),
               kSeeds)
         << "the wall across has been seen again";
-    const auto across = [](const Seen& seen) {
+    const auto across = [](const LessonSeen& seen) {
         const std::size_t back = on_the_way_back(seen);
         return std::abs(seen.steps[back].mean.y - seen.truth[back].y);
     };
     EXPECT_LT(median(all, across), 0.08);
-    EXPECT_GT(median(all, [](const Seen& seen) { return seen.odometry_error_m.back(); }), 0.5);
-    EXPECT_LT(median(all, [](const Seen& seen) { return seen.position_error_m.back(); }), 0.05);
+    EXPECT_GT(median(all, [](const LessonSeen& seen) { return seen.odometry_error_m.back(); }),
+              0.5);
+    EXPECT_LT(median(all, [](const LessonSeen& seen) { return seen.position_error_m.back(); }),
+              0.05);
     const auto straight = runs(2, {.world_set = {"tour.look_around=false"}});
-    const auto at_end = [](const Seen& seen) { return sigma_along(seen, seen.steps.size() - 1); };
+    const auto at_end = [](const LessonSeen& seen) {
+        return sigma_along(seen, seen.steps.size() - 1);
+    };
     EXPECT_GT(median(straight, at_end), 3.0 * median(all, at_end));
     // Trusted less, the wall holds the robot across less.
     const auto rough =
         runs(2, {.set = {"observation.var_rho=0.04", "observation.var_theta=0.00122"}});
-    const auto sigma = [](const Seen& seen) { return sigma_across(seen, on_the_way_back(seen)); };
+    const auto sigma = [](const LessonSeen& seen) {
+        return sigma_across(seen, on_the_way_back(seen));
+    };
     EXPECT_GT(median(rough, sigma), 2.0 * median(all, sigma));
 }
 
 TEST_F(Lessons, ABareCorridorHasNoLengthAndOneWithRecessesHas) {
-    const auto length_error = [&](const Seen& seen) {
+    const auto length_error = [&](const LessonSeen& seen) {
         const auto measured =
             measure_distances(seen.map, read_distances(lesson(3).folder / "length.distances"));
         EXPECT_TRUE(measured.front().slam_m) << measured.front().missing;
@@ -219,41 +228,45 @@ TEST_F(Lessons, ABareCorridorHasNoLengthAndOneWithRecessesHas) {
               1.5 * median(runs(3, {.set = ratios("0.07"), .world_set = better}), length_error));
     // Across, the bare corridor holds the robot well.
     EXPECT_LT(median(bare,
-                     [](const Seen& seen) {
+                     [](const LessonSeen& seen) {
                          return std::abs(seen.steps.back().mean.y - seen.truth.back().y);
                      }),
               0.15);
-    EXPECT_GT(median(bare, [](const Seen& seen) { return seen.odometry_error_m.back(); }), 1.0);
+    EXPECT_GT(median(bare, [](const LessonSeen& seen) { return seen.odometry_error_m.back(); }),
+              1.0);
 }
 
 TEST_F(Lessons, ALoopThatIsClosedTakesTheErrorAway) {
-    const auto closes = [](const Seen& seen) {
+    const auto closes = [](const LessonSeen& seen) {
         const auto at = std::ranges::find_if(
             seen.steps, [](const StepFigures& step) { return step.unseen_s > 30.0; });
         return static_cast<std::size_t>(at - seen.steps.begin());
     };
-    const auto worst_before = [&](const Seen& seen) {
+    const auto worst_before = [&](const LessonSeen& seen) {
         const auto begin = seen.position_error_m.begin();
         return *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(closes(seen)));
     };
     const auto all = runs(4);
-    for (const Seen& seen : all) {
+    for (const LessonSeen& seen : all) {
         EXPECT_NEAR(seen.steps[closes(seen)].time_s, 47.0, 0.5);
         EXPECT_LT(seen.position_error_m.back(), worst_before(seen) / 3.0);
         EXPECT_EQ(seen.lines, 8);
         EXPECT_EQ(seen.corners, 8);
     }
     EXPECT_GT(median(all, worst_before), 0.08);
-    EXPECT_LT(median(all, [](const Seen& seen) { return seen.position_error_m.back(); }), 0.03);
-    EXPECT_GT(median(all, [](const Seen& seen) { return seen.odometry_error_m.back(); }), 0.5);
+    EXPECT_LT(median(all, [](const LessonSeen& seen) { return seen.position_error_m.back(); }),
+              0.03);
+    EXPECT_GT(median(all, [](const LessonSeen& seen) { return seen.odometry_error_m.back(); }),
+              0.5);
     const auto three = runs(4, {.set = {"filter.particles=3"}});
-    EXPECT_GE(count(three, [](const Seen& seen) { return seen.lines + seen.corners > 16; }), 5);
+    EXPECT_GE(count(three, [](const LessonSeen& seen) { return seen.lines + seen.corners > 16; }),
+              5);
     EXPECT_GT(ate(three), 1.5 * ate(all));
 }
 
 TEST_F(Lessons, P0DecidesHowNearWallsMayBe) {
     const auto lines = [](int number) {
-        return [=](const Seen& seen) { return seen.lines == number; };
+        return [=](const LessonSeen& seen) { return seen.lines == number; };
     };
     const auto confused = runs(5);
     EXPECT_EQ(count(confused, lines(5)), kSeeds);
@@ -261,12 +274,13 @@ TEST_F(Lessons, P0DecidesHowNearWallsMayBe) {
     EXPECT_GE(count(right, lines(7)), kSeeds - 2);
     EXPECT_GT(ate(confused), 1.5 * ate(right));
     const auto tiny = runs(5, {.set = {"association.p0=1e-30"}});
-    EXPECT_EQ(count(tiny, [](const Seen& seen) { return seen.lines == 5 && seen.corners == 6; }),
-              kSeeds);
+    EXPECT_EQ(
+        count(tiny, [](const LessonSeen& seen) { return seen.lines == 5 && seen.corners == 6; }),
+        kSeeds);
     const auto many = runs(5, {.set = {"association.p0=10"}});
-    EXPECT_EQ(count(many, [](const Seen& seen) { return seen.lines > 9; }), kSeeds);
+    EXPECT_EQ(count(many, [](const LessonSeen& seen) { return seen.lines > 9; }), kSeeds);
     const auto endless = runs(5, {.set = {"association.p0=15"}}, 2);
-    EXPECT_EQ(count(endless, [](const Seen& seen) { return seen.lines > 1000; }), 2);
+    EXPECT_EQ(count(endless, [](const LessonSeen& seen) { return seen.lines > 1000; }), 2);
     const auto sharp =
         runs(5, {.set = {"observation.var_rho=0.0025", "observation.var_theta=0.0003"}});
     EXPECT_GE(count(sharp, lines(7)), kSeeds - 3);
@@ -278,8 +292,8 @@ TEST_F(Lessons, TooFewParticlesLoseTheLoopAndMoreThanEnoughGainNothing) {
         return runs(6, {.set = {std::string("filter.particles=") + particles}});
     };
     const auto one = of("1");
-    EXPECT_GE(count(one, [](const Seen& seen) { return !better_than_odometry(seen); }), 6);
-    EXPECT_EQ(count(one, [](const Seen& seen) { return seen.lines > 12; }), kSeeds);
+    EXPECT_GE(count(one, [](const LessonSeen& seen) { return !better_than_odometry(seen); }), 6);
+    EXPECT_EQ(count(one, [](const LessonSeen& seen) { return seen.lines > 12; }), kSeeds);
     const auto three = of("3");
     const auto ten = of("10");
     const auto hundred = of("100");
@@ -288,7 +302,7 @@ TEST_F(Lessons, TooFewParticlesLoseTheLoopAndMoreThanEnoughGainNothing) {
     EXPECT_GT(ate(three), 1.5 * ate(ten));
     EXPECT_GT(ate(ten), 1.2 * ate(hundred));
     EXPECT_NEAR(ate(more), ate(hundred), 0.25 * ate(hundred));
-    const double shared = median(hundred, [](const Seen& seen) {
+    const double shared = median(hundred, [](const LessonSeen& seen) {
         return static_cast<double>(seen.ancestry) / static_cast<double>(seen.steps.size());
     });
     EXPECT_NEAR(shared, 0.75, 0.1) << "of the tour, the past that all particles have in common";
@@ -314,14 +328,14 @@ TEST_F(Lessons, MotionNoiseMustCoverWhatTheOdometryHasAndNeedsParticlesWhereItIs
     const auto small = runs(7, {.set = ratios("0.01")});
     EXPECT_GT(ate(small), 5.0 * ate(right));
     EXPECT_GT(ate(small), 0.6 * odometry_ate(small)) << "next to no better than the odometry";
-    EXPECT_EQ(count(small, [](const Seen& seen) { return seen.lines > 12; }), kSeeds);
+    EXPECT_EQ(count(small, [](const LessonSeen& seen) { return seen.lines > 12; }), kSeeds);
     const auto large = runs(7, {.set = ratios("4")});
     EXPECT_GT(ate(large), 1.5 * ate(right));
     EXPECT_EQ(count(large, better_than_odometry), kSeeds);
     auto few = ratios("4");
     few.emplace_back("filter.particles=10");
     const auto lost = runs(7, {.set = few});
-    EXPECT_GE(count(lost, [](const Seen& seen) { return !better_than_odometry(seen); }),
+    EXPECT_GE(count(lost, [](const LessonSeen& seen) { return !better_than_odometry(seen); }),
               kSeeds - 1);
     EXPECT_LT(ate(runs(7, {.set = {"filter.particles=10"}})), 2.0 * ate(right));
 }
@@ -335,7 +349,7 @@ TEST_F(Lessons, EkfIsTheBetterUntilItsGateMissesAWall) {
         EXPECT_EQ(ekf[i].corners, 6);
     }
     // One tour, several seeds of the filter.
-    const Seen once = run(lesson(8), 1, {.configuration = "ekf.cfg"}, 1);
+    const LessonSeen once = run(lesson(8), 1, {.configuration = "ekf.cfg"}, 1);
     EXPECT_EQ(map_to_text(run(lesson(8), 2, {.configuration = "ekf.cfg"}, 1).map),
               map_to_text(once.map));
     EXPECT_NE(map_to_text(run(lesson(8), 2, {}, 1).map), map_to_text(run(lesson(8), 1, {}, 1).map));
@@ -343,17 +357,19 @@ TEST_F(Lessons, EkfIsTheBetterUntilItsGateMissesAWall) {
     const auto loud_particles = runs(8, {.set = loud, .world_set = {"odometry.noise=0.3"}});
     const auto loud_ekf =
         runs(8, {.set = loud, .world_set = {"odometry.noise=0.3"}, .configuration = "ekf.cfg"});
-    EXPECT_GE(count(loud_ekf, [](const Seen& seen) { return seen.lines > 6; }), kSeeds - 1);
-    EXPECT_EQ(count(loud_particles, [](const Seen& seen) { return seen.lines <= 6; }), kSeeds);
-    const auto worst = [](const std::vector<Seen>& all) {
-        return std::ranges::max_element(all, {}, &Seen::ate_m)->ate_m;
+    EXPECT_GE(count(loud_ekf, [](const LessonSeen& seen) { return seen.lines > 6; }), kSeeds - 1);
+    EXPECT_EQ(count(loud_particles, [](const LessonSeen& seen) { return seen.lines <= 6; }),
+              kSeeds);
+    const auto worst = [](const std::vector<LessonSeen>& all) {
+        return std::ranges::max_element(all, {}, &LessonSeen::ate_m)->ate_m;
     };
     EXPECT_GT(worst(loud_ekf), 2.0 * worst(loud_particles));
     const auto told = runs(
         8, {.set = ratios("0.5"), .world_set = {"odometry.noise=0.3"}, .configuration = "ekf.cfg"});
     EXPECT_LT(ate(told), 0.3 * ate(loud_particles));
-    EXPECT_GE(count(told, [](const Seen& seen) { return seen.lines == 5 && seen.corners == 6; }),
-              kSeeds - 4);
+    EXPECT_GE(
+        count(told, [](const LessonSeen& seen) { return seen.lines == 5 && seen.corners == 6; }),
+        kSeeds - 4);
 }
 
 }  // namespace

@@ -13,18 +13,18 @@ namespace {
 using test::Log;
 
 /// What NOTES.md of the recordings says that they hold.
-struct Golden {
+struct RecordingGolden {
     const char* recording;
     const char* format;
     const char* log;
     std::size_t scans;
     std::size_t odometry;
-    friend std::ostream& operator<<(std::ostream& out, const Golden& golden) {
+    friend std::ostream& operator<<(std::ostream& out, const RecordingGolden& golden) {
         return out << golden.recording;
     }
 };
 
-class RosRecording : public ::testing::TestWithParam<Golden> {};
+class RosRecording : public ::testing::TestWithParam<RecordingGolden> {};
 
 /// Poses by stamp.
 std::map<std::int64_t, Pose> poses_of(const Log& log) {
@@ -46,7 +46,7 @@ void expect_scan_of_log(const Scan& scan, const Scan& logged) {
 }
 
 TEST_P(RosRecording, GivesTheScansAndPosesOfItsLog) {
-    const Golden& golden = GetParam();
+    const RecordingGolden& golden = GetParam();
     const auto path = test::shared_log(std::string("ros/") + golden.recording);
     const auto log_path = test::shared_log(golden.log);
     HITOS_SKIP_WITHOUT(path);
@@ -83,22 +83,22 @@ constexpr const char* kBigloop = "player/bigloop.log.gz";
 INSTANTIATE_TEST_SUITE_P(
     Recorded, RosRecording,
     ::testing::Values(
-        Golden{"freiburg-101.bag", "rosbag", kFreiburg, 292, 957},
-        Golden{"freiburg-101.bz2.bag", "rosbag", kFreiburg, 292, 957},
-        Golden{"freiburg-101.lz4.bag", "rosbag", kFreiburg, 292, 957},
-        Golden{"freiburg-101_mcap", "rosbag2", kFreiburg, 292, 957},
-        Golden{"freiburg-101_mcap_zstd", "rosbag2", kFreiburg, 292, 957},
-        Golden{"freiburg-101_mcap_lz4", "rosbag2", kFreiburg, 292, 957},
-        Golden{"freiburg-101_db3", "rosbag2", kFreiburg, 292, 957},
-        Golden{"bigloop-lap1.bag", "rosbag", kBigloop, 550, 1100},
-        Golden{"bigloop.bz2.bag", "rosbag", kBigloop, 1050, 2102},
-        Golden{"bigloop.lz4.bag", "rosbag", kBigloop, 1050, 2102},
-        Golden{"bigloop-lap1_mcap", "rosbag2", kBigloop, 550, 1100},
-        Golden{"bigloop-lap1_mcap/bigloop-lap1_mcap_0.mcap", "mcap", kBigloop, 550, 1100},
-        Golden{"bigloop_mcap_zstd", "rosbag2", kBigloop, 1050, 2102},
-        Golden{"bigloop_mcap_lz4", "rosbag2", kBigloop, 1050, 2102},
-        Golden{"bigloop-lap1_db3", "rosbag2", kBigloop, 550, 1100},
-        Golden{"freiburg-101_db3/freiburg-101_db3_0.db3", "db3", kFreiburg, 292, 957}),
+        RecordingGolden{"freiburg-101.bag", "rosbag", kFreiburg, 292, 957},
+        RecordingGolden{"freiburg-101.bz2.bag", "rosbag", kFreiburg, 292, 957},
+        RecordingGolden{"freiburg-101.lz4.bag", "rosbag", kFreiburg, 292, 957},
+        RecordingGolden{"freiburg-101_mcap", "rosbag2", kFreiburg, 292, 957},
+        RecordingGolden{"freiburg-101_mcap_zstd", "rosbag2", kFreiburg, 292, 957},
+        RecordingGolden{"freiburg-101_mcap_lz4", "rosbag2", kFreiburg, 292, 957},
+        RecordingGolden{"freiburg-101_db3", "rosbag2", kFreiburg, 292, 957},
+        RecordingGolden{"bigloop-lap1.bag", "rosbag", kBigloop, 550, 1100},
+        RecordingGolden{"bigloop.bz2.bag", "rosbag", kBigloop, 1050, 2102},
+        RecordingGolden{"bigloop.lz4.bag", "rosbag", kBigloop, 1050, 2102},
+        RecordingGolden{"bigloop-lap1_mcap", "rosbag2", kBigloop, 550, 1100},
+        RecordingGolden{"bigloop-lap1_mcap/bigloop-lap1_mcap_0.mcap", "mcap", kBigloop, 550, 1100},
+        RecordingGolden{"bigloop_mcap_zstd", "rosbag2", kBigloop, 1050, 2102},
+        RecordingGolden{"bigloop_mcap_lz4", "rosbag2", kBigloop, 1050, 2102},
+        RecordingGolden{"bigloop-lap1_db3", "rosbag2", kBigloop, 550, 1100},
+        RecordingGolden{"freiburg-101_db3/freiburg-101_db3_0.db3", "db3", kFreiburg, 292, 957}),
     [](const auto& value) { return "recording" + std::to_string(value.index); });
 
 /// The difficult ones: two lasers whose halves are the source's fan.

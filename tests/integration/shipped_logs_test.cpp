@@ -11,7 +11,7 @@ namespace {
 
 using test::Log;
 
-struct Golden {
+struct ShippedGolden {
     const char* name;
     std::string_view format;
     std::uint64_t odometry;
@@ -23,7 +23,7 @@ struct Golden {
     bool carries_odometry;
 };
 
-std::ostream& operator<<(std::ostream& out, const Golden& golden) {
+std::ostream& operator<<(std::ostream& out, const ShippedGolden& golden) {
     return out << golden.name;
 }
 
@@ -34,10 +34,10 @@ Log shipped_log(const std::string& name) {
 
 constexpr Pose kLast{0.611765, 3.300868, 1.514884};
 
-class ShippedLog : public ::testing::TestWithParam<Golden> {};
+class ShippedLog : public ::testing::TestWithParam<ShippedGolden> {};
 
 TEST_P(ShippedLog, HasTheKnownFigures) {
-    const Golden& golden = GetParam();
+    const ShippedGolden& golden = GetParam();
     const auto path = std::filesystem::path(HITOS_SOURCE_DIR) / "data/logs" /
                       (std::string(golden.name) + ".log.gz");
     EXPECT_EQ(open_log(path)->format().word, golden.format);
@@ -67,13 +67,15 @@ TEST_P(ShippedLog, HasTheKnownFigures) {
 INSTANTIATE_TEST_SUITE_P(
     All, ShippedLog,
     ::testing::Values(
-        Golden{"player-laser", "player", 99, 4864, 12557.976, 1636.410, kLast, 181, false},
-        Golden{"player-ranger", "player", 99, 4864, 12557.976, 1636.410, kLast, 181, false},
-        Golden{"radish", "radish", 99, 4864, 12557.976, 1636.410, kLast, 181, false},
-        Golden{"normalized", "normalized", 99, 4864, 12557.976, 1636.410, kLast, 0, false},
-        Golden{"carmen-flaser", "carmen", 99, 4864, 12557.976, 1636.410, kLast, 181, true},
-        Golden{"carmen-robotlaser", "carmen", 99, 4882, 8749.417, 1115.614, kLast, 161, true},
-        Golden{"carmen-rawlaser", "carmen", 99, 4882, 8749.417, 1115.614, kLast, 161, false}),
+        ShippedGolden{"player-laser", "player", 99, 4864, 12557.976, 1636.410, kLast, 181, false},
+        ShippedGolden{"player-ranger", "player", 99, 4864, 12557.976, 1636.410, kLast, 181, false},
+        ShippedGolden{"radish", "radish", 99, 4864, 12557.976, 1636.410, kLast, 181, false},
+        ShippedGolden{"normalized", "normalized", 99, 4864, 12557.976, 1636.410, kLast, 0, false},
+        ShippedGolden{"carmen-flaser", "carmen", 99, 4864, 12557.976, 1636.410, kLast, 181, true},
+        ShippedGolden{"carmen-robotlaser", "carmen", 99, 4882, 8749.417, 1115.614, kLast, 161,
+                      true},
+        ShippedGolden{"carmen-rawlaser", "carmen", 99, 4882, 8749.417, 1115.614, kLast, 161,
+                      false}),
     [](const auto& value) {
         std::string name = value.param.name;
         std::ranges::replace(name, '-', '_');

@@ -130,10 +130,9 @@ void tell_squares(Report& report, const char* what, const char* unit, const Erro
 
 void tell_errors(Report& report, const std::string& what, const ErrorFigures& translation_m,
                  const ErrorFigures& rotation_rad) {
-    constexpr double kDegrees = 180.0 / kPi;
     tell_figures(report, what + "_translation", "m", translation_m);
     tell_figures(report, what + "_rotation", "rad", rotation_rad);
-    tell_figures(report, what + "_rotation", "deg", rotation_rad, kDegrees);
+    tell_figures(report, what + "_rotation", "deg", rotation_rad, kDegreesPerRadian);
 }
 
 void evaluate_relative(const EvaluateOptions& options, PairSpacing::By by, double length,

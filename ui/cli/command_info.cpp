@@ -27,8 +27,6 @@ struct InfoOptions {
     bool json = false;
 };
 
-constexpr double kDegrees = 180.0 / kPi;
-
 double per_second(std::uint64_t count, double seconds) {
     return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
 }
@@ -39,11 +37,11 @@ void tell_laser(const Fan& fan, Report& report) {
         return;
     }
     report.say("laser: {} rays from {:.2f} to {:.2f} degrees", fan.count,
-               fan.min_angle_rad * kDegrees, fan.max_angle_rad * kDegrees);
+               fan.min_angle_rad * kDegreesPerRadian, fan.max_angle_rad * kDegreesPerRadian);
     if (fan.max_range_m > 0.0) report.say(", up to {:g} m", fan.max_range_m);
     const Pose& mounting = fan.pose_robot_laser;
     report.say("; on the robot at ({:.3f}, {:.3f}) m, {:.2f} degrees\n", mounting.x, mounting.y,
-               mounting.theta * kDegrees);
+               mounting.theta * kDegreesPerRadian);
     report.object()["laser"] = {{"rays", fan.count},
                                 {"first_angle_rad", fan.min_angle_rad},
                                 {"last_angle_rad", fan.max_angle_rad},

@@ -19,13 +19,12 @@
 #include "options.hpp"
 #include "progress_line.hpp"
 #include "report.hpp"
+#include "study_console.hpp"
 
 namespace hitos::cli {
 namespace {
 
-constexpr int kSomeFailed = 2;
-
-struct CommandOptions {
+struct ReproduceArguments {
     ReproductionOptions reproduction;
     std::string out;
     std::string report;
@@ -69,7 +68,7 @@ class Teller {
     std::size_t finished_ = 0;
 };
 
-std::string names() {
+std::string reading_names() {
     std::string text;
     for (const Reading& reading : readings()) {
         text += (text.empty() ? "" : ", ") + reading.name;
@@ -86,7 +85,7 @@ bool tell_failures(const Reproduction& result) {
 }
 
 /// The figures with tables of errors.
-int reproduce_tables(CommandOptions options, Report& report) {
+int reproduce_tables(ReproduceArguments options, Report& report) {
     Teller teller;
     options.reproduction.observer = teller.observer();
     const Reproduction result = hitos::reproduce(options.reproduction);
@@ -126,7 +125,7 @@ std::filesystem::path maps_report(const std::filesystem::path& report) {
 }
 
 /// The experiments that are shown by maps and counts.
-int reproduce_experiments(const CommandOptions& options, const std::vector<std::string>& only,
+int reproduce_experiments(const ReproduceArguments& options, const std::vector<std::string>& only,
                           Report& report) {
     MapReproductionOptions maps;
     maps.only = only;
@@ -182,7 +181,7 @@ bool names_figure(const std::string& word) {
 }
 
 /// A word of --only may name figures with tables, experiments shown by maps, or both.
-int reproduce(CommandOptions options) {
+int reproduce(ReproduceArguments options) {
     Reading& reading = options.reproduction.reading;
     reading = options.as_published ? reading_as_published() : find_reading(options.reading);
     if (options.out.empty()) {
@@ -219,7 +218,7 @@ int reproduce(CommandOptions options) {
 }  // namespace
 
 void add_reproduce(CLI::App& program) {
-    auto options = std::make_shared<CommandOptions>();
+    auto options = std::make_shared<ReproduceArguments>();
     CLI::App* command = program.add_subcommand(
         "reproduce", "Run the synthetic experiments of the thesis again and compare");
     command->footer(
@@ -254,9 +253,9 @@ void add_reproduce(CLI::App& program) {
     command->add_option("--logs", options->logs,
                         "Folder of recorded tours, NAME.log.gz with NAME.gt.tum.gz, to put the "
                         "questions of the thesis's recorded tours to (aces, freiburg-101)");
-    auto* reading =
-        command->add_option("--reading", options->reading,
-                            "Suppose this of the thesis's simulator and program: " + names());
+    auto* reading = command->add_option(
+        "--reading", options->reading,
+        "Suppose this of the thesis's simulator and program: " + reading_names());
     command
         ->add_flag("--as-published", options->as_published,
                    "The reading that agrees best with the thesis: " + reading_as_published().name)

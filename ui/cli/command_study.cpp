@@ -16,7 +16,7 @@
 namespace hitos::cli {
 namespace {
 
-struct CommandOptions {
+struct StudyArguments {
     ConfigurationOptions configuration;
     StudyRunOptions runs;
     std::string log;
@@ -40,12 +40,12 @@ void require(const std::string& value, const char* name, const char* what) {
     }
 }
 
-StudyShard shard_of(const CommandOptions& options) {
+StudyShard shard_of(const StudyArguments& options) {
     if (!options.shard.empty()) return parse_shard(options.shard);
     return scheduler_shard(process_environment()).value_or(StudyShard{});
 }
 
-int study(CommandOptions options) {
+int study(StudyArguments options) {
     require(options.log, "LOG", "the log file to study");
     require(options.out, "--out", "the folder for the results");
     options.runs.first_seed = options.configuration.values.seed.value_or(1);
@@ -99,7 +99,7 @@ void add_merge(CLI::App& study) {
 }  // namespace
 
 void add_study(CLI::App& program) {
-    auto options = std::make_shared<CommandOptions>();
+    auto options = std::make_shared<StudyArguments>();
     CLI::App* command = program.add_subcommand(
         "study", "Run values of parameters several times each and measure the maps");
     command->footer(

@@ -16,8 +16,6 @@
 namespace hitos::cli {
 namespace {
 
-constexpr int kSomeFailed = 2;
-
 /// Why a study without a single result has none.
 [[noreturn]] void all_failed(const StudyOutcome& outcome) {
     for (const StudyRecord& record : outcome.records) {

@@ -9,6 +9,9 @@
 
 namespace hitos::cli {
 
+/// The exit status where a run of several failed.
+inline constexpr int kSomeFailed = 2;
+
 /// The form of a study's summary on standard output.
 enum class SummaryForm { table, csv, json };
 void add_summary_form(CLI::App& command, bool& csv, bool& json);

@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -13,6 +14,9 @@
 #include "hitos/base/geometry.hpp"
 
 namespace hitos::python {
+
+/// What stands where there is no figure.
+inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 /// A read-only array that shows what `data` points to, which `owner` keeps alive, and nothing is
 /// copied.

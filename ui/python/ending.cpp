@@ -11,7 +11,7 @@ namespace hitos::python {
 namespace {
 
 /// How many Work there are.
-std::atomic<int> under_way = 0;
+std::atomic<int> calls_under_way = 0;
 /// How many of them this thread has, one within the other.
 thread_local int depth = 0;
 /// The thread on which the interpreter ends, from its beginning on.
@@ -56,7 +56,7 @@ bool ends_elsewhere() {
 void begin_end() {
     ending = std::this_thread::get_id();
     const auto last = std::chrono::steady_clock::now() + kPatience;
-    while (under_way > 0 && std::chrono::steady_clock::now() < last) {
+    while (calls_under_way > 0 && std::chrono::steady_clock::now() < last) {
         const LockReleased released;
         std::this_thread::sleep_for(kLook);
     }
@@ -80,11 +80,11 @@ Work::Work() {
         throw py::error_already_set();
     }
     ++depth;
-    ++under_way;
+    ++calls_under_way;
 }
 
 Work::~Work() {
-    --under_way;
+    --calls_under_way;
     --depth;
 }
 

@@ -20,10 +20,10 @@
 namespace hitos::python {
 namespace {
 
-using Held = std::shared_ptr<const GridArray>;
+using HeldGrid = std::shared_ptr<const GridArray>;
 
 template <class Number>
-py::object view_of_cells(const Held& grid, const std::vector<Number>& cells) {
+py::object view_of_cells(const HeldGrid& grid, const std::vector<Number>& cells) {
     if (cells.empty() && grid->columns > 0) return py::none();
     constexpr auto kSize = static_cast<py::ssize_t>(sizeof(Number));
     return view(py::dtype::of<Number>(), {grid->rows, grid->columns},
@@ -40,20 +40,21 @@ std::shared_ptr<GridArray> draw_grid(const py::object& tour, const py::object& t
     Trajectory path = trajectory_from(trajectory, "trajectory");
     const Work under_way;
     std::atomic<bool> stopped = false;
-    std::future<Held> drawn = std::async(
-        std::launch::async, [&configuration, &stopped, path = std::move(path)]() mutable -> Held {
+    std::future<HeldGrid> drawn = std::async(
+        std::launch::async,
+        [&configuration, &stopped, path = std::move(path)]() mutable -> HeldGrid {
             GridBuilder builder(configuration.grid, open_tour(configuration), std::move(path));
             while (!stopped && builder.step()) {
             }
             return array_of(builder.grid());
         });
     return std::const_pointer_cast<GridArray>(
-        wait_for<Held>(std::move(drawn), [&] { stopped = true; }));
+        wait_for<HeldGrid>(std::move(drawn), [&] { stopped = true; }));
 }
 
 }  // namespace
 
-Held array_of(const Grid& grid) {
+HeldGrid array_of(const Grid& grid) {
     auto made = std::make_shared<GridArray>();
     made->columns = grid.columns();
     made->rows = grid.rows();
@@ -71,7 +72,7 @@ Held array_of(const Grid& grid) {
     return made;
 }
 
-Held array_of(const GridTiles& tiles) {
+HeldGrid array_of(const GridTiles& tiles) {
     auto made = std::make_shared<GridArray>();
     made->resolution_m = tiles.resolution_m;
     if (tiles.area.empty()) return made;

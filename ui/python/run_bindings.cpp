@@ -53,7 +53,7 @@ std::shared_ptr<State> next(Run& run) {
 }
 
 /// "svg,g2o", "all", or such words and names one by one.
-std::vector<std::string> words_of(const py::object& also) {
+std::vector<std::string> output_words(const py::object& also) {
     if (also.is_none()) return {};
     std::string list;
     if (py::isinstance<py::str>(also)) {
@@ -70,7 +70,7 @@ std::vector<std::string> words_of(const py::object& also) {
 }
 
 py::object written(const Result& result, const path& folder, const py::object& also) {
-    return parsed(result.run()->write(result.shown()->revision, folder, words_of(also)));
+    return parsed(result.run()->write(result.shown()->revision, folder, output_words(also)));
 }
 
 std::shared_ptr<Result> finished(Run& run, const py::object& progress) {
@@ -86,7 +86,7 @@ std::shared_ptr<Result> run_to_the_end(const py::object& tour, const py::object&
                                        const std::optional<path>& distances, bool uncertainty,
                                        const py::object& also) {
     require_callable(progress, "progress", true);
-    const std::vector<std::string> words = words_of(also);
+    const std::vector<std::string> words = output_words(also);
     if (!out && !words.empty()) {
         throw ConfigError("also", verbatim("names files to write, but there is no folder for them; "
                                            "give out too"));

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "arrays.hpp"
@@ -14,14 +13,12 @@
 namespace hitos::python {
 namespace {
 
-using Held = std::shared_ptr<State>;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+using HeldState = std::shared_ptr<State>;
 
 LandmarkRow row_of(const ICaracteristica& landmark) {
     LandmarkRow row{word_of(to_string(landmark.kind())),
-                    kNone,
-                    kNone,
+                    kNoFigure,
+                    kNoFigure,
                     landmark.point().x,
                     landmark.point().y,
                     landmark.observations,
@@ -72,7 +69,7 @@ FiguresRow row_of(const StepFigures& step) {
 
 /// Of the hypotheses: numbers from `first` on.
 template <class Number>
-py::array of_hypotheses(const Held& state, const Number WeightedPose::*member, int columns) {
+py::array of_hypotheses(const HeldState& state, const Number WeightedPose::*member, int columns) {
     const auto& all = state->shown()->hypotheses;
     const auto* const first = all.empty() ? nullptr : &(all.front().*member);
     if constexpr (std::is_same_v<Number, Pose>) {
@@ -83,54 +80,56 @@ py::array of_hypotheses(const Held& state, const Number WeightedPose::*member, i
     }
 }
 
-py::array pose_of(const Held& state, const Pose Snapshot::*pose) {
+py::array pose_of(const HeldState& state, const Pose Snapshot::*pose) {
     return view(py::dtype::of<double>(), {3}, {sizeof(double)}, &((*state->shown()).*pose).x,
                 state->shown());
 }
 
-using Class = py::class_<State, Held>;
+using Class = py::class_<State, HeldState>;
 
 void bind_paths(Class& snapshot) {
     snapshot
         .def_property_readonly(
             "trajectory",
-            [](const Held& s) { return view_of(s->shown()->best_trajectory, s->shown()); },
+            [](const HeldState& s) { return view_of(s->shown()->best_trajectory, s->shown()); },
             R"(N x 4: t, x, y, theta of the best hypothesis at every scan so far [s, m, m, rad], with
 all that was learnt since.)")
         .def_property_readonly(
             "online_trajectory",
-            [](const Held& s) { return view_of(s->shown()->online_trajectory, s->shown()); },
+            [](const HeldState& s) { return view_of(s->shown()->online_trajectory, s->shown()); },
             "N x 4: likewise, as it was at each scan, before anything later corrected it.")
         .def_property_readonly(
             "odometry",
-            [](const Held& s) { return view_of(s->shown()->odometry_trajectory, s->shown()); },
+            [](const HeldState& s) { return view_of(s->shown()->odometry_trajectory, s->shown()); },
             "N x 4: likewise by odometry alone, from (0, 0, 0).")
         .def_property_readonly(
-            "pose", [](const Held& s) { return pose_of(s, &Snapshot::best_pose); },
+            "pose", [](const HeldState& s) { return pose_of(s, &Snapshot::best_pose); },
             "x, y, theta of the best hypothesis [m, m, rad].")
         .def_property_readonly(
-            "mean_pose", [](const Held& s) { return pose_of(s, &Snapshot::mean_pose); },
+            "mean_pose", [](const HeldState& s) { return pose_of(s, &Snapshot::mean_pose); },
             "x, y, theta: the weighted mean of all hypotheses.")
         .def_property_readonly(
             "pose_covariance",
-            [](const Held& s) {
+            [](const HeldState& s) {
                 // Eigen keeps columns together.
                 return view(py::dtype::of<double>(), {3, 3}, {sizeof(double), 3 * sizeof(double)},
                             s->shown()->pose_covariance.data(), s->shown());
             },
             "3 x 3: covariance of (x, y, theta) about mean_pose.")
         .def_property_readonly(
-            "particles", [](const Held& s) { return of_hypotheses(s, &WeightedPose::pose, 3); },
+            "particles",
+            [](const HeldState& s) { return of_hypotheses(s, &WeightedPose::pose, 3); },
             "M x 3: x, y, theta of every hypothesis, after resampling.")
         .def_property_readonly(
-            "weights", [](const Held& s) { return of_hypotheses(s, &WeightedPose::weight, 0); },
+            "weights",
+            [](const HeldState& s) { return of_hypotheses(s, &WeightedPose::weight, 0); },
             "M: their weights, which sum to 1; equal just after resampling.")
         .def_property_readonly(
             "weights_before",
-            [](const Held& s) { return of_hypotheses(s, &WeightedPose::weight_before, 0); },
+            [](const HeldState& s) { return of_hypotheses(s, &WeightedPose::weight_before, 0); },
             "M: the weight before the last resampling of the one that each was drawn from.")
         .def_property_readonly(
-            "best", [](const Held& s) { return s->shown()->best_hypothesis; },
+            "best", [](const HeldState& s) { return s->shown()->best_hypothesis; },
             "The place of the best hypothesis in particles.");
 }
 
@@ -138,13 +137,13 @@ void bind_map(Class& snapshot) {
     snapshot
         .def_property_readonly(
             "landmarks",
-            [](const Held& s) { return view_of_rows(s->landmarks(), landmark_fields()); },
+            [](const HeldState& s) { return view_of_rows(s->landmarks(), landmark_fields()); },
             R"(The best hypothesis' map, a structured array, lines before corners: kind ("line",
 "corner"), rho [m] and theta [rad] of a line (nan of a corner), x and y [m] of a corner or of the
 line's foot, observations, and the numbers of the scans first_seen and last_seen.)")
         .def_property_readonly(
             "covariances",
-            [](const Held& s) {
+            [](const HeldState& s) {
                 constexpr py::ssize_t kRow = 2 * sizeof(double);
                 const auto count = static_cast<py::ssize_t>(s->landmarks()->size());
                 return view(py::dtype::of<double>(), {count, 2, 2},
@@ -154,7 +153,7 @@ line's foot, observations, and the numbers of the scans first_seen and last_seen
             "M x 2 x 2: covariance of (rho, theta) of each line and of (x, y) of each corner.")
         .def_property_readonly(
             "segments",
-            [](const Held& s) {
+            [](const HeldState& s) {
                 const auto& extents = s->shown()->line_extents;
                 return view_of_segments(extents.empty() ? nullptr : &extents.front().a.x,
                                         extents.size(), sizeof(LineExtent), s->shown());
@@ -162,14 +161,15 @@ line's foot, observations, and the numbers of the scans first_seen and last_seen
             "K x 2 x 2: both ends of the stretches of lines that were seen [m].")
         .def_property_readonly(
             "segment_landmarks",
-            [](const Held& s) {
+            [](const HeldState& s) {
                 const auto& extents = s->shown()->line_extents;
                 return view_of_members(extents.empty() ? nullptr : &extents.front().landmark,
                                        extents.size(), sizeof(LineExtent), 0, s->shown());
             },
             "K: the landmark that each segment belongs to.")
         .def_property_readonly(
-            "grid", [](const Held& s) { return std::const_pointer_cast<GridArray>(s->grid()); },
+            "grid",
+            [](const HeldState& s) { return std::const_pointer_cast<GridArray>(s->grid()); },
             R"(The occupancy grid, drawn step by step from where the best hypothesis was; see
 draw_grid() for grids along other paths.)");
 }
@@ -178,13 +178,13 @@ void bind_scan_of(Class& snapshot) {
     snapshot
         .def_property_readonly(
             "scan",
-            [](const Held& s) {
+            [](const HeldState& s) {
                 return ScanView(std::shared_ptr<const Scan>(s->shown(), &s->shown()->scan));
             },
             "The last scan.")
         .def_property_readonly(
             "observed_lines",
-            [](const Held& s) {
+            [](const HeldState& s) {
                 const auto& lines = s->shown()->observation.lines;
                 return view_of_members(lines.empty() ? nullptr : &lines.front().recta.rho,
                                        lines.size(), sizeof(DetectedLine), 2, s->shown());
@@ -192,7 +192,7 @@ void bind_scan_of(Class& snapshot) {
             "L x 2: rho, theta of the lines found in it, in the robot's frame [m, rad].")
         .def_property_readonly(
             "observed_corners",
-            [](const Held& s) {
+            [](const HeldState& s) {
                 const auto& corners = s->shown()->observation.corners;
                 return view_of_members(corners.empty() ? nullptr : &corners.front().x,
                                        corners.size(), sizeof(Esquina), 2, s->shown());
@@ -200,7 +200,9 @@ void bind_scan_of(Class& snapshot) {
             "C x 2: x, y of the corners found in it, in the robot's frame [m].")
         .def_property_readonly(
             "associations",
-            [](const Held& s) { return view_of_rows(s->associations(), association_fields()); },
+            [](const HeldState& s) {
+                return view_of_rows(s->associations(), association_fields());
+            },
             R"(What the best hypothesis made of them, a structured array: kind, observed (the place
 in observed_lines or observed_corners), outcome ("matched", "created", "ignored") and landmark (the
 place in landmarks; -1 where ignored).)");
@@ -276,14 +278,14 @@ its run: all arrays are read-only views of its own memory and keep it alive. Pos
 in the world, whose origin is the robot's first pose: metres and radians.)");
     snapshot
         .def_property_readonly(
-            "scans", [](const Held& s) { return s->shown()->steps; }, "Scans taken so far.")
+            "scans", [](const HeldState& s) { return s->shown()->steps; }, "Scans taken so far.")
         .def_property_readonly(
-            "finished", [](const Held& s) { return s->finished(); },
+            "finished", [](const HeldState& s) { return s->finished(); },
             "Whether the tour is over, and what smooths the path has done it.")
         .def_property_readonly(
-            "time", [](const Held& s) { return s->shown()->scan.time_s; },
+            "time", [](const HeldState& s) { return s->shown()->scan.time_s; },
             "Stamp of the last scan [s].")
-        .def("__repr__", [](const Held& s) {
+        .def("__repr__", [](const HeldState& s) {
             return fmt::format("<{} after {} scans: {} landmarks, {} particles>",
                                s->finished() ? "Finished run" : "Run", s->shown()->steps,
                                s->landmarks()->size(), s->shown()->hypotheses.size());

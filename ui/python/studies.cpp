@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <future>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -28,8 +27,6 @@ namespace {
 
 using std::filesystem::path;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 /// A finished study; immutable.
 struct StudyTable {
     StudyOutcome outcome;
@@ -50,12 +47,12 @@ py::array runs_of(const StudyTable& table) {
     const StudyPlan& plan = table.outcome.plan;
     for (std::size_t run = 0; run < table.outcome.records.size(); ++run) {
         const StudyRecord& record = table.outcome.records[run];
-        rows->push_back({plan.seed_of(run), record.scans,
-                         static_cast<std::int64_t>(plan.cell_of(run)),
-                         record.error_m.value_or(kNone), record.aligned_error_m.value_or(kNone),
-                         record.trajectory_error_m.value_or(kNone),
-                         record.odometry_error_m.value_or(kNone), record.blur_m2.value_or(kNone),
-                         record.seconds, record.lines, record.corners, record.ok});
+        rows->push_back(
+            {plan.seed_of(run), record.scans, static_cast<std::int64_t>(plan.cell_of(run)),
+             record.error_m.value_or(kNoFigure), record.aligned_error_m.value_or(kNoFigure),
+             record.trajectory_error_m.value_or(kNoFigure),
+             record.odometry_error_m.value_or(kNoFigure), record.blur_m2.value_or(kNoFigure),
+             record.seconds, record.lines, record.corners, record.ok});
     }
     return view_of_rows<RunRow>(std::move(rows),
                                 {{"cell", "i8", offsetof(RunRow, cell)},
@@ -239,7 +236,7 @@ std::shared_ptr<StudyTable> study_of(py::object tour, py::dict vary, py::object 
                     std::move(pictures), std::move(progress)});
 }
 
-void bind_progress(py::module_& module) {
+void bind_study_progress(py::module_& module) {
     py::class_<StudyProgress>(module, "StudyProgress", "How far a study has come.")
         .def_readonly("runs", &StudyProgress::runs, "Runs to do, without those found done.")
         .def_readonly("finished", &StudyProgress::finished, "Of these, the failed among them.")
@@ -296,7 +293,7 @@ landmarks a dict of count, mean, variance, minimum and maximum over the runs, or
 }  // namespace
 
 void bind_studies(py::module_& module) {
-    bind_progress(module);
+    bind_study_progress(module);
     bind_table(module);
     define(
         module, "study", &study_of, py::arg("tour"), py::arg("vary"),

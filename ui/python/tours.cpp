@@ -94,7 +94,7 @@ py::array odometry_of(const Tour& tour) {
     return view_of_members(first, readings->size(), sizeof(Odometria), 4, readings);
 }
 
-std::string shown(const Tour& tour) {
+std::string shown_tour(const Tour& tour) {
     return fmt::format("<Tour {} ({})>", tour.reader().name(), tour.reader().format());
 }
 
@@ -278,7 +278,7 @@ are used all the same; `examples` are lines, or messages of a recording, with re
             "\"carmen\", \"mcap\", … or \"world\".")
         .def_property_readonly("truth", &Tour::truth,
                                "The true path and walls of a simulated tour; None of a log.")
-        .def("__repr__", &shown);
+        .def("__repr__", &shown_tour);
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 namespace hitos {
 
 inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kRadiansPerDegree = kPi / 180.0;
+inline constexpr double kDegreesPerRadian = 180.0 / kPi;
 
 /// The angle modulo 2*pi in (-pi, pi]; by formula, so that a huge angle costs no loop. A
 /// non-finite angle gives NaN.
@@ -26,6 +28,11 @@ struct Point2 {
     double y = 0.0;
     friend bool operator==(const Point2&, const Point2&) = default;
 };
+
+/// From one point to the other [m].
+inline double distance(const Point2& a, const Point2& b) {
+    return std::hypot(b.x - a.x, b.y - a.y);
+}
 
 /// The upright rectangle that holds all points told to it.
 struct Bounds {

@@ -58,7 +58,7 @@ HITOS_INLINE std::uint64_t positive_of_eight(const double* numbers) {
 /// Its loops should be marked HITOS_LANES: their rounds are independent of each other.
 template <class Body>
 void vectorised(const Body& body) {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(HITOS_ONE_KIND_OF_VECTORS)
     const VectorTarget target = vectors_in_use();
     if (target == VectorTarget::avx512) return run_avx512(body);
     if (target == VectorTarget::avx2) return run_avx2(body);

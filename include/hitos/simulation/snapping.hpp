@@ -1,7 +1,6 @@
 // Where a point is meant to be that is drawn near something: ends, walls, right angles, a grid.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -38,10 +37,6 @@ struct SnapFrom {
 /// the grid. Coordinates are of whole micrometres but for those of ends.
 Snapped snap(std::span<const WallSegment> walls, std::span<const Point2> ends, const Point2& cursor,
              const SnapFrom& from, const SnapOptions& options);
-
-inline double length_of(const Point2& a, const Point2& b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
-}
 
 /// To the micrometre, so that no digits of arithmetic get into files.
 Point2 to_the_micrometre(const Point2& point);

@@ -24,7 +24,7 @@ bool is_parameter(std::string_view name) {
     return std::ranges::find(kNames, name) != kNames.end();
 }
 
-bool claims(std::string_view text) {
+bool claims_carmen(std::string_view text) {
     if (text.starts_with("# CARMEN Logfile")) return true;
     Fields fields(text);
     const std::string_view name = fields.take();
@@ -35,7 +35,7 @@ bool claims(std::string_view text) {
            std::ranges::any_of(kStems, [name](auto stem) { return name.starts_with(stem); });
 }
 
-LineKind classify(std::string_view text) {
+LineKind classify_carmen(std::string_view text) {
     Fields fields(text);
     const std::string_view name = fields.take();
     if (name == "ODOM") return LineKind::odometry;
@@ -43,8 +43,6 @@ LineKind classify(std::string_view text) {
     if (name == "PARAM") return is_parameter(fields.take()) ? LineKind::scan : LineKind::other;
     return other_or_damaged(text);
 }
-
-constexpr double kDegree = kPi / 180.0;
 
 Pose take_pose(Fields& fields, const char* x, const char* y, const char* theta) {
     Pose pose;
@@ -78,8 +76,8 @@ Fan implied_fan(std::uint32_t count, double resolution_deg) {
             count % 2 == 0 && std::abs(count * step_deg - 180.0) < step_deg / 2;
         if (!half_circle) start_deg = -steps * step_deg / 2.0;
     }
-    fan.min_angle_rad = start_deg * kDegree;
-    fan.max_angle_rad = (start_deg + steps * step_deg) * kDegree;
+    fan.min_angle_rad = start_deg * kRadiansPerDegree;
+    fan.max_angle_rad = (start_deg + steps * step_deg) * kRadiansPerDegree;
     return fan;
 }
 
@@ -281,8 +279,8 @@ LogFormat carmen_format() {
     return {{"carmen", HITOS_TEXT("ParameterChoice", "CARMEN"),
              "logs of CARMEN, in which most public tours come"},
             "*.log *.clf *.gfs",
-            claims,
-            classify,
+            claims_carmen,
+            classify_carmen,
             make_range_conversor<ConversorCarmen>,
             make_carmen_writer};
 }

@@ -14,7 +14,7 @@ namespace hitos {
 namespace {
 
 /// Shares ODOM with CARMEN, whose line has nine fields after the name.
-bool claims(std::string_view text) {
+bool claims_normalized(std::string_view text) {
     Fields fields(text);
     const std::string_view name = fields.take();
     if (name == "LASER") return parse_double(fields.take()) && parse_integer(fields.take());
@@ -23,7 +23,7 @@ bool claims(std::string_view text) {
     return (count == 3 || count == 4) && parse_double(fields.take());
 }
 
-LineKind classify(std::string_view text) {
+LineKind classify_normalized(std::string_view text) {
     const std::string_view name = Fields(text).peek();
     if (name == "LASER") return LineKind::scan;
     if (name == "ODOM") return LineKind::odometry;
@@ -155,8 +155,8 @@ LogFormat normalized_format() {
     return {{"normalized", HITOS_TEXT("ParameterChoice", "Normalised"),
              "points and velocities as text, exact to the last bit"},
             "*.log *.txt",
-            claims,
-            classify,
+            claims_normalized,
+            classify_normalized,
             make_plain_conversor<ConversorNormalized>,
             make_writer<LogWriterNormalized>};
 }

@@ -57,11 +57,11 @@ std::optional<PlayerHeader> split_player_header(std::string_view text) {
     return header;
 }
 
-bool claims(std::string_view text) {
+bool claims_player(std::string_view text) {
     return text.starts_with("## Player version") || split_player_header(text).has_value();
 }
 
-LineKind classify(std::string_view text) {
+LineKind classify_player(std::string_view text) {
     const std::optional<PlayerHeader> header = split_player_header(text);
     if (!header) return LineKind::damaged;
     const bool laser = header->interface == "laser";
@@ -373,8 +373,8 @@ void LogWriterPlayer::put_odometry(std::string& out, const Odometria& odometry,
 LogFormat player_format() {
     return {{"player", HITOS_TEXT("ParameterChoice", "Player"), "logs of Player and Stage"},
             "*.log",
-            claims,
-            classify,
+            claims_player,
+            classify_player,
             make_range_conversor<ConversorPlayer>,
             make_writer<LogWriterPlayer>};
 }

@@ -16,7 +16,7 @@ namespace hitos {
 namespace {
 
 /// A word, the device's index, a time, and numbers.
-bool claims(std::string_view text) {
+bool claims_radish(std::string_view text) {
     Fields fields(text);
     const std::string_view name = fields.take();
     if (name != "position" && name != "laser") return false;
@@ -24,7 +24,7 @@ bool claims(std::string_view text) {
            parse_double(fields.take());
 }
 
-LineKind classify(std::string_view text) {
+LineKind classify_radish(std::string_view text) {
     const std::string_view name = Fields(text).peek();
     if (name == "laser") return LineKind::scan;
     if (name == "position") return LineKind::odometry;
@@ -128,7 +128,7 @@ void append_fan(std::string& out, const Scan& scan) {
 }
 
 /// The points alone, with one reading without return between two runs.
-void append_points(std::string& out, const Scan& scan) {
+void append_readings(std::string& out, const Scan& scan) {
     std::size_t run = 0;
     double bearing = 0.0;
     for (std::size_t i = 0; i < scan.points.size(); ++i) {
@@ -150,7 +150,7 @@ TourWriter::Prepared LogWriterRadish::prepare(const Scan& scan) {
     if (scan.fan.count > 0 && scan.rays.size() == scan.points.size()) {
         append_fan(prepared.text, scan);
     } else {
-        append_points(prepared.text, scan);
+        append_readings(prepared.text, scan);
     }
     prepared.text += '\n';
     return prepared;
@@ -181,8 +181,8 @@ LogFormat radish_format() {
     return {{"radish", HITOS_TEXT("ParameterChoice", "Radish"),
              "the text format of the thesis for Radish tours"},
             "*.log *.txt",
-            claims,
-            classify,
+            claims_radish,
+            classify_radish,
             make_range_conversor<ConversorRadish>,
             make_writer<LogWriterRadish>};
 }

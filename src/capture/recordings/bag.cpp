@@ -13,8 +13,8 @@
 namespace hitos {
 namespace {
 
-constexpr std::string_view kMagic = "#ROSBAG V2.0\n";
-constexpr std::string_view kMagicOfAny = "#ROSBAG V";
+constexpr std::string_view kBagMagic = "#ROSBAG V2.0\n";
+constexpr std::string_view kMagicOfAnyBag = "#ROSBAG V";
 
 enum Op : std::uint8_t {
     message_data = 0x02,
@@ -84,10 +84,10 @@ class Header {
 class Bag final : public ChunkedRecording {
   public:
     Bag(const std::filesystem::path& path, RecordingUse use) : ChunkedRecording(path, use) {
-        std::array<char, kMagic.size()> magic{};
+        std::array<char, kBagMagic.size()> magic{};
         const std::size_t got = records().read(magic);
         const std::string_view found{magic.data(), got};
-        if (found == kMagic) return;
+        if (found == kBagMagic) return;
         throw FormatError(
             path.string(), 0,
             message(
@@ -208,7 +208,7 @@ class Bag final : public ChunkedRecording {
 }  // namespace
 
 bool begins_bag(std::string_view beginning) {
-    return beginning.starts_with(kMagicOfAny);
+    return beginning.starts_with(kMagicOfAnyBag);
 }
 
 std::unique_ptr<Recording> open_bag(const std::filesystem::path& path, RecordingUse use) {

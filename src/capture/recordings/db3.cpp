@@ -18,7 +18,7 @@
 namespace hitos {
 namespace {
 
-constexpr std::string_view kMagic{"SQLite format 3\0", 16};
+constexpr std::string_view kDb3Magic{"SQLite format 3\0", 16};
 
 struct CloseDatabase {
     void operator()(sqlite3* database) const { sqlite3_close(database); }
@@ -231,7 +231,7 @@ class Db3 final : public Recording {
 }  // namespace
 
 bool begins_db3(std::string_view beginning) {
-    return beginning.starts_with(kMagic);
+    return beginning.starts_with(kDb3Magic);
 }
 
 std::unique_ptr<Recording> open_db3(const std::filesystem::path& path, RecordingUse use) {

@@ -11,38 +11,37 @@
 namespace hitos {
 namespace {
 
-constexpr std::string_view kMagic = kMcapMagic;
-constexpr std::string_view kMagicOfAny = kMagic.substr(0, 5);
+constexpr std::string_view kMcapMagicOfAny = kMcapMagic.substr(0, 5);
 
 class Mcap final : public ChunkedRecording {
   public:
     Mcap(const std::filesystem::path& path, RecordingUse use) : ChunkedRecording(path, use) {
-        std::array<char, kMagic.size()> magic{};
+        std::array<char, kMcapMagic.size()> magic{};
         const std::string_view found{magic.data(), records().read(magic)};
-        if (found != kMagic && found.starts_with(kMagicOfAny)) {
+        if (found != kMcapMagic && found.starts_with(kMcapMagicOfAny)) {
             throw FormatError(
                 path.string(), 0,
                 message(HITOS_TEXT("Errors",
                                    "is MCAP of the version \"%1\", expected version 0; convert it "
                                    "with a program that knows both"),
-                        found.substr(kMagicOfAny.size(), 1)));
+                        found.substr(kMcapMagicOfAny.size(), 1)));
         }
-        if (found != kMagic) {
+        if (found != kMcapMagic) {
             throw FormatError(path.string(), 0,
                               message(HITOS_TEXT("Errors", "does not begin as MCAP does")));
         }
         FileBytes tail(path);
-        if (file_size() < 2 * kMagic.size()) return;
-        tail.skip(file_size() - kMagic.size());
+        if (file_size() < 2 * kMcapMagic.size()) return;
+        tail.skip(file_size() - kMcapMagic.size());
         const std::string_view last{magic.data(), tail.read(magic)};
-        closed_ = last == kMagic;
+        closed_ = last == kMcapMagic;
     }
 
   protected:
     Step read_record(Section& from, RecordedMessage& out) override {
         const bool outside = !in_chunk();
         // Behind the last record, where no end of the data was written.
-        if (outside && closed_ && from.left() == kMagic.size()) return Step::end;
+        if (outside && closed_ && from.left() == kMcapMagic.size()) return Step::end;
         std::array<char, 1> first{};
         if (from.read(first) == 0) return Step::end;
         const auto op = static_cast<McapOp>(first.front());
@@ -142,7 +141,7 @@ class Mcap final : public ChunkedRecording {
 }  // namespace
 
 bool begins_mcap(std::string_view beginning) {
-    return beginning.starts_with(kMagicOfAny);
+    return beginning.starts_with(kMcapMagicOfAny);
 }
 
 std::unique_ptr<Recording> open_mcap(const std::filesystem::path& path, RecordingUse use) {

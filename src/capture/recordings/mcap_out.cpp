@@ -16,7 +16,7 @@ namespace {
 
 /// A chunk is closed where it has so many bytes.
 constexpr std::size_t kChunkBytes = std::size_t{4} << 20;
-constexpr std::string_view kCompression = "zstd";
+constexpr std::string_view kWrittenCompression = "zstd";
 constexpr std::string_view kProfile = "ros2";
 constexpr std::string_view kMessageEncoding = "cdr";
 constexpr std::string_view kSchemaEncoding = "ros2msg";
@@ -190,7 +190,7 @@ void McapOut::close_chunk() {
         put(part_, chunk_times_.last_ns);
         put(part_, std::uint64_t{chunk_.size()});
         put(part_, sum_of(0, chunk_));
-        put_text(part_, kCompression);
+        put_text(part_, kWrittenCompression);
         put(part_, std::uint64_t{packer_->packed.size()});
         part_ += packer_->packed;
     });
@@ -220,7 +220,7 @@ void McapOut::close_chunk() {
         put(record, end - begin);
         put_text(record, places);
         put(record, position() - end);
-        put_text(record, kCompression);
+        put_text(record, kWrittenCompression);
         put(record, std::uint64_t{packer_->packed.size()});
         put(record, std::uint64_t{chunk_.size()});
     });

@@ -7,12 +7,11 @@
 #include <new>
 #include <vector>
 
+#include "byte_stream.hpp"
 #include "hitos/base/error.hpp"
 
 namespace hitos {
 namespace {
-
-constexpr std::size_t kInputBytes = std::size_t{1} << 16;
 
 [[noreturn]] void fail_damaged() {
     throw FormatError({}, 0, message(HITOS_TEXT("Errors", "the compressed data are damaged")));

@@ -9,8 +9,6 @@
 namespace hitos {
 namespace {
 
-constexpr std::int64_t kSecondNs = 1'000'000'000;
-
 static_assert(std::endian::native == std::endian::little);
 
 /// CDR [OMG DDS-XTypes 7.4, PLAIN_CDR]: numbers stand at multiples of their size, counted from

@@ -9,8 +9,6 @@
 namespace hitos {
 namespace {
 
-constexpr std::int64_t kSecondNs = 1'000'000'000;
-
 std::string without_slash(std::string frame) {
     if (frame.starts_with('/')) frame.erase(0, 1);
     return frame;

@@ -15,6 +15,8 @@
 
 namespace hitos {
 
+inline constexpr std::int64_t kSecondNs = 1'000'000'000;
+
 inline constexpr std::string_view kLaserScanType = "sensor_msgs/LaserScan";
 inline constexpr std::string_view kOdometryType = "nav_msgs/Odometry";
 

@@ -12,22 +12,24 @@
 namespace hitos {
 namespace {
 
-constexpr double kGreatestAway = 0.5;   // m, of a line from its point
-constexpr double kGreatestShare = 0.5;  // of the distance, likewise
-constexpr const char* kExpected = HITOS_TEXT("Errors", "expected 5 fields, name x1 y1 x2 y2");
-constexpr const char* kName = HITOS_TEXT("Errors", "expected a word without commas and quotes");
+constexpr double kLineAway = 0.5;       // m, of a line from its point
+constexpr double kLineAwayShare = 0.5;  // of the distance, likewise
+constexpr const char* kExpectedDistance =
+    HITOS_TEXT("Errors", "expected 5 fields, name x1 y1 x2 y2");
+constexpr const char* kExpectedName =
+    HITOS_TEXT("Errors", "expected a word without commas and quotes");
 
 NamedDistance distance_from(std::string_view line, const std::string& file, std::uint64_t number) {
     const std::vector<std::string_view> words = input::fields(line);
     if (words.size() != 5) {
-        throw FormatError(
-            file, number,
-            message(HITOS_TEXT("Errors", "found %1 fields; %2"), words.size(), marked(kExpected)));
+        throw FormatError(file, number,
+                          message(HITOS_TEXT("Errors", "found %1 fields; %2"), words.size(),
+                                  marked(kExpectedDistance)));
     }
     if (!is_distance_name(words[0])) {
         throw FormatError(file, number,
                           message(HITOS_TEXT("Errors", "the name is %1; %2"),
-                                  input::in_quotes(words[0]), marked(kName)));
+                                  input::in_quotes(words[0]), marked(kExpectedName)));
     }
     constexpr std::array<std::string_view, 4> kColumns = {"x1", "y1", "x2", "y2"};
     std::array<double, kColumns.size()> values{};
@@ -52,7 +54,7 @@ double away(const Recta& line, const Point2& point) {
 MeasuredDistance measure(const LandmarkMap& map, const NamedDistance& distance) {
     MeasuredDistance measured{distance, {}, -1, -1, {}};
     const double across = std::atan2(distance.b.y - distance.a.y, distance.b.x - distance.a.x);
-    const double greatest = std::min(kGreatestAway, kGreatestShare * distance.true_m());
+    const double greatest = std::min(kLineAway, kLineAwayShare * distance.true_m());
     measured.line_a = nearest_line(map, distance.a, across, greatest);
     measured.line_b = nearest_line(map, distance.b, across, greatest);
     if (measured.line_a < 0 || measured.line_b < 0) {
@@ -144,9 +146,9 @@ std::vector<NamedDistance> parse_distances(std::string_view text, const std::str
         distances.push_back(std::move(distance));
     }
     if (distances.empty()) {
-        throw FormatError(
-            name, 0,
-            message(HITOS_TEXT("Errors", "no distance in the file; %1"), marked(kExpected)));
+        throw FormatError(name, 0,
+                          message(HITOS_TEXT("Errors", "no distance in the file; %1"),
+                                  marked(kExpectedDistance)));
     }
     return distances;
 }
@@ -161,7 +163,7 @@ std::string distances_text(std::span<const NamedDistance> distances) {
         const auto& [name, a, b] = distances[i];
         if (!is_distance_name(name)) {
             throw Error(message(HITOS_TEXT("Errors", "a distance is named %1; %2"),
-                                input::in_quotes(name), marked(kName)));
+                                input::in_quotes(name), marked(kExpectedName)));
         }
         if (std::ranges::find(distances.first(i), name, &NamedDistance::name) !=
             distances.begin() + static_cast<std::ptrdiff_t>(i)) {

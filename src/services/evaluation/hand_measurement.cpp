@@ -16,10 +16,6 @@ Point2 middle(const Point2& a, const Point2& b) {
     return {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
 }
 
-double apart(const Point2& a, const Point2& b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
-}
-
 /// The line through a wall's place, as it was picked.
 Recta line_of(const PickedPlace& wall) {
     return normalized(
@@ -48,7 +44,7 @@ std::optional<Point2> point_in(const LandmarkMap& map, const PickedPlace& place)
     double least = kGreatestAway;
     for (const ICaracteristica& landmark : map) {
         if (landmark.kind() != FeatureKind::corner) continue;
-        const double away = apart(landmark.point(), place.at);
+        const double away = distance(landmark.point(), place.at);
         if (away > least) continue;
         least = away;
         nearest = landmark.point();
@@ -58,7 +54,7 @@ std::optional<Point2> point_in(const LandmarkMap& map, const PickedPlace& place)
 
 /// At b, between the ways to a and c, in [0, pi]; nothing where there is no way.
 std::optional<double> angle_at(const Point2& a, const Point2& b, const Point2& c) {
-    if (apart(a, b) < kLeastDistance || apart(c, b) < kLeastDistance) return std::nullopt;
+    if (distance(a, b) < kLeastDistance || distance(c, b) < kLeastDistance) return std::nullopt;
     return std::abs(
         wrap_angle(std::atan2(a.y - b.y, a.x - b.x) - std::atan2(c.y - b.y, c.x - b.x)));
 }
@@ -91,7 +87,7 @@ MeasuredValue distance_of(const LandmarkMap& map, const HandMeasurement& measure
     if (!to_wall) {
         const std::optional<Point2> b = point_in(map, second);
         if (!b) return {};
-        return {apart(*a, *b), {*a, *b}};
+        return {distance(*a, *b), {*a, *b}};
     }
     const std::optional<Recta> wall = wall_in(map, is_wall(first) ? first : second);
     if (!wall) return {};
@@ -133,7 +129,7 @@ HandMeasurement between(const PickedPlace& a, const PickedPlace& b) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         made.places[i].at = projected(lines[i], between_both);
     }
-    if (apart(made.places[0].at, made.places[1].at) < kLeastDistance) {
+    if (distance(made.places[0].at, made.places[1].at) < kLeastDistance) {
         made.places = {as_point(a), as_point(b)};
     }
     return made;

@@ -13,10 +13,6 @@
 namespace hitos {
 namespace {
 
-double distance(const Point2& a, const Point2& b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 Point2 position_of(const StampedPose& stamped) {
     return {stamped.pose.x, stamped.pose.y};
 }

@@ -16,8 +16,8 @@
 namespace hitos {
 namespace {
 
-constexpr std::array<std::string_view, 8> kColumns = {"t1", "t2",   "x",     "y",
-                                                      "z",  "roll", "pitch", "yaw"};
+constexpr std::array<std::string_view, 8> kRelationFields = {"t1", "t2",   "x",     "y",
+                                                             "z",  "roll", "pitch", "yaw"};
 
 bool finite(const PoseRelation& relation) {
     const auto& [from, to, pose] = relation;
@@ -60,7 +60,7 @@ std::vector<PoseRelation> parse_relations(std::string_view text, const std::stri
         const std::string_view content = input::trimmed(line->substr(0, line->find('#')));
         if (content.empty()) continue;
         const auto [t1, t2, x, y, z, roll, pitch, yaw] =
-            input::finite_numbers(content, kColumns, {name, number});
+            input::finite_numbers(content, kRelationFields, {name, number});
         relations.push_back({t1, t2, {x, y, wrap_angle(yaw)}});
     }
     if (relations.empty()) {

@@ -51,7 +51,7 @@ std::string plot_of(const Curves& curves, bool lines, int column) {
         first + count - 1, column, title);
 }
 
-std::string script_of(const Curves& curves) {
+std::string curves_script(const Curves& curves) {
     const int rows = (curves.lines > 0 ? 2 : 0) + (curves.corners > 0 ? 2 : 0);
     std::string script = fmt::format(
         "set terminal pngcairo size 1000,{}\n"
@@ -112,7 +112,7 @@ Message write_uncertainty(const UncertaintyRecord& record, const std::filesystem
     write_file(folder / "uncertainty.csv", uncertainty_csv(record));
     const Curves curves = curves_of(record);
     const std::vector<PlotFile> files = {{"uncertainty.dat", curves.text},
-                                         {"uncertainty.gp", script_of(curves)}};
+                                         {"uncertainty.gp", curves_script(curves)}};
     const std::vector<std::string> pictures = {"uncertainty.png"};
     return draw_pictures(folder, files, "uncertainty.gp", pictures,
                          curves.text.empty()

@@ -113,7 +113,7 @@ Window widened(const Window& window, const Layout& layout) {
 }
 
 /// Few greys make a small file, and the eye does not tell more in a small map.
-std::uint8_t rounded(std::uint8_t grey) {
+std::uint8_t coarse_grey(std::uint8_t grey) {
     if (grey == kUnknownGrey) return grey;
     constexpr int kStep = 17;  // 255 is a multiple
     return static_cast<std::uint8_t>((grey + kStep / 2) / kStep * kStep);
@@ -142,7 +142,7 @@ cv::Mat tile_picture(const MapImage& map, const Window& window, const Layout& la
                     block.add(map.picture.grey[line + static_cast<std::size_t>(column)]);
                 }
             }
-            grey.at<std::uint8_t>(y, x) = rounded(block.grey());
+            grey.at<std::uint8_t>(y, x) = coarse_grey(block.grey());
         }
     }
     cv::Mat colours;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kSigmas = 3.0;
 constexpr double kLeastRatio = 1e-6;  // of an ellipse's axes, below which CAD programs refuse
-constexpr double kMargin = 0.05;      // of the first view around the drawing
+constexpr double kViewMargin = 0.05;  // of the first view around the drawing
 constexpr const char* kByLayer = "BYLAYER";
 constexpr int kColourByLayer = 256;
 
@@ -130,7 +130,7 @@ class Writer {
         out_->dxfReal(36, 1.0);  // seen from above
         out_->dxfReal(12, (low.x + high.x) / 2.0);
         out_->dxfReal(22, (low.y + high.y) / 2.0);
-        out_->dxfReal(40, height * (1.0 + 2.0 * kMargin));
+        out_->dxfReal(40, height * (1.0 + 2.0 * kViewMargin));
         out_->dxfReal(41, kAspect);
         out_->tableEnd();
     }

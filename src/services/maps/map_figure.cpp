@@ -28,7 +28,7 @@ constexpr double kRow = 3.6;
 constexpr double kSample = 6.0;
 constexpr double kLetterHeight = 0.72;  // of capitals and figures, of the size
 constexpr double kFinest = 0.03;        // a path's vertices that are nearer say nothing in print
-constexpr double kMargin = 0.04;        // of the frame around the map
+constexpr double kFrameMargin = 0.04;   // of the frame around the map
 constexpr double kRegions = 0.15;       // so much of the map's size may regions add to the frame
 
 // Told apart by the colour-blind too (Okabe and Ito), and in grey by their widths and dashes.
@@ -118,8 +118,8 @@ View view_of(const MapShapes& shapes) {
     view.world = shown_of(shapes);
     Bounds& world = view.world;
     constexpr double kLeast = 1.0;  // m
-    const double wide = std::max((world.high.x - world.low.x) * (1.0 + 2.0 * kMargin), kLeast);
-    const double high = std::max((world.high.y - world.low.y) * (1.0 + 2.0 * kMargin), kLeast);
+    const double wide = std::max((world.high.x - world.low.x) * (1.0 + 2.0 * kFrameMargin), kLeast);
+    const double high = std::max((world.high.y - world.low.y) * (1.0 + 2.0 * kFrameMargin), kLeast);
     view.mm_per_m = std::min(kWidest / wide, kHighest / high);
     const Point2 size{std::max(wide * view.mm_per_m, kNarrowest),
                       std::max(high * view.mm_per_m, kLowest)};
@@ -143,7 +143,7 @@ std::vector<Point2> thinned(const Trajectory& path, const View& view) {
     return line;
 }
 
-std::string number(double value) {
+std::string axis_number(double value) {
     return fmt::format("{:g}", std::abs(value) < 1e-9 ? 0.0 : value);
 }
 
@@ -168,13 +168,13 @@ void add_axes(const View& view, VectorDrawing& drawing) {
         const double x = view.at({k * step, 0.0}).x;
         ticks.lines.push_back({{x, paper.high.y}, {x, paper.high.y + kTick}});
         words.texts.push_back(
-            {{x, paper.high.y + kTick + 0.6 + 2.0 * half}, number(k * step), Anchor::middle});
+            {{x, paper.high.y + kTick + 0.6 + 2.0 * half}, axis_number(k * step), Anchor::middle});
     }
     double widest = 0.0;
     step = tick_step(view.paper.high.y - view.paper.low.y, kOneAboveTheOther, view.mm_per_m);
     for (double k = std::ceil(view.world.low.y / step); k * step <= view.world.high.y; ++k) {
         const double y = view.at({0.0, k * step}).y;
-        const std::string text = number(k * step);
+        const std::string text = axis_number(k * step);
         ticks.lines.push_back({{paper.low.x - kTick, y}, {paper.low.x, y}});
         words.texts.push_back({{paper.low.x - kTick - 0.6, y + half}, text, Anchor::end});
         widest = std::max(widest, text_width_mm(text, kText));
@@ -318,7 +318,7 @@ void add_legend(const View& view, std::vector<std::pair<DrawnLayer, Legend>>& en
     bar.lines = {{{at.x + 1.0, at.y - 0.9}, {at.x + 1.0, at.y + 0.9}},
                  {{at.x + 1.0, at.y}, {end, at.y}},
                  {{end, at.y - 0.9}, {end, at.y + 0.9}}};
-    words.texts.push_back({{end + 1.5, at.y + down}, number(length) + " m"});
+    words.texts.push_back({{end + 1.5, at.y + down}, axis_number(length) + " m"});
     drawing.layers.push_back(std::move(bar));
     drawing.layers.push_back(std::move(words));
     drawing.height_mm = top + static_cast<double>(rows) * kRow + 1.0;

@@ -17,7 +17,7 @@
 namespace hitos {
 namespace {
 
-constexpr const char* kExpected = HITOS_TEXT(
+constexpr const char* kExpectedFeature = HITOS_TEXT(
     "Errors", "expected \"rho: <metres> theta: <degrees>\" or \"x: <metres> y: <metres>\"");
 
 double radians(double degrees) {
@@ -86,7 +86,7 @@ class LineParser {
 
     [[noreturn]] void fail_line() const {
         fail(message(HITOS_TEXT("Errors", "found %1; %2"), input::in_quotes(input::trimmed(line_)),
-                     marked(kExpected)));
+                     marked(kExpectedFeature)));
     }
     [[noreturn]] void fail(const Message& problem) const {
         throw FormatError(name_, number_, problem);
@@ -141,7 +141,7 @@ LandmarkMap parse_map(std::string_view text, const std::string& name) {
     if (map.empty()) {
         throw FormatError(
             name, 0,
-            message(HITOS_TEXT("Errors", "no landmark in the file; %1"), marked(kExpected)));
+            message(HITOS_TEXT("Errors", "no landmark in the file; %1"), marked(kExpectedFeature)));
     }
     return map;
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kLeastResolution = 1e-4;  // m
 constexpr double kGreatestResolution = 10.0;
-constexpr std::size_t kMostCells = 100'000'000;
+constexpr std::size_t kMostPixels = 100'000'000;
 
 struct Entry {
     std::string value;
@@ -129,10 +129,10 @@ class MapServerFile {
 template <class Occupied>
 OccupancyPicture occupancy(const std::filesystem::path& file, const Grid::Picture& picture,
                            Occupied&& occupied) {
-    if (picture.grey.size() > kMostCells) {
+    if (picture.grey.size() > kMostPixels) {
         throw FormatError(file.string(), 0,
                           message(HITOS_TEXT("Errors", "has %1 pixels; expected at most %2"),
-                                  picture.grey.size(), kMostCells));
+                                  picture.grey.size(), kMostPixels));
     }
     std::array<std::uint8_t, 256> of_grey{};
     for (std::size_t grey = 0; grey < of_grey.size(); ++grey)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kCell = 0.01;  // m
 
-std::uint64_t cell_of(const Point2& point) {
+std::uint64_t centimetre_cell_of(const Point2& point) {
     const auto place = [](double metres) {
         return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(metres / kCell)));
     };
@@ -35,7 +35,7 @@ void OdometryScansPicture::add(const Scan& scan, const Pose& odometry) {
     path_.push_back({odometry.x, odometry.y});
     for (const Point2& point : scan.points) {
         const Point2 placed = transform(odometry, point);
-        if (cells_.insert(cell_of(placed)).second) points_.push_back(placed);
+        if (cells_.insert(centimetre_cell_of(placed)).second) points_.push_back(placed);
     }
 }
 

@@ -29,7 +29,7 @@ void add_pair(std::string& text, const Point2& a, const Point2& b) {
     text += fmt::format("{:.4f} {:.4f}\n{:.4f} {:.4f}\n\n", a.x, a.y, b.x, b.y);
 }
 
-std::string script_of(const PathsPicture& picture) {
+std::string paths_script(const PathsPicture& picture) {
     Bounds frame;
     hold(frame, picture.truth);
     hold(frame, picture.estimate);
@@ -121,7 +121,8 @@ Message write_paths_picture(const PathsPicture& picture, const std::filesystem::
     } else if (picture.estimate.empty()) {
         refusal = message(HITOS_TEXT("Errors", "nothing was estimated"));
     }
-    const std::vector<PlotFile> files = {{"paths.gp", refusal.empty() ? script_of(picture) : ""}};
+    const std::vector<PlotFile> files = {
+        {"paths.gp", refusal.empty() ? paths_script(picture) : ""}};
     const std::vector<std::string> pictures = {"paths.png"};
     return draw_pictures(folder, files, "paths.gp", pictures, refusal);
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
 
-void put(std::string& out, const Point2& point) {
+void put_point(std::string& out, const Point2& point) {
     out += short_number(point.x);
     out += ' ';
     out += short_number(point.y);
@@ -38,10 +38,11 @@ const char* painting(const DrawnLayer& layer) {
     return style.line ? "S" : "n";
 }
 
-void put_line(std::string& out, const std::vector<Point2>& line, bool closed, const char* paint) {
+void put_path_line(std::string& out, const std::vector<Point2>& line, bool closed,
+                   const char* paint) {
     if (line.empty()) return;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        put(out, line[i]);
+        put_point(out, line[i]);
         out += i == 0 ? " m\n" : " l\n";
     }
     if (closed) out += "h ";
@@ -49,13 +50,13 @@ void put_line(std::string& out, const std::vector<Point2>& line, bool closed, co
     out += '\n';
 }
 
-void put_ellipse(std::string& out, const DrawnEllipse& ellipse, const char* paint) {
+void put_path_ellipse(std::string& out, const DrawnEllipse& ellipse, const char* paint) {
     const auto points = bezier_of(ellipse);
-    put(out, points[0]);
+    put_point(out, points[0]);
     out += " m\n";
     for (std::size_t i = 1; i < points.size(); i += 3) {
         for (std::size_t j = i; j < i + 3; ++j) {
-            put(out, points[j]);
+            put_point(out, points[j]);
             out += ' ';
         }
         out += "c\n";
@@ -116,7 +117,7 @@ void put_text(std::string& out, const DrawnText& words, double text_mm) {
     const Point2 at = words.upwards ? Point2{words.at.x, words.at.y + back}
                                     : Point2{words.at.x - back, words.at.y};
     out += words.upwards ? "BT 0 -1 -1 0 " : "BT 1 0 0 -1 ";
-    put(out, at);
+    put_point(out, at);
     fmt::format_to(std::back_inserter(out), " Tm /F1 {} Tf {} Tj ET\n", short_number(text_mm),
                    literal(words.text));
 }
@@ -130,9 +131,9 @@ std::string page_of(const VectorDrawing& drawing) {
         const ShapeStyle& style = layer.style;
         out += "q\n";
         if (layer.clipped) {
-            put(out, drawing.frame.low);
+            put_point(out, drawing.frame.low);
             out += ' ';
-            put(out, size);
+            put_point(out, size);
             out += " re W n\n";
         }
         if (style.fill) put_colour(out, *style.fill, "rg");
@@ -143,9 +144,10 @@ std::string page_of(const VectorDrawing& drawing) {
             out += ' ';
         }
         fmt::format_to(std::back_inserter(out), "] 0 d {} w\n", short_number(style.line_mm));
-        for (const auto& line : layer.lines) put_line(out, line, layer.closed, painting(layer));
+        for (const auto& line : layer.lines)
+            put_path_line(out, line, layer.closed, painting(layer));
         for (const DrawnEllipse& ellipse : layer.ellipses) {
-            put_ellipse(out, ellipse, painting(layer));
+            put_path_ellipse(out, ellipse, painting(layer));
         }
         for (const DrawnText& words : layer.texts) put_text(out, words, drawing.text_mm);
         out += "Q\n";

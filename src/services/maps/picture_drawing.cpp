@@ -27,9 +27,9 @@ constexpr int kShift = 4;          // OpenCV's fixed point: sixteenths of a pixe
 constexpr double kFarthest = 1e7;  // pixels; OpenCV's integers overflow beyond
 
 // OpenCV's order: blue, green, red.
-const cv::Scalar kRed(0, 0, 255);
-const cv::Scalar kGreen(0, 160, 0);
-const cv::Scalar kBlue(255, 64, 0);
+const cv::Scalar kRedScalar(0, 0, 255);
+const cv::Scalar kGreenScalar(0, 160, 0);
+const cv::Scalar kBlueScalar(255, 64, 0);
 
 std::string lower(std::string_view text) {
     std::string out(text);
@@ -42,13 +42,13 @@ cv::Point fixed(const cv::Point2d& pixel) {
             static_cast<int>(std::lround(pixel.y * (1 << kShift)))};
 }
 
-bool drawable(const cv::Point2d& pixel) {
+bool fits_a_picture(const cv::Point2d& pixel) {
     return std::abs(pixel.x) < kFarthest && std::abs(pixel.y) < kFarthest;
 }
 
 void mark(cv::Mat& image, const cv::Point2d& pixel, int radius, PathMarks marks, bool start) {
-    if (!drawable(pixel)) return;
-    const cv::Scalar colour = start ? kGreen : kBlue;
+    if (!fits_a_picture(pixel)) return;
+    const cv::Scalar colour = start ? kGreenScalar : kBlueScalar;
     if (marks == PathMarks::discs) {
         cv::circle(image, fixed(pixel), radius << kShift, colour, cv::FILLED, cv::LINE_AA, kShift);
         return;
@@ -96,8 +96,8 @@ void draw_path(cv::Mat& image, const Frame& frame, const std::vector<Point2>& pa
     for (std::size_t i = 1; i < path.size(); ++i) {
         const cv::Point2d a = frame.pixel(path[i - 1]);
         const cv::Point2d b = frame.pixel(path[i]);
-        if (!drawable(a) || !drawable(b)) continue;
-        cv::line(image, fixed(a), fixed(b), kRed, width, cv::LINE_AA, kShift);
+        if (!fits_a_picture(a) || !fits_a_picture(b)) continue;
+        cv::line(image, fixed(a), fixed(b), kRedScalar, width, cv::LINE_AA, kShift);
     }
     mark(image, frame.pixel(path.front()), radius, marks, true);
     mark(image, frame.pixel(path.back()), radius, marks, false);

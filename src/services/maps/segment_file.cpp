@@ -14,10 +14,10 @@
 namespace hitos {
 namespace {
 
-constexpr std::array<std::string_view, 5> kColumns = {"x1", "y1", "x2", "y2", "landmark"};
+constexpr std::array<std::string_view, 5> kSegmentFields = {"x1", "y1", "x2", "y2", "landmark"};
 
 LineExtent segment_from(std::string_view line, const std::string& name, std::uint64_t number) {
-    const std::array values = input::finite_numbers(line, kColumns, {name, number});
+    const std::array values = input::finite_numbers(line, kSegmentFields, {name, number});
     constexpr double kGreatestLandmark = 1e9;
     const double landmark = values[4];
     if (landmark < 1.0 || landmark > kGreatestLandmark || landmark != std::floor(landmark)) {

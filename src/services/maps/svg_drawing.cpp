@@ -35,7 +35,7 @@ std::string style_of(const DrawnLayer& layer) {
     return text;
 }
 
-void put_point(std::string& out, const Point2& point) {
+void put_pair(std::string& out, const Point2& point) {
     fmt::format_to(std::back_inserter(out), "{},{}", short_number(point.x), short_number(point.y));
 }
 
@@ -43,7 +43,7 @@ void put_line(std::string& out, const std::vector<Point2>& line, bool closed) {
     out += closed ? R"(<polygon points=")" : R"(<polyline points=")";
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (i > 0) out += ' ';
-        put_point(out, line[i]);
+        put_pair(out, line[i]);
     }
     out += "\"/>\n";
 }
@@ -51,10 +51,10 @@ void put_line(std::string& out, const std::vector<Point2>& line, bool closed) {
 void put_ellipse(std::string& out, const DrawnEllipse& ellipse) {
     const auto points = bezier_of(ellipse);
     out += R"(<path d="M)";
-    put_point(out, points[0]);
+    put_pair(out, points[0]);
     for (std::size_t i = 1; i < points.size(); ++i) {
         out += i % 3 == 1 ? 'C' : ' ';
-        put_point(out, points[i]);
+        put_pair(out, points[i]);
     }
     out += "Z\"/>\n";
 }

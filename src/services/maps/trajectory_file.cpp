@@ -14,10 +14,11 @@
 namespace hitos {
 namespace {
 
-constexpr std::array<std::string_view, 8> kColumns = {"t", "x", "y", "z", "qx", "qy", "qz", "qw"};
+constexpr std::array<std::string_view, 8> kTrajectoryFields = {"t",  "x",  "y",  "z",
+                                                               "qx", "qy", "qz", "qw"};
 
 StampedPose pose_from(std::string_view line, const std::string& name, std::uint64_t number) {
-    const std::array values = input::finite_numbers(line, kColumns, {name, number});
+    const std::array values = input::finite_numbers(line, kTrajectoryFields, {name, number});
     const auto [t, x, y, z, qx, qy, qz, qw] = values;
     // Rounding to two decimals moves the length by less than this.
     constexpr double kTolerance = 0.05;

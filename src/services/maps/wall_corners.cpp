@@ -11,10 +11,6 @@ namespace {
 
 constexpr double kLeastSine = 0.2;  // of two directions that cross well enough, 12 degrees
 
-double apart(const Point2& a, const Point2& b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
-}
-
 struct Crossing {
     Point2 at;
     double on_other = 0.0;  ///< along the other wall from its a, in the unit of its points
@@ -51,7 +47,7 @@ void join_corners(std::vector<Straight>& walls, double reach) {
     };
     // A short wall would be turned by more than it is known to.
     const auto limit = [&](std::size_t end) {
-        return std::min(reach, apart(before[end / 2].a, before[end / 2].b) / 3.0);
+        return std::min(reach, distance(before[end / 2].a, before[end / 2].b) / 3.0);
     };
     // Ends by their first coordinate, so that only near ones are compared.
     std::vector<std::size_t> ends(2 * walls.size());
@@ -66,9 +62,9 @@ void join_corners(std::vector<Straight>& walls, double reach) {
             if (ends[i] / 2 == ends[k] / 2) continue;
             const auto cross = crossing(before[ends[i] / 2], before[ends[k] / 2]);
             const Point2 at = cross ? cross->at : Point2{(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
-            if (apart(a, at) > limit(ends[i]) || apart(b, at) > limit(ends[k])) continue;
-            if (!cross && apart(a, b) > reach) continue;
-            meetings.push_back({apart(a, at) + apart(b, at), std::min(ends[i], ends[k]),
+            if (distance(a, at) > limit(ends[i]) || distance(b, at) > limit(ends[k])) continue;
+            if (!cross && distance(a, b) > reach) continue;
+            meetings.push_back({distance(a, at) + distance(b, at), std::min(ends[i], ends[k]),
                                 std::max(ends[i], ends[k]), at});
         }
     }
@@ -89,11 +85,11 @@ void join_corners(std::vector<Straight>& walls, double reach) {
             if (i == end / 2) continue;
             const auto cross = crossing(before[end / 2], before[i]);
             if (!cross || cross->on_other < -reach ||
-                cross->on_other > apart(before[i].a, before[i].b) + reach)
+                cross->on_other > distance(before[i].a, before[i].b) + reach)
                 continue;
-            const double distance = apart(from, cross->at);
-            if (distance > nearest) continue;
-            nearest = distance;
+            const double away = distance(from, cross->at);
+            if (away > nearest) continue;
+            nearest = away;
             end_of(walls, end) = cross->at;
         }
     }

@@ -83,7 +83,7 @@ struct Seed {
 };
 
 /// The straight pieces of a chain: split where it is furthest off (Douglas and Peucker 1973).
-void split(std::span<const SkeletonCell> chain, double tolerance, std::vector<Seed>& seeds) {
+void split_chain(std::span<const SkeletonCell> chain, double tolerance, std::vector<Seed>& seeds) {
     std::vector<std::span<const SkeletonCell>> todo{chain};
     while (!todo.empty()) {
         const std::span<const SkeletonCell> part = todo.back();
@@ -302,8 +302,8 @@ Walls trace_walls(const OccupancyPicture& picture, const TracingOptions& options
         const bool loop = cells.size() > 3 && cells.front().column == cells.back().column &&
                           cells.front().row == cells.back().row;
         const std::size_t half = cells.size() / 2;
-        if (loop) split(cells.first(half + 1), limits.tolerance, seeds);
-        split(loop ? cells.subspan(half) : cells, limits.tolerance, seeds);
+        if (loop) split_chain(cells.first(half + 1), limits.tolerance, seeds);
+        split_chain(loop ? cells.subspan(half) : cells, limits.tolerance, seeds);
     }
     std::ranges::stable_sort(seeds, std::ranges::greater{}, &Seed::length);
     Tracer tracer(thin, thick, limits);

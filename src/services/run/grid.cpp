@@ -75,10 +75,6 @@ CellArea with_cell(const CellArea& box, double u, double v) {
     return united(box, {column, row, column + 1, row + 1});
 }
 
-std::int64_t tile_of(std::int64_t cell) {
-    return cell >= 0 ? cell / kTileSide : -((-cell + kTileSide - 1) / kTileSide);
-}
-
 /// Tiles count too: a ray alone has one for every 64 cells.
 bool too_great(const CellArea& box) {
     const std::int64_t columns = box.end_column - box.first_column;

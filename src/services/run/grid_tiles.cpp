@@ -5,14 +5,6 @@
 #include <utility>
 
 namespace hitos {
-namespace {
-
-std::int64_t tile_of(std::int64_t cell) {
-    return cell >= 0 ? cell / kTileSide : -((-cell + kTileSide - 1) / kTileSide);
-}
-
-}  // namespace
-
 void GridTiler::note_change(const CellArea& area) {
     dirty_ = united(dirty_, area);
 }

@@ -17,10 +17,8 @@
 namespace hitos {
 namespace {
 
-using nlohmann::json;
-
 /// An error that the summary may lack.
-std::optional<double> error_in(const json& summary, const char* table, const char* name) {
+std::optional<double> error_in(const nlohmann::json& summary, const char* table, const char* name) {
     if (!summary.contains(table)) return std::nullopt;
     return summary.at(table).at(name).get<double>();
 }
@@ -29,7 +27,7 @@ std::optional<double> error_in(const json& summary, const char* table, const cha
 constexpr std::array kRead{"config.cfg", "map.txt", "odometry.tum", "segments.txt",
                            "trajectory.tum"};
 
-void expect_unchanged(const json& summary, const std::filesystem::path& folder) {
+void expect_unchanged(const nlohmann::json& summary, const std::filesystem::path& folder) {
     for (const WrittenFile& file : files_named(summary, folder / kSummaryFile)) {
         if (std::ranges::count(kRead, file.name) == 0 || is_unchanged(file, folder)) continue;
         throw FormatError(
@@ -44,14 +42,14 @@ void expect_unchanged(const json& summary, const std::filesystem::path& folder) 
 /// What the summary tells of the run. Returns whether its map has landmarks.
 bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
     const std::string file = (folder / kSummaryFile).string();
-    return with_summary(folder, [&](const json& summary) {
+    return with_summary(folder, [&](const nlohmann::json& summary) {
         run.scans = whole_number<std::uint64_t>(summary, "scans", file);
         run.finished = summary.value("finished", true);
         run.seconds = summary.at("run_seconds").get<double>();
         run.trajectory_error_m = error_in(summary, "trajectory_error", "ate_rmse_m");
         run.map_error_m = error_in(summary, "map_error", "mean_m");
         expect_unchanged(summary, folder);
-        const json& counts = summary.at("landmarks");
+        const nlohmann::json& counts = summary.at("landmarks");
         return whole_number<int>(counts, "lines", file) > 0 ||
                whole_number<int>(counts, "corners", file) > 0;
     });

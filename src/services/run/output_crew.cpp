@@ -13,7 +13,7 @@ namespace {
 /// Each may hold a grid with its picture.
 constexpr int kMostWorkers = 3;
 /// Of a grid; greater ones are held one at a time.
-constexpr double kMostCells = 16.0 * 1024.0 * 1024.0;
+constexpr double kCellsAtOnce = 16.0 * 1024.0 * 1024.0;
 
 /// About as many as the grid along a path has, where a laser sees 25 m.
 double cells(const Trajectory& path, double resolution_m) {
@@ -51,7 +51,7 @@ std::vector<Message> OutputCrew::write(std::span<const RunOutput* const> outputs
 int OutputCrew::workers(int threads) const {
     const double resolution_m = finished_.run.configuration().grid.resolution_m;
     for (const Trajectory* path : {&finished_.best, &finished_.run.odometry_trajectory()}) {
-        if (!(cells(*path, resolution_m) < kMostCells)) return 1;  // not even a number
+        if (!(cells(*path, resolution_m) < kCellsAtOnce)) return 1;  // not even a number
     }
     if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
     return std::clamp(threads, 1, kMostWorkers);

@@ -20,7 +20,7 @@ namespace hitos {
 namespace {
 
 // docs/evaluation.md has the figures of good and of bad runs.
-constexpr double kManyUnmatched = 0.02;
+constexpr double kManyUnmatchedKeys = 0.02;
 constexpr double kPoorScore = 0.5;
 constexpr double kBlurrier = 1.05;          // than the odometry's map
 constexpr double kSamePath = 0.10;          // [m], two cells
@@ -105,7 +105,7 @@ void warn_of_odometry(const Algoritmo& run, std::vector<Advice>& warnings) {
 }
 
 /// "151", "151, 152, 312 … (+4)".
-std::string named(const std::vector<std::uint64_t>& scans) {
+std::string counted(const std::vector<std::uint64_t>& scans) {
     constexpr std::size_t kMost = 3;
     const std::span first = std::span(scans).first(std::min(kMost, scans.size()));
     std::vector<std::uint64_t> numbers;
@@ -149,7 +149,7 @@ void warn_of_registration(const Algoritmo& run, const Registration& registration
     const double unmatched = figures.scans > 0 ? static_cast<double>(figures.unmatched) /
                                                      static_cast<double>(figures.scans)
                                                : 0.0;
-    if (unmatched > kManyUnmatched) {
+    if (unmatched > kManyUnmatchedKeys) {
         warn(warnings,
              HITOS_TEXT("Advice",
                         "%1 of the scans fitted nothing that was seen before: the robot may have "
@@ -162,7 +162,7 @@ void warn_of_registration(const Algoritmo& run, const Registration& registration
                  "What was seen does not follow on what was seen just before (scan %1): the "
                  "robot may have been carried there, the log have a gap, or scans lie too far "
                  "apart for this odometry. The map may be in pieces."),
-             named(figures.breaks));
+             counted(figures.breaks));
     }
     if (figures.unmatched < figures.scans && figures.mean_score < kPoorScore) {
         warn(warnings,

@@ -13,7 +13,6 @@
 namespace hitos {
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::array kFigures{
@@ -31,11 +30,11 @@ constexpr std::array kFigures{
 
 /// Of each of kFigures.
 std::vector<std::optional<double>> figures_of(const std::filesystem::path& folder) {
-    return with_summary(folder, [](const json& summary) {
+    return with_summary(folder, [](const nlohmann::json& summary) {
         std::vector<std::optional<double>> values;
         values.reserve(kFigures.size());
         for (const ComparedFigure& figure : kFigures) {
-            const json::json_pointer place(figure.pointer);
+            const nlohmann::json::json_pointer place(figure.pointer);
             values.push_back(summary.contains(place)
                                  ? std::optional(summary.at(place).get<double>())
                                  : std::nullopt);

@@ -29,7 +29,7 @@ using Folder = std::filesystem::path;
 const std::string kParticleGrid = "grid_particle_";
 
 /// The same files of every run.
-RunOutput named(const std::vector<std::string>& files) {
+RunOutput of_files(const std::vector<std::string>& files) {
     RunOutput output;
     output.files = [files](const FinishedRun&) { return files; };
     output.owns = [files](const std::string& name) {
@@ -41,7 +41,7 @@ RunOutput named(const std::vector<std::string>& files) {
 /// One file, of every run.
 template <class Write>
 RunOutput always(const char* file, Write write) {
-    RunOutput output = named({file});
+    RunOutput output = of_files({file});
     output.write = [file, write](const FinishedRun& finished, const Folder& folder) {
         write(finished, folder / file);
         return Message();
@@ -66,7 +66,7 @@ int picture_scale(const Grid::Picture& picture) {
 /// The grid as .png and .jpg, with the path over it.
 template <class MakeGrid, class PathOf>
 RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
-    RunOutput output = named({stem + ".png", stem + ".jpg"});
+    RunOutput output = of_files({stem + ".png", stem + ".jpg"});
     output.write = [stem, make_grid, path_of](const FinishedRun& finished, const Folder& folder) {
         const Grid& grid = make_grid(finished);
         const MapImage image = map_image(grid);
@@ -137,7 +137,7 @@ RunOutput particle_grid() {
 }
 
 RunOutput distances() {
-    RunOutput output = named({"distances.csv"});
+    RunOutput output = of_files({"distances.csv"});
     output.wanted = [](const FinishedRun& finished) { return !finished.summary.distances.empty(); };
     output.write = [](const FinishedRun& finished, const Folder& folder) {
         write_file(folder / "distances.csv", distances_csv(finished.summary.distances));
@@ -147,7 +147,7 @@ RunOutput distances() {
 }
 
 RunOutput paths() {
-    RunOutput output = named({"paths.png", "paths.gp"});
+    RunOutput output = of_files({"paths.png", "paths.gp"});
     output.wanted = [](const FinishedRun& finished) {
         return finished.references.trajectory.has_value();
     };
@@ -167,7 +167,7 @@ RunOutput paths() {
 }
 
 RunOutput odometry_scans() {
-    RunOutput output = named({"odometry_scans.png", "odometry_scans.gp"});
+    RunOutput output = of_files({"odometry_scans.png", "odometry_scans.gp"});
     output.wanted = [](const FinishedRun& finished) { return !finished.references.walls.empty(); };
     output.write = [](const FinishedRun& finished, const Folder& folder) {
         OdometryScansPicture picture(finished.references.walls);
@@ -184,7 +184,7 @@ RunOutput odometry_scans() {
 
 RunOutput uncertainty() {
     RunOutput output =
-        named({"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"});
+        of_files({"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"});
     output.wanted = [](const FinishedRun& finished) { return finished.run.options().uncertainty; };
     output.write = [](const FinishedRun& finished, const Folder& folder) {
         return write_uncertainty(finished.run.uncertainty(), folder);
@@ -196,7 +196,7 @@ RunOutput uncertainty() {
 template <class Write>
 RunOutput asked(const char* word, const std::vector<std::string>& files, const char* purpose,
                 Write write) {
-    RunOutput output = named(files);
+    RunOutput output = of_files(files);
     output.word = word;
     output.purpose = purpose;
     output.names = files;

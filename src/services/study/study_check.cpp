@@ -31,7 +31,7 @@ std::vector<StudyRecord> records_of(const StudyLayout& layout, const StudyPlan& 
     return records;
 }
 
-bool holds(const std::filesystem::path& file, const std::string& text) {
+bool holds_text(const std::filesystem::path& file, const std::string& text) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(file, ignored) && input::read_text(file) == text;
 }
@@ -42,7 +42,7 @@ std::vector<std::string> changed_files(const StudyLayout& layout, const StudyPla
                                        const study::PlanState& state) {
     std::set<std::string> changed;
     for (const auto& [file, text] : study::tables(layout, plan, records)) {
-        if (!holds(file, text)) changed.insert(file.filename().string());
+        if (!holds_text(file, text)) changed.insert(file.filename().string());
     }
     for (const WrittenFile& file : state.files) {
         // A run whose map or picture is changed is missing.

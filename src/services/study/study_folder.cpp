@@ -43,7 +43,7 @@ std::optional<StudyPlan> plan_in(const StudyLayout& layout) {
     }
 }
 
-bool holds(const StudyLayout& layout, const StudyPlan& plan) {
+bool holds_plan(const StudyLayout& layout, const StudyPlan& plan) {
     const std::optional<StudyPlan> there = plan_in(layout);
     return there && same(*there, plan);
 }
@@ -193,14 +193,15 @@ void check_there(const StudyLayout& target) {
 }
 
 StudyLayout work_place(const StudyLayout& target, const StudyPlan& plan) {
-    if (holds(target, plan)) return target;
-    if (is_there(plan_file(target)) || holds(next_study(target), plan)) return next_study(target);
+    if (holds_plan(target, plan)) return target;
+    if (is_there(plan_file(target)) || holds_plan(next_study(target), plan))
+        return next_study(target);
     return target;
 }
 
 void check_others(const StudyLayout& target, const StudyPlan& plan, const FolderLock* lock) {
-    if (lock == nullptr || lock->alone() || holds(target, plan) ||
-        holds(next_study(target), plan)) {
+    if (lock == nullptr || lock->alone() || holds_plan(target, plan) ||
+        holds_plan(next_study(target), plan)) {
         return;
     }
     throw FileError(plan_file(target).string(),

@@ -47,7 +47,7 @@ struct Column {
     bool of_reference;  ///< stands wherever there is a reference map, even without a figure
 };
 
-constexpr std::array kColumns = {
+constexpr std::array kPrintedColumns = {
     Column{"error (m)", "error (m)", &StudyCell::error_m, false, 3, true},
     Column{"variance (m²)", "variance (m^2)", &StudyCell::error_m, true, 4, true},
     Column{"aligned error (m)", "aligned (m)", &StudyCell::aligned_error_m, false, 3, true},
@@ -74,7 +74,7 @@ TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells,
     }
     table.head.emplace_back("runs");
     std::vector<Column> columns;
-    std::ranges::copy_if(kColumns, std::back_inserter(columns), [&](const Column& column) {
+    std::ranges::copy_if(kPrintedColumns, std::back_inserter(columns), [&](const Column& column) {
         return (column.of_reference && plan.has_reference()) || has_figures(cells, column.figures);
     });
     for (const Column& column : columns) table.head.emplace_back(column.*name);

@@ -5,9 +5,8 @@
 namespace hitos {
 namespace {
 
-constexpr int kIterations = 20;
+constexpr int kMostSteps = 20;
 constexpr double kShrinks = 0.5;
-constexpr double kRegular = 1e-6;  // information of a pose that nothing ties
 
 }  // namespace
 
@@ -22,7 +21,7 @@ void GraphSolver::lay_out(const LandmarkGraph& graph) {
 void GraphSolver::sum(const LandmarkGraph& graph) {
     equations_.begin();
     objective_ = 0.0;
-    for (std::size_t i = 1; i < keys_; ++i) equations_.hold(variable_of_key(i), kRegular);
+    for (std::size_t i = 1; i < keys_; ++i) equations_.hold(variable_of_key(i), kUntiedInformation);
     for (const PoseEdge& edge : graph.edges()) add(edge, graph);
     for (const Sighting& sighting : graph.sightings()) add(sighting, graph);
 }
@@ -67,7 +66,7 @@ bool GraphSolver::solve(LandmarkGraph& graph, double still_m) {
     double greatest = 0.0;
     double objective = 0.0;
     LandmarkGraph::Places places;
-    for (int iteration = 0; iteration < kIterations; ++iteration) {
+    for (int iteration = 0; iteration < kMostSteps; ++iteration) {
         sum(graph);
         if (iteration > 0 && objective_ > objective) {
             // Where sightings and edges contradict each other they all have next to no weight left,

@@ -6,9 +6,8 @@
 namespace hitos {
 namespace {
 
-constexpr int kIterations = 3;
-constexpr double kStill = 1e-3;    // [m]
-constexpr double kRegular = 1e-6;  // information of a pose that nothing ties
+constexpr int kWindowSteps = 3;
+constexpr double kStill = 1e-3;  // [m]
 
 template <class First, class Second>
 void add_outer(Eigen::MatrixXd& h, Eigen::Index row, const First& jw, Eigen::Index column,
@@ -108,7 +107,7 @@ void GraphWindow::sum(const LandmarkGraph& graph) {
     objective_ = 0.0;
     for (std::size_t key = first_; key < keys_; ++key) {
         const Eigen::Index at = of_key(key);
-        h_.diagonal().segment<3>(at).array() += kRegular;
+        h_.diagonal().segment<3>(at).array() += kUntiedInformation;
         for (const std::uint32_t i : graph.edges_of(key)) {
             const PoseEdge& edge = graph.edges()[i];
             // An edge inside the window is met at both of its keys.
@@ -133,7 +132,7 @@ void GraphWindow::solve(LandmarkGraph& graph) {
     LandmarkGraph::Places places;
     for (int iteration = 0; h_.rows() > 0; ++iteration) {
         sum(graph);
-        bool last = iteration == kIterations || (iteration > 0 && greatest < kStill);
+        bool last = iteration == kWindowSteps || (iteration > 0 && greatest < kStill);
         if (iteration > 0 && objective_ > objective) {  // as in GraphSolver
             graph.restore(places);
             sum(graph);

@@ -10,6 +10,9 @@
 
 namespace hitos {
 
+/// Information of a pose that nothing ties [1/m^2, 1/rad^2].
+inline constexpr double kUntiedInformation = 1e-6;
+
 /// Poses of keys, landmarks, edges between keys and sightings of landmarks by keys. The first key
 /// never moves: it holds the frame.
 class LandmarkGraph {

@@ -20,7 +20,7 @@ struct More {
     double motion_factor = 1.0;
 };
 
-Reading with(Reading base, std::string name, std::string sentence, const More& more) {
+Reading with_more(Reading base, std::string name, std::string sentence, const More& more) {
     base.name = std::move(name);
     base.sentence = std::move(sentence);
     base.world.insert(base.world.end(), more.world.begin(), more.world.end());
@@ -40,49 +40,51 @@ std::vector<Reading> make_readings() {
     // Walls 3 pixels thick in cells of 2 cm are [T 10.3.1]; how its version of Stage fitted the
     // picture and counted ranges the thesis does not say.
     const Reading walls =
-        with(plain, "thick-walls",
-             "cells of 2 cm, walls 3 pixels thick about their lines, no noise of ranges",
-             {{"raster.cell=0.02", "laser.sigma=0"}, 3.0});
-    const Reading fitted = with(walls, "fitted-walls",
-                                "`thick-walls`, the picture's ink fitted to the world's size, so "
-                                "that outer walls lie wholly inside",
-                                {{"raster.fit=true"}});
-    const Reading stage =
-        with(fitted, "stage", "`fitted-walls`, ranges counted in whole cells as Stage 3 and 4 do",
-             {{"raster.ranges=whole-cells"}});
-    const Reading stage_no_rest =
-        with(stage, "stage-no-rest", "`stage`, and the robot leaves at once", {{"tour.rest=0"}});
+        with_more(plain, "thick-walls",
+                  "cells of 2 cm, walls 3 pixels thick about their lines, no noise of ranges",
+                  {{"raster.cell=0.02", "laser.sigma=0"}, 3.0});
+    const Reading fitted =
+        with_more(walls, "fitted-walls",
+                  "`thick-walls`, the picture's ink fitted to the world's size, so "
+                  "that outer walls lie wholly inside",
+                  {{"raster.fit=true"}});
+    const Reading stage = with_more(
+        fitted, "stage", "`fitted-walls`, ranges counted in whole cells as Stage 3 and 4 do",
+        {{"raster.ranges=whole-cells"}});
+    const Reading stage_no_rest = with_more(
+        stage, "stage-no-rest", "`stage`, and the robot leaves at once", {{"tour.rest=0"}});
     const Reading fitted_no_rest =
-        with(fitted, "fitted-no-rest", "`fitted-walls`, and the robot leaves at once",
-             {{"tour.rest=0"}});
+        with_more(fitted, "fitted-no-rest", "`fitted-walls`, and the robot leaves at once",
+                  {{"tour.rest=0"}});
     constexpr double kTwoReadings = 1.4142135623730951;
     return {
         plain,
         walls,
         fitted,
         stage,
-        with(plain, "no-rest", "the robot leaves at once", {{"tour.rest=0"}}),
+        with_more(plain, "no-rest", "the robot leaves at once", {{"tour.rest=0"}}),
         fitted_no_rest,
         // Stage's own description of this laser has 361 rays.
-        with(fitted_no_rest, "fitted-no-rest-361-rays",
-             "`fitted-no-rest` with a ray every half degree", {{"laser.rays=361"}}),
-        with(fitted_no_rest, "fitted-no-rest-per-reading",
-             "`fitted-no-rest`, motion noise drawn for every odometry reading, two a scan",
-             {{}, 0.0, kTwoReadings}),
-        with(fitted_no_rest, "fitted-no-rest-east",
-             "`fitted-no-rest` with tours that leave eastwards", {{"tour.reverse=true"}}),
-        with(fitted_no_rest, "fitted-no-rest-2-pixels", "`fitted-no-rest`, walls 2 pixels thick",
-             {{}, 2.0}),
-        with(fitted_no_rest, "fitted-no-rest-2-pixels-361-rays",
-             "`fitted-no-rest` with both, thinner walls and more rays", {{"laser.rays=361"}, 2.0}),
-        with(fitted_no_rest, "fitted-no-rest-2-hz", "`fitted-no-rest` with 2 scans a second, not 5",
-             {{"laser.rate=2"}}),
+        with_more(fitted_no_rest, "fitted-no-rest-361-rays",
+                  "`fitted-no-rest` with a ray every half degree", {{"laser.rays=361"}}),
+        with_more(fitted_no_rest, "fitted-no-rest-per-reading",
+                  "`fitted-no-rest`, motion noise drawn for every odometry reading, two a scan",
+                  {{}, 0.0, kTwoReadings}),
+        with_more(fitted_no_rest, "fitted-no-rest-east",
+                  "`fitted-no-rest` with tours that leave eastwards", {{"tour.reverse=true"}}),
+        with_more(fitted_no_rest, "fitted-no-rest-2-pixels",
+                  "`fitted-no-rest`, walls 2 pixels thick", {{}, 2.0}),
+        with_more(fitted_no_rest, "fitted-no-rest-2-pixels-361-rays",
+                  "`fitted-no-rest` with both, thinner walls and more rays",
+                  {{"laser.rays=361"}, 2.0}),
+        with_more(fitted_no_rest, "fitted-no-rest-2-hz",
+                  "`fitted-no-rest` with 2 scans a second, not 5", {{"laser.rate=2"}}),
         stage_no_rest,
-        with(stage_no_rest, "stage-no-rest-361-rays",
-             "`stage-no-rest` with a ray every half degree", {{"laser.rays=361"}}),
+        with_more(stage_no_rest, "stage-no-rest-361-rays",
+                  "`stage-no-rest` with a ray every half degree", {{"laser.rays=361"}}),
         variances,
-        with(plain, "far-points", "rays without return are points at 8 m",
-             {{"laser.no_return=max-range"}}),
+        with_more(plain, "far-points", "rays without return are points at 8 m",
+                  {{"laser.no_return=max-range"}}),
     };
 }
 

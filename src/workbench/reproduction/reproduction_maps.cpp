@@ -51,7 +51,7 @@ fs::path log_file(const MapReproductionOptions& options, const ThesisExperiment&
     return options.logs / (experiment.name + ".log.gz");
 }
 
-Study study_of(const ThesisExperiment& experiment, const MapReproductionOptions& options) {
+Study study_of_claims(const ThesisExperiment& experiment, const MapReproductionOptions& options) {
     Study study;
     study.configuration = experiment_configuration(experiment);
     StudyParameter parameter = find_study_parameter(experiment.key);
@@ -211,7 +211,7 @@ MapReproduction reproduce_maps(const MapReproductionOptions& options) {
     std::vector<Study> studies;
     studies.reserve(chosen.size() + 1);
     for (const ThesisExperiment* experiment : chosen) {
-        studies.push_back(study_of(*experiment, options));
+        studies.push_back(study_of_claims(*experiment, options));
     }
     const bool timed = std::ranges::any_of(
         chosen, [](const ThesisExperiment* experiment) { return experiment->is_named("10.95"); });

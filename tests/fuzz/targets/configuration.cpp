@@ -12,7 +12,7 @@
 namespace hitos::fuzz {
 namespace {
 
-constexpr const char* kName = "input";
+constexpr const char* kConfigurationName = "input";
 
 bool equal(const Configuracion& a, const Configuracion& b) {
     return std::ranges::all_of(parameters(), [&](const ConfigParameter& parameter) {
@@ -24,14 +24,15 @@ bool equal(const Configuracion& a, const Configuracion& b) {
 void require_sound(const Configuracion& configuration) {
     check(configuration);
     const std::string text = ArchivoConfiguracion::to_text(configuration);
-    const Configuracion again = ArchivoConfiguracion::parse(text, kName);
+    const Configuracion again = ArchivoConfiguracion::parse(text, kConfigurationName);
     require(equal(configuration, again), "a configuration reads back to the last bit");
     require(ArchivoConfiguracion::to_text(again) == text, "a configuration is written one way");
 }
 
 const World& small_world() {
-    static const World some_world = parse_world(
-        "walls = [[[0, 0], [4, 0], [4, 3]]]\n[tour]\nway_points = [[1, 1], [2, 1]]\n", kName);
+    static const World some_world =
+        parse_world("walls = [[[0, 0], [4, 0], [4, 3]]]\n[tour]\nway_points = [[1, 1], [2, 1]]\n",
+                    kConfigurationName);
     return some_world;
 }
 
@@ -67,7 +68,8 @@ bool is_set_in_world(std::string_view assignment) {
 }  // namespace
 
 bool check_configuration(std::string_view input) {
-    const auto parsed = unless_refused([&] { return ArchivoConfiguracion::parse(input, kName); });
+    const auto parsed =
+        unless_refused([&] { return ArchivoConfiguracion::parse(input, kConfigurationName); });
     if (parsed) require_sound(*parsed);
     const std::filesystem::path& file = file_of(input);
     const auto read = unless_refused([&] { return ArchivoConfiguracion::read(file); });

@@ -1,6 +1,7 @@
 // What the fuzz targets share: laws that can be broken, files in memory, folders that are reused.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <string_view>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/geometry.hpp"
 
 namespace hitos::fuzz {
 
@@ -20,6 +22,13 @@ class BrokenLaw : public std::logic_error {
 
 /// Throws BrokenLaw, which names the law, where it does not hold.
 void require(bool holds, const char* law);
+
+inline bool is_finite(const Point2& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y);
+}
+inline bool is_finite(const std::optional<double>& value) {
+    return !value || std::isfinite(*value);
+}
 
 /// Whose turn of so many laws it is, where each costs more than it may for every input: always the
 /// same one for the same input.

@@ -15,11 +15,7 @@
 namespace hitos::fuzz {
 namespace {
 
-constexpr const char* kName = "input";
-
-bool is_finite(const Point2& point) {
-    return std::isfinite(point.x) && std::isfinite(point.y);
-}
+constexpr const char* kMapName = "input";
 
 bool is_normal(const Recta& line) {
     return std::isfinite(line.rho) && line.rho >= 0.0 && line.theta > -kPi && line.theta <= kPi;
@@ -48,7 +44,7 @@ LandmarkMap lines_of(int count) {
 }  // namespace
 
 bool check_map(std::string_view input) {
-    const auto map = unless_refused([&] { return parse_map(input, kName); });
+    const auto map = unless_refused([&] { return parse_map(input, kMapName); });
     if (!map) return false;
     const std::vector<Recta> lines = all_of<Recta>(*map);
     const std::vector<Esquina> corners = all_of<Esquina>(*map);
@@ -58,7 +54,7 @@ bool check_map(std::string_view input) {
                                     return is_finite({c.x, c.y});
                                 }),
             "corners are finite");
-    const LandmarkMap again = parse_map(map_to_text(*map), kName);
+    const LandmarkMap again = parse_map(map_to_text(*map), kMapName);
     require(std::ranges::equal(lines, all_of<Recta>(again), same), "lines read back");
     require(all_of<Esquina>(again) == corners, "corners read back to the last bit");
     unless_refused([&] { return dxf_text(*map, {}, {}); });  // too far away to be drawn
@@ -66,7 +62,7 @@ bool check_map(std::string_view input) {
 }
 
 bool check_segments(std::string_view input) {
-    const auto segments = unless_refused([&] { return parse_segments(input, kName); });
+    const auto segments = unless_refused([&] { return parse_segments(input, kMapName); });
     if (!segments) return false;
     int lines = 0;
     for (const LineExtent& segment : *segments) {
@@ -76,7 +72,7 @@ bool check_segments(std::string_view input) {
     }
     constexpr int kMostLines = 1000;
     if (lines > kMostLines) return true;
-    const auto again = parse_segments(segments_to_text(lines_of(lines), *segments), kName);
+    const auto again = parse_segments(segments_to_text(lines_of(lines), *segments), kMapName);
     require(std::ranges::equal(*segments, again,
                                [](const LineExtent& a, const LineExtent& b) {
                                    return a.landmark == b.landmark && a.a == b.a && a.b == b.b;
@@ -86,14 +82,14 @@ bool check_segments(std::string_view input) {
 }
 
 bool check_distances(std::string_view input) {
-    const auto distances = unless_refused([&] { return parse_distances(input, kName); });
+    const auto distances = unless_refused([&] { return parse_distances(input, kMapName); });
     if (!distances) return false;
     for (const NamedDistance& distance : *distances) {
         require(is_distance_name(distance.name), "distances have names");
         require(is_finite(distance.a) && is_finite(distance.b), "distances have finite ends");
         require(distance.true_m() >= kLeastDistance, "distances have a length");
     }
-    require(parse_distances(distances_text(*distances), kName) == *distances,
+    require(parse_distances(distances_text(*distances), kMapName) == *distances,
             "distances read back to the last bit");
     const LandmarkMap box{{Recta{2.0, 0.0}}, {Recta{2.0, kPi}}, {Recta{1.0, kPi / 2.0}}};
     const std::vector<MeasuredDistance> measured = measure_distances(box, *distances);
@@ -104,13 +100,13 @@ bool check_distances(std::string_view input) {
 }
 
 bool check_trajectory(std::string_view input) {
-    const auto path = unless_refused([&] { return parse_trajectory(input, kName); });
+    const auto path = unless_refused([&] { return parse_trajectory(input, kMapName); });
     if (!path) return false;
     for (const auto& [time_s, pose] : *path) {
         require(std::isfinite(time_s) && is_finite({pose.x, pose.y}), "poses are finite");
         require(pose.theta > -kPi && pose.theta <= kPi, "headings are wrapped");
     }
-    const Trajectory again = parse_trajectory(trajectory_to_text(*path), kName);
+    const Trajectory again = parse_trajectory(trajectory_to_text(*path), kMapName);
     constexpr double kDecimals = 1e-9;
     constexpr double kOfQuaternion = 5e-9;
     require(std::ranges::equal(*path, again,

@@ -29,10 +29,6 @@ const ScratchFolder& folder_of_a_run() {
     return scratch;
 }
 
-bool is_finite(const std::optional<double>& value) {
-    return !value || std::isfinite(*value);
-}
-
 }  // namespace
 
 bool check_summary(std::string_view input) {

@@ -28,10 +28,6 @@ std::string with_seal(std::string_view input) {
     }
 }
 
-bool is_finite(const std::optional<double>& value) {
-    return !value || std::isfinite(*value);
-}
-
 /// A study of one run, whose map is there.
 class StudyOfOneRun {
   public:

@@ -13,10 +13,6 @@
 namespace hitos::fuzz {
 namespace {
 
-bool is_finite(const Point2& point) {
-    return std::isfinite(point.x) && std::isfinite(point.y);
-}
-
 /// Beside every world, so that it can name it.
 constexpr std::string_view kDrawing =
     "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nWALLS\n10\n0\n20\n0\n11\n4\n21\n0\n0\nENDSEC\n0\nEOF\n";

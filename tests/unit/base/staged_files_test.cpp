@@ -20,7 +20,7 @@ using test::TempDir;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::set<std::string> names_in(const fs::path& folder) {
+std::set<std::string> names_of_files_in(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder)) {
         names.insert(entry.path().filename().string());
@@ -73,8 +73,8 @@ TEST_F(StagedFilesTest, ComeTogetherInWhateverFoldersTheyLie) {
     }
     EXPECT_EQ(content(a_), "new");
     EXPECT_EQ(content(b_), "new");
-    EXPECT_THAT(names_in(dir_ / "x"), ElementsAre("a"));
-    EXPECT_THAT(names_in(dir_ / "y"), ElementsAre("b"));
+    EXPECT_THAT(names_of_files_in(dir_ / "x"), ElementsAre("a"));
+    EXPECT_THAT(names_of_files_in(dir_ / "y"), ElementsAre("b"));
 }
 
 TEST_F(StagedFilesTest, AreAllAsTheyWereWhereOneCannotBePutInPlace) {
@@ -95,7 +95,7 @@ TEST_F(StagedFilesTest, AreAllAsTheyWereWhereOneCannotBePutInPlace) {
     EXPECT_EQ(content(a_), "old");
     files.reset();
     EXPECT_EQ(content(dir_ / "z/b"), "older");
-    EXPECT_THAT(names_in(dir_ / "x"), ElementsAre("a"));
+    EXPECT_THAT(names_of_files_in(dir_ / "x"), ElementsAre("a"));
 }
 
 TEST_F(StagedFilesTest, AreForOneWriterAtATime) {
@@ -104,7 +104,7 @@ TEST_F(StagedFilesTest, AreForOneWriterAtATime) {
                     StagedFiles({dir_ / "x/c", b_});
                 }),
                 HasSubstr("is being written by"));
-    EXPECT_THAT(names_in(dir_ / "x"), ElementsAre(".a.hitos-lock", ".a.hitos-new"));
+    EXPECT_THAT(names_of_files_in(dir_ / "x"), ElementsAre(".a.hitos-lock", ".a.hitos-new"));
 }
 
 TEST_F(StagedFilesTest, TellOfTheFilesThatTheyAreFor) {

@@ -77,7 +77,7 @@ std::filesystem::path write_tour(std::string_view format, const std::filesystem:
     return path;
 }
 
-void expect_same(const Tour& tour, const Log& log, double tolerance) {
+void expect_same_tour(const Tour& tour, const Log& log, double tolerance) {
     EXPECT_EQ(log.report.skipped, 0U);
     EXPECT_EQ(log.report.stamps_backwards, 0U);
     ASSERT_EQ(log.scans.size(), tour.scans.size());
@@ -103,7 +103,7 @@ TEST(LogWriter, WhatIsWrittenIsRead) {
         EXPECT_EQ(open_log(path)->format().word, format);
         const Log log = test::read_log(path);
         SCOPED_TRACE(format);
-        expect_same(tour, log, 1e-4);
+        expect_same_tour(tour, log, 1e-4);
         if (format == "player" || format == "carmen") {
             EXPECT_EQ(log.scans[0].fan.count, 181U);
             EXPECT_EQ(log.scans[0].fan.max_range_m, 8.0);
@@ -121,7 +121,7 @@ TEST(LogWriter, MountedLaserAndUnusualFan) {
         const auto path = write_tour(format, folder / format, tour);
         const Log log = test::read_log(path);
         SCOPED_TRACE(format);
-        expect_same(tour, log, 2e-4);
+        expect_same_tour(tour, log, 2e-4);
         if (format == "carmen") {
             EXPECT_THAT(content(path), HasSubstr("ROBOTLASER1"));
         }
@@ -263,7 +263,7 @@ TEST(LogWriter, AFanSweptToTheRightIsFoundFromPointsAlone) {
         scan.fan = {};
         scan.rays.clear();
     }
-    expect_same(tour, test::read_log(write_tour("player", folder / "a", tour)), 2e-4);
+    expect_same_tour(tour, test::read_log(write_tour("player", folder / "a", tour)), 2e-4);
 }
 
 TEST(LogWriter, ReadingsThatRoundingWouldLose) {
@@ -287,7 +287,7 @@ TEST(LogWriter, FanFromPointsAlone) {
         }
         for (const std::string& format : kAll) {
             SCOPED_TRACE(format + " " + std::to_string(rays));
-            expect_same(tour, test::read_log(write_tour(format, folder / "a", tour)), 2e-4);
+            expect_same_tour(tour, test::read_log(write_tour(format, folder / "a", tour)), 2e-4);
         }
     }
 }

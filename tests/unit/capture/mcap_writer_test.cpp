@@ -22,7 +22,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// A scan whose rays i have the range i + 1 m; those that 5 divides see nothing.
-Scan scan_of(double time_s, std::uint32_t rays, const Pose& mount = {}, double max_range_m = 1e6) {
+Scan plain_scan(double time_s, std::uint32_t rays, const Pose& mount = {},
+                double max_range_m = 1e6) {
     Scan scan;
     scan.time_s = time_s;
     scan.fan = {-1.5, 1.5, rays, max_range_m, mount};
@@ -38,17 +39,17 @@ Scan scan_of(double time_s, std::uint32_t rays, const Pose& mount = {}, double m
     return scan;
 }
 
-struct Said {
+struct McapSaid {
     std::string topic;
     std::uint64_t time_ns;
     std::string bytes;
 };
 
 /// Everything that stands in the file; fails where its reader finds a problem.
-std::vector<Said> said_in(const std::filesystem::path& path) {
+std::vector<McapSaid> said_in(const std::filesystem::path& path) {
     Topics topics([](const Topic&) { return true; });
     const auto recording = open_mcap(path, {topics, true});
-    std::vector<Said> all;
+    std::vector<McapSaid> all;
     while (const auto found = recording->next()) {
         all.push_back({found->topic->name, static_cast<std::uint64_t>(found->log_time_ns),
                        std::string(found->bytes)});
@@ -60,7 +61,7 @@ std::vector<Said> said_in(const std::filesystem::path& path) {
 
 std::vector<LaserScanMessage> lasers_in(const std::filesystem::path& path) {
     std::vector<LaserScanMessage> lasers;
-    for (const Said& said : said_in(path)) {
+    for (const McapSaid& said : said_in(path)) {
         if (said.topic == "/scan") lasers.push_back(decode_laser_scan(said.bytes, Encoding::cdr));
     }
     return lasers;
@@ -76,7 +77,7 @@ TEST(McapWriter, ATourWithoutAnythingIsAWholeFile) {
 TEST(McapWriter, WhatIsNoPointIsInfinite) {
     const TempDir folder;
     const auto writer = make_log_writer("mcap", folder / "a.mcap");
-    writer->write(scan_of(1.0, 11, {}, 12.5));
+    writer->write(plain_scan(1.0, 11, {}, 12.5));
     writer->finish();
     const std::vector<LaserScanMessage> lasers = lasers_in(folder / "a.mcap");
     ASSERT_EQ(lasers.size(), 1U);
@@ -122,10 +123,10 @@ TEST(McapWriter, EveryPlaceOfALaserHasAFrameOfItsOwn) {
     const auto writer = make_log_writer("mcap", folder / "a.mcap");
     const std::array<Pose, 2> mounts{Pose{0.2, 0.05, -0.7}, Pose{-0.1, 0.0, 3.0}};
     for (std::size_t i = 0; i < 6; ++i)
-        writer->write(scan_of(10.0 + static_cast<double>(i), 11, mounts.at(i % 2)));
+        writer->write(plain_scan(10.0 + static_cast<double>(i), 11, mounts.at(i % 2)));
     writer->finish();
     std::vector<std::size_t> told;
-    for (const Said& said : said_in(folder / "a.mcap")) {
+    for (const McapSaid& said : said_in(folder / "a.mcap")) {
         if (said.topic != "/tf_static") continue;
         told.push_back(decode_transforms(said.bytes, Encoding::cdr).size());
     }
@@ -149,7 +150,7 @@ TEST(McapWriter, WhatARecordingHasComesBackToTheLastBit) {
     Log tour;
     for (int i = 0; i < 30; ++i) {
         tour.odometry.push_back({1.7e9 + 0.1 * i, i == 0 ? Twist{} : Twist{0.4, 0.01, 0.3}, 0});
-        tour.scans.push_back(scan_of(1.7e9 + 0.1 * i + 0.033, 181, {0.1, 0.0, 0.2}));
+        tour.scans.push_back(plain_scan(1.7e9 + 0.1 * i + 0.033, 181, {0.1, 0.0, 0.2}));
     }
     const Log once = write(tour, "a.mcap");
     const Log again = write(once, "b.mcap");
@@ -172,11 +173,11 @@ TEST(McapWriter, LongToursHaveManyChunksAndTheSameBytesEachTime) {
     const TempDir folder;
     for (const char* name : {"a.mcap", "b.mcap"}) {
         const auto writer = make_log_writer("mcap", folder / name);
-        for (int i = 0; i < 150; ++i) writer->write(scan_of(0.5 * i, 20'000), nullptr);
+        for (int i = 0; i < 150; ++i) writer->write(plain_scan(0.5 * i, 20'000), nullptr);
         writer->finish();
     }
     EXPECT_EQ(content(folder / "a.mcap"), content(folder / "b.mcap"));
-    const std::vector<Said> all = said_in(folder / "a.mcap");
+    const std::vector<McapSaid> all = said_in(folder / "a.mcap");
     ASSERT_EQ(all.size(), 151U);
     EXPECT_EQ(all.back().time_ns, 74'500'000'000U);
     // 12 MB of messages in chunks that were closed behind 4 MiB: the word stands in each of them
@@ -193,7 +194,7 @@ TEST(McapWriter, WhatNoStampOfRosCanSayIsRefused) {
     for (const double time_s : {-0.5, 2147483647.5, 1e12}) {
         const auto writer = make_log_writer("mcap", folder / "a.mcap");
         EXPECT_THAT(
-            test::message_of<FormatError>([&] { writer->write(scan_of(time_s, 11), nullptr); }),
+            test::message_of<FormatError>([&] { writer->write(plain_scan(time_s, 11), nullptr); }),
             HasSubstr("cannot be a stamp of ROS"));
         EXPECT_THROW(writer->write(Odometria{time_s, {}, 0}), FormatError);
     }

@@ -64,7 +64,7 @@ void expect_first(const std::vector<Said>& found, std::size_t count) {
     }
 }
 
-struct Kind {
+struct ContainerKind {
     const char* name;
     Open* open;
     std::string (*write)();
@@ -93,7 +93,7 @@ std::string mcap_plain() {
     return test::mcap_of(messages());
 }
 
-class EveryContainer : public ::testing::TestWithParam<Kind> {
+class EveryContainer : public ::testing::TestWithParam<ContainerKind> {
   protected:
     TempFolder folder_;
 };
@@ -140,13 +140,13 @@ TEST_P(EveryContainer, EndsWhateverIsChanged) {
 
 INSTANTIATE_TEST_SUITE_P(
     Containers, EveryContainer,
-    testing::Values(Kind{"bag", open_bag, bag_packed<test::unpacked>},
-                    Kind{"bag_bz2", open_bag, bag_packed<test::packed_bz2>},
-                    Kind{"bag_lz4", open_bag, bag_packed<test::packed_lz4>},
-                    Kind{"mcap", open_mcap, mcap_plain},
-                    Kind{"mcap_chunks", open_mcap, mcap_packed<test::unpacked>},
-                    Kind{"mcap_zstd", open_mcap, mcap_packed<test::packed_zstd>},
-                    Kind{"mcap_lz4", open_mcap, mcap_packed<test::packed_lz4>}),
+    testing::Values(ContainerKind{"bag", open_bag, bag_packed<test::unpacked>},
+                    ContainerKind{"bag_bz2", open_bag, bag_packed<test::packed_bz2>},
+                    ContainerKind{"bag_lz4", open_bag, bag_packed<test::packed_lz4>},
+                    ContainerKind{"mcap", open_mcap, mcap_plain},
+                    ContainerKind{"mcap_chunks", open_mcap, mcap_packed<test::unpacked>},
+                    ContainerKind{"mcap_zstd", open_mcap, mcap_packed<test::packed_zstd>},
+                    ContainerKind{"mcap_lz4", open_mcap, mcap_packed<test::packed_lz4>}),
     [](const auto& value) { return value.param.name; });
 
 TEST(Recordings, AreKnownByTheirFirstBytes) {

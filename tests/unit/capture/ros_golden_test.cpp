@@ -13,7 +13,7 @@ using test::Log;
 const std::filesystem::path kCut =
     std::filesystem::path(HITOS_SOURCE_DIR) / "tests/unit/capture/two-lasers-cut.bag";
 
-Log read(const std::string& topics) {
+Log read_recording(const std::string& topics) {
     ReadOptions options;
     options.scan_topic = topics;
     Procesador reader(open_log(kCut, kAutoFormat, options), options);
@@ -23,7 +23,7 @@ Log read(const std::string& topics) {
 TEST(RosGolden, TwoLasersOfABag) {
     std::size_t points = 0;
     for (const char* topic : {"/scan_front", "/scan_rear"}) {
-        const Log log = read(topic);
+        const Log log = read_recording(topic);
         EXPECT_EQ(log.scans.size(), 9U);
         EXPECT_EQ(log.odometry.size(), 15U);
         EXPECT_EQ(log.report.skipped, 0U);
@@ -39,7 +39,7 @@ TEST(RosGolden, TwoLasersOfABag) {
 }
 
 TEST(RosGolden, TwoLasersAsOneSensor) {
-    const Log log = read("all");
+    const Log log = read_recording("all");
     EXPECT_EQ(log.scans.size(), 11U);
     std::size_t whole = 0;
     for (const Scan& scan : log.scans) {

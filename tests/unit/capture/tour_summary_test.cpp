@@ -44,7 +44,8 @@ TEST(TourSummary, CountsAWholeLog) {
 }
 
 TEST(TourSummary, NamesOfTopicsAreToldWithoutControlCharacters) {
-    const std::vector<Message> lines = lines_of({{"/a\x1b[31m", "acme/B\nc", 17}});
+    const std::vector<Message> lines =
+        lines_of(std::vector<RecordedTopic>{{"/a\x1b[31m", "acme/B\nc", 17}});
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_EQ(lines[0].english(), "/a\\x1b[31m  acme/B c  17");
 }

@@ -10,7 +10,7 @@ namespace {
 using test::closed;
 using test::drawn_points;
 
-const Walls kRoom = closed({{-4, -3}, {4, -3}, {4, 3}, {-4, 3}});
+const Walls kBrokenRoom = closed({{-4, -3}, {4, -3}, {4, 3}, {-4, 3}});
 
 KeyGraph graph_of(const Walls& walls, const std::vector<Pose>& poses) {
     KeyGraph graph;
@@ -32,12 +32,12 @@ MatchedStep matched(const Pose& pose, double score) {
 
 class PathBreak : public testing::Test {
   protected:
-    const KeyGraph graph_ = graph_of(kRoom, {{-1, 0, 0}, {-0.5, 0, 0}, {0, 0, 0}});
+    const KeyGraph graph_ = graph_of(kBrokenRoom, {{-1, 0, 0}, {-0.5, 0, 0}, {0, 0, 0}});
     const Pose now_{0.3, 0.1, 0.1};
 };
 
 TEST_F(PathBreak, AScanThatFittedNothing) {
-    EXPECT_TRUE(breaks_path(drawn_points(kRoom, now_), {}, graph_));
+    EXPECT_TRUE(breaks_path(drawn_points(kBrokenRoom, now_), {}, graph_));
 }
 
 TEST_F(PathBreak, AScanThatFitsWellIsNeverOne) {
@@ -46,7 +46,7 @@ TEST_F(PathBreak, AScanThatFitsWellIsNeverOne) {
 }
 
 TEST_F(PathBreak, AScanThatFitsBadlyAndAgreesIsNone) {
-    EXPECT_FALSE(breaks_path(drawn_points(kRoom, now_), matched(now_, 0.3), graph_));
+    EXPECT_FALSE(breaks_path(drawn_points(kBrokenRoom, now_), matched(now_, 0.3), graph_));
 }
 
 TEST_F(PathBreak, LookingThroughTheWallSeenBefore) {

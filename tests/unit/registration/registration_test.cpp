@@ -98,7 +98,7 @@ Driven drive(const Walls& walls, const std::vector<Pose>& truth, double drift, d
     return driven;
 }
 
-double greatest_error(const std::vector<Pose>& path, const std::vector<Pose>& truth) {
+double greatest_path_error(const std::vector<Pose>& path, const std::vector<Pose>& truth) {
     double greatest = 0.0;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const Pose at = compose(truth.front(), path[i]);
@@ -110,11 +110,11 @@ double greatest_error(const std::vector<Pose>& path, const std::vector<Pose>& tr
 TEST(Registration, ClosesTheLoopOfARing) {
     const std::vector<Pose> truth = round_tour(kRing, 2);
     Driven once = drive(ring_walls(), truth, 0.01, 1.03);
-    EXPECT_GT(greatest_error(once.odometry, truth), 3.0);
-    EXPECT_LT(greatest_error(once.online, truth), 0.4);
+    EXPECT_GT(greatest_path_error(once.odometry, truth), 3.0);
+    EXPECT_LT(greatest_path_error(once.online, truth), 0.4);
     EXPECT_GE(once.registration.loops().size(), 1U);
     once.registration.finish();
-    EXPECT_LT(greatest_error(once.registration.path(), truth), 0.08);
+    EXPECT_LT(greatest_path_error(once.registration.path(), truth), 0.08);
     const RegistrationFigures figures = once.registration.figures();
     EXPECT_EQ(figures.unmatched, 0U);
     EXPECT_TRUE(figures.breaks.empty());
@@ -179,7 +179,7 @@ TEST(Registration, TwoEqualCorridorsAreNotOne) {
     const std::vector<Point2> way{{-4, 0}, {26, 0}, {26, 6}, {-4, 6}};
     std::vector<Pose> truth = round_tour(way, 1);
     const Driven once = drive(walls, truth, 0.0005, 1.005);
-    EXPECT_LT(greatest_error(once.registration.path(), truth), 0.4);
+    EXPECT_LT(greatest_path_error(once.registration.path(), truth), 0.4);
     for (const ClosedLoop& loop : once.registration.loops()) {
         const Pose& a = truth[loop.scan];
         const Pose& b = truth[loop.earlier];

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-PointMap map_of(const Walls& walls, const std::vector<Pose>& poses) {
+PointMap matched_map_of(const Walls& walls, const std::vector<Pose>& poses) {
     PointMap map;
     map.begin({0.0, 0.0}, 45.0);
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -60,7 +60,7 @@ double cost(const std::vector<SurfacePoint>& scan, const PointMap& map, const Po
 
 TEST(ScanMatcher, TheLinearizationIsThatOfItsCost) {
     const Walls room = test::recess_room();
-    const PointMap map = map_of(room, {{0.0, 0.0, 0.3}, {0.3, 0.1, 1.9}});
+    const PointMap map = matched_map_of(room, {{0.0, 0.0, 0.3}, {0.3, 0.1, 1.9}});
     // Only points with surfaces, so that the cost above is the whole cost.
     std::vector<SurfacePoint> scan = test::drawn_points(room, {0.1, 0.0, 0.5});
     std::erase_if(scan, [](const SurfacePoint& p) { return !p.has_normal(); });
@@ -80,7 +80,8 @@ TEST(ScanMatcher, TheLinearizationIsThatOfItsCost) {
 
 TEST(ScanMatcher, FindsTheWayBackToTheTruth) {
     const Walls room = test::recess_room();
-    const PointMap map = map_of(room, {{0.0, 0.0, 0.3}, {0.3, 0.1, 1.9}, {-0.5, 0.2, -2.0}});
+    const PointMap map =
+        matched_map_of(room, {{0.0, 0.0, 0.3}, {0.3, 0.1, 1.9}, {-0.5, 0.2, -2.0}});
     const Pose truth{0.2, 0.1, 0.4};
     const std::vector<SurfacePoint> scan = test::drawn_points(room, truth);
     const ScanMatcher matcher(0.1);
@@ -97,7 +98,7 @@ TEST(ScanMatcher, FindsTheWayBackToTheTruth) {
 
 TEST(ScanMatcher, ACorridorLeavesItsDirectionToThePrior) {
     const Walls corridor{{{-40.0, -1.0}, {40.0, -1.0}}, {{-40.0, 1.0}, {40.0, 1.0}}};
-    const PointMap map = map_of(corridor, {{0.0, 0.0, 0.0}, {0.0, 0.0, kPi}});
+    const PointMap map = matched_map_of(corridor, {{0.0, 0.0, 0.0}, {0.0, 0.0, kPi}});
     const std::vector<SurfacePoint> scan = test::drawn_points(corridor, {0.5, 0.1, 0.02});
     Matrix3d information = Matrix3d::Zero();
     information.diagonal() << 1.0 / (0.03 * 0.03), 1.0 / (0.03 * 0.03), 1.0 / (0.03 * 0.03);
@@ -112,7 +113,8 @@ TEST(ScanMatcher, ItsCovarianceCoversWhatNoiseDoes) {
     // sigma is the share of errors in common, ten times the noise here: the scatter of the matches
     // over many draws must lie inside the stated covariance, in every direction.
     const Walls room = test::recess_room();
-    const PointMap map = map_of(room, {{0.0, 0.0, 0.3}, {0.3, 0.1, 1.9}, {-0.5, 0.2, -2.0}});
+    const PointMap map =
+        matched_map_of(room, {{0.0, 0.0, 0.3}, {0.3, 0.1, 1.9}, {-0.5, 0.2, -2.0}});
     const Pose truth{0.2, 0.1, 0.4};
     const double sigma = 0.03;
     const ScanMatcher matcher(sigma);
@@ -136,7 +138,7 @@ TEST(ScanMatcher, ItsCovarianceCoversWhatNoiseDoes) {
 
 TEST(ScanMatcher, SourcesAddUpToTheWhole) {
     const Walls room = test::recess_room();
-    const PointMap map = map_of(room, {{0.0, 0.0, 0.3}, {0.3, 0.1, 1.9}});
+    const PointMap map = matched_map_of(room, {{0.0, 0.0, 0.3}, {0.3, 0.1, 1.9}});
     const std::vector<SurfacePoint> scan = test::drawn_points(room, {0.1, 0.0, 0.5});
     std::vector<Linearization> by_source(2);
     const Linearization whole =

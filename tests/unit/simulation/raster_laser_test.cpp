@@ -27,7 +27,7 @@ RasterParams raster(double cell_m, double wall_m = 0.0, bool fit = false,
     return params;
 }
 
-Fan fan(std::uint32_t count = 181, double most = 8.0) {
+Fan raster_fan(std::uint32_t count = 181, double most = 8.0) {
     Fan result;
     result.min_angle_rad = -kHalfPi;
     result.max_angle_rad = kHalfPi;
@@ -39,7 +39,7 @@ Fan fan(std::uint32_t count = 181, double most = 8.0) {
 /// Range of one ray straight ahead.
 double ahead(const std::vector<WallSegment>& walls, const RasterParams& params, const Pose& pose) {
     std::vector<RayHit> hits;
-    RasterLaser(walls, params, fan(3)).cast(pose, hits);
+    RasterLaser(walls, params, raster_fan(3)).cast(pose, hits);
     return hits[1].range_m;
 }
 
@@ -119,7 +119,7 @@ TEST(RasterLaser, EndsRaysAtTheNearestCellThatASearchOfAllCellsFinds) {
         const WallRaster cells(walls, params);
         const Pose pose{place(random), place(random), angle(random)};
         std::vector<RayHit> hits;
-        const Fan f = fan(61, 5.0);
+        const Fan f = raster_fan(61, 5.0);
         RasterLaser(walls, params, f).cast(pose, hits);
         for (std::uint32_t k = 0; k < f.count; ++k) {
             const double at = pose.theta + f.min_angle_rad + k * f.step_rad();
@@ -146,11 +146,11 @@ TEST(RasterLaser, ComesToTheExactRangesAsCellsGetFineAndWallsThin) {
     const World world = test::small_world();
     const Pose pose{1.237, 0.481, 0.3};
     std::vector<RayHit> exact;
-    SimulatedLaser(world.walls, fan()).cast(pose, exact);
+    SimulatedLaser(world.walls, raster_fan()).cast(pose, exact);
     double before = 1e9;
     for (const double cell : {0.1, 0.01, 0.001}) {
         std::vector<RayHit> hits;
-        RasterLaser(world.walls, raster(cell), fan()).cast(pose, hits);
+        RasterLaser(world.walls, raster(cell), raster_fan()).cast(pose, hits);
         double worst = 0.0;
         for (std::size_t k = 0; k < hits.size(); ++k) {
             ASSERT_EQ(std::isfinite(hits[k].range_m), std::isfinite(exact[k].range_m)) << k;
@@ -192,7 +192,7 @@ TEST(RasterLaser, CountsWholeCellsAlongTheLongerAxis) {
     const World world = test::small_world();
     constexpr double kCell = 0.02;
     const Pose pose{1.237, 0.481, 0.0};
-    const Fan f = fan();
+    const Fan f = raster_fan();
     std::vector<RayHit> whole;
     std::vector<RayHit> exact;
     RasterLaser(world.walls, raster(kCell, 0.05, false, RasterRanges::whole_cells), f)

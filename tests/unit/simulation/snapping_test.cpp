@@ -9,11 +9,11 @@
 namespace hitos {
 namespace {
 
-const std::vector<WallSegment> kWalls = {{{0.0, 0.0}, {4.03, 0.0}, 1, 1},
-                                         {{4.03, 0.0}, {4.03, 3.0}, 1, 1}};
+const std::vector<WallSegment> kSnapWalls = {{{0.0, 0.0}, {4.03, 0.0}, 1, 1},
+                                             {{4.03, 0.0}, {4.03, 3.0}, 1, 1}};
 
 Snapped snapped(const Point2& cursor, const SnapFrom& from = {}, const SnapOptions& options = {}) {
-    return snap(kWalls, {}, cursor, from, options);
+    return snap(kSnapWalls, {}, cursor, from, options);
 }
 
 void expect_at(const Snapped& found, SnappedTo to, double x, double y) {
@@ -25,7 +25,7 @@ void expect_at(const Snapped& found, SnappedTo to, double x, double y) {
 TEST(Snapping, EndsComeFirst) {
     expect_at(snapped({4.1, 0.1}), SnappedTo::end, 4.03, 0.0);
     const std::vector<Point2> drawn = {{1.234567891, 2.0}};
-    const Snapped own = snap(kWalls, drawn, {1.3, 2.1}, {}, {});
+    const Snapped own = snap(kSnapWalls, drawn, {1.3, 2.1}, {}, {});
     EXPECT_EQ(own.to, SnappedTo::end);
     EXPECT_EQ(own.at, drawn[0]);  // to the last bit
     // Of two the nearer one.

@@ -21,7 +21,7 @@ FilterParams ekf_params() {
     return params;
 }
 
-void compare_with_slow(const FilterParams& params, const Tour& tour) {
+void compare_ekf_with_slow(const FilterParams& params, const Tour& tour) {
     EkfSlam fast(params);
     SlowEkfSlam slow(params);
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
@@ -39,24 +39,24 @@ void compare_with_slow(const FilterParams& params, const Tour& tour) {
 }
 
 TEST(EkfSlam, EqualsTheTextbook) {
-    compare_with_slow(ekf_params(), make_tour(120, 0.1));
+    compare_ekf_with_slow(ekf_params(), make_tour(120, 0.1));
 }
 
 TEST(EkfSlam, EqualsTheTextbookWithProportionalNoise) {
     FilterParams params = ekf_params();
     params.motion.model = "proportional";
     params.observation = {0.001, 0.0001};
-    compare_with_slow(params, make_tour(120, 0.1));
+    compare_ekf_with_slow(params, make_tour(120, 0.1));
 }
 
 TEST(EkfSlam, EqualsTheTextbookWithCovariancesOfItsOwnForEveryFeature) {
-    compare_with_slow(ekf_params(), with_covariances(make_tour(120, 0.1)));
+    compare_ekf_with_slow(ekf_params(), with_covariances(make_tour(120, 0.1)));
 }
 
 TEST(EkfSlam, EqualsTheTextbookWithoutOdometry) {
     FilterParams params = ekf_params();
     params.motion = {"no-odometry", 0.1, 0.1, 0.05};
-    compare_with_slow(params, make_tour(60, 0.1));
+    compare_ekf_with_slow(params, make_tour(60, 0.1));
 }
 
 /// Three walls and a field of corners, of which only those nearby are seen: far more than the
@@ -96,7 +96,7 @@ TEST(EkfSlam, EqualsTheTextbookWithMoreLandmarksThanAreAtHand) {
     params.motion.model = "proportional";
     params.observation = {0.001, 0.0001};
     const Tour tour = tour_of_a_field();
-    compare_with_slow(params, tour);
+    compare_ekf_with_slow(params, tour);
     EkfSlam filter(params);
     for (std::size_t k = 0; k < tour.controls.size(); ++k) {
         feed(filter, tour.controls[k], tour.observations[k]);

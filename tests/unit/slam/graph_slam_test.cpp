@@ -12,7 +12,7 @@
 namespace hitos {
 namespace {
 
-constexpr double kStep = 0.5;
+constexpr double kGraphStep = 0.5;
 // So that the first walls are out of the window and no edge ties them to the newest key.
 constexpr int kMore = 12;
 
@@ -102,7 +102,7 @@ TEST(GraphSlam, ExactDataGiveTheExactMap) {
     exact.odometry = 0.0;
     exact.features = 0.0;
     GraphRun run = corridor_run(exact, 1);
-    const std::vector<Pose> path = corridor_path(kStep, kMore);
+    const std::vector<Pose> path = corridor_path(kGraphStep, kMore);
     run.drive(path);
     run.filter.correct(run.registration.close(3));
     const LandmarkMap map = run.filter.best_map();
@@ -148,7 +148,7 @@ TEST(GraphSlam, EqualsADenseOracle) {
 
 TEST(GraphSlam, ErrorsAreWhatTheCovariancesSay) {
     const SimNoise noise;
-    const std::vector<Pose> path = corridor_path(kStep, kMore);
+    const std::vector<Pose> path = corridor_path(kGraphStep, kMore);
     const Pose truth = between(path.front(), path.back());
     constexpr int kRuns = 40;
     double landmarks = 0.0;
@@ -184,7 +184,7 @@ TEST(GraphSlam, AClosedLoopMakesOneOfWhatWasSeenTwice) {
     SimNoise noise;
     noise.sigma_rad = 0.008;
     GraphRun run = corridor_run(noise, 3);
-    run.drive(corridor_path(kStep, kMore));
+    run.drive(corridor_path(kGraphStep, kMore));
     EXPECT_GT(run.filter.best_count(FeatureKind::line), 8);
     EXPECT_GT(run.filter.best_count(FeatureKind::corner), 8);
     const auto observations = [&] {
@@ -348,7 +348,7 @@ TEST(GraphSlam, SameInputSameBits) {
     const SimNoise noise;
     const auto run_once = [&] {
         GraphRun run = corridor_run(noise, 11);
-        run.drive(corridor_path(kStep, kMore));
+        run.drive(corridor_path(kGraphStep, kMore));
         run.filter.correct(run.registration.close(4));
         return std::pair(run.filter.best_map(), run.filter.best_history());
     };

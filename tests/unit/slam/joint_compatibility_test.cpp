@@ -86,7 +86,7 @@ void expect_best(JointSearch& search, const Problem& problem, JointDistance& dis
     EXPECT_NEAR(search.distance(), best.distance, 1e-9);
 }
 
-struct Draws {
+struct JointDraws {
     std::mt19937 engine;
     double unit() { return std::uniform_real_distribution<double>(0.0, 1.0)(engine); }
     double normal() { return std::normal_distribution<double>(0.0, 1.0)(engine); }
@@ -103,7 +103,7 @@ TEST(JointGate, IsTheChiSquareQuantile) {
 }
 
 TEST(JointSearch, EqualsExhaustiveSearchOfIndependentPairings) {
-    Draws draws{std::mt19937(71)};
+    JointDraws draws{std::mt19937(71)};
     JointSearch search;
     IndependentDistance distance;
     int unpaired = 0;
@@ -135,7 +135,7 @@ struct Scene {
     Problem problem;
 };
 
-Scene make_scene(Draws& draws) {
+Scene make_scene(JointDraws& draws) {
     Scene scene;
     Matrix3 spread;
     spread << draws.normal(), draws.normal(), draws.normal(), draws.normal(), draws.normal(),
@@ -189,7 +189,7 @@ double dense_distance(const Scene& scene, const std::vector<JointCandidate>& cho
 }
 
 TEST(JointSearch, EqualsExhaustiveSearchOfCorrelatedPairings) {
-    Draws draws{std::mt19937(73)};
+    JointDraws draws{std::mt19937(73)};
     JointSearch search;
     int several = 0;
     for (int round = 0; round < 400; ++round) {
@@ -243,7 +243,7 @@ TEST(JointSearch, MorePairingsBeatANearerOne) {
 
 TEST(JointSearch, ACutSearchIsCountedAndStillAPairing) {
     // Ten observations of ten landmarks that all fit each other.
-    Draws draws{std::mt19937(79)};
+    JointDraws draws{std::mt19937(79)};
     Problem problem;
     problem.candidates.resize(10);
     for (auto& candidates : problem.candidates) {

@@ -23,7 +23,7 @@ FilterParams still_params() {
 }
 
 /// A wall x = rho in the robot's frame, between two heights.
-void add_wall(Observation& seen, double rho, double low, double high) {
+void add_choice_wall(Observation& seen, double rho, double low, double high) {
     DetectedLine line;
     line.recta = normalized({rho, 0.0});
     line.first = static_cast<std::uint32_t>(seen.support.size());
@@ -32,9 +32,9 @@ void add_wall(Observation& seen, double rho, double low, double high) {
     seen.lines.push_back(line);
 }
 
-Observation wall(double rho, double low, double high) {
+Observation choice_wall(double rho, double low, double high) {
     Observation seen;
-    add_wall(seen, rho, low, high);
+    add_choice_wall(seen, rho, low, high);
     return seen;
 }
 
@@ -47,8 +47,8 @@ std::vector<Outcome> outcomes(const SlamFilter& filter) {
 TEST(Segments, WallsInOneLineStayTwoLandmarks) {
     for (const auto& [gap, bounded] : {std::pair{1.0, 2}, std::pair{0.4, 1}}) {
         Observation seen;
-        add_wall(seen, 4.0, -3.0, -0.5 * gap);
-        add_wall(seen, 4.0, 0.5 * gap, 3.0);
+        add_choice_wall(seen, 4.0, -3.0, -0.5 * gap);
+        add_choice_wall(seen, 4.0, 0.5 * gap, 3.0);
         for (const bool segments : {false, true}) {
             FilterParams params = still_params();
             params.association.segments = segments;
@@ -66,11 +66,11 @@ TEST(Segments, AnExtentGrowsWithWhatIsSeen) {
     FilterParams params = still_params();
     params.association.segments = true;
     FiltroParticulas filter(params, 1, 1);
-    feed(filter, {}, wall(4.0, -1.0, 1.0));
-    feed(filter, {}, wall(4.0, 1.3, 3.0));  // within the margin
-    feed(filter, {}, wall(4.0, 3.4, 5.0));  // of what it is by then
+    feed(filter, {}, choice_wall(4.0, -1.0, 1.0));
+    feed(filter, {}, choice_wall(4.0, 1.3, 3.0));  // within the margin
+    feed(filter, {}, choice_wall(4.0, 3.4, 5.0));  // of what it is by then
     EXPECT_EQ(filter.best_count(FeatureKind::line), 1);
-    feed(filter, {}, wall(4.0, 5.6, 7.0));
+    feed(filter, {}, choice_wall(4.0, 5.6, 7.0));
     EXPECT_EQ(filter.best_count(FeatureKind::line), 2);
     EXPECT_EQ(filter.associations()[0].outcome, Outcome::created);
 }
@@ -80,12 +80,12 @@ TEST(Segments, StretchesThatMeetBecomeOne) {
     params.association.segments = true;
     FiltroParticulas filter(params, 1, 1);
     Observation ends;
-    add_wall(ends, 6.0, -3.0, 3.0);
-    add_wall(ends, 4.0, -3.0, -1.0);
-    add_wall(ends, 4.0, 1.0, 3.0);
+    add_choice_wall(ends, 6.0, -3.0, 3.0);
+    add_choice_wall(ends, 4.0, -3.0, -1.0);
+    add_choice_wall(ends, 4.0, 1.0, 3.0);
     feed(filter, {}, ends);
     ASSERT_EQ(filter.best_count(FeatureKind::line), 3);
-    feed(filter, {}, wall(4.0, -1.2, 1.2));  // of either, so of both
+    feed(filter, {}, choice_wall(4.0, -1.2, 1.2));  // of either, so of both
     ASSERT_EQ(filter.best_count(FeatureKind::line), 2);
     EXPECT_EQ(filter.associations()[0].outcome, Outcome::matched);
     EXPECT_EQ(filter.associations()[0].landmark, 1);
@@ -96,9 +96,9 @@ TEST(Segments, StretchesThatMeetBecomeOne) {
               (std::vector{Outcome::matched, Outcome::matched, Outcome::matched}));
     // What overlaps and is not in one line stays ambiguous.
     Observation parallel;
-    add_wall(parallel, 4.6, -3.0, 3.0);
+    add_choice_wall(parallel, 4.6, -3.0, 3.0);
     feed(filter, {}, parallel);
-    feed(filter, {}, wall(4.3, -1.0, 1.0));
+    feed(filter, {}, choice_wall(4.3, -1.0, 1.0));
     EXPECT_EQ(filter.best_count(FeatureKind::line), 3);
     EXPECT_EQ(filter.associations()[0].outcome, Outcome::ignored);
 }
@@ -110,11 +110,11 @@ TEST(Segments, BothSidesOfAWallAreTwoLandmarks) {
         FilterParams params = still_params();
         params.association.segments = segments;
         FiltroParticulas filter(params, 1, 1);
-        feed(filter, {}, wall(4.0, -1.0, 1.0));
+        feed(filter, {}, choice_wall(4.0, -1.0, 1.0));
         const std::vector<Control> round{passing, turning};
-        feed(filter, round, wall(1.0, -1.0, 1.0));
+        feed(filter, round, choice_wall(1.0, -1.0, 1.0));
         EXPECT_EQ(filter.best_count(FeatureKind::line), segments ? 2 : 1);
-        feed(filter, {}, wall(1.0, -1.0, 1.0));
+        feed(filter, {}, choice_wall(1.0, -1.0, 1.0));
         EXPECT_EQ(filter.best_count(FeatureKind::line), segments ? 2 : 1);
         EXPECT_EQ(filter.associations()[0].outcome, Outcome::matched);
     }
@@ -126,9 +126,10 @@ TEST(Segments, HoldForThePosteriorProposalToo) {
     params.proposal = "posterior";
     params.association.segments = true;
     FiltroParticulas filter(params, 1, 1);
-    feed(filter, {}, wall(4.0, -3.0, -1.0));
+    feed(filter, {}, choice_wall(4.0, -3.0, -1.0));
     const Control ahead{{0.5, 0.0, 0.0}, 1.0};
-    feed(filter, std::span(&ahead, 1), wall(3.4, 1.0, 3.0));  // of another wall: tells nothing
+    feed(filter, std::span(&ahead, 1),
+         choice_wall(3.4, 1.0, 3.0));  // of another wall: tells nothing
     feed(filter, {}, Observation{});
     double mean = 0.0;
     for (const WeightedPose& hypothesis : filter.hypotheses()) {
@@ -142,10 +143,10 @@ TEST(Exclusion, OfTwoThatClaimALandmarkTheLikelierTakesIt) {
     FilterParams params = still_params();
     params.association.ambiguity = AmbiguityRule::off;
     Observation two;
-    add_wall(two, 4.1, -1.0, 1.0);
-    add_wall(two, 4.02, -0.5, 1.5);
+    add_choice_wall(two, 4.1, -1.0, 1.0);
+    add_choice_wall(two, 4.02, -0.5, 1.5);
     two.corners = {{4.1, 1.0}, {4.0, 1.05}};
-    Observation first = wall(4.0, -1.0, 1.0);
+    Observation first = choice_wall(4.0, -1.0, 1.0);
     first.corners = {{4.0, 1.0}};
     for (const bool exclusive : {false, true}) {
         params.association.exclusive = exclusive;
@@ -164,12 +165,12 @@ TEST(Exclusion, PiecesOfOneWallShareIt) {
     FilterParams params = still_params();
     params.association.exclusive = true;
     Observation pieces;
-    add_wall(pieces, 4.01, -1.0, 0.0);
-    add_wall(pieces, 4.0, 0.3, 1.0);
+    add_choice_wall(pieces, 4.01, -1.0, 0.0);
+    add_choice_wall(pieces, 4.0, 0.3, 1.0);
     for (const bool segments : {false, true}) {
         params.association.segments = segments;
         FiltroParticulas filter(params, 1, 1);
-        feed(filter, {}, wall(4.0, -1.0, 1.0));
+        feed(filter, {}, choice_wall(4.0, -1.0, 1.0));
         feed(filter, {}, pieces);
         EXPECT_EQ(outcomes(filter),
                   (std::vector{segments ? Outcome::matched : Outcome::ignored, Outcome::matched}));
@@ -222,20 +223,20 @@ TEST(Hypotheses, ParticlesPart) {
     FilterParams params = still_params();
     params.particles = 60;
     params.resampling = {ResamplingRule::neff, 0.0};
-    Observation walls = wall(3.0, -1.0, 1.0);
-    add_wall(walls, 3.4, -1.0, 1.0);
+    Observation walls = choice_wall(3.0, -1.0, 1.0);
+    add_choice_wall(walls, 3.4, -1.0, 1.0);
     std::set<double> rhos;
     for (const bool hypotheses : {false, true}) {
         params.association.hypotheses = hypotheses;
         FiltroParticulas filter(params, 1, 1);
         feed(filter, {}, walls);
-        feed(filter, {}, wall(3.2, -1.0, 1.0));
+        feed(filter, {}, choice_wall(3.2, -1.0, 1.0));
         EXPECT_EQ(filter.associations()[0].outcome == Outcome::ignored, !hypotheses);
         std::set<std::pair<double, double>> maps;
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             FiltroParticulas another(params, seed, 1);
             feed(another, {}, walls);
-            feed(another, {}, wall(3.2, -1.0, 1.0));
+            feed(another, {}, choice_wall(3.2, -1.0, 1.0));
             maps.emplace(std::get<Recta>(another.best_map()[0].value).rho,
                          std::get<Recta>(another.best_map()[1].value).rho);
         }
@@ -293,12 +294,12 @@ TEST(Vanishing, ALandmarkThatIsLookedThroughGoes) {
     params.landmarks.miss = -0.3;
     params.landmarks.limit = 1.0;
     FiltroParticulas filter(params, 1, 1);
-    Observation seen = wall(4.0, -1.0, 1.0);
-    add_wall(seen, 7.0, -4.0, 4.0);
+    Observation seen = choice_wall(4.0, -1.0, 1.0);
+    add_choice_wall(seen, 7.0, -4.0, 4.0);
     for (int k = 0; k < 5; ++k) feed(filter, {}, seen);
     ASSERT_EQ(filter.best_count(FeatureKind::line), 2);
     const Scan beyond = round_scan(8.0);
-    const Observation behind = wall(7.0, -4.0, 4.0);
+    const Observation behind = choice_wall(7.0, -4.0, 4.0);
     for (int k = 1; k <= 4; ++k) {  // 1 - 0.3 k
         filter.step({beyond, {}, behind});
         const int left = k < 4 ? 2 : 1;
@@ -317,7 +318,7 @@ TEST(Vanishing, WhatIsFoundOrHiddenStays) {
     FilterParams params = still_params();
     params.landmarks.vanish = true;
     FiltroParticulas filter(params, 1, 1);
-    const Observation seen = wall(4.0, -1.0, 1.0);
+    const Observation seen = choice_wall(4.0, -1.0, 1.0);
     for (int k = 0; k < 50; ++k) filter.step({round_scan(8.0), {}, seen});  // found all the same
     for (int k = 0; k < 50; ++k) filter.step({round_scan(2.0), {}, Observation{}});  // hidden
     EXPECT_EQ(filter.best_count(FeatureKind::line), 1);
@@ -328,13 +329,13 @@ TEST(Probation, OnlyWhatIsSeenAgainInTimeIsTold) {
     params.landmarks.probation = 3;
     params.landmarks.probation_scans = 6;
     FiltroParticulas filter(params, 1, 1);
-    Observation both = wall(2.0, -1.0, 1.0);
-    add_wall(both, 5.0, -1.0, 1.0);
+    Observation both = choice_wall(2.0, -1.0, 1.0);
+    add_choice_wall(both, 5.0, -1.0, 1.0);
     feed(filter, {}, both);
     EXPECT_EQ(filter.best_map().size(), 0U);
     EXPECT_EQ(filter.associations()[0].landmark, -1);
     feed(filter, {}, both);
-    const Observation one = wall(5.0, -1.0, 1.0);
+    const Observation one = choice_wall(5.0, -1.0, 1.0);
     feed(filter, {}, one);
     // The first one is on probation still; the other is told, as the first of the map.
     ASSERT_EQ(filter.best_map().size(), 1U);

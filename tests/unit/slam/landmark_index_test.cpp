@@ -11,7 +11,7 @@
 namespace hitos {
 namespace {
 
-class Draws {
+class IndexDraws {
   public:
     double uniform(double from, double to) {
         return std::uniform_real_distribution<double>(from, to)(engine_);
@@ -27,7 +27,7 @@ class Draws {
     std::mt19937 engine_{11};
 };
 
-Matrix2 covariance(Draws& draws, double sigma0, double sigma1) {
+Matrix2 covariance(IndexDraws& draws, double sigma0, double sigma1) {
     const double correlation = draws.uniform(-0.99, 0.99);
     Matrix2 p;
     p << sigma0 * sigma0, correlation * sigma0 * sigma1, correlation * sigma0 * sigma1,
@@ -36,21 +36,21 @@ Matrix2 covariance(Draws& draws, double sigma0, double sigma1) {
 }
 
 /// As dense everywhere.
-Recta place(Draws& draws, SensorRecta /*kind*/, double side) {
+Recta place(IndexDraws& draws, SensorRecta /*kind*/, double side) {
     return {side * std::sqrt(draws.uniform(0.0, 1.0)), draws.uniform(-kPi, kPi)};
 }
-Esquina place(Draws& draws, SensorEsquina /*kind*/, double side) {
+Esquina place(IndexDraws& draws, SensorEsquina /*kind*/, double side) {
     return {draws.uniform(-side, side), draws.uniform(-side, side)};
 }
 
-LandmarkEstimate<SensorRecta> landmark(Draws& draws, SensorRecta /*kind*/, double side) {
+LandmarkEstimate<SensorRecta> landmark(IndexDraws& draws, SensorRecta /*kind*/, double side) {
     // Many through the origin, where angle and side mean least, and both ways along the axes.
     const double rho =
         draws.uniform(0.0, 1.0) < 0.3 ? draws.uniform(0.0, 0.2) : draws.uniform(0.0, 1.4 * side);
     return {{rho, draws.uniform(-kPi, kPi)},
             covariance(draws, draws.scale(1e-4, 1.0), draws.scale(1e-4, 0.5))};
 }
-LandmarkEstimate<SensorEsquina> landmark(Draws& draws, SensorEsquina kind, double side) {
+LandmarkEstimate<SensorEsquina> landmark(IndexDraws& draws, SensorEsquina kind, double side) {
     return {place(draws, kind, side),
             covariance(draws, draws.scale(1e-4, 2.0), draws.scale(1e-4, 2.0))};
 }
@@ -71,7 +71,8 @@ std::vector<std::uint32_t> near_without_index(const typename S::Columns& landmar
 
 /// An observation near what the pose sees of some landmark, or of none.
 template <class S>
-SeenFeature seen_feature(Draws& draws, const typename S::Columns& landmarks, const Pose& pose) {
+SeenFeature seen_feature(IndexDraws& draws, const typename S::Columns& landmarks,
+                         const Pose& pose) {
     const auto i =
         static_cast<std::size_t>(draws.uniform(0.0, static_cast<double>(landmarks.size()) - 1e-6));
     Vector2 z = S::predict(pose, landmarks.mean(i));
@@ -103,7 +104,7 @@ TYPED_TEST_SUITE(Index, Kinds, );
 /// and go, the index finds all that the quick rejection of every landmark lets through, in order.
 TYPED_TEST(Index, FindsAllThatMayBeIt) {
     using S = TypeParam;
-    Draws draws;
+    IndexDraws draws;
     std::size_t found = 0;
     for (const double side : {1.0, 10.0, 300.0, 1e6}) {
         OwnLandmarks<S> own;
@@ -149,7 +150,7 @@ TYPED_TEST(Index, LooksAtWhatIsNear) {
     using S = TypeParam;
     std::vector<std::size_t> looked_at;
     for (const int count : {400, 6400}) {
-        Draws draws;
+        IndexDraws draws;
         OwnLandmarks<S> own;
         typename S::Columns landmarks = own.columns();
         const double side = std::sqrt(count);
@@ -179,7 +180,7 @@ TYPED_TEST(Index, LooksAtWhatIsNear) {
 /// A landmark whose estimate is no number is none that anything may be.
 TYPED_TEST(Index, WhatIsNoNumberIsNowhere) {
     using S = TypeParam;
-    Draws draws;
+    IndexDraws draws;
     OwnLandmarks<S> own;
     typename S::Columns landmarks = own.columns();
     constexpr double kNot = std::numeric_limits<double>::quiet_NaN();

@@ -12,7 +12,7 @@ namespace hitos {
 namespace {
 
 /// A field of walls and corners, some next to each other, and a robot that drives through it.
-Tour make_field_tour(int steps, double noise) {
+Tour make_sieve_tour(int steps, double noise) {
     std::mt19937 engine(71);
     std::uniform_real_distribution<double> place(-15.0, 15.0);
     std::normal_distribution<double> normal;
@@ -81,11 +81,11 @@ TEST(PairingSieve, ChangesNoDecision) {
     for (const AssociationMethod method :
          {AssociationMethod::gated_nearest, AssociationMethod::joint_compatibility}) {
         params.association.method = method;
-        expect_the_same_decisions(params, make_field_tour(200, 0.02));
-        expect_the_same_decisions(params, with_covariances(make_field_tour(100, 0.1)));
+        expect_the_same_decisions(params, make_sieve_tour(200, 0.02));
+        expect_the_same_decisions(params, with_covariances(make_sieve_tour(100, 0.1)));
     }
     params.observation = {1e-4, 1e-5};
-    expect_the_same_decisions(params, make_field_tour(200, 0.02));
+    expect_the_same_decisions(params, make_sieve_tour(200, 0.02));
 }
 
 TEST(PairingSieve, ChangesNoDecisionWhereVariancesAreNextToNothing) {
@@ -93,7 +93,7 @@ TEST(PairingSieve, ChangesNoDecisionWhereVariancesAreNextToNothing) {
     params.algorithm = "ekf-slam";
     params.observation = {1e-12, 1e-12};
     params.motion = {"odometry", 1.0, 1.0, 0.5};
-    expect_the_same_decisions(params, make_field_tour(60, 0.02));
+    expect_the_same_decisions(params, make_sieve_tour(60, 0.02));
 }
 
 TEST(PairingSieve, LeavesFewOfMany) {

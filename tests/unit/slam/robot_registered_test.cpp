@@ -22,7 +22,7 @@ RegisteredStep a_step() {
     return step;
 }
 
-MotionParams registered_params() {
+MotionParams registered_motion() {
     MotionParams params;
     params.model = "registered";
     params.registered_memory_m = 2.0;
@@ -60,7 +60,7 @@ Matrix3d spread(const MotionParams& params, const RegisteredStep& step) {
 
 TEST(RobotRegistered, ShrinksTheDeviationFromThePath) {
     const RegisteredStep step = a_step();
-    const auto robot = make_robot(registered_params());
+    const auto robot = make_robot(registered_motion());
     EXPECT_LT(minus(robot->mean(step.before, increment_of(step)), step.pose).norm(), 1e-12);
     const Pose delta{0.3, -0.2, 0.1};
     const Pose after = robot->mean(compose(step.before, delta), increment_of(step));
@@ -74,7 +74,7 @@ TEST(RobotRegistered, ShrinksTheDeviationFromThePath) {
 TEST(RobotRegistered, JacobianIsTheSlopeOfTheMean) {
     const RegisteredStep step = a_step();
     const MotionIncrement increment = increment_of(step);
-    const auto robot = make_robot(registered_params());
+    const auto robot = make_robot(registered_motion());
     const Pose pose{1.3, 1.7, 0.7};
     const Matrix3d f = robot->jacobian(pose, increment);
     constexpr double kStep = 1e-6;
@@ -90,7 +90,7 @@ TEST(RobotRegistered, JacobianIsTheSlopeOfTheMean) {
 }
 
 TEST(RobotRegistered, NoiseCovarianceIsThatOfTheDraws) {
-    const MotionParams params = registered_params();
+    const MotionParams params = registered_motion();
     const RegisteredStep step = a_step();
     const MotionIncrement increment = increment_of(step);
     const auto robot = make_robot(params);
@@ -119,7 +119,7 @@ TEST(RobotRegistered, NoiseCovarianceIsThatOfTheDraws) {
 
 TEST(RobotRegistered, TheSpreadAboutThePathIsBounded) {
     // However long the way: the covariance of the deviation is S, and not the sum of the steps'.
-    const MotionParams params = registered_params();
+    const MotionParams params = registered_motion();
     const auto robot = make_robot(params);
     RegisteredStep step = a_step();
     const Matrix3d s = spread(params, step);
@@ -149,7 +149,7 @@ TEST(RobotRegistered, DrawsNothingWhereRegistrationDidNotMove) {
     RegisteredStep step = a_step();
     step.pose = step.before;
     step.path_m = step.turned_rad = 0.0;
-    const auto robot = make_robot(registered_params());
+    const auto robot = make_robot(registered_motion());
     RandomStream random(1, RandomPurpose::motion, 1, 1);
     RandomStream untouched = random;
     const Pose pose{1.3, 1.7, 0.7};
@@ -164,7 +164,7 @@ TEST(RobotRegistered, ACorrectionOfTheWorldMovesItsDrawsAlong) {
     RegisteredStep moved = step;
     moved.before = compose(motion, step.before);
     moved.pose = compose(motion, step.pose);
-    const auto robot = make_robot(registered_params());
+    const auto robot = make_robot(registered_motion());
     const Pose pose{1.3, 1.7, 0.7};
     RandomStream random(1, RandomPurpose::motion, 1, 1);
     RandomStream same = random;
@@ -174,7 +174,7 @@ TEST(RobotRegistered, ACorrectionOfTheWorldMovesItsDrawsAlong) {
 }
 
 TEST(RobotRegistered, NeedsRegistration) {
-    const auto robot = make_robot(registered_params());
+    const auto robot = make_robot(registered_motion());
     RandomStream random(1, RandomPurpose::motion, 1, 1);
     EXPECT_THROW(robot->mean({}, {}), ConfigError);
     EXPECT_THROW(robot->sample({}, {}, random), ConfigError);

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kPaceKey = "run/pace";
 constexpr const char* kFullKey = "run/full_speed";
 
-constexpr std::array kPaces = {
+constexpr std::array kRunPaces = {
     Pace{Pace::Kind::recorded, 0.25},  Pace{Pace::Kind::recorded, 1.0},
     Pace{Pace::Kind::recorded, 2.0},   Pace{Pace::Kind::recorded, 4.0},
     Pace{Pace::Kind::recorded, 10.0},  Pace{Pace::Kind::recorded, 25.0},
@@ -43,7 +43,7 @@ PaceControl::PaceControl(Session& session, QSettings& settings, QAction* full_sp
     paces_->setObjectName("pace");
     paces_->setToolTip(tr("How fast the run goes: against the time of the recording, or in scans"));
     paces_->setAccessibleName(tr("Pace"));
-    for (const Pace& pace : kPaces) paces_->addItem(in_words(pace));
+    for (const Pace& pace : kRunPaces) paces_->addItem(in_words(pace));
     const int saved = settings_.value(kPaceKey, kFirstChoice).toInt();
     paces_->setCurrentIndex(saved >= 0 && saved < paces_->count() ? saved : kFirstChoice);
     row->addWidget(paces_);
@@ -72,7 +72,7 @@ void PaceControl::apply() {
     const bool full = full_->isChecked();
     settings_.setValue(kPaceKey, paces_->currentIndex());
     settings_.setValue(kFullKey, full);
-    session_.set_pace(full ? Pace{} : kPaces[static_cast<std::size_t>(paces_->currentIndex())]);
+    session_.set_pace(full ? Pace{} : kRunPaces[static_cast<std::size_t>(paces_->currentIndex())]);
 }
 
 }  // namespace hitos::window

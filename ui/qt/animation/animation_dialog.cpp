@@ -19,7 +19,7 @@
 namespace hitos::window {
 namespace {
 
-constexpr int kMostScans = 100'000'000;
+constexpr int kMostScansShown = 100'000'000;
 constexpr int kFramesAtFirst = 250;  // ten seconds
 
 /// The name of a folder that is not there yet; empty where the user gave up.
@@ -59,7 +59,7 @@ AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent) : QDialog(paren
     view_->setObjectName("animation_view");
     view_->addItems({tr("Grid map"), tr("Last scan")});
     form->addRow(tr("View"), view_);
-    const int last = static_cast<int>(std::clamp<quint64>(scans, 1, kMostScans));
+    const int last = static_cast<int>(std::clamp<quint64>(scans, 1, kMostScansShown));
     const auto add = [this](const QString& label, const char* name, int most, int value) {
         auto* box = new QSpinBox(this);
         box->setObjectName(name);
@@ -68,9 +68,9 @@ AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent) : QDialog(paren
         box->setValue(value);
         return box;
     };
-    from_ = add(tr("From scan"), "animation_from", kMostScans, 1);
-    to_ = add(tr("To scan"), "animation_to", kMostScans, last);
-    every_ = add(tr("A frame every so many scans"), "animation_every", kMostScans,
+    from_ = add(tr("From scan"), "animation_from", kMostScansShown, 1);
+    to_ = add(tr("To scan"), "animation_to", kMostScansShown, last);
+    every_ = add(tr("A frame every so many scans"), "animation_every", kMostScansShown,
                  1 + (last - 1) / kFramesAtFirst);
     rate_ = add(tr("Frames a second"), "animation_rate", 60, 25);
     scale_ = add(tr("Pixels for each of the screen"), "animation_scale", 4, 1);

@@ -198,12 +198,6 @@ Jumps measure_jumps(Session& session) {
     return jumps;
 }
 
-double quantile(const std::vector<double>& sorted, double part) {
-    if (sorted.empty()) return 0.0;
-    const auto place = static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1));
-    return sorted[place];
-}
-
 }  // namespace
 
 int run_benchmark(MainWindow& window, Session& session) {

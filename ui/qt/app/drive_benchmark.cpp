@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "benchmark.hpp"
 #include "hitos/base/error.hpp"
 #include "main_window.hpp"
 #include "session.hpp"
@@ -48,10 +49,6 @@ class Watch {
     std::vector<Clock::time_point> done_;  // touched by the thread alone until it is over
     std::jthread thread_;
 };
-
-double quantile(const std::vector<double>& sorted, double part) {
-    return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
-}
 
 }  // namespace
 

@@ -18,14 +18,14 @@ QString preset_to_try(const Advice& advice) {
         .arg(translated("Preset", find_preset(advice.preset).label));
 }
 
-QString in_words(const Advice& advice) {
+QString status_words(const Advice& advice) {
     const QString words =
         translated("Advice", advice.text).arg(QString::fromStdString(advice.figure));
     return advice.preset.empty() ? words : words + ' ' + preset_to_try(advice);
 }
 
 /// Why a run stopped by itself; empty where it did not.
-QString in_words(const Progress& p) {
+QString status_words(const Progress& p) {
     switch (p.stopped_by) {
         case StopReason::none:
             return {};
@@ -113,7 +113,7 @@ void StatusLine::show_advice() {
     const std::shared_ptr<const Snapshot> snapshot = session_.snapshot();
     QStringList sentences;
     if (snapshot) {
-        for (const Advice& advice : snapshot->advice) sentences << in_words(advice);
+        for (const Advice& advice : snapshot->advice) sentences << status_words(advice);
     }
     const QString said = sentences.join(' ');
     if (said == advice_) return;
@@ -139,7 +139,7 @@ void StatusLine::refresh() {
     }
     if (p.stopped_by != std::exchange(stopped_by_, p.stopped_by) &&
         p.stopped_by != StopReason::none) {
-        notice(in_words(p));
+        notice(status_words(p));
     }
     if (!advice_.isEmpty()) state_->setText(state_->text() + QString::fromUtf8(" ⚠"));
     state_->setToolTip(advice_);

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/geometry.hpp"
 
 namespace hitos::window {
 
@@ -14,6 +15,14 @@ QString words_of(const Message& message) {
 
 QString words_of(const std::exception& error) {
     return words_of(message_of(error));
+}
+
+QString metre_words(double metres) {
+    return QString("%1 m").arg(metres, 0, 'f', 3);
+}
+
+QString degree_words(double radians) {
+    return QString("%1°").arg(radians * kDegreesPerRadian, 0, 'f', 2);
 }
 
 }  // namespace hitos::window

@@ -12,4 +12,9 @@ namespace hitos::window {
 QString words_of(const Message& message);
 QString words_of(const std::exception& error);
 
+/// "1.234 m", as tables show a length [m].
+QString metre_words(double metres);
+/// "12.34°", as they show an angle [rad].
+QString degree_words(double radians);
+
 }  // namespace hitos::window

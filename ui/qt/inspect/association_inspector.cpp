@@ -7,22 +7,14 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/words_of.hpp"
 #include "association_words.hpp"
 #include "dialogs/parameter_text.hpp"
 
 namespace hitos::window {
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;
 constexpr int kPollMs = 15;
-
-QString metres(double value) {
-    return QString("%1 m").arg(value, 0, 'f', 3);
-}
-
-QString degrees(double value) {
-    return QString("%1°").arg(value * kDegrees, 0, 'f', 2);
-}
 
 QString kind_words(FeatureKind kind) {
     return kind == FeatureKind::line ? AssociationInspector::tr("Line")
@@ -78,9 +70,9 @@ QString FeatureModel::text(int row, int column) const {
         case kind:
             return kind_words(association.kind);
         case first:
-            return metres(values(row).first);
+            return metre_words(values(row).first);
         case second:
-            return degrees(values(row).second);
+            return degree_words(values(row).second);
         default:
             return outcome_words(association);
     }
@@ -120,9 +112,9 @@ QString CandidateModel::text(int row, int column) const {
         case landmark:
             return compared.landmark < 0 ? "–" : QString::number(compared.landmark + 1);
         case first:
-            return metres(compared.innovation(0));
+            return metre_words(compared.innovation(0));
         case second:
-            return degrees(compared.innovation(1));
+            return degree_words(compared.innovation(1));
         case distance:
             return QString::number(std::sqrt(compared.mahalanobis_squared), 'f', 2);
         case log_likelihood:

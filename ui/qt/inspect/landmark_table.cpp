@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/words_of.hpp"
+
 namespace hitos::window {
 namespace {
-
-constexpr double kDegrees = 180.0 / kPi;
 
 bool is_line(const ICaracteristica& landmark) {
     return landmark.kind() == FeatureKind::line;
@@ -29,13 +29,9 @@ double correlation_of(const ICaracteristica& landmark) {
     return both > 0.0 ? landmark.covariance(0, 1) / both : 0.0;
 }
 
-QString metres(double value) {
-    return QString("%1 m").arg(value, 0, 'f', 3);
-}
-
 /// The second value, or its deviation: a line's is an angle.
 QString second_words(const ICaracteristica& landmark, double value) {
-    return is_line(landmark) ? QString("%1°").arg(value * kDegrees, 0, 'f', 2) : metres(value);
+    return is_line(landmark) ? degree_words(value) : metre_words(value);
 }
 
 /// A scan by its number, from 1, with the time since the first.
@@ -93,11 +89,11 @@ QString LandmarkModel::text(int row, int column) const {
         case kind:
             return is_line(landmark) ? tr("Line") : tr("Corner");
         case first:
-            return metres(values_of(landmark).first);
+            return metre_words(values_of(landmark).first);
         case second:
             return second_words(landmark, values_of(landmark).second);
         case sigma_1:
-            return metres(sigma(landmark, 0));
+            return metre_words(sigma(landmark, 0));
         case sigma_2:
             return second_words(landmark, sigma(landmark, 1));
         case correlation:

@@ -5,15 +5,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/words_of.hpp"
 #include "dialogs/parameter_text.hpp"
 
 namespace hitos::window {
-namespace {
-
-constexpr double kDegrees = 180.0 / kPi;
-
-}  // namespace
-
 ParticleModel::ParticleModel(QObject* parent)
     : FiguresModel({tr("No."), tr("Weight"), tr("Weight now"), "x", "y", "θ", tr("Drawn from")},
                    parent) {}
@@ -53,11 +48,11 @@ QString ParticleModel::text(int row, int column) const {
         case weight_now:
             return QString::number(particle.weight, 'g', 4);
         case x:
-            return QString("%1 m").arg(particle.pose.x, 0, 'f', 3);
+            return metre_words(particle.pose.x);
         case y:
-            return QString("%1 m").arg(particle.pose.y, 0, 'f', 3);
+            return metre_words(particle.pose.y);
         case heading:
-            return QString("%1°").arg(particle.pose.theta * kDegrees, 0, 'f', 2);
+            return degree_words(particle.pose.theta);
         default:
             return QString::number(particle.from);
     }

@@ -16,7 +16,6 @@
 namespace hitos::window {
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;
 constexpr double kGreatestTrue = 1e5;  // m
 
 QString kind_of_row(const HandMeasurement& measurement) {
@@ -79,7 +78,7 @@ QVariant MeasurementModel::data(const QModelIndex& index, int role) const {
         if (index.column() == name) return QString::fromStdString(row.measurement.name);
         if (!row.truth) return QString();
         const bool angle = row.measurement.quantity == Quantity::angle;
-        return QString::number(*row.truth * (angle ? kDegrees : 1.0), 'f', angle ? 2 : 3);
+        return QString::number(*row.truth * (angle ? kDegreesPerRadian : 1.0), 'f', angle ? 2 : 3);
     }
     if (role == Qt::ToolTipRole) {
         if (index.column() == slam && !row.slam.value) {
@@ -126,7 +125,7 @@ bool MeasurementModel::setData(const QModelIndex& index, const QVariant& value, 
                            : tr("“%1” is no distance in metres, at least 0.001.").arg(written));
         return false;
     }
-    measurements_.set_truth(index.row(), angle ? given / kDegrees : given);
+    measurements_.set_truth(index.row(), angle ? given / kDegreesPerRadian : given);
     return true;
 }
 

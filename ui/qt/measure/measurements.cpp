@@ -5,12 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "app/words_of.hpp"
 #include "hitos/base/atomic_file.hpp"
 
 namespace hitos::window {
 namespace {
-
-constexpr double kDegrees = 180.0 / kPi;
 
 /// The same however its path is written.
 std::string log_of(const Session& session) {
@@ -37,8 +36,7 @@ std::optional<double> MeasuredRow::error_percent() const {
 
 QString value_words(Quantity quantity, std::optional<double> value) {
     if (!value) return QStringLiteral("–");
-    return quantity == Quantity::distance ? QString("%1 m").arg(*value, 0, 'f', 3)
-                                          : QString("%1°").arg(*value * kDegrees, 0, 'f', 2);
+    return quantity == Quantity::distance ? metre_words(*value) : degree_words(*value);
 }
 
 Measurements::Measurements(Session& session, QObject* parent)

@@ -20,7 +20,7 @@ namespace hitos::window {
 namespace {
 
 constexpr int kBlinkMs = 700;
-constexpr QSize kWished(1100, 680);
+constexpr QSize kCompareSize(1100, 680);
 
 }  // namespace
 
@@ -62,7 +62,7 @@ CompareWindow::CompareWindow(RunList& list, const ViewSettings& settings, QWidge
         }
         paint_sides();
     });
-    resize(kWished);
+    resize(kCompareSize);
     fit_to_screen(*this);
     fill_boxes();
 }

@@ -7,13 +7,14 @@
 #include <limits>
 #include <utility>
 
+#include "app/words_of.hpp"
 #include "views/canvas_paint.hpp"
 
 namespace hitos::window {
 namespace {
 
 QString metres_or_none(const std::optional<double>& error_m) {
-    return error_m ? QString("%1 m").arg(*error_m, 0, 'f', 3) : QString("–");
+    return error_m ? metre_words(*error_m) : QString("–");
 }
 
 /// What is not known comes after all that is.

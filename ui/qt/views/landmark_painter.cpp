@@ -8,8 +8,6 @@
 namespace hitos::window {
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;
-
 double along(const Recta& line, const Point2& point) {
     return point.y * std::cos(line.theta) - point.x * std::sin(line.theta);
 }
@@ -102,10 +100,6 @@ struct Painter {
                          QString::number(index + 1));
     }
 };
-
-double distance(const Point2& a, const Point2& b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
 
 QString landmark_words(const char* text) {
     return QCoreApplication::translate("Landmarks", text);
@@ -226,7 +220,7 @@ QStringList describe(const ICaracteristica& world, int index) {
     if (const auto* recta = std::get_if<Recta>(&world.value)) {
         lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Line %1")).arg(index + 1)
               << QString("ρ  %1 m").arg(value(recta->rho, 0, 1.0, 3))
-              << QString("θ  %1°").arg(value(recta->theta, 1, kDegrees, 2));
+              << QString("θ  %1°").arg(value(recta->theta, 1, kDegreesPerRadian, 2));
     } else {
         const auto& esquina = std::get<Esquina>(world.value);
         lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Corner %1")).arg(index + 1)

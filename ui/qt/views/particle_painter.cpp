@@ -9,7 +9,7 @@
 namespace hitos::window {
 namespace {
 
-constexpr std::size_t kShades = 6;
+constexpr std::size_t kWeightShades = 6;
 
 /// From next to nothing to the colour of the heaviest.
 QColor shade_of(const Scene& scene, double weight) {
@@ -53,11 +53,11 @@ void draw_ancestry(QPainter& painter, const Scene& scene,
 
 void draw_cloud(QPainter& painter, const Scene& scene, const ParticleCloud& cloud) {
     constexpr double kArrowPixels = 9.0;
-    std::array<QVector<QLineF>, kShades> arrows;
-    std::array<QPolygonF, kShades> places;
+    std::array<QVector<QLineF>, kWeightShades> arrows;
+    std::array<QPolygonF, kWeightShades> places;
     for (std::size_t i = 0; i < cloud.particles.size(); ++i) {
         const auto shade = static_cast<std::size_t>(
-            std::lround(cloud.weights[i] * static_cast<double>(kShades - 1)));
+            std::lround(cloud.weights[i] * static_cast<double>(kWeightShades - 1)));
         QLineF arrow = scene.to_screen.map(cloud.particles[i]);
         arrow.setLength(kArrowPixels);
         arrows.at(shade).append(arrow);
@@ -66,9 +66,9 @@ void draw_cloud(QPainter& painter, const Scene& scene, const ParticleCloud& clou
     const bool many = cloud.particles.size() > 300;  // antialiasing a thousand lines is dear
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing, !many);
-    for (std::size_t shade = 0; shade < kShades; ++shade) {  // the heavy ones on top
+    for (std::size_t shade = 0; shade < kWeightShades; ++shade) {  // the heavy ones on top
         QColor colour =
-            shade_of(scene, static_cast<double>(shade) / static_cast<double>(kShades - 1));
+            shade_of(scene, static_cast<double>(shade) / static_cast<double>(kWeightShades - 1));
         painter.setPen(QPen(colour, 2.4, Qt::SolidLine, Qt::RoundCap));
         painter.drawPoints(places.at(shade));
         colour.setAlpha(colour.alpha() * (many ? 110 : 150) / 255);

@@ -21,7 +21,7 @@ namespace {
 constexpr int kDotsPerInch = 96;  // of the screen's points
 constexpr double kPointsPerInch = 72.0;
 
-QString words(const char* text) {
+QString picture_words(const char* text) {
     return QCoreApplication::translate("Picture", text);
 }
 
@@ -38,7 +38,7 @@ QByteArray pixels_of(const QImage& image, const QString& path) {
     if (!image.save(&buffer, jpeg ? "JPG" : "PNG", jpeg ? kJpegQuality : -1)) {
         throw FileError(
             path.toStdString(),
-            verbatim(words(QT_TRANSLATE_NOOP("Picture", "the picture could not be encoded"))
+            verbatim(picture_words(QT_TRANSLATE_NOOP("Picture", "the picture could not be encoded"))
                          .toStdString()));
     }
     return bytes;
@@ -80,10 +80,11 @@ void write_bytes(const QByteArray& bytes, const QString& path) {
 
 void check_ending(const QString& path, const QStringList& known) {
     if (known.contains(ending_of(path))) return;
-    throw FileError(path.toStdString(),
-                    verbatim(words(QT_TRANSLATE_NOOP("Picture", "pictures are written as %1"))
-                                 .arg("." + known.join(", ."))
-                                 .toStdString()));
+    throw FileError(
+        path.toStdString(),
+        verbatim(picture_words(QT_TRANSLATE_NOOP("Picture", "pictures are written as %1"))
+                     .arg("." + known.join(", ."))
+                     .toStdString()));
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ void copy(const Picture& picture) {
 }
 
 QString picture_filter() {
-    return words(QT_TRANSLATE_NOOP("Picture", "Pictures (*.png *.jpg *.jpeg *.svg *.pdf)"));
+    return picture_words(QT_TRANSLATE_NOOP("Picture", "Pictures (*.png *.jpg *.jpeg *.svg *.pdf)"));
 }
 
 void write_picture(const Picture& picture, const QString& path) {

@@ -16,7 +16,7 @@
 namespace hitos::window {
 namespace {
 
-constexpr int kRefreshMs = 250;
+constexpr int kPlotRefreshMs = 250;
 constexpr int kLeastRow = 110;  // pixels
 constexpr int kLeastHeight = 60;
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
@@ -238,7 +238,7 @@ void Plots::clear() {
 
 void Plots::refresh(bool at_once) {
     if (!isVisible()) return;
-    if (!at_once && clock_.elapsed() < kRefreshMs) return;
+    if (!at_once && clock_.elapsed() < kPlotRefreshMs) return;
     clock_.restart();
     if (session_.has_source()) {
         for (const StepFigures& step : session_.worker()->figures_since(figures_.size())) {

@@ -12,12 +12,12 @@
 namespace hitos::window {
 namespace {
 
-constexpr int kRefreshMs = 33;
+constexpr int kMapRefreshMs = 33;
 
 }  // namespace
 
 MapBuilder::MapBuilder(QObject* parent) : QObject(parent) {
-    timer_.setInterval(kRefreshMs);
+    timer_.setInterval(kMapRefreshMs);
     connect(&timer_, &QTimer::timeout, this, &MapBuilder::poll);
 }
 

@@ -11,7 +11,6 @@
 namespace hitos::window {
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;
 constexpr double kUsualSide = 0.5;  // m, of a box
 
 std::vector<WallSegment> walls_and_doors(const World& world) {
@@ -133,9 +132,9 @@ Snapped DrawTool::snapped(const PointedAt& pointed) const {
 Point2 DrawTool::as_typed(const Point2& point) const {
     if (pending_.empty() || (!typed_.length_m && !typed_.direction_deg)) return point;
     const Point2& from = pending_.back();
-    const double heading = typed_.direction_deg ? *typed_.direction_deg / kDegrees
+    const double heading = typed_.direction_deg ? *typed_.direction_deg / kDegreesPerRadian
                                                 : std::atan2(point.y - from.y, point.x - from.x);
-    const double length = typed_.length_m.value_or(length_of(from, point));
+    const double length = typed_.length_m.value_or(distance(from, point));
     return to_the_micrometre(
         {from.x + length * std::cos(heading), from.y + length * std::sin(heading)});
 }
@@ -179,7 +178,7 @@ void DrawTool::place(Point2 point) {
     // What was typed round a room comes back to its beginning but for its last digits.
     constexpr double kSamePoint = 1e-4;  // m
     const bool closes = is_line() && pending_.size() > 2;
-    if (closes && length_of(pending_.front(), point) < kSamePoint) point = pending_.front();
+    if (closes && distance(pending_.front(), point) < kSamePoint) point = pending_.front();
     if (!pending_.empty() && pending_.back() == point) return;  // nothing has no length
     if (!(std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest)) {
         emit draft_.refused(tr("Found a point at %1; expected one no further than %2 km from the "
@@ -334,7 +333,7 @@ void DrawTool::drag(const PointedAt& pointed) {
     if (now.empty()) return;
     // The point nearest to the cursor is what snaps.
     const Point2 anchor = *std::ranges::min_element(
-        now, {}, [&](const Point2& point) { return length_of(point, *held_at_); });
+        now, {}, [&](const Point2& point) { return distance(point, *held_at_); });
     PointedAt to = pointed;
     to.place = {anchor.x + pointed.place.x - held_at_->x, anchor.y + pointed.place.y - held_at_->y};
     SnapOptions options;

@@ -8,8 +8,6 @@
 namespace hitos::window {
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;
-
 void draw_line(QPainter& painter, const Scene& scene, const std::vector<Point2>& line) {
     QPolygonF pixels;
     for (const Point2& point : line) pixels.append(scene.to_screen.map(point_of(point)));
@@ -27,13 +25,13 @@ void draw_handle(QPainter& painter, const Scene& scene, const Point2& point, boo
 }  // namespace
 
 QString DrawTool::words_of_piece(const Point2& from, const Point2& to) const {
-    const double heading = std::atan2(to.y - from.y, to.x - from.x) * kDegrees;
+    const double heading = std::atan2(to.y - from.y, to.x - from.x) * kDegreesPerRadian;
     if (mode_ == DrawMode::room) {
         return tr("%1 × %2 m")
             .arg(std::abs(to.x - from.x), 0, 'f', 2)
             .arg(std::abs(to.y - from.y), 0, 'f', 2);
     }
-    return tr("%1 m, %2°").arg(length_of(from, to), 0, 'f', 3).arg(heading, 0, 'f', 1);
+    return tr("%1 m, %2°").arg(distance(from, to), 0, 'f', 3).arg(heading, 0, 'f', 1);
 }
 
 void DrawTool::paint(QPainter& painter, const Scene& scene) const {

@@ -22,7 +22,6 @@
 namespace hitos::window {
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;
 constexpr std::array kPaces = {1, 2, 5, LiveDrive::kFastest};
 
 }  // namespace
@@ -255,7 +254,7 @@ QString DrivePanel::figures() const {
     QString words = tr("%1 s, %2 m/s, %3 °/s")
                         .arg(tour.duration_s(), 0, 'f', 1)
                         .arg(twist.v, 0, 'f', 2)
-                        .arg(std::round(twist.w * kDegrees) + 0.0, 0, 'f', 0);
+                        .arg(std::round(twist.w * kDegreesPerRadian) + 0.0, 0, 'f', 0);
     const auto snapshot = session_.snapshot();
     if (!snapshot || snapshot->steps == 0 || snapshot->steps > tour.scans()) {
         return words + '\n' +
@@ -267,7 +266,7 @@ QString DrivePanel::figures() const {
     words += tr("; scan %1: the estimate is off by %2 m and %3°")
                  .arg(snapshot->steps)
                  .arg(std::hypot(off.x, off.y), 0, 'f', 3)
-                 .arg(off.theta * kDegrees, 0, 'f', 1);
+                 .arg(off.theta * kDegreesPerRadian, 0, 'f', 1);
     if (const auto nees = pose_nees(snapshot->mean_pose, snapshot->pose_covariance, truth)) {
         words += tr(", NEES %1 (%2 to %3 where it is as sure as it may be)")
                      .arg(*nees, 0, 'f', 1)

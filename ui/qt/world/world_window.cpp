@@ -24,7 +24,7 @@
 namespace hitos::window {
 namespace {
 
-constexpr QSize kWished(960, 700);
+constexpr QSize kWorldSize(960, 700);
 constexpr int kBeside = 40;  // pixels from the main window
 
 }  // namespace
@@ -64,7 +64,7 @@ WorldWindow::WorldWindow(Session& session, UserFiles& files, Prompts& prompts,
     connect(panel_, &DrivePanel::notice, this, &WorldWindow::say);
     connect(panel_, &DrivePanel::kept, this, &WorldWindow::go_on_with);
     connect(&drive(), &LiveDrive::changed, this, &WorldWindow::show_state);
-    resize(kWished);
+    resize(kWorldSize);
     place_beside_parent(*this, QPoint(kBeside, kBeside));
     show_draft();
     show_state();

@@ -45,6 +45,11 @@ inline constexpr std::int64_t kMostGridCells = std::int64_t{1} << 28;
 /// Side of the tiles that grids and their pictures are held in, in cells.
 inline constexpr int kTileSide = 64;
 
+/// The column or row of the tile that a cell lies in, both counted from the world's origin.
+constexpr std::int64_t tile_of(std::int64_t cell) {
+    return cell >= 0 ? cell / kTileSide : -((-cell + kTileSide - 1) / kTileSide);
+}
+
 /// A grid that grows as needed and is no greater than what was drawn. Cell (column, row) covers
 /// [origin + column * resolution, origin + (column + 1) * resolution) in x, likewise rows in y;
 /// the world's origin lies on a corner of cells.

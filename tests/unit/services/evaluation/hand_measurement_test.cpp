@@ -15,15 +15,15 @@ using test::message_of;
 using ::testing::HasSubstr;
 using Kind = PickedPlace::Kind;
 
-constexpr double kDegree = kPi / 180.0;
+constexpr double kHandDegree = kPi / 180.0;
 
 // A room of 4 x 3 m with a corner at the origin.
 const ICaracteristica kWest{Recta{0.0, 0.0}};
 const ICaracteristica kEast{Recta{4.0, 0.0}};
 const ICaracteristica kSouth{Recta{0.0, kPi / 2.0}};
-const ICaracteristica kNorth{Recta{3.0, kPi / 2.0}};
+const ICaracteristica kNorthWall{Recta{3.0, kPi / 2.0}};
 const ICaracteristica kCorner{Esquina{0.0, 0.0}};
-const LandmarkMap kRoom{kWest, kEast, kSouth, kNorth, kCorner};
+const LandmarkMap kRoom{kWest, kEast, kSouth, kNorthWall, kCorner};
 
 PickedPlace at(double x, double y) {
     return {Kind::point, {x, y}};
@@ -61,7 +61,7 @@ TEST(HandMeasurement, WallToWallIsTheDistanceOfTheFile) {
     EXPECT_EQ(made->places[0].at, (Point2{0.0, 1.5}));
     EXPECT_EQ(made->places[1].at, (Point2{4.0, 1.5}));
     LandmarkMap later = kRoom;
-    later[1] = {Recta{4.1, 1.0 * kDegree}};
+    later[1] = {Recta{4.1, 1.0 * kHandDegree}};
     const std::vector wanted{NamedDistance{"d", made->places[0].at, made->places[1].at}};
     EXPECT_DOUBLE_EQ(value(later, made), *measure_distances(later, wanted).front().slam_m);
     // A map without the wall.
@@ -78,19 +78,19 @@ TEST(HandMeasurement, AnglesAreOfTwoWallsOrThreePoints) {
         const auto made = picked(wanted, {west, south});
         ASSERT_TRUE(made);
         EXPECT_EQ(made->quantity, Quantity::angle);
-        EXPECT_NEAR(value(kRoom, made), 90.0 * kDegree, 1e-12);
+        EXPECT_NEAR(value(kRoom, made), 90.0 * kHandDegree, 1e-12);
         const MeasuredValue found = measure(kRoom, *made);
         ASSERT_EQ(found.line.size(), 3U);
         EXPECT_NEAR(std::hypot(found.line[1].x, found.line[1].y), 0.0, 1e-12);
     }
     // An obtuse one stays obtuse: the wall from (0, 0) up to the left, 100 degrees from the south.
-    const ICaracteristica slanted{normalized({0.0, 10.0 * kDegree})};
+    const ICaracteristica slanted{normalized({0.0, 10.0 * kHandDegree})};
     const LandmarkMap map{slanted, kSouth};
-    const PickedPlace up =
-        place_on(slanted, {-2.0 * std::sin(10.0 * kDegree), 2.0 * std::cos(10.0 * kDegree)});
-    EXPECT_NEAR(value(map, picked(Quantity::angle, {up, south})), 100.0 * kDegree, 1e-9);
+    const PickedPlace up = place_on(
+        slanted, {-2.0 * std::sin(10.0 * kHandDegree), 2.0 * std::cos(10.0 * kHandDegree)});
+    EXPECT_NEAR(value(map, picked(Quantity::angle, {up, south})), 100.0 * kHandDegree, 1e-9);
     EXPECT_NEAR(value(map, picked(Quantity::angle, {up, place_on(kSouth, {-3.0, 0.0})})),
-                80.0 * kDegree, 1e-9);
+                80.0 * kHandDegree, 1e-9);
     // Parallel ones meet nowhere.
     EXPECT_NEAR(value(kRoom, picked(Quantity::angle, {west, place_on(kEast, {4.0, 2.0})})), 0.0,
                 1e-12);
@@ -98,9 +98,9 @@ TEST(HandMeasurement, AnglesAreOfTwoWallsOrThreePoints) {
     EXPECT_FALSE(picked(Quantity::angle, {at(1.0, 0.0), at(0.0, 0.0)}));
     EXPECT_NEAR(
         value(kRoom, picked(Quantity::angle, {at(1.0, 0.0), place_on(kCorner, {}), at(2.0, 2.0)})),
-        45.0 * kDegree, 1e-12);
+        45.0 * kHandDegree, 1e-12);
     EXPECT_NEAR(value(kRoom, picked(Quantity::angle, {at(1.0, 2.0), at(0.0, 1.0), west})),
-                45.0 * kDegree, 1e-12);
+                45.0 * kHandDegree, 1e-12);
     EXPECT_FALSE(
         measure(kRoom, picked(Quantity::angle, {at(1.0, 0.0), at(1.0, 0.0), at(2.0, 2.0)}).value())
             .value);

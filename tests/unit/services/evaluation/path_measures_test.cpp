@@ -43,7 +43,7 @@ Trajectory circle() {
     return trajectory;
 }
 
-Trajectory moved(Trajectory trajectory, const Pose& frame) {
+Trajectory moved_path(Trajectory trajectory, const Pose& frame) {
     for (StampedPose& stamped : trajectory) stamped.pose = compose(frame, stamped.pose);
     return trajectory;
 }
@@ -97,7 +97,8 @@ TEST(PosePairs, AreNoneWhereThereAreNone) {
 
 TEST(RelativeError, IsZeroForTheSamePathInAnyFrame) {
     for (const Pose& frame : {Pose{}, Pose{5.0, -300.0, 2.5}}) {
-        const auto error = relative_error(moved(circle(), frame), circle(), {By::distance, 2.0});
+        const auto error =
+            relative_error(moved_path(circle(), frame), circle(), {By::distance, 2.0});
         ASSERT_TRUE(error);
         EXPECT_EQ(error->poses, 60);
         EXPECT_EQ(error->pairs, 56);
@@ -148,7 +149,7 @@ TEST(Relations, OfAPathAreZeroOnItAndReadBackToTheLastBit) {
     EXPECT_EQ(parse_relations(relations_text(relations), "text"), relations);
     for (const Pose& frame : {Pose{}, Pose{1.0, 2.0, -3.0}}) {
         const RelationErrors errors =
-            relation_errors(measure_relations(moved(path, frame), relations));
+            relation_errors(measure_relations(moved_path(path, frame), relations));
         EXPECT_EQ(errors.used, 52);
         EXPECT_NEAR(errors.translation_m.maximum, 0.0, 1e-12);
         EXPECT_NEAR(errors.rotation_rad.maximum, 0.0, 1e-12);

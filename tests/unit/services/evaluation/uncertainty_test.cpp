@@ -11,7 +11,7 @@ namespace {
 using test::content;
 using test::TempFolder;
 
-LandmarkMap map_of(int lines, int corners, double sigma) {
+LandmarkMap uncertain_map_of(int lines, int corners, double sigma) {
     LandmarkMap map;
     for (int i = 0; i < lines + corners; ++i) {
         ICaracteristica landmark;
@@ -29,8 +29,8 @@ LandmarkMap map_of(int lines, int corners, double sigma) {
 TEST(UncertaintyRecord, HoldsEveryScanAndLandmark) {
     UncertaintyRecord record;
     record.note(10.0, {});
-    record.note(10.2, map_of(1, 1, 0.5));
-    record.note(10.4, map_of(2, 1, 0.25));
+    record.note(10.2, uncertain_map_of(1, 1, 0.5));
+    record.note(10.4, uncertain_map_of(2, 1, 0.25));
     EXPECT_EQ(uncertainty_csv(record),
               "scan,time_s,kind,landmark,sigma_1,sigma_2\n"
               "2,10.2,line,1,0.5,0.05\n"
@@ -40,23 +40,23 @@ TEST(UncertaintyRecord, HoldsEveryScanAndLandmark) {
               "3,10.4,corner,1,0.25,0.025\n");
     record.clear();
     EXPECT_TRUE(record.entries().empty());
-    record.note(0.0, map_of(1, 0, 0.5));
+    record.note(0.0, uncertain_map_of(1, 0, 0.5));
     EXPECT_EQ(record.entries().front().scan, 0U);
 }
 
 TEST(UncertaintyRecord, IsAsFineAfterClearAsAtTheStart) {
     UncertaintyRecord record(2);
-    for (int scan = 0; scan < 5; ++scan) record.note(scan, map_of(1, 0, 0.5));
+    for (int scan = 0; scan < 5; ++scan) record.note(scan, uncertain_map_of(1, 0, 0.5));
     EXPECT_GT(record.every(), 1U);
     record.clear();
     EXPECT_EQ(record.every(), 1U);
-    record.note(0.0, map_of(1, 0, 0.5));
-    record.note(1.0, map_of(1, 0, 0.5));
+    record.note(0.0, uncertain_map_of(1, 0, 0.5));
+    record.note(1.0, uncertain_map_of(1, 0, 0.5));
     EXPECT_EQ(record.entries().size(), 2U);
 }
 
 TEST(UncertaintyRecord, AVarianceThatRoundingMadeNegativeIsNone) {
-    LandmarkMap map = map_of(1, 0, 0.5);
+    LandmarkMap map = uncertain_map_of(1, 0, 0.5);
     map[0].covariance << -1e-18, 0.0, 0.0, -1e-18;
     UncertaintyRecord record;
     record.note(0.0, map);
@@ -68,7 +68,7 @@ TEST(UncertaintyRecord, StaysWithinItsBoundWithEvenSteps) {
     UncertaintyRecord record(100);
     std::size_t most = 0;
     for (int scan = 0; scan < 5000; ++scan) {
-        record.note(0.2 * scan, map_of(3, 0, 1.0 / (1 + scan)));
+        record.note(0.2 * scan, uncertain_map_of(3, 0, 1.0 / (1 + scan)));
         most = std::max(most, record.entries().size());
     }
     EXPECT_LE(most, 100U);
@@ -82,8 +82,8 @@ TEST(UncertaintyRecord, StaysWithinItsBoundWithEvenSteps) {
     }
     // A map greater than the bound is kept once, whole.
     UncertaintyRecord small(4);
-    small.note(0.0, map_of(9, 0, 1.0));
-    small.note(0.2, map_of(9, 0, 1.0));
+    small.note(0.0, uncertain_map_of(9, 0, 1.0));
+    small.note(0.2, uncertain_map_of(9, 0, 1.0));
     EXPECT_EQ(small.entries().size(), 9U);
 }
 
@@ -92,7 +92,8 @@ TEST(UncertaintyRecord, IsDrawn) {
     UncertaintyRecord record;
     EXPECT_EQ(write_uncertainty(record, folder.path()).english(), "no landmark was observed");
     EXPECT_FALSE(std::filesystem::exists(folder / "uncertainty.png"));
-    for (int scan = 0; scan < 20; ++scan) record.note(scan, map_of(3, 2, 1.0 / (1 + scan)));
+    for (int scan = 0; scan < 20; ++scan)
+        record.note(scan, uncertain_map_of(3, 2, 1.0 / (1 + scan)));
     const std::string failure = write_uncertainty(record, folder.path()).english();
     if (failure.find("not installed") != std::string::npos) GTEST_SKIP() << failure;
     ASSERT_EQ(failure, "");

@@ -16,7 +16,7 @@ using test::TempFolder;
 using ::testing::HasSubstr;
 
 /// A free square of `side` metres round the origin, in a wall of one pixel.
-MapImage room(double side, double m_per_pixel) {
+MapImage sheet_room(double side, double m_per_pixel) {
     MapImage map;
     map.m_per_pixel = m_per_pixel;
     map.origin = {-side / 2.0, -side / 2.0};
@@ -37,7 +37,7 @@ ContactSheet sheet_of(int tiles, int columns) {
     sheet.columns = columns;
     for (int i = 0; i < tiles; ++i) {
         sheet.tiles.push_back({{"value " + std::to_string(i), "second line"},
-                               room(10.0, 0.05),
+                               sheet_room(10.0, 0.05),
                                {{-2.0, -2.0}, {2.0, -2.0}, {2.0, 2.0}}});
     }
     return sheet;
@@ -84,7 +84,7 @@ TEST(ContactSheet, LaysTilesInRowsWithTheirWordsBelow) {
 
 TEST(ContactSheet, ShowsAllMapsAtOneScaleWhateverTheirPixels) {
     ContactSheet sheet = sheet_of(2, 2);
-    sheet.tiles[1].map = room(5.0, 0.025);  // half the room in as many pixels
+    sheet.tiles[1].map = sheet_room(5.0, 0.025);  // half the room in as many pixels
     for (SheetTile& tile : sheet.tiles) tile.path.clear();
     const cv::Mat image = drawn(sheet);
     // Free pixels between the walls along a row through the middle of both tiles.
@@ -102,7 +102,7 @@ TEST(ContactSheet, ShowsAllMapsAtOneScaleWhateverTheirPixels) {
 
 TEST(ContactSheet, AFewGiantMapsAreCutLestTheOthersVanish) {
     ContactSheet sheet = sheet_of(5, 5);
-    sheet.tiles[3].map = room(1000.0, 2.0);
+    sheet.tiles[3].map = sheet_room(1000.0, 2.0);
     for (SheetTile& tile : sheet.tiles) tile.path.clear();
     const cv::Mat image = drawn(sheet);
     const int middle = 10 + 2 * 17 + 150;

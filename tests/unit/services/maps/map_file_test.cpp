@@ -18,10 +18,10 @@ using test::message_of;
 using test::TempFolder;
 using ::testing::HasSubstr;
 
-ICaracteristica line(double rho, double theta) {
+ICaracteristica line_at(double rho, double theta) {
     return {Recta{rho, theta}};
 }
-ICaracteristica corner(double x, double y) {
+ICaracteristica corner_at(double x, double y) {
     return {Esquina{x, y}};
 }
 
@@ -29,11 +29,11 @@ Recta line_of(std::string_view text) {
     return std::get<Recta>(parse_map(text, "m").at(0).value);
 }
 
-std::string refusal(std::string_view text) {
+std::string map_refusal(std::string_view text) {
     return message_of<FormatError>([&] { parse_map(text, "m.map"); });
 }
 
-std::ptrdiff_t count(const LandmarkMap& map, FeatureKind kind) {
+std::ptrdiff_t count_of(const LandmarkMap& map, FeatureKind kind) {
     return std::ranges::count(map, kind, &ICaracteristica::kind);
 }
 
@@ -88,39 +88,41 @@ TEST(ParseMap, NormalFormIsTheSameLine) {
 TEST(ParseMap, NamesLineFoundAndExpected) {
     const std::string expected =
         R"(; expected "rho: <metres> theta: <degrees>" or "x: <metres> y: <metres>")";
-    EXPECT_EQ(refusal("x: 1 y: 2\n\nrho 1 theta 2\n"),
+    EXPECT_EQ(map_refusal("x: 1 y: 2\n\nrho 1 theta 2\n"),
               "m.map:3: found \"rho 1 theta 2\"" + expected);
     for (const char* text :
          {"rho: 1", "rho: 1 y: 2", "x: 1 theta: 2", "theta: 1 rho: 2", "z: 1", ": 1 y: 2", "1 2"}) {
-        EXPECT_EQ(refusal(text), std::string("m.map:1: found \"") + text + '"' + expected);
+        EXPECT_EQ(map_refusal(text), std::string("m.map:1: found \"") + text + '"' + expected);
     }
 }
 
 TEST(ParseMap, RefusesWhatIsNoFiniteNumber) {
-    EXPECT_EQ(refusal("rho: nan theta: 1"), "m.map:1: rho is \"nan\"; expected a finite number");
-    EXPECT_EQ(refusal("rho: 1 theta: -inf"),
+    EXPECT_EQ(map_refusal("rho: nan theta: 1"),
+              "m.map:1: rho is \"nan\"; expected a finite number");
+    EXPECT_EQ(map_refusal("rho: 1 theta: -inf"),
               "m.map:1: theta is \"-inf\"; expected a finite number");
-    EXPECT_EQ(refusal("x: 1,5 y: 2"), "m.map:1: x is \"1,5\"; expected a finite number");
-    EXPECT_EQ(refusal("x: 1 y:"), "m.map:1: y is \"\"; expected a finite number");
-    EXPECT_EQ(refusal("x: 1 y: 1e999"), "m.map:1: y is \"1e999\"; expected a finite number");
+    EXPECT_EQ(map_refusal("x: 1,5 y: 2"), "m.map:1: x is \"1,5\"; expected a finite number");
+    EXPECT_EQ(map_refusal("x: 1 y:"), "m.map:1: y is \"\"; expected a finite number");
+    EXPECT_EQ(map_refusal("x: 1 y: 1e999"), "m.map:1: y is \"1e999\"; expected a finite number");
 }
 
 TEST(ParseMap, RefusesWhatFollowsTheFeature) {
-    EXPECT_EQ(refusal("x: 1 y: 2 3"),
+    EXPECT_EQ(map_refusal("x: 1 y: 2 3"),
               "m.map:1: found \"3\" after the feature; expected the end of the line");
-    EXPECT_EQ(refusal("rho: 1 theta: 2 x: 1 y: 2"),
+    EXPECT_EQ(map_refusal("rho: 1 theta: 2 x: 1 y: 2"),
               "m.map:1: found \"x: 1 y: 2\" after the feature; expected the end of the line");
 }
 
 TEST(ParseMap, RefusesAMapWithoutLandmarks) {
     for (const char* text : {"", "\n\n", "# rho: 1 theta: 2\n"}) {
-        EXPECT_THAT(refusal(text), HasSubstr("m.map: no landmark in the file; expected \"rho: "));
+        EXPECT_THAT(map_refusal(text),
+                    HasSubstr("m.map: no landmark in the file; expected \"rho: "));
     }
 }
 
 TEST(MapToText, PutsLinesBeforeCornersAndZeroWithoutSign) {
-    EXPECT_EQ(map_to_text(
-                  {corner(-0.0, 1.5), line(0.1, -kPi / 2.0), corner(1e-9, 1e20), line(2.0, -0.0)}),
+    EXPECT_EQ(map_to_text({corner_at(-0.0, 1.5), line_at(0.1, -kPi / 2.0), corner_at(1e-9, 1e20),
+                           line_at(2.0, -0.0)}),
               "rho: 0.1 theta: -90\nrho: 2 theta: 0\nx: 0 y: 1.5\nx: 1e-09 y: 1e+20\n");
     EXPECT_EQ(map_to_text({}), "");
 }
@@ -137,8 +139,9 @@ TEST(MapToText, ReadsBack) {
     std::uniform_real_distribution<double> lengths(-50.0, 50.0);
     std::uniform_real_distribution<double> angles(-kPi, kPi);
     LandmarkMap map;
-    for (int i = 0; i < 3000; ++i) map.push_back(line(std::abs(lengths(random)), angles(random)));
-    for (int i = 0; i < 3000; ++i) map.push_back(corner(lengths(random), lengths(random)));
+    for (int i = 0; i < 3000; ++i)
+        map.push_back(line_at(std::abs(lengths(random)), angles(random)));
+    for (int i = 0; i < 3000; ++i) map.push_back(corner_at(lengths(random), lengths(random)));
     const LandmarkMap back = parse_map(map_to_text(map), "m");
     ASSERT_EQ(back.size(), map.size());
     for (std::size_t i = 0; i < 3000; ++i) {
@@ -156,17 +159,17 @@ TEST(MapToText, ReadsBack) {
 TEST(MapToText, RefusesLandmarksThatAreNotFinite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(message_of<Error>([&] {
-                  map_to_text({corner(0.0, 0.0), line(1.0, nan)});
+                  map_to_text({corner_at(0.0, 0.0), line_at(1.0, nan)});
               }),
               "landmark 1 of the map, a line (1, nan), is not finite and cannot be written");
-    EXPECT_THAT(message_of<Error>([&] { map_to_text({corner(HUGE_VAL, 0.0)}); }),
+    EXPECT_THAT(message_of<Error>([&] { map_to_text({corner_at(HUGE_VAL, 0.0)}); }),
                 HasSubstr("landmark 0 of the map, a corner (inf, 0)"));
 }
 
 TEST(MapFiles, AreWrittenAndRead) {
     const TempFolder folder;
     const auto path = folder / "a.map";
-    write_map({line(1.0, kPi), corner(1.0, 2.0)}, path);
+    write_map({line_at(1.0, kPi), corner_at(1.0, 2.0)}, path);
     EXPECT_EQ(test::content(path), "rho: 1 theta: 180\nx: 1 y: 2\n");
     EXPECT_EQ(read_map(path).size(), 2U);
     EXPECT_EQ(folder.files(), 1U);
@@ -180,10 +183,10 @@ TEST(MapFiles, ErrorsNameTheFile) {
     EXPECT_THAT(message_of<FileError>([&] { read_map(folder.path()); }), HasSubstr("directory"));
     const auto bad = folder.put("bad.map", "x: 1 y: 2\nx: 1\n");
     EXPECT_THAT(message_of<FormatError>([&] { read_map(bad); }), HasSubstr(bad.string() + ":2: "));
-    EXPECT_THAT(message_of<FileError>([&] { write_map({corner(1, 2)}, bad / "m.map"); }),
+    EXPECT_THAT(message_of<FileError>([&] { write_map({corner_at(1, 2)}, bad / "m.map"); }),
                 HasSubstr((bad / "m.map").string()));
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(write_map({corner(nan, 2)}, bad), Error);
+    EXPECT_THROW(write_map({corner_at(nan, 2)}, bad), Error);
     EXPECT_EQ(test::content(bad), "x: 1 y: 2\nx: 1\n");
     EXPECT_EQ(folder.files(), 1U);
 }
@@ -198,8 +201,8 @@ class ReferenceMaps : public ::testing::TestWithParam<ReferenceMap> {};
 TEST_P(ReferenceMaps, HoldTheLandmarksOfTheThesis) {
     const LandmarkMap map = read_map(std::filesystem::path(HITOS_SOURCE_DIR) / "data" / "maps" /
                                      (std::string(GetParam().name) + ".map"));
-    EXPECT_EQ(count(map, FeatureKind::line), GetParam().lines);
-    EXPECT_EQ(count(map, FeatureKind::corner), GetParam().corners);
+    EXPECT_EQ(count_of(map, FeatureKind::line), GetParam().lines);
+    EXPECT_EQ(count_of(map, FeatureKind::corner), GetParam().corners);
     EXPECT_EQ(map_to_text(parse_map(map_to_text(map), "m")), map_to_text(map));
 }
 

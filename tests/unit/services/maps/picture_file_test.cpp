@@ -39,7 +39,7 @@ cv::Mat decoded(const std::string& bytes) {
     return cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
 }
 
-cv::Vec3b at(const cv::Mat& image, int x, int y) {
+cv::Vec3b pixel_at(const cv::Mat& image, int x, int y) {
     return image.at<cv::Vec3b>(y, x);
 }
 
@@ -98,12 +98,13 @@ TEST(EncodePicture, DrawsThePathWhereItWas) {
     ASSERT_EQ(image.channels(), 3);
     ASSERT_EQ(image.size(), cv::Size(240, 200));
     // 20 pixels a metre, y upwards.
-    EXPECT_TRUE(is_green(at(image, 45, 155)));
-    EXPECT_TRUE(is_blue(at(image, 165, 35)));
-    EXPECT_TRUE(is_red(at(image, 105, 155)));
-    EXPECT_TRUE(is_red(at(image, 165, 95)));
-    EXPECT_EQ(at(image, 105, 95)[0], at(image, 105, 95)[2]);  // off the path it stays grey
-    EXPECT_EQ(at(image, 105, 145)[0], at(image, 105, 145)[2]);
+    EXPECT_TRUE(is_green(pixel_at(image, 45, 155)));
+    EXPECT_TRUE(is_blue(pixel_at(image, 165, 35)));
+    EXPECT_TRUE(is_red(pixel_at(image, 105, 155)));
+    EXPECT_TRUE(is_red(pixel_at(image, 165, 95)));
+    EXPECT_EQ(pixel_at(image, 105, 95)[0],
+              pixel_at(image, 105, 95)[2]);  // off the path it stays grey
+    EXPECT_EQ(pixel_at(image, 105, 145)[0], pixel_at(image, 105, 145)[2]);
 }
 
 TEST(EncodePicture, PassesOverPathPointsThatCannotBeDrawn) {
@@ -112,9 +113,9 @@ TEST(EncodePicture, PassesOverPathPointsThatCannotBeDrawn) {
     const PictureStyle style{
         .scale = 10, .path = {{2.25, 2.25}, {nan, 1.0}, {1e300, 1.0}, {-1e9, 0.0}, {8.25, 2.25}}};
     const cv::Mat image = decoded(encode_picture(grid, style, "png"));
-    EXPECT_TRUE(is_green(at(image, 45, 155)));
-    EXPECT_TRUE(is_blue(at(image, 165, 155)));
-    EXPECT_FALSE(is_red(at(image, 105, 155)));
+    EXPECT_TRUE(is_green(pixel_at(image, 45, 155)));
+    EXPECT_TRUE(is_blue(pixel_at(image, 165, 155)));
+    EXPECT_FALSE(is_red(pixel_at(image, 105, 155)));
     const PictureStyle lost{.path = {{nan, nan}}};
     EXPECT_NO_THROW(encode_picture(grid, lost, "png"));
 }
@@ -271,7 +272,8 @@ TEST(PictureFile, EndsOfThePathCanBeMarkedByCrossAndRing) {
     style.marks = PathMarks::cross_and_ring;
     const cv::Mat image = decoded(encode_picture(grid_map(), style, "png"));
     const auto pixel = [&](double x, double y) {
-        return at(image, static_cast<int>(x * 8.0), image.rows - 1 - static_cast<int>(y * 8.0));
+        return pixel_at(image, static_cast<int>(x * 8.0),
+                        image.rows - 1 - static_cast<int>(y * 8.0));
     };
     EXPECT_EQ(pixel(2.0, 2.0), cv::Vec3b(0, 160, 0)) << "the arms of the cross meet there";
     const cv::Vec3b inside = pixel(8.0, 6.5);

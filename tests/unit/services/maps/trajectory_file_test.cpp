@@ -18,7 +18,7 @@ using test::message_of;
 using test::TempFolder;
 using ::testing::HasSubstr;
 
-std::string refusal(std::string_view text) {
+std::string path_refusal(std::string_view text) {
     return message_of<FormatError>([&] { parse_trajectory(text, "t.tum"); });
 }
 
@@ -67,16 +67,17 @@ TEST(ParseTrajectory, HeadingBackwardsIsPlusPi) {
 }
 
 TEST(ParseTrajectory, NamesLineFoundAndExpected) {
-    EXPECT_EQ(refusal("0 0 0 0 0 0 0 1\n1 2 3\n"),
+    EXPECT_EQ(path_refusal("0 0 0 0 0 0 0 1\n1 2 3\n"),
               "t.tum:2: found 3 fields; expected 8 numbers, t x y z qx qy qz qw");
-    EXPECT_EQ(refusal("0 0 0 0 0 0 0 1 9"),
+    EXPECT_EQ(path_refusal("0 0 0 0 0 0 0 1 9"),
               "t.tum:1: found 9 fields; expected 8 numbers, t x y z qx qy qz qw");
-    EXPECT_EQ(refusal("\n0 0 a 0 0 0 0 1"), "t.tum:2: y is \"a\"; expected a finite number");
-    EXPECT_EQ(refusal("nan 0 0 0 0 0 0 1"), "t.tum:1: t is \"nan\"; expected a finite number");
-    EXPECT_EQ(refusal("0 0 0 0 0 0 0 inf"), "t.tum:1: qw is \"inf\"; expected a finite number");
-    EXPECT_EQ(refusal("0 0 0 0 0 0 0 0"), "t.tum:1: the quaternion's length is 0; expected 1");
-    EXPECT_EQ(refusal("0 0 0 0 0 0 3 4"), "t.tum:1: the quaternion's length is 5; expected 1");
-    EXPECT_EQ(refusal("# nothing\n"),
+    EXPECT_EQ(path_refusal("\n0 0 a 0 0 0 0 1"), "t.tum:2: y is \"a\"; expected a finite number");
+    EXPECT_EQ(path_refusal("nan 0 0 0 0 0 0 1"), "t.tum:1: t is \"nan\"; expected a finite number");
+    EXPECT_EQ(path_refusal("0 0 0 0 0 0 0 inf"),
+              "t.tum:1: qw is \"inf\"; expected a finite number");
+    EXPECT_EQ(path_refusal("0 0 0 0 0 0 0 0"), "t.tum:1: the quaternion's length is 0; expected 1");
+    EXPECT_EQ(path_refusal("0 0 0 0 0 0 3 4"), "t.tum:1: the quaternion's length is 5; expected 1");
+    EXPECT_EQ(path_refusal("# nothing\n"),
               "t.tum: no pose in the file; expected 8 numbers, t x y z qx qy qz qw on each line");
 }
 

@@ -38,7 +38,7 @@ Observation seen(std::vector<Point2> points) {
 }
 
 /// Points every 5 cm from a to b, both included.
-std::vector<Point2> row(const Point2& a, const Point2& b) {
+std::vector<Point2> wall_row(const Point2& a, const Point2& b) {
     const int n = std::max(1, static_cast<int>(std::hypot(b.x - a.x, b.y - a.y) / 0.05));
     std::vector<Point2> points;
     for (int i = 0; i <= n; ++i) {
@@ -56,7 +56,7 @@ Association of_line(Association::Outcome outcome) {
     return association;
 }
 
-LandmarkMap map_of(const std::vector<Recta>& lines) {
+LandmarkMap extents_map_of(const std::vector<Recta>& lines) {
     LandmarkMap map;
     for (const Recta& line : lines) map.push_back({line, Eigen::Matrix2d::Zero(), 1});
     return map;
@@ -87,10 +87,10 @@ const Recta kNorth{2.0, kPi / 2.0};  // y = 2; its segments run from greater to 
 
 TEST(LineExtents, GrowWithWhatIsSeenFromAnywhere) {
     Noted noted;
-    noted.scan({}, row({0.0, 2.0}, {3.0, 2.0}));
+    noted.scan({}, wall_row({0.0, 2.0}, {3.0, 2.0}));
     // From two metres ahead and turned by 90 degrees the same wall goes on.
-    noted.scan({2.0, 0.0, kPi / 2.0}, row({2.0, 0.0}, {2.0, -4.0}));
-    const std::vector<LineExtent> found = noted.of(map_of({kNorth}));
+    noted.scan({2.0, 0.0, kPi / 2.0}, wall_row({2.0, 0.0}, {2.0, -4.0}));
+    const std::vector<LineExtent> found = noted.of(extents_map_of({kNorth}));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].landmark, 0);
     EXPECT_NEAR(std::min(found[0].a.x, found[0].b.x), 0.0, 1e-9);
@@ -100,9 +100,9 @@ TEST(LineExtents, GrowWithWhatIsSeenFromAnywhere) {
 
 TEST(LineExtents, LieOnTheLandmarkNotOnThePoints) {
     Noted noted;
-    noted.scan({}, row({0.0, 2.1}, {3.0, 1.95}));
+    noted.scan({}, wall_row({0.0, 2.1}, {3.0, 1.95}));
     const Recta line = line_through({0.0, 1.9}, {1.0, 1.95});
-    const std::vector<LineExtent> found = noted.of(map_of({line}));
+    const std::vector<LineExtent> found = noted.of(extents_map_of({line}));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR(signed_distance(line, found[0].a), 0.0, 1e-12);
     EXPECT_NEAR(signed_distance(line, found[0].b), 0.0, 1e-12);
@@ -120,11 +120,11 @@ TEST(LineExtents, LieOnTheLandmarkNotOnThePoints) {
 
 TEST(LineExtents, KeepAnOpeningWithinTheSupportOfOneLine) {
     // Merged pieces on both sides of a door of 0.8 m, as Split & Merge hands them over.
-    std::vector<Point2> points = row({0.0, 2.0}, {3.0, 2.0});
-    for (const Point2& point : row({3.8, 2.0}, {5.0, 2.0})) points.push_back(point);
+    std::vector<Point2> points = wall_row({0.0, 2.0}, {3.0, 2.0});
+    for (const Point2& point : wall_row({3.8, 2.0}, {5.0, 2.0})) points.push_back(point);
     Noted noted;
     for (int i = 0; i < 5; ++i) noted.scan({}, points);
-    const std::vector<LineExtent> found = noted.of(map_of({kNorth}));
+    const std::vector<LineExtent> found = noted.of(extents_map_of({kNorth}));
     ASSERT_EQ(found.size(), 2U);
     std::vector<double> ends;
     for (const LineExtent& extent : found) {
@@ -147,7 +147,7 @@ TEST(LineExtents, GrazingScansFillEachOthersGapsButNoOpening) {
         }
         noted.scan({0.1 * k, 0.0, 0.0}, points);
     }
-    const std::vector<LineExtent> found = noted.of(map_of({kNorth}));
+    const std::vector<LineExtent> found = noted.of(extents_map_of({kNorth}));
     ASSERT_EQ(found.size(), 2U);
     EXPECT_NEAR(found[0].a.x - found[0].b.x, 8.9 - 6.0, 0.201);
     EXPECT_NEAR(found[1].a.x - found[1].b.x, 5.0, 0.201);
@@ -159,9 +159,9 @@ TEST(LineExtents, EndWhereTheWallDoesThoughPosesScatter) {
     Noted noted;
     for (int k = 0; k < 40; ++k) {
         const double off = 0.12 * std::sin(1.7 * k);
-        noted.scan({off, 0.0, 0.0}, row({0.0, 2.0}, {k % 4 == 3 ? 1.5 : 3.0, 2.0}));
+        noted.scan({off, 0.0, 0.0}, wall_row({0.0, 2.0}, {k % 4 == 3 ? 1.5 : 3.0, 2.0}));
     }
-    const std::vector<LineExtent> found = noted.of(map_of({kNorth}));
+    const std::vector<LineExtent> found = noted.of(extents_map_of({kNorth}));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR(found[0].a.x, 3.0, 0.07);
     EXPECT_NEAR(found[0].b.x, 0.0, 0.07);
@@ -169,13 +169,13 @@ TEST(LineExtents, EndWhereTheWallDoesThoughPosesScatter) {
 
 TEST(LineExtents, OfFewPointsAreLeftOutWhereTheLineHasOthers) {
     Noted noted;
-    noted.scan({}, row({0.0, 2.0}, {3.0, 2.0}));
+    noted.scan({}, wall_row({0.0, 2.0}, {3.0, 2.0}));
     noted.scan({}, {{7.0, 2.0}, {7.1, 2.0}, {7.2, 2.0}});
-    EXPECT_EQ(noted.of(map_of({kNorth})).size(), 1U);
+    EXPECT_EQ(noted.of(extents_map_of({kNorth})).size(), 1U);
     // A line seen in few far points only still gets its ends.
     Noted far;
     far.scan({}, {{1.0, 2.0}, {2.0, 2.0}, {3.2, 2.0}, {5.0, 2.0}});
-    const std::vector<LineExtent> found = far.of(map_of({kNorth}));
+    const std::vector<LineExtent> found = far.of(extents_map_of({kNorth}));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR(std::abs(found[0].a.x - found[0].b.x), 4.0, 1e-9);
     EXPECT_EQ(found[0].points, 4U);
@@ -184,31 +184,32 @@ TEST(LineExtents, OfFewPointsAreLeftOutWhereTheLineHasOthers) {
 TEST(LineExtents, FollowThePathThatBelongsToTheMap) {
     // At the time the best hypothesis stood elsewhere; the finished map has another past.
     Noted noted;
-    noted.scan({5.0, 3.0, 1.0}, row({0.0, 2.0}, {3.0, 2.0}));
-    EXPECT_TRUE(noted.of(map_of({kNorth})).empty());
-    const std::vector<LineExtent> found = noted.along({{0.0, {1.0, 0.0, 0.0}}}, map_of({kNorth}));
+    noted.scan({5.0, 3.0, 1.0}, wall_row({0.0, 2.0}, {3.0, 2.0}));
+    EXPECT_TRUE(noted.of(extents_map_of({kNorth})).empty());
+    const std::vector<LineExtent> found =
+        noted.along({{0.0, {1.0, 0.0, 0.0}}}, extents_map_of({kNorth}));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR(std::max(found[0].a.x, found[0].b.x), 4.0, 1e-9);
     // A path that ends before the scan has no place for it.
-    EXPECT_TRUE(noted.along({}, map_of({kNorth})).empty());
+    EXPECT_TRUE(noted.along({}, extents_map_of({kNorth})).empty());
 }
 
 TEST(LineExtents, BelongToTheNearestLineOrToNone) {
     Noted noted;
-    noted.scan({}, row({0.0, 2.0}, {3.0, 2.0}));
-    const auto found = noted.of(map_of({{2.3, kPi / 2.0}, {2.1, kPi / 2.0}, {2.0, 0.0}}));
+    noted.scan({}, wall_row({0.0, 2.0}, {3.0, 2.0}));
+    const auto found = noted.of(extents_map_of({{2.3, kPi / 2.0}, {2.1, kPi / 2.0}, {2.0, 0.0}}));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].landmark, 1);
-    EXPECT_TRUE(noted.of(map_of({{4.0, kPi / 2.0}})).empty());
+    EXPECT_TRUE(noted.of(extents_map_of({{4.0, kPi / 2.0}})).empty());
     // The same line with its normal the other way round is the same line.
-    EXPECT_EQ(noted.of(map_of({{-2.0, -kPi / 2.0}})).size(), 1U);
+    EXPECT_EQ(noted.of(extents_map_of({{-2.0, -kPi / 2.0}})).size(), 1U);
 }
 
 TEST(LineExtents, BelongToTheWallThatWasSeenThere) {
     // Of two walls in a row, a door between them, the one that lies nearer ends before the door.
     Noted noted;
-    noted.scan({}, row({0.0, 2.0}, {3.0, 2.0}));
-    LandmarkMap map = map_of({{2.02, kPi / 2.0}, kNorth});
+    noted.scan({}, wall_row({0.0, 2.0}, {3.0, 2.0}));
+    LandmarkMap map = extents_map_of({{2.02, kPi / 2.0}, kNorth});
     map[0].from_m = -3.0;
     map[0].to_m = 0.0;
     map[1].from_m = -8.0;
@@ -222,7 +223,7 @@ TEST(LineExtents, OfShortPiecesGoByTheWholeLinesDirection) {
     // Two far points in the corner of x = 0 and y = 2, 4 m of opening after them.
     Noted noted;
     noted.scan({}, {{0.0, 2.0}, {4.5, 2.0}, {5.0, 2.0}});
-    const auto found = noted.of(map_of({{0.0, 0.0}, kNorth}));
+    const auto found = noted.of(extents_map_of({{0.0, 0.0}, kNorth}));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].landmark, 1);
 }
@@ -230,8 +231,8 @@ TEST(LineExtents, OfShortPiecesGoByTheWholeLinesDirection) {
 TEST(LineExtents, KeepAWallOnWhichTheScansSeamLies) {
     // A laser all round begins and ends its scan on the wall behind it: the first point of the line
     // and its last are neighbours, and the way between them is across the wall.
-    std::vector<Point2> points = row({-2.0, 0.0}, {-2.0, -3.0});
-    const std::vector<Point2> before = row({-2.0, 3.0}, {-2.0, 0.05});
+    std::vector<Point2> points = wall_row({-2.0, 0.0}, {-2.0, -3.0});
+    const std::vector<Point2> before = wall_row({-2.0, 3.0}, {-2.0, 0.05});
     points.insert(points.end(), before.begin(), before.end());
     points.back() = {-2.02, 0.0};
     ToldFilter filter;
@@ -241,21 +242,21 @@ TEST(LineExtents, KeepAWallOnWhichTheScansSeamLies) {
     observation.support = std::move(points);
     LineExtents extents;
     extents.note(filter, observation);
-    const auto found = extents.of(map_of({{2.0, kPi}}), {{0.0, Pose{}}});
+    const auto found = extents.of(extents_map_of({{2.0, kPi}}), {{0.0, Pose{}}});
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR(std::abs(found[0].a.y - found[0].b.y), 6.0, 0.1);
 }
 
 TEST(LineExtents, PassOverPosesThatAreNoNumbers) {
     Noted noted;
-    noted.scan({}, row({0.0, 2.0}, {3.0, 2.0}));
+    noted.scan({}, wall_row({0.0, 2.0}, {3.0, 2.0}));
     for (const double bad : {std::nan(""), HUGE_VAL, 1e308}) {
-        noted.scan({bad, 0.0, 0.0}, row({0.0, 2.0}, {3.0, 2.0}));
-        noted.scan({0.0, bad, 0.0}, row({0.0, 2.0}, {3.0, 2.0}));
+        noted.scan({bad, 0.0, 0.0}, wall_row({0.0, 2.0}, {3.0, 2.0}));
+        noted.scan({0.0, bad, 0.0}, wall_row({0.0, 2.0}, {3.0, 2.0}));
     }
-    noted.scan({0.0, 0.0, std::nan("")}, row({0.0, 2.0}, {3.0, 2.0}));
+    noted.scan({0.0, 0.0, std::nan("")}, wall_row({0.0, 2.0}, {3.0, 2.0}));
     const std::vector<LineExtent> found =
-        noted.of(map_of({kNorth, {std::nan(""), 0.0}, {2.0, std::nan("")}}));
+        noted.of(extents_map_of({kNorth, {std::nan(""), 0.0}, {2.0, std::nan("")}}));
     ASSERT_FALSE(found.empty());
     for (const LineExtent& extent : found) {
         EXPECT_EQ(extent.landmark, 0);
@@ -265,11 +266,11 @@ TEST(LineExtents, PassOverPosesThatAreNoNumbers) {
 
 TEST(LineExtents, LeaveOutWhatWasIgnored) {
     Noted noted;
-    noted.scan({}, row({0.0, 2.0}, {3.0, 2.0}), Association::Outcome::ignored);
-    EXPECT_TRUE(noted.of(map_of({kNorth})).empty());
+    noted.scan({}, wall_row({0.0, 2.0}, {3.0, 2.0}), Association::Outcome::ignored);
+    EXPECT_TRUE(noted.of(extents_map_of({kNorth})).empty());
     // The next scan is still the second.
-    noted.scan({1.0, 0.0, 0.0}, row({0.0, 2.0}, {3.0, 2.0}));
-    const std::vector<LineExtent> found = noted.of(map_of({kNorth}));
+    noted.scan({1.0, 0.0, 0.0}, wall_row({0.0, 2.0}, {3.0, 2.0}));
+    const std::vector<LineExtent> found = noted.of(extents_map_of({kNorth}));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR(std::max(found[0].a.x, found[0].b.x), 4.0, 1e-9);
 }

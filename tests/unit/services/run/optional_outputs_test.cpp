@@ -28,7 +28,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-const std::filesystem::path kSource = HITOS_SOURCE_DIR;
+const std::filesystem::path kOutputsSource = HITOS_SOURCE_DIR;
 
 TEST(ChosenOutputs, AreNamedByWordOrFile) {
     EXPECT_THAT(chosen_outputs("", "--write"), IsEmpty());
@@ -60,8 +60,9 @@ TEST(ChosenOutputs, WordsAndFilesAreNobodyElses) {
 class OptionalOutputsTest : public testing::Test {
   protected:
     static Algoritmo run_of(const std::string& log, const char* algorithm, int steps, int threads) {
-        Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/thesis.cfg");
-        configuration.source.file = kSource / "data" / log;
+        Configuracion configuration =
+            ArchivoConfiguracion::read(kOutputsSource / "config/thesis.cfg");
+        configuration.source.file = kOutputsSource / "data" / log;
         configuration.filter.algorithm = algorithm;
         configuration.filter.particles = 7;
         configuration.run.threads = threads;
@@ -192,7 +193,7 @@ TEST_F(OptionalOutputsTest, ACorrectedLogIsTheSameTour) {
     const Algoritmo run = run_of("logs/carmen-flaser.log.gz", "fastslam", 1000, 1);
     write_corrected_tour(run, run.best_trajectory(), out_ / "c.log");
     EXPECT_THAT(content(out_ / "c.log"), HasSubstr("\nFLASER "));
-    const Read before = read(kSource / "data/logs/carmen-flaser.log.gz");
+    const Read before = read(kOutputsSource / "data/logs/carmen-flaser.log.gz");
     const Read after = read(out_ / "c.log");
     expect_same_scans(before, after);
     expect_same_path(before.odometry, after.odometry);
@@ -206,7 +207,7 @@ TEST_F(OptionalOutputsTest, ALaserThatFlaserCannotSayHasTheCorrectedPathForOdome
     write_corrected_tour(run, path, out_ / "c.log");
     EXPECT_THAT(content(out_ / "c.log"), Not(HasSubstr("\nODOM ")));
     const Read after = read(out_ / "c.log");
-    expect_same_scans(read(kSource / "data/logs/carmen-robotlaser.log.gz"), after);
+    expect_same_scans(read(kOutputsSource / "data/logs/carmen-robotlaser.log.gz"), after);
     expect_same_path(path, after.odometry);
 }
 

@@ -21,7 +21,7 @@ using test::content;
 using test::TempFolder;
 using ::testing::StartsWith;
 
-const std::filesystem::path kSource = HITOS_SOURCE_DIR;
+const std::filesystem::path kResultsSource = HITOS_SOURCE_DIR;
 
 const std::set<std::string> kAlways = {"map.txt",
                                        "segments.txt",
@@ -41,8 +41,9 @@ const std::set<std::string> kAlways = {"map.txt",
 class ResultsTest : public testing::Test {
   protected:
     static Algoritmo run_of(const char* algorithm, const AlgoritmoOptions& options = {}) {
-        Configuracion configuration = ArchivoConfiguracion::read(kSource / "config/thesis.cfg");
-        configuration.source.file = kSource / "data/logs/player-laser.log.gz";
+        Configuracion configuration =
+            ArchivoConfiguracion::read(kResultsSource / "config/thesis.cfg");
+        configuration.source.file = kResultsSource / "data/logs/player-laser.log.gz";
         configuration.filter.algorithm = algorithm;
         configuration.filter.particles = 7;
         configuration.run.seed = 11;

@@ -71,7 +71,7 @@ class SharedReadingsTest : public StudyTest {
 };
 
 /// Another value, allowed or not.
-void change(const ConfigParameter& parameter, Configuracion& configuration) {
+void change_log(const ConfigParameter& parameter, Configuracion& configuration) {
     ParameterFacts::Value value = parameter.get(configuration);
     if (parameter.type == ParameterFacts::Type::choice) {
         const auto other = std::ranges::find_if(parameter.choices, [&](const auto& choice) {
@@ -95,7 +95,7 @@ TEST_F(SharedReadingsTest, RunsShareWhatNoParameterThatDiffersDecides) {
     EXPECT_TRUE(shared(study, job, job).features);
     for (const ConfigParameter& parameter : parameters()) {
         StudyJob other = job;
-        change(parameter, other.configuration);
+        change_log(parameter, other.configuration);
         const Shared common = shared(study, job, other);
         const bool source = parameter.table() == "source";
         const bool extraction = look_up(extraction_parameters(), parameter.key) != nullptr;

@@ -13,7 +13,7 @@ using test::message_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-StudyParameter with(std::string_view name, const std::vector<std::string>& words) {
+StudyParameter with_values(std::string_view name, const std::vector<std::string>& words) {
     StudyParameter parameter = find_thesis_parameter(name);
     set_values(parameter, words);
     return parameter;
@@ -31,26 +31,27 @@ TEST(StudyValues, EveryThesisNameStandsForKeysThatExist) {
 }
 
 TEST(StudyValues, SensorTakesPairsMovTriplesColPairsAndTheOthersOne) {
-    EXPECT_THAT(with("p", {"5", "10"}).values, ElementsAre(StudyValue{"5"}, StudyValue{"10"}));
-    EXPECT_THAT(with("sensor", {"1", "2", "3", "4"}).values,
+    EXPECT_THAT(with_values("p", {"5", "10"}).values,
+                ElementsAre(StudyValue{"5"}, StudyValue{"10"}));
+    EXPECT_THAT(with_values("sensor", {"1", "2", "3", "4"}).values,
                 ElementsAre(StudyValue{"1", "2"}, StudyValue{"3", "4"}));
-    EXPECT_THAT(with("mov", {"1", "2", "3", "4", "5", "6"}).values,
+    EXPECT_THAT(with_values("mov", {"1", "2", "3", "4", "5", "6"}).values,
                 ElementsAre(StudyValue{"1", "2", "3"}, StudyValue{"4", "5", "6"}));
-    EXPECT_THAT(with("col", {"0.1", "0.07"}).values, ElementsAre(StudyValue{"0.1", "0.07"}));
+    EXPECT_THAT(with_values("col", {"0.1", "0.07"}).values, ElementsAre(StudyValue{"0.1", "0.07"}));
 }
 
 TEST(StudyValues, AWrongCountNamesWhatIsExpected) {
     EXPECT_EQ(message_of<ConfigError>([] {
-                  with("sensor", {"1", "2", "3"});
+                  with_values("sensor", {"1", "2", "3"});
               }),
               "sensor: found 3 values; each run takes 2 (variance of rho in m^2, variance of theta "
               "in rad^2)");
     EXPECT_THAT(message_of<ConfigError>([] {
-                    with("mov", {"1", "2"});
+                    with_values("mov", {"1", "2"});
                 }),
                 HasSubstr("found 2 values; each run takes 3 (standard deviation of x in m, of y"));
-    EXPECT_THAT(message_of<ConfigError>([] { with("col", {"1"}); }), HasSubstr("takes 2"));
-    EXPECT_THAT(message_of<ConfigError>([] { with("p", {}); }), HasSubstr("found 0 values"));
+    EXPECT_THAT(message_of<ConfigError>([] { with_values("col", {"1"}); }), HasSubstr("takes 2"));
+    EXPECT_THAT(message_of<ConfigError>([] { with_values("p", {}); }), HasSubstr("found 0 values"));
 }
 
 TEST(StudyValues, AWrongNameListsTheNames) {
