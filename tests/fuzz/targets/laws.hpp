@@ -26,7 +26,7 @@ void require(bool holds, const char* law);
 inline bool is_finite(const Point2& point) {
     return std::isfinite(point.x) && std::isfinite(point.y);
 }
-inline bool is_finite(const std::optional<double>& value) {
+inline bool is_finite_if_any(const std::optional<double>& value) {
     return !value || std::isfinite(*value);
 }
 

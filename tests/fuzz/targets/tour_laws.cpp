@@ -18,7 +18,7 @@
 namespace hitos::fuzz {
 namespace {
 
-bool is_finite(const Twist& twist) {
+bool is_finite_twist(const Twist& twist) {
     return std::isfinite(twist.v) && std::isfinite(twist.v_lateral) && std::isfinite(twist.w);
 }
 
@@ -161,7 +161,7 @@ void require_sound(const Tour& tour, DamageIs damage) {
     require(std::ranges::all_of(tour.odometry,
                                 [](const Odometria& reading) {
                                     return std::isfinite(reading.time_s) &&
-                                           is_finite(reading.twist);
+                                           is_finite_twist(reading.twist);
                                 }),
             "odometry is finite");
     require(std::ranges::adjacent_find(tour.odometry, std::greater_equal{}, &Odometria::time_s) ==
