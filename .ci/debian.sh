@@ -10,7 +10,7 @@ part() { echo "== $1 ($SECONDS s)"; }
 
 # make_debian SUITE FOLDER: fills FOLDER, or takes what was made there before; sets root and work.
 make_debian() {
-    local suite=$1 own sources mirror mounted
+    local suite=$1 own sources mirror
     [ "$(id -u)" = 0 ] || skip "only root can make a Debian"
     command -v debootstrap >/dev/null || skip "debootstrap is not installed"
     own=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")

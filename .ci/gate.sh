@@ -9,4 +9,3 @@ built() { # built PRESET [OPTION…]: configures and builds
     cmake --preset "$1" --log-level=WARNING
     cmake --build --preset "$@"
 }
-check_format() { git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror; }
