@@ -194,7 +194,7 @@ TEST(WorldEditing, Numbers) {
     EXPECT_THROW(set_number(text, {ItemKind::person, 0, 0, 1}, 0, -1.0), Error);
     EXPECT_THROW(add_wall(text, {{1, 1}}), Error);
     EXPECT_THROW(add_door(text, {1, 1}, {1, 1}), Error);
-    EXPECT_THROW(add_box(text, {NAN, 0}, 1.0), Error);
+    EXPECT_THROW(add_box(text, {std::nan(""), 0}, 1.0), Error);
     EXPECT_EQ(text.text(), as_it_was);
 }
 
