@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/services/run/algoritmo.hpp"

@@ -9,6 +9,7 @@
 #include <exception>
 #include <tuple>
 
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/slam/filters.hpp"
 #include "hitos/slam/robot.hpp"

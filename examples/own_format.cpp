@@ -10,6 +10,9 @@
 #include <sstream>
 
 #include "hitos/base/error.hpp"
+#include "hitos/capture/conversor.hpp"
+#include "hitos/capture/fuente.hpp"
+#include "hitos/capture/log_format.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/workbench/open_tour.hpp"
 

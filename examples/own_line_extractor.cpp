@@ -9,6 +9,7 @@
 
 #include "hitos/features/line_fit.hpp"
 #include "hitos/features/line_methods.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/workbench/open_tour.hpp"
 

@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "hitos/features/extractor.hpp"
+#include "hitos/features/extraction_params.hpp"
+#include "hitos/features/observation.hpp"
 
 namespace hitos {
 

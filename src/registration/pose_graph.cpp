@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hitos/registration/pose_algebra.hpp"
+#include "hitos/registration/pose_graph_solver.hpp"
 
 namespace hitos {
 

@@ -8,6 +8,7 @@
 
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/pose_algebra.hpp"
+#include "hitos/registration/pose_graph_solver.hpp"
 #include "key_graph.hpp"
 #include "loop_closer.hpp"
 #include "path_break.hpp"

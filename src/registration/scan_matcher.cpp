@@ -6,6 +6,7 @@
 
 #include "hitos/registration/pose_algebra.hpp"
 #include "hitos/registration/pose_graph.hpp"
+#include "hitos/registration/pose_graph_solver.hpp"
 
 namespace hitos {
 namespace {

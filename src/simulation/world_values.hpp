@@ -5,6 +5,7 @@
 
 #include "hitos/base/message.hpp"
 #include "hitos/simulation/world.hpp"
+#include "hitos/simulation/world_key.hpp"
 
 namespace hitos::world_values {
 

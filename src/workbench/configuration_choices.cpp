@@ -1,5 +1,7 @@
 #include "hitos/workbench/configuration_choices.hpp"
 
+#include "hitos/services/configuration/config_parameter.hpp"
+
 namespace hitos {
 
 void choose_values(Configuracion& configuration, const ValueChoices& choices) {

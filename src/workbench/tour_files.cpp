@@ -5,6 +5,7 @@
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/staged_files.hpp"
 #include "hitos/capture/log_format.hpp"
+#include "hitos/capture/log_writer.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"
 #include "hitos/simulation/reference_map.hpp"

@@ -13,6 +13,7 @@
 
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/procesador.hpp"
+#include "hitos/features/extractor.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/grid.hpp"
 #include "hitos/services/run/line_extents.hpp"

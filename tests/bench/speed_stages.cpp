@@ -8,6 +8,7 @@
 #include <fstream>
 #include <random>
 
+#include "hitos/features/extractor.hpp"
 #include "speed_workloads.hpp"
 
 namespace speed {

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "hitos/features/extractor.hpp"
 #include "speed_workloads.hpp"
 
 namespace speed {

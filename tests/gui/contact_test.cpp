@@ -20,6 +20,7 @@
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {

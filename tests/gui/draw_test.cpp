@@ -11,6 +11,7 @@
 #include "gui_fixture.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/simulation/world.hpp"
+#include "hitos/simulation/world_key.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "tests.hpp"
 #include "world/check_line.hpp"

@@ -6,6 +6,7 @@
 
 #include "dialogs/configuration_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {

@@ -11,6 +11,7 @@
 
 #include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/study/study_values.hpp"
 #include "tests.hpp"
 

@@ -15,6 +15,7 @@
 #include "dialogs/parameter_text.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "tests.hpp"
 #include "views/plots.hpp"
 

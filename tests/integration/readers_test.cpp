@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "hitos/capture/log_format.hpp"
+#include "hitos/capture/log_writer.hpp"
 #include "hitos/capture/recorded_tour.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"

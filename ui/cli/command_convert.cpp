@@ -13,6 +13,7 @@
 #include "hitos/base/process.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/log_format.hpp"
+#include "hitos/capture/log_writer.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/simulation/noisy_reader.hpp"

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "damage.hpp"
 #include "hitos/base/process.hpp"
+#include "hitos/capture/log_format.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "hitos/base/parameter.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "report.hpp"
 
 namespace hitos::cli {

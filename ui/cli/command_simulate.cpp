@@ -13,6 +13,7 @@
 #include "hitos/base/process.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/world_key.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "hitos/workbench/tour_files.hpp"

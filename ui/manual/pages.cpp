@@ -7,6 +7,8 @@
 #include <cctype>
 #include <vector>
 
+#include "hitos/base/parameter.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "roff.hpp"
 

@@ -6,12 +6,15 @@
 #include <string_view>
 #include <utility>
 
+#include "hitos/base/parameter.hpp"
 #include "hitos/capture/log_format.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/study/study.hpp"
 #include "hitos/services/study/study_values.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 #include "hitos/simulation/world.hpp"
+#include "hitos/simulation/world_key.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/readings.hpp"
 #include "hitos/workbench/shipped_data.hpp"

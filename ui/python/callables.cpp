@@ -7,6 +7,7 @@
 
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "tours.hpp"
 
 namespace hitos::python {

@@ -10,8 +10,10 @@
 
 #include "arguments.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/parameter.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/kept_run.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"

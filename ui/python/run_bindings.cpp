@@ -9,6 +9,7 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "configuration.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/trajectory_file.hpp"

@@ -12,6 +12,7 @@
 #include "arrays.hpp"
 #include "configuration.hpp"
 #include "hitos/capture/tour_summary.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "python_calls.hpp"

@@ -10,11 +10,13 @@
 
 #include "hitos/base/message.hpp"
 #include "hitos/base/registry.hpp"
-#include "hitos/capture/conversor.hpp"
-#include "hitos/capture/fuente.hpp"
-#include "hitos/capture/log_writer.hpp"
 
 namespace hitos {
+
+class Conversor;
+class Fuente;
+class LogWriter;
+struct ReadOptions;
 
 /// What a line is to the two cursors. `other` is a line of the format that neither needs; `damaged`
 /// is none that the format knows.
@@ -55,9 +57,6 @@ struct LogFormat : RegistryEntry {
     Topics* topics = nullptr;
     bool folders = false;  ///< of recordings: whether folders are some too
 };
-
-/// The word that asks for detection from the content; no format may have it.
-inline constexpr std::string_view kAutoFormat = "auto";
 
 /// The formats that this program knows; `source.format` chooses one, or "auto".
 Registry<LogFormat>& log_formats();

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hitos/base/message.hpp"
@@ -56,6 +57,9 @@ struct ReadOptions {
     bool leave_out_early_scans = false;
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
+
+/// The word that asks for detection from the content; no format may have it.
+inline constexpr std::string_view kAutoFormat = "auto";
 
 /// What a simulated tour is read from.
 inline constexpr const char* kWorldFormat = "world";

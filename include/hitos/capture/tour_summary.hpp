@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "hitos/base/message.hpp"
-#include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
+
+struct RecordedTopic;
 
 /// Counts of a whole tour, for dialogs and summaries.
 struct TourSummary {

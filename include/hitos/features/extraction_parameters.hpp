@@ -4,7 +4,7 @@
 #include <span>
 
 #include "hitos/base/parameter.hpp"
-#include "hitos/features/extractor.hpp"
+#include "hitos/features/extraction_params.hpp"
 
 namespace hitos {
 

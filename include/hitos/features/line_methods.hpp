@@ -6,7 +6,9 @@
 #include <memory>
 
 #include "hitos/base/registry.hpp"
-#include "hitos/features/extractor.hpp"
+#include "hitos/capture/scan.hpp"
+#include "hitos/features/extraction_params.hpp"
+#include "hitos/features/observation.hpp"
 
 namespace hitos {
 

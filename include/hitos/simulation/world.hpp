@@ -3,13 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
-#include "hitos/base/parameter.hpp"
+#include "hitos/base/message.hpp"
 #include "hitos/simulation/disturbance.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 
@@ -125,12 +124,6 @@ struct World {
     /// Of the laser's and the odometry's noise; 0: whoever opens the tour chooses, else 1.
     std::uint64_t seed = 0;
 };
-
-/// A key of the world file that holds one value; --set takes the same keys.
-using WorldKey = Parameter<World>;
-
-/// All of them, in the order of docs/simulation.md.
-std::span<const WorldKey> world_keys();
 
 /// Reads a world file (TOML, docs/simulation.md) and the drawing that it names. Throws FileError
 /// where a file cannot be read and FormatError, with the line, for what it cannot be. A world

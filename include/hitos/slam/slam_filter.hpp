@@ -9,7 +9,7 @@
 
 #include "hitos/features/caracteristica.hpp"
 #include "hitos/features/control.hpp"
-#include "hitos/features/extractor.hpp"
+#include "hitos/features/observation.hpp"
 #include "hitos/registration/registered_step.hpp"
 
 namespace hitos {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_summary.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 

@@ -6,7 +6,11 @@
 #include <string_view>
 
 #include "fields.hpp"
+#include "hitos/capture/conversor.hpp"
+#include "hitos/capture/fuente.hpp"
 #include "hitos/capture/log_format.hpp"
+#include "hitos/capture/log_writer.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "range_conversor.hpp"
 
 namespace hitos {

@@ -7,9 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "hitos/base/geometry.hpp"
+#include "hitos/capture/conversor.hpp"
 #include "hitos/capture/fuente.hpp"
 #include "hitos/capture/held_damage.hpp"
 #include "hitos/capture/log_format.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "ros/laser_fan.hpp"
 #include "ros/stamp_queue.hpp"
 #include "ros/survey.hpp"

@@ -10,7 +10,9 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/parameter.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 
 namespace hitos {
 namespace {

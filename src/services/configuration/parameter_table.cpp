@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hitos/base/error.hpp"
+#include "hitos/capture/log_format.hpp"
 #include "hitos/features/extraction_parameters.hpp"
 #include "hitos/features/line_methods.hpp"
 #include "hitos/registration/registration_parameters.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 
 namespace hitos {
 

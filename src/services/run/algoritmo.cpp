@@ -6,6 +6,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
+#include "hitos/features/extractor.hpp"
 #include "hitos/slam/filters.hpp"
 
 namespace hitos {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "hitos/base/parameter.hpp"
-#include "hitos/services/run/grid.hpp"
+#include "hitos/services/run/grid_params.hpp"
 
 namespace hitos {
 

@@ -8,6 +8,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
 #include "json_input.hpp"

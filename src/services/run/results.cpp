@@ -11,6 +11,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/slam/filters.hpp"
 #include "output_crew.hpp"
 #include "report_json.hpp"

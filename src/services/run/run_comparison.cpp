@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "results_summary.hpp"
 
 namespace hitos {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hitos/features/control.hpp"
+#include "hitos/features/extractor.hpp"
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/slam/robot.hpp"
 

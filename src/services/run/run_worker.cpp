@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "hitos/base/error.hpp"
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/services/run/quality.hpp"
 #include "hitos/slam/association_record.hpp"

@@ -16,6 +16,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/thread_clock.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "json_input.hpp"

@@ -9,6 +9,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/services/study/study.hpp"
 #include "json_input.hpp"
@@ -156,6 +157,10 @@ void count_reference(const LandmarkMap& reference, StudyPlan& plan) {
 }
 
 }  // namespace
+
+bool can_be_varied(const ConfigParameter& parameter) {
+    return parameter.table() != "run" && parameter.table() != "grid";
+}
 
 std::string_view word_of(StudyPictures pictures) {
     return kPictureWords.at(static_cast<std::size_t>(pictures));

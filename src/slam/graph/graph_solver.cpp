@@ -2,6 +2,8 @@
 
 #include <Eigen/LU>
 
+#include "hitos/registration/pose_graph_solver.hpp"
+
 namespace hitos {
 namespace {
 

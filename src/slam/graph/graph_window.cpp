@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "hitos/registration/pose_graph_solver.hpp"
+
 namespace hitos {
 namespace {
 

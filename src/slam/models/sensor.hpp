@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "hitos/features/caracteristica.hpp"
-#include "hitos/features/extractor.hpp"
+#include "hitos/features/observation.hpp"
 #include "landmark_index.hpp"
 #include "lanes.hpp"
 

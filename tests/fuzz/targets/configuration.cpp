@@ -4,8 +4,10 @@
 
 #include "hitos/base/text_input.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/simulation/world.hpp"
+#include "hitos/simulation/world_key.hpp"
 #include "laws.hpp"
 #include "targets.hpp"
 

@@ -6,6 +6,7 @@
 #include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/simulation/dxf_walls.hpp"
 #include "hitos/simulation/reference_map.hpp"
+#include "hitos/simulation/world_key.hpp"
 #include "hitos/simulation/world_text.hpp"
 #include "laws.hpp"
 #include "targets.hpp"

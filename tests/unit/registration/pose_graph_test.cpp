@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "hitos/registration/pose_graph_solver.hpp"
+
 namespace hitos {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "hitos/capture/log_writer.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "hitos/simulation/simulated_tour_reader.hpp"
 #include "worlds.hpp"

@@ -2,6 +2,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/world_key.hpp"
 #include "worlds.hpp"
 
 namespace hitos {

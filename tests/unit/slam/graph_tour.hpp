@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "graph/graph_slam.hpp"
+#include "hitos/registration/pose_graph_solver.hpp"
 #include "hitos/registration/registered_step.hpp"
 
 namespace hitos {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "hitos/base/error.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "support.hpp"

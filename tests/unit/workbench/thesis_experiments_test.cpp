@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/study/study.hpp"
 #include "hitos/workbench/reproduction_maps.hpp"
 #include "hitos/workbench/shipped_data.hpp"

@@ -15,6 +15,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/workbench/presets.hpp"
 
 namespace hitos::window {

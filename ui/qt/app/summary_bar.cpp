@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "dialogs/parameter_text.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 
 namespace hitos::window {
 namespace {

@@ -13,6 +13,7 @@
 #include "app/screen_fit.hpp"
 #include "app/theme.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "parameter_text.hpp"
 #include "ui_configuration_dialog.h"
 

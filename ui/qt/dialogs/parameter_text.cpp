@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "hitos/services/configuration/config_parameter.hpp"
+
 namespace hitos::window {
 namespace {
 

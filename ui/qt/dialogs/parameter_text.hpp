@@ -4,6 +4,7 @@
 #include <QString>
 #include <string_view>
 
+#include "hitos/base/parameter.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 
 namespace hitos::window {

@@ -13,6 +13,7 @@
 #include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "parameter_text.hpp"
 #include "ui_source_dialog.h"
 #include "workers/background.hpp"

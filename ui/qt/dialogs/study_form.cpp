@@ -9,6 +9,7 @@
 #include "app/theme.hpp"
 #include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/workbench/study_noise.hpp"
 #include "parameter_text.hpp"
 #include "ui_study_dialog.h"

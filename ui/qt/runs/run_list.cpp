@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "dialogs/parameter_text.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "workers/background.hpp"
 

@@ -13,6 +13,7 @@
 #include "app/screen_fit.hpp"
 #include "app/words_of.hpp"
 #include "dialogs/parameter_text.hpp"
+#include "hitos/simulation/world_key.hpp"
 
 namespace hitos::window {
 namespace {

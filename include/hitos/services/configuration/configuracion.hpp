@@ -2,17 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "hitos/base/parameter.hpp"
-#include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
-#include "hitos/features/extractor.hpp"
+#include "hitos/features/extraction_params.hpp"
 #include "hitos/registration/registration_params.hpp"
-#include "hitos/services/run/grid.hpp"
+#include "hitos/services/run/grid_params.hpp"
 #include "hitos/slam/params.hpp"
 
 namespace hitos {
@@ -45,43 +41,11 @@ struct Configuracion {
     GridParams grid;
 };
 
-/// The five groups of the thesis's form plus resampling [T 9.2.6.5], and Hitos's own.
-enum class ParameterGroup {
-    source,
-    particle_filter,
-    motion,
-    observation,
-    split_merge,
-    resampling,
-    registration,
-    grid,
-    run
-};
-
-/// What a group is called, and the tables of a configuration file whose parameters it shows.
-struct ParameterGroupFacts {
-    ParameterGroup group;
-    std::string_view title;           ///< translated in the context "ParameterGroup"; or empty, and
-    std::string_view title_key = {};  ///< the parameter whose choice is the title
-    std::vector<std::string_view> tables;
-};
-
-/// All groups, in the order of their tables in a configuration file.
-std::span<const ParameterGroupFacts> parameter_groups();
-
-/// The group of a table of a configuration file: "split_merge". Throws ConfigError where no group
-/// has it.
-const ParameterGroupFacts& group_of(std::string_view table);
-
-/// One entry for each parameter; files, options, forms, help texts, checks and studies are made of
-/// the table of all of them.
+// The table of all parameters: hitos/services/configuration/config_parameter.hpp.
+template <class Owner>
+struct Parameter;
 using ConfigParameter = Parameter<Configuracion>;
-
-/// All parameters, group by group.
-std::span<const ConfigParameter> parameters();
-
-/// The parameter of that key. Throws ConfigError that names near keys where there is none.
-const ConfigParameter& find_parameter(std::string_view key);
+enum class ParameterGroup;
 
 /// Sets one parameter from "key=value". Throws ConfigError.
 void set_parameter(Configuracion& configuration, std::string_view assignment);

@@ -10,7 +10,7 @@
 #include "hitos/capture/remembered_tour.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/features/control.hpp"
-#include "hitos/features/extractor.hpp"
+#include "hitos/features/observation.hpp"
 #include "hitos/registration/registration.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/evaluation/uncertainty.hpp"
@@ -21,6 +21,8 @@
 #include "hitos/slam/slam_filter.hpp"
 
 namespace hitos {
+
+class Extractor;
 
 struct AlgoritmoOptions {
     /// Build the grid map step by step from whichever particle is best at each step.

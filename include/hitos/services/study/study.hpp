@@ -73,9 +73,7 @@ struct Study {
 };
 
 /// Whether a study can vary the parameter: it sets seeds and threads itself and draws no grid.
-inline bool can_be_varied(const ConfigParameter& parameter) {
-    return parameter.table() != "run" && parameter.table() != "grid";
-}
+bool can_be_varied(const ConfigParameter& parameter);
 
 /// Checks the study and lays out its runs. Throws ConfigError for what no run could do: bad base
 /// configuration, too many parameters, no values, the same value twice, keys in two parameters,

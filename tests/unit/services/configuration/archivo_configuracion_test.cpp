@@ -8,6 +8,7 @@
 #include <random>
 
 #include "hitos/base/error.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "support.hpp"
 
 namespace hitos {

@@ -9,6 +9,9 @@
 #include <random>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/parameter.hpp"
+#include "hitos/capture/log_format.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "support.hpp"
 
 namespace hitos {

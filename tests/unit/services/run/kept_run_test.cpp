@@ -7,6 +7,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/services/run/results_check.hpp"
 #include "ready_tour.hpp"

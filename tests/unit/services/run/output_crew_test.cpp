@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/grid.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "support.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hitos/base/error.hpp"
 #include "ready_tour.hpp"
 #include "support.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/features/extraction_parameters.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "study_fixture.hpp"
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "hitos/base/error.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "support.hpp"
 
