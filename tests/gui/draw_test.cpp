@@ -29,11 +29,15 @@ struct DrawFixture : Fixture {
     DrawFixture() : Fixture(false) {
         trigger("action_drive");
         world().resize(1000, 700);
+        // Without a screen it takes its time with some versions of Qt.
+        if (!QTest::qWaitFor([this] { return world().isActiveWindow(); }, kPatienceMs))
+            qFatal("the window does not become active");
         view().setFocus();
     }
     ~DrawFixture() { world().drive().give_up(); }
 
-    WorldWindow& world() { return window->open_world_window(); }
+    /// Opened by the constructor: to open it once more would move the keyboard.
+    WorldWindow& world() { return *window->findChild<WorldWindow*>(); }
     WorldView& view() { return world().view(); }
     const WorldText& text() { return world().draft().text(); }
     QPoint pixel(double x, double y) {

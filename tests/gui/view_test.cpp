@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QWheelEvent>
@@ -132,13 +133,14 @@ void ViewTest::the_right_button_offers_the_picture() {
     QContextMenuEvent event(QContextMenuEvent::Mouse, view.rect().center(),
                             view.mapToGlobal(view.rect().center()));
     QApplication::sendEvent(&view, &event);
-    auto* menu = view.findChild<QMenu*>("view_menu");
+    // A question closes it, with some versions of Qt, and it is gone.
+    const QPointer<QMenu> menu = view.findChild<QMenu*>("view_menu");
     QVERIFY(menu != nullptr);
     f.prompts.saves = {f.path("scan.jpg")};
     accept_picture(false);
     menu->actions().front()->trigger();
     QVERIFY(QFile::exists(f.path("scan.jpg")));
-    menu->close();
+    if (menu != nullptr) menu->close();
     // The right button offers it wherever something is drawn.
     f.trigger("action_odometry");
     f.trigger("action_best_map");

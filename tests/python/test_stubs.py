@@ -10,7 +10,8 @@ import hitos
 STUB = ast.parse(pathlib.Path(hitos.__file__).with_name("__init__.pyi").read_text())
 # What every class of Python or of pybind11 has.
 GIVEN = {"__init__", "__new__", "__repr__", "__str__", "__hash__", "__module__", "__doc__",
-         "__dict__", "__weakref__"}
+         "__dict__", "__weakref__",
+         "__firstlineno__", "__static_attributes__"}  # since Python 3.13
 
 
 def parameters_of_stub(function):
