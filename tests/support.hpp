@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +19,13 @@
 #include <vector>
 
 namespace hitos::test {
+
+/// For what is proved by repetition: `times`, and HITOS_REPEAT times as often where that is set, as
+/// it is in .ci/nightly.
+inline int repeated(int times) {
+    const char* wish = std::getenv("HITOS_REPEAT");  // NOLINT(concurrency-mt-unsafe)
+    return times * (wish != nullptr ? std::max(std::atoi(wish), 1) : 1);
+}
 
 /// A new empty folder, removed with what is in it.
 class TempFolder {

@@ -1,6 +1,6 @@
 // Every file operation of a command fails in turn, as files do: no space, no more quota, an error
-// of the disk, no permission, half a write. HITOS_FAULTS=all does all of them; else a part, spread
-// evenly.
+// of the disk, no permission, half a write. Of these a part, spread evenly;
+// HITOS_REPEAT=1000 does all of them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,10 +72,8 @@ std::vector<Fault> faults_of(const std::vector<Operation>& operations) {
         faults.push_back({operation, ENOSPC, "lasting"});
         if (operation.what == "write") faults.push_back({operation, ENOSPC, "cut"});
     }
-    const char* wish = std::getenv("HITOS_FAULTS");  // NOLINT(concurrency-mt-unsafe)
-    if (wish != nullptr && std::string_view(wish) == "all") return faults;
-    constexpr std::size_t kFewEnough = 24;
-    const std::size_t every = std::max<std::size_t>(faults.size() / kFewEnough, 1);
+    const auto few_enough = static_cast<std::size_t>(repeated(24));
+    const std::size_t every = std::max<std::size_t>(faults.size() / few_enough, 1);
     std::vector<Fault> some;
     for (std::size_t i = 0; i < faults.size(); i += every) some.push_back(faults[i]);
     return some;

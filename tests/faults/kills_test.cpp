@@ -1,6 +1,5 @@
 // Commands that are killed at a random moment of their work: what is there then is whole, and the
-// same command again gives what it would have given. HITOS_KILLS=200 kills so often, in equal parts
-// over the commands; without it the gate kills each a few times.
+// same command again gives what it would have given. HITOS_REPEAT=10 kills ten times as often.
 #include <fmt/format.h>
 
 #include <array>
@@ -25,9 +24,7 @@ constexpr std::array<std::string_view, 6> kParts{"out/",     "made.log", "made.t
                                                  "made.map", "made.png", "tour.txt.gz"};
 
 int kills_of_each() {
-    const char* wish = std::getenv("HITOS_KILLS");  // NOLINT(concurrency-mt-unsafe)
-    constexpr int kInTheGate = 30;
-    return (wish != nullptr ? std::atoi(wish) : kInTheGate) / kCommands;
+    return repeated(30) / kCommands;
 }
 
 class Kills : public ::testing::TestWithParam<std::string> {

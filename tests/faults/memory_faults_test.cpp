@@ -1,6 +1,6 @@
 // Memory that is refused. There are too many allocations to refuse each: a seeded sample of all,
 // one at a time; every one of the great ones; and the state of a machine that has no more, where
-// every allocation of some size is refused from one on. HITOS_FAULTS=all takes ten times as many.
+// every allocation of some size is refused from one on. HITOS_REPEAT=10 takes ten times as many.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,9 +18,7 @@ constexpr long kGreat = 1L << 16;  // bytes: buffers, pictures, columns of landm
 constexpr long kMiddling = 1L << 10;
 
 std::size_t wished_sample() {
-    const char* wish = std::getenv("HITOS_FAULTS");  // NOLINT(concurrency-mt-unsafe)
-    const bool all = wish != nullptr && std::string_view(wish) == "all";
-    return all ? 200 : 10;
+    return static_cast<std::size_t>(repeated(10));
 }
 
 class MemoryFaults : public ::testing::TestWithParam<std::string> {

@@ -13,6 +13,7 @@
 #include <random>
 
 #include "gui_fixture.hpp"
+#include "support.hpp"
 #include "tests.hpp"
 #include "views/plots.hpp"
 #include "views/time_line.hpp"
@@ -250,9 +251,9 @@ void answer(Fixture& f, RandomUser& user) {
 
 }  // namespace
 
-/// HITOS_USER_SECONDS and HITOS_USER_SEED make it longer or another.
+/// HITOS_REPEAT makes it longer and HITOS_USER_SEED another.
 void RandomUserTest::nothing_that_a_user_does_breaks_the_window() {
-    const int seconds = from_environment("HITOS_USER_SECONDS", 60);
+    const int seconds = test::repeated(20);
     const auto seed = static_cast<unsigned>(from_environment("HITOS_USER_SEED", 1));
     complaints().clear();
     const auto before = qInstallMessageHandler(note_complaint);

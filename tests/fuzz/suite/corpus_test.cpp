@@ -121,22 +121,18 @@ TEST_P(Corpus, IsReadOrRefusedWhateverIsDamagedInIt) {
 
     test::Mutator mutator(words_of(target));
     Feeder damaged(target);
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    constexpr int kRounds = 2000;  // as they take ten times as long; libFuzzer does the rest
-#else
-    constexpr int kRounds = 20000;
-#endif
+    const int rounds = test::repeated(2000);
     constexpr int kSplicedEvery = 8;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         const std::string& input = mutator.one_of(corpus);
         const bool splice = mutator.below(kSplicedEvery) == 0;
         const std::string bad =
             splice ? spliced(mutator, input, mutator.one_of(corpus)) : mutator.mutate(input);
         ASSERT_NO_FATAL_FAILURE(damaged.feed(bad));
     }
-    constexpr int kLeastOfEach = kRounds / 200;
-    EXPECT_GT(damaged.taken, kLeastOfEach);
-    EXPECT_GT(damaged.refused, kLeastOfEach);
+    const int least_of_each = rounds / 200;
+    EXPECT_GT(damaged.taken, least_of_each);
+    EXPECT_GT(damaged.refused, least_of_each);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, Corpus, testing::ValuesIn(targets().begin(), targets().end()),
