@@ -92,6 +92,10 @@ std::optional<Scan> Procesador::next_scan() {
                 continue;
             }
             last_scan_ = *scan;
+            if (options_.scan_delay_s != 0.0) {
+                scan->time_s += options_.scan_delay_s;
+                scan->carries_odometry = false;
+            }
             if (is_early(*scan)) {
                 if (options_.leave_out_early_scans) {
                     ++report_.early_scans_left_out;

@@ -90,6 +90,7 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
     TourSummary summary;
     summary.format = reader.format();
     Stamps stamps;
+    TourExamination examination;
     std::optional<double> clock_s;
     std::uint64_t odometry_line = 0;
     const auto read_odometry_to = [&](std::uint64_t line) {
@@ -101,6 +102,7 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
             }
             odometry_line = reading->line;
             stamps.add(reading->time_s);
+            examination.note(*reading);
             const double seconds = reading->time_s - clock_s.value_or(reading->time_s);
             summary.distance_m += std::hypot(reading->twist.v, reading->twist.v_lateral) * seconds;
             clock_s = reading->time_s;
@@ -109,6 +111,7 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
     while (const std::optional<Scan> scan = reader.next_scan()) {
         if (reader.report().scans == 1) summary.fan = scan->fan;
         stamps.add(scan->time_s);
+        examination.note(*scan);
         // Both sequences keep together, so that progress means both.
         read_odometry_to(scan->line);
         if (progress && !progress(reader.progress().value_or(0.0))) {
@@ -119,6 +122,7 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
     if (summary.complete) {
         read_odometry_to(kWholeTour);
         if (progress) progress(1.0);
+        summary.findings = examination.findings();
         if (!stamps.any()) refuse_empty(reader);
     }
     summary.report = reader.report();

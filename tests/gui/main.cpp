@@ -5,7 +5,6 @@
 
 #include "app/application.hpp"
 #include "gui_fixture.hpp"
-#include "support.hpp"
 #include "tests.hpp"
 
 namespace {
@@ -24,7 +23,7 @@ int main(int argc, char** argv) {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     if (qEnvironmentVariableIsEmpty("QTEST_FUNCTION_TIMEOUT")) {
         // Qt's five minutes are one wait's patience, and less than a user may be asked to stay.
-        const int seconds = hitos::test::repeated(20);
+        const int seconds = 20 * qEnvironmentVariableIntValue("HITOS_REPEAT");
         qputenv("QTEST_FUNCTION_TIMEOUT", QByteArray::number(4 * kPatienceMs + 1000 * seconds));
     }
     QStandardPaths::setTestModeEnabled(true);

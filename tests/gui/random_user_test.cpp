@@ -13,7 +13,6 @@
 #include <random>
 
 #include "gui_fixture.hpp"
-#include "support.hpp"
 #include "tests.hpp"
 #include "views/plots.hpp"
 #include "views/time_line.hpp"
@@ -253,7 +252,7 @@ void answer(Fixture& f, RandomUser& user) {
 
 /// HITOS_REPEAT makes it longer and HITOS_USER_SEED another.
 void RandomUserTest::nothing_that_a_user_does_breaks_the_window() {
-    const int seconds = test::repeated(20);
+    const int seconds = 20 * from_environment("HITOS_REPEAT", 1);
     const auto seed = static_cast<unsigned>(from_environment("HITOS_USER_SEED", 1));
     complaints().clear();
     const auto before = qInstallMessageHandler(note_complaint);

@@ -1,4 +1,5 @@
-// hitos-cli info: what a log, a recording or a world holds, as the window's source dialog says it.
+// hitos-cli info and check: what a log, a recording or a world holds, as the window's source dialog
+// says it, and what of it looks wrong.
 
 #include <fmt/core.h>
 
@@ -8,6 +9,7 @@
 
 #include "commands.hpp"
 #include "damage.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/services/run/results.hpp"
@@ -98,37 +100,85 @@ void tell(const std::string& source, const SourceInspection& found, Report& repo
     tell_first_lines(found, report);
 }
 
-void info(const InfoOptions& options) {
-    const std::string source = source_named(input_named(options.log, "log"));
+/// Returns how many findings there are.
+std::size_t tell_findings(const TourSummary& tour, Report& report) {
+    for (const TourFinding& finding : tour.findings) report.warn(words_of(finding));
+    report.object()["findings"] = parsed_object(to_json(tour.findings));
+    return tour.findings.size();
+}
+
+SourceInspection inspected(const InfoOptions& options, const std::string& source) {
     Configuracion configuration = load(options.configuration, source);
     configuration.source.file = source;
     options.source.choose(configuration.source);
     ProgressLine line("parts");
-    const SourceInspection found = inspect_source(configuration.source, [&line](double fraction) {
+    return inspect_source(configuration.source, [&line](double fraction) {
         constexpr double kParts = 100.0;
         line.show(static_cast<std::uint64_t>(fraction * kParts), fraction);
         return true;
     });
+}
+
+void info(const InfoOptions& options) {
+    const std::string source = source_named(input_named(options.log, "log"));
+    const SourceInspection found = inspected(options, source);
     Report report(options.json);
     found.choice.empty() ? tell(source, found, report) : tell_choice(source, found, report);
+    tell_findings(found.tour, report);
     report.end();
+}
+
+/// Leaves with 1 where there is something to doubt.
+void check_source(const InfoOptions& options) {
+    const std::string source = source_named(input_named(options.log, "log"));
+    const SourceInspection found = inspected(options, source);
+    if (!found.choice.empty()) throw ConfigError("log", found.choice);
+    Report report(options.json);
+    report.say("{}: {}, {} scans, {} odometry readings\n", source, found.tour.format,
+               found.tour.report.scans, found.tour.report.odometry);
+    report.say("{}", damage_text(found.tour.report));
+    report.object() = {{"source", source},
+                       {"format", found.tour.format},
+                       {"scans", found.tour.report.scans},
+                       {"log", parsed_object(to_json(found.tour.report))}};
+    if (found.tour.report.scans == 0) report.warn("not one scan that can be read");
+    const bool doubtful = tell_findings(found.tour, report) > 0 || found.tour.report.scans == 0;
+    if (!doubtful) report.say("nothing looks wrong in it\n");
+    report.end();
+    if (doubtful) throw CLI::RuntimeError(1);
+}
+
+CLI::App* add_inspection(CLI::App& program, const std::string& name, const std::string& purpose,
+                         InfoOptions& options) {
+    CLI::App* command = program.add_subcommand(name, purpose);
+    command
+        ->add_option("log", options.log,
+                     "Log file, plain or .gz, ROS recording, world file or the name of a world; - "
+                     "for standard input")
+        ->required();
+    add_source_options(*command, options.source);
+    add_configuration_options(*command, options.configuration);
+    add_report_option(*command, options.json);
+    return command;
 }
 
 }  // namespace
 
 void add_info(CLI::App& program) {
     auto options = std::make_shared<InfoOptions>();
-    CLI::App* command = program.add_subcommand(
-        "info", "Say what a log, a recording or a world holds, and what of it is damaged");
-    command
-        ->add_option("log", options->log,
-                     "Log file, plain or .gz, ROS recording, world file or the name of a world; - "
-                     "for standard input")
-        ->required();
-    add_source_options(*command, options->source);
-    add_configuration_options(*command, options->configuration);
-    add_report_option(*command, options->json);
-    command->callback([options] { info(*options); });
+    add_inspection(program, "info",
+                   "Say what a log, a recording or a world holds, and what of it is damaged",
+                   *options)
+        ->callback([options] { info(*options); });
+}
+
+void add_check(CLI::App& program) {
+    auto options = std::make_shared<InfoOptions>();
+    add_inspection(program, "check",
+                   "Doubt a log, a recording or a world: clocks, mounting, units; status 1 where "
+                   "something looks wrong",
+                   *options)
+        ->callback([options] { check_source(*options); });
 }
 
 }  // namespace hitos::cli

@@ -84,6 +84,7 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
                    figures->scans - figures->unmatched, figures->scans, summary.quality.loops,
                    summary.quality.loops == 1 ? "" : "s", figures->largest_correction_m);
     }
+    for (const TourFinding& finding : summary.quality.findings) report.warn(words_of(finding));
     for (const Advice& warning : summary.quality.warnings) {
         report.warn(warning.words());
     }

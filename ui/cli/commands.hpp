@@ -9,6 +9,7 @@ namespace hitos::cli {
 void add_run(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_info(CLI::App& program);
+void add_check(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_evaluate(CLI::App& program);
 void add_relations(CLI::App& program);

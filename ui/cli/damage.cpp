@@ -42,4 +42,8 @@ std::string damage_text(const ReadReport& report) {
     return text;
 }
 
+std::string words_of(const TourFinding& finding) {
+    return fmt::format("{}; {}", finding.what.english(), finding.remedy.english());
+}
+
 }  // namespace hitos::cli

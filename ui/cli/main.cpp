@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
     hitos::cli::add_world(program);
     hitos::cli::add_convert(program);
     hitos::cli::add_info(program);
+    hitos::cli::add_check(program);
     hitos::cli::add_evaluate(program);
     hitos::cli::add_compare(program);
     hitos::cli::add_relations(program);

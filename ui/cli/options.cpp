@@ -128,11 +128,14 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
 void add_source_options(CLI::App& command, SourceOptions& options) {
     command.add_option("--format", options.format, log_format_choices() + " (default: auto)");
     manual::add_topic_options(command, options.topics);
+    command.add_option("--scan-delay", options.scan_delay_s,
+                       "Seconds to add to the scans' times, as check advises (default: 0)");
 }
 
 void SourceOptions::choose(SourceParams& source) const {
     if (!format.empty()) source.format = checked_log_format(format, "--format");
     topics.choose(source);
+    if (scan_delay_s) source.read.scan_delay_s = *scan_delay_s;
 }
 
 std::string complaint_of_output(const std::string& name) {

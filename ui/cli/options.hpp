@@ -29,6 +29,7 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
 struct SourceOptions {
     std::string format;
     TopicChoices topics;
+    std::optional<double> scan_delay_s;
 
     /// Over what the configuration says. Throws ConfigError for a word that no format has.
     void choose(SourceParams& source) const;

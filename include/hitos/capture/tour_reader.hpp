@@ -55,6 +55,9 @@ struct ReadOptions {
     /// Leave out the scans before the first odometry reading: how the robot moved from one to the
     /// next is not known.
     bool leave_out_early_scans = false;
+    /// Added to the scans' times [s], where the laser's clock is not the odometry's. Scans whose
+    /// line carries odometry then go by their times like all others.
+    double scan_delay_s = 0.0;
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 

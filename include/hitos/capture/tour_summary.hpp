@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hitos/base/message.hpp"
+#include "hitos/capture/tour_examination.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
@@ -18,10 +19,11 @@ struct TourSummary {
     std::string format;  ///< as TourReader::format()
     ReadReport report;
     double first_stamp_s = 0.0;
-    double duration_s = 0.0;  ///< from the earliest stamp to the latest
-    double distance_m = 0.0;  ///< length of the odometry's path
-    Fan fan;                  ///< of the first scan
-    bool complete = true;     ///< false where the caller stopped the reading
+    double duration_s = 0.0;            ///< from the earliest stamp to the latest
+    double distance_m = 0.0;            ///< length of the odometry's path
+    Fan fan;                            ///< of the first scan
+    bool complete = true;               ///< false where the caller stopped the reading
+    std::vector<TourFinding> findings;  ///< what there is to doubt, of a complete one
 };
 
 /// Told now and then how far the reading is, 0 … 1; false stops it.

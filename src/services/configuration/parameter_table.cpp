@@ -84,6 +84,17 @@ void add_source(Table& table) {
              .label = HITOS_TEXT("ParameterLabel", "Scans before the odometry"),
              .choices = {{"keep", HITOS_TEXT("ParameterChoice", "Keep, robot at rest")},
                          {"leave_out", HITOS_TEXT("ParameterChoice", "Leave out")}}}));
+    table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::scan_delay_s>(
+        {.key = "source.scan_delay",
+         .unit = "s",
+         .minimum = -1e10,
+         .maximum = 1e10,
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Added to the times of the scans, where the laser's clock is not the odometry's; "
+             "hitos-cli check says by how much they differ. A higher value pairs scans with later "
+             "odometry."),
+         .label = HITOS_TEXT("ParameterLabel", "Scan delay")}));
     const ConfigParameter::Condition world{
         "source.file", "a world (.toml)",
         [](const Config& configuration) { return is_world_file(configuration.source.file); }};

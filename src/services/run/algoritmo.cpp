@@ -6,6 +6,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
+#include "hitos/capture/tour_examination.hpp"
 #include "hitos/features/extractor.hpp"
 #include "hitos/slam/filters.hpp"
 
@@ -54,8 +55,12 @@ void Algoritmo::begin() {
                      : make_extractor(configuration_.extraction, configuration_.run.seed);
     filter_ =
         make_filter(configuration_.filter, configuration_.run.seed, configuration_.run.threads);
-    controls_ =
-        std::make_unique<ControlTrack>([from = reader_.get()] { return from->next_odometry(); });
+    examination_ = options_.examine ? std::make_unique<TourExamination>() : nullptr;
+    controls_ = std::make_unique<ControlTrack>([from = reader_.get(), doubts = examination_.get()] {
+        const std::optional<Odometria> reading = from->next_odometry();
+        if (reading && doubts != nullptr) doubts->note(*reading);
+        return reading;
+    });
     registration_ = needs_registration(configuration_.filter)
                         ? std::make_unique<Registration>(configuration_.registration)
                         : nullptr;
@@ -88,12 +93,14 @@ bool Algoritmo::step(AssociationRecord* record) {
                         nothing_found(report())));
         }
         // Nothing comes of odometry after the last scan, but the log has it: report() is of all.
-        while (reader_->next_odometry()) {
+        while (const std::optional<Odometria> reading = reader_->next_odometry()) {
+            if (examination_) examination_->note(*reading);
         }
         finish();
         return false;
     }
     scan_ = std::move(*scan);
+    if (examination_) examination_->note(scan_);
     controls_->controls_until(scan_, step_controls_);
     extractor_->go_to(steps());  // wherever the run comes from
     extractor_->extract(scan_, observation_);

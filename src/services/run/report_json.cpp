@@ -10,6 +10,13 @@ namespace hitos {
 
 using nlohmann::ordered_json;
 
+ordered_json json_of(const TourFinding& finding) {
+    return {{"kind", word_of(finding.kind)},
+            {"value", finding.value},
+            {"found", finding.what.english()},
+            {"remedy", finding.remedy.english()}};
+}
+
 ordered_json json_of(const ReadReport& report, std::size_t examples) {
     ordered_json skipped = ordered_json::array();
     const std::span<const ReadReport::Skip> all = report.examples;

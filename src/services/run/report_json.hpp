@@ -4,9 +4,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "hitos/capture/tour_examination.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
+
+/// Its word, its number and its sentences in English.
+nlohmann::ordered_json json_of(const TourFinding& finding);
 
 /// The counts, but for the scans, and the first `examples` damaged lines.
 nlohmann::ordered_json json_of(const ReadReport& report,

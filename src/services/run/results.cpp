@@ -70,6 +70,9 @@ ordered_json json_of(const RunQuality& quality) {
     }
     json["warnings"] = ordered_json::array();
     for (const Advice& warning : quality.warnings) json["warnings"].push_back(warning.words());
+    json["findings"] = ordered_json::array();
+    for (const TourFinding& finding : quality.findings)
+        json["findings"].push_back(json_of(finding));
     return json;
 }
 
@@ -187,6 +190,12 @@ std::string to_json(const RunSummary& summary, double seconds) {
 
 std::string to_json(const ReadReport& report) {
     return text_of(json_of(report));
+}
+
+std::string to_json(std::span<const TourFinding> findings) {
+    ordered_json json = ordered_json::array();
+    for (const TourFinding& finding : findings) json.push_back(json_of(finding));
+    return text_of(json);
 }
 
 std::string to_json(std::span<const MeasuredDistance> distances) {

@@ -23,6 +23,7 @@
 namespace hitos {
 
 class Extractor;
+class TourExamination;
 
 struct AlgoritmoOptions {
     /// Build the grid map step by step from whichever particle is best at each step.
@@ -36,6 +37,8 @@ struct AlgoritmoOptions {
     bool go_back = false;
     /// Keep the figures of every step (RunWorker does), some 300 bytes each; else of the last one.
     bool figures = true;
+    /// Doubt what is read of the tour.
+    bool examine = true;
     /// Makes what finds the features; null: the one that the configuration asks for.
     std::function<std::unique_ptr<Extractor>()> extractor = nullptr;
 };
@@ -96,6 +99,8 @@ class Algoritmo {
     const LineExtents& line_extents() const { return line_extents_; }
     /// Whether tour and configuration suit each other, as far as the run shows.
     const Suitability& suitability() const { return suitability_; }
+    /// What doubts the tour; null where the options do not ask for it.
+    const TourExamination* examination() const { return examination_.get(); }
     /// Of what speaks against the configuration so far; a recording that is run without
     /// registration is offered it.
     std::vector<Advice> advice() const;
@@ -136,6 +141,7 @@ class Algoritmo {
     AlgoritmoOptions options_;
     std::unique_ptr<TourReader> reader_;
     RememberedTour* remembered_ = nullptr;  // the reader, where the options ask for it
+    std::unique_ptr<TourExamination> examination_;
     std::unique_ptr<ControlTrack> controls_;
     std::unique_ptr<Extractor> extractor_;
     std::unique_ptr<Registration> registration_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "hitos/capture/tour_examination.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 
 namespace hitos {
@@ -16,6 +17,7 @@ struct RunQuality {
     std::optional<RegistrationFigures> registration;  ///< of a run that has one
     std::uint64_t loops = 0;                          ///< that it closed
     std::vector<Advice> warnings;                     ///< why the map should not be trusted
+    std::vector<TourFinding> findings;                ///< what looks wrong in the tour itself
 };
 
 /// Why path and map should not be trusted, as far as the run so far shows it.

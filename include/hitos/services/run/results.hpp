@@ -84,6 +84,8 @@ std::string to_json(const RunSummary& summary, double seconds);
 
 /// What was damaged in a log, as the summary states it under "log".
 std::string to_json(const ReadReport& report);
+/// Likewise a list of them.
+std::string to_json(std::span<const TourFinding> findings);
 
 /// Measured distances, as the summary states them under "distances".
 std::string to_json(std::span<const MeasuredDistance> distances);

@@ -234,6 +234,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.source.read.scan_topic = "/front,/rear";
     c.source.read.odom_topic = "tf";
     c.source.read.leave_out_early_scans = true;
+    c.source.read.scan_delay_s = -0.25;
     c.source.tour_seed = 43;
     c.source.world_set = "laser.sigma=0.003";
     c.run = {42, 3};
@@ -276,6 +277,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"source.scan_topic", "/front,/rear"},
         {"source.odom_topic", "tf"},
         {"source.early_scans", "leave_out"},
+        {"source.scan_delay", "-0.25"},
         {"source.tour_seed", "43"},
         {"source.world_set", "laser.sigma=0.003"},
         {"run.seed", "42"},
