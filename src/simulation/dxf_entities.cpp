@@ -13,6 +13,14 @@ namespace {
 
 constexpr std::size_t kMostEntities = 2'000'000;
 
+/// The next line without white space at its ends; where there is none, nothing at the end. Points
+/// into `rest` even where it is empty, to be told where it was.
+std::string_view value_of(std::string_view& rest) {
+    const std::string_view line = input::next_line(rest).value_or(rest);
+    const std::string_view value = input::trimmed(line);
+    return value.empty() ? line.substr(0, 0) : value;
+}
+
 /// The group code that a line is.
 std::optional<int> code_of(std::string_view line) {
     const std::string_view word = input::trimmed(line);
@@ -99,8 +107,7 @@ int whole(double value) {
 std::optional<Group> Groups::any() {
     const auto code = input::next_line(rest_);
     if (!code) return std::nullopt;
-    const auto value = input::next_line(rest_);
-    return Group{code_of(*code).value_or(-1), input::trimmed(value.value_or(std::string_view{}))};
+    return Group{code_of(*code).value_or(-1), value_of(rest_)};
 }
 
 std::optional<Group> Groups::next() {
@@ -225,10 +232,9 @@ void Drawing::read() {
         if (!line || (input::trimmed(rest).empty() && input::trimmed(*line).empty())) break;
         const auto code = code_of(*line);
         if (!code)
-            fail(input::trimmed(*line),
+            fail(line->substr(0, line->find('\r')),
                  HITOS_TEXT("Errors", "found %1, expected a group code of an ASCII DXF drawing"));
-        const auto value_line = input::next_line(rest);
-        const std::string_view value = input::trimmed(value_line.value_or(std::string_view{}));
+        const std::string_view value = value_of(rest);
         if (*code == 0) {
             entity.text = std::string_view(begin, static_cast<std::size_t>(before.data() - begin));
             finish();

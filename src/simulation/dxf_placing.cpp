@@ -107,7 +107,7 @@ std::string other_sizes(double width, double height) {
         if (reasonable(std::max(width, height) * metres))
             sizes.push_back(fmt::format("{}: {}", name, size_of(width * metres, height * metres)));
     }
-    return sizes.empty() ? "-" : fmt::format("{}", fmt::join(sizes, ", "));
+    return fmt::format("{}", fmt::join(sizes, ", "));
 }
 
 void tell_size(const Bounds& box, const Unit& unit, DxfWalls& result) {
@@ -115,11 +115,18 @@ void tell_size(const Bounds& box, const Unit& unit, DxfWalls& result) {
     const double height = box.high.y - box.low.y;
     result.notes.push_back(unit.note);
     if (reasonable(std::max(width, height))) return;
+    const std::string size = size_of(width, height);
+    const std::string others = other_sizes(width / unit.metres, height / unit.metres);
     result.warnings.push_back(
-        message(HITOS_TEXT("Errors",
-                           "drawing: %1 is no size of a place that a robot maps; is the unit "
-                           "right? By others (--unit, dxf_unit) it is: %2"),
-                size_of(width, height), other_sizes(width / unit.metres, height / unit.metres)));
+        others.empty()
+            ? message(HITOS_TEXT("Errors",
+                                 "drawing: %1 is no size of a place that a robot maps; is anything "
+                                 "far from the rest, or missing?"),
+                      size)
+            : message(HITOS_TEXT("Errors",
+                                 "drawing: %1 is no size of a place that a robot maps; is the unit "
+                                 "right? By others (--unit, dxf_unit) it is: %2"),
+                      size, others));
 }
 
 }  // namespace

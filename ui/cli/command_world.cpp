@@ -140,8 +140,6 @@ void make_world(WorldOptions options) {
     tell_size(world, report);
     // Of a drawing that the world names, or that it is made of.
     made.notes.insert(made.notes.end(), world.drawing_notes.begin(), world.drawing_notes.end());
-    made.warnings.insert(made.warnings.end(), world.drawing_warnings.begin(),
-                         world.drawing_warnings.end());
     tell("notes", made.notes, report);
     if (!world.walls.empty()) report.object()["nearest_wall_m"] = check.nearest_m;
     report.object()["check"] = nlohmann::ordered_json::array();

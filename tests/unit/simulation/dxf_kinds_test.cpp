@@ -319,6 +319,8 @@ TEST_F(DxfKinds, SurveyCoordinatesAreMovedAndStraysLeftOut) {
 TEST_F(DxfKinds, DamageIsToldAndNeverHangs) {
     EXPECT_THAT(message_of<FormatError>([&] { read("0 LINE 8 0 10 nan 20 0 11 1 21 1"); }),
                 HasSubstr("d.dxf:10: found \"nan\", expected a finite number"));
+    EXPECT_THAT(message_of<FormatError>([&] { read("0 LINE 8 0 10  20 0 11 1 21 1"); }),
+                HasSubstr("d.dxf:10: found \"\", expected"));
     EXPECT_THAT(message_of<FormatError>([&] { read("0 LINE 8 0 10 1,5 20 0 11 1 21 1"); }),
                 HasSubstr("\"1,5\""));
     // Of what breaks off, the last entity may be half of one.
