@@ -74,7 +74,7 @@ Curve chords_of(const Arc& arc, double chord) {
 
 void append_bulge(Curve& curve, const Eigen::Vector3d& to, double bulge, double chord) {
     constexpr double kStraight = 1e-9;
-    if (!curve.empty() && std::abs(bulge) > kStraight) {
+    if (!curve.empty() && curve.size() <= kMostPoints && std::abs(bulge) > kStraight) {
         const Eigen::Vector3d from = curve.back();
         const Eigen::Vector3d half = (to - from) / 2.0;
         const Eigen::Vector3d left(-half.y(), half.x(), 0.0);
@@ -99,7 +99,7 @@ Curve chords_of(const Spline& spline, double chord) {
         return {};
     }
     Curve curve;
-    for (std::size_t span = p; span < n; ++span) {
+    for (std::size_t span = p; span < n && curve.size() <= kMostPoints; ++span) {
         const double from = spline.knots[span];
         const double to = spline.knots[span + 1];
         if (!(to > from)) continue;

@@ -118,12 +118,13 @@ struct Corner {
 
 void chain(Shape& shape, const std::vector<Corner>& corners, bool closed, double chord) {
     Curve curve;
+    shape.readable = shape.readable && !corners.empty();
+    if (corners.empty()) return;
     for (std::size_t i = 0; i < corners.size() + (closed ? 1 : 0); ++i) {
         const double bulge = i == 0 ? 0.0 : corners[i - 1].bulge;
         shape.curved = shape.curved || bulge != 0.0;
         append_bulge(curve, corners[i % corners.size()].at, bulge, chord);
     }
-    shape.readable = shape.readable && !corners.empty();
     shape.curves.push_back(std::move(curve));
 }
 
@@ -369,7 +370,8 @@ void hatch(Shape& shape, const Fields& fields, double chord) {
     };
     const auto boundary_ends = [](int code) { return code == 92 || code == 97 || code == 75; };
     std::size_t i = find(0, [](int code) { return code == 92 || code == 75; });
-    while (i < all.size() && all[i].code == 92) {
+    std::size_t points = 0;
+    while (i < all.size() && all[i].code == 92 && points <= kMostPoints) {
         const bool polyline = (whole(fields.number(all[i])) & kPolyline) != 0;
         const std::size_t begin = i + 1;
         std::vector<Corner> corners;
@@ -385,9 +387,11 @@ void hatch(Shape& shape, const Fields& fields, double chord) {
                 if (all[k].code == 42) corners.back().bulge = value;
             }
             chain(shape, corners, closed, chord);
+            if (!shape.readable) return;
+            points += shape.curves.back().size();
         } else {
             i = find(begin, [&](int code) { return code == 72 || boundary_ends(code); });
-            while (i < all.size() && all[i].code == 72) {
+            while (i < all.size() && all[i].code == 72 && points <= kMostPoints) {
                 const int kind = whole(fields.number(all[i]));
                 const std::size_t edge = i + 1;
                 // A spline's own 97 counts points that it goes through: 11 follows it, or 12.
@@ -400,6 +404,7 @@ void hatch(Shape& shape, const Fields& fields, double chord) {
                     hatch_edge(fields, kind, std::span(all).subspan(edge, i - edge), chord);
                 shape.curved = shape.curved || kind != 1;
                 shape.readable = shape.readable && curve.size() >= 2;
+                points += curve.size();
                 shape.curves.push_back(std::move(curve));
             }
         }

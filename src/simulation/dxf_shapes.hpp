@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,10 @@
 namespace hitos::dxf {
 
 using Curve = std::vector<Eigen::Vector3d>;
+
+/// Of all walls of a drawing, as often as they are drawn: what a world of them can be made of in
+/// seconds. A shape that passes it need not be whole.
+inline constexpr std::size_t kMostPoints = 400'000;
 
 /// The axes of the coordinate system that an entity's extrusion stands for, in the columns
 /// (the "arbitrary axis algorithm" of the DXF reference).

@@ -23,8 +23,9 @@ namespace {
 
 constexpr double kChord = 0.005;  // m, how far a chord may lie from its curve
 constexpr std::size_t kLargestDrawing = std::size_t{1} << 28;
-constexpr std::size_t kMostDrawn = 2'000'000;  // entities and insertions, each as often as drawn
-constexpr std::size_t kMostDrawnPoints = 500'000;
+// Entities and insertions, each as often as drawn, long ones by the length of their text.
+constexpr std::size_t kMostDrawn = 2'000'000;
+constexpr std::size_t kLongText = 64;
 constexpr std::size_t kDeepest = 100;  // blocks in blocks
 
 /// How many there are of each name.
@@ -91,8 +92,9 @@ class Draughtsman {
         return found == drawing_.layers.end() ? nullptr : &found->second;
     }
 
-    void spend(std::size_t& budget, std::size_t most) const {
-        if (++budget <= most) return;
+    void spend(std::size_t& budget, std::size_t most, std::size_t amount = 1) const {
+        budget += amount;
+        if (budget <= most) return;
         throw FormatError(path_, 0,
                           message(HITOS_TEXT("Errors",
                                              "shows more than %1 pieces, blocks as often as they "
@@ -105,8 +107,8 @@ class Draughtsman {
               std::string_view on) {
         for (std::size_t i = 0; i < entities.size(); ++i) {
             const dxf::Entity& entity = entities[i];
+            spend(steps_, kMostDrawn, 1 + entity.text.size() / kLongText);
             if (entity.type == "VERTEX" || entity.type == "SEQEND") continue;
-            spend(steps_, kMostDrawn);
             const std::string type(entity.type);
             const bool is_insert = type == "INSERT";
             if (is_annotation(type)) {
@@ -157,7 +159,7 @@ class Draughtsman {
                 const Eigen::Vector3d at = placed * point;
                 const Point2 next{at.x() * unit_m_, at.y() * unit_m_};
                 if (wall.empty() || wall.back() != next) wall.push_back(next);
-                spend(points_, kMostDrawnPoints);
+                spend(points_, dxf::kMostPoints);
             }
             if (wall.size() < 2) continue;
             seen = true;
