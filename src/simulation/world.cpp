@@ -173,13 +173,13 @@ class Reading {
                  message(HITOS_TEXT("Errors", "walls_dxf: %1: no such file"), drawing.string()));
         }
         world_.drawing = drawing;
-        for (const std::vector<Point2>& wall : read_dxf_walls(drawing, dxf_)) {
+        DxfWalls drawn = read_dxf_walls(drawing, dxf_);
+        for (const std::vector<Point2>& wall : drawn.walls) {
             ++walls_;
-            for (std::size_t i = 1; i < wall.size(); ++i) {
-                // Drawings hold points twice where a line was snapped to itself.
-                if (wall[i - 1] != wall[i]) add_segment(wall[i - 1], wall[i], 0);
-            }
+            for (std::size_t i = 1; i < wall.size(); ++i) add_segment(wall[i - 1], wall[i], 0);
         }
+        world_.drawing_notes = std::move(drawn.notes);
+        world_.drawing_warnings = std::move(drawn.warnings);
     }
 
     void read_start(const toml::node& node) {

@@ -107,6 +107,7 @@ std::vector<Message> sentences_of(const WorldCheck& check, const World& world) {
             : message(HITOS_TEXT("Errors",
                                  "room: open, a ray from the start at %1 degrees meets no wall"),
                       fmt::format("{:.1f}", *check.way_out_rad * 180.0 / kPi)));
+    sentences.insert(sentences.end(), world.drawing_warnings.begin(), world.drawing_warnings.end());
     if (!check.has_tour) {
         sentences.push_back(message(
             HITOS_TEXT("Errors", "tour: none yet; it can be driven by hand, or given way_points")));

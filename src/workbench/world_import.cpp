@@ -18,6 +18,7 @@
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
 #include "hitos/services/maps/wall_tracing.hpp"
+#include "hitos/simulation/disturbance.hpp"
 #include "hitos/simulation/dxf_walls.hpp"
 
 namespace hitos {
@@ -26,6 +27,7 @@ namespace {
 constexpr double kOnLine = 0.05;      // m, of a corner from the line of a map
 constexpr double kDigit = 1000.0;     // millimetres in a metre
 constexpr double kShortest = 0.0005;  // m
+constexpr double kSurvey = 1e4;       // m, from where on a drawing has a country's coordinates
 
 std::filesystem::path segments_file(const std::filesystem::path& source) {
     std::error_code ignored;
@@ -102,7 +104,7 @@ std::vector<Polyline> walls_of_segments(const std::filesystem::path& file) {
 
 /// A line from its first corner to its last, through those between.
 std::vector<Polyline> walls_of_map(const std::filesystem::path& file, double tolerance_m,
-                                   std::size_t* left_out) {
+                                   ImportReport* report) {
     const LandmarkMap map = read_map(file);
     const double tolerance = tolerance_m > 0.0 ? tolerance_m : kOnLine;
     std::vector<Polyline> walls;
@@ -121,24 +123,41 @@ std::vector<Polyline> walls_of_map(const std::filesystem::path& file, double tol
         wall.erase(std::unique(wall.begin(), wall.end()), wall.end());
         if (wall.size() >= 2) {
             walls.push_back(std::move(wall));
-        } else if (left_out != nullptr) {
-            ++*left_out;
+        } else if (report != nullptr) {
+            ++report->left_out;
         }
     }
     return walls;
 }
 
-/// Of a run's own map.dxf the layer of its segments: the corners' ellipses are no walls.
-std::vector<Polyline> walls_of_drawing(const std::filesystem::path& file) {
-    try {
-        return read_dxf_walls(file);
-    } catch (const FormatError&) {
-        try {
-            return read_dxf_walls(file, {kDxfLines, {}});
-        } catch (const FormatError&) {  // what is wrong with the whole says more
-        }
-        throw;
+std::vector<Polyline> walls_of_drawing(const std::filesystem::path& file,
+                                       const ImportOptions& options, ImportReport* report) {
+    const bool starts_far =
+        options.start && std::hypot(options.start->x, options.start->y) > kSurvey;
+    DxfOptions dxf{options.layer, options.unit_m, starts_far ? kFarthest : kSurvey};
+    DxfWalls drawn = read_dxf_walls(file, dxf);
+    // Of a run's own map.dxf the layer of its segments: neither the path nor regions are walls.
+    const auto has = [&](const char* layer) {
+        return std::ranges::find(drawn.layers, layer) != drawn.layers.end();
+    };
+    if (options.layer.empty() && has(kDxfLines) && has(kDxfCorners) && has(kDxfPath) &&
+        has(kDxfCovariance)) {
+        dxf.layer = kDxfLines;
+        drawn = read_dxf_walls(file, dxf);
     }
+    if (report != nullptr) {
+        report->notes = std::move(drawn.notes);
+        report->warnings = std::move(drawn.warnings);
+    }
+    return std::move(drawn.walls);
+}
+
+[[noreturn]] void refuse_layer_and_unit(const std::filesystem::path& source) {
+    throw ConfigError("layer, unit",
+                      message(HITOS_TEXT("Errors",
+                                         "%1 is no drawing; layers and units are chosen of DXF "
+                                         "drawings (.dxf) alone"),
+                              source.string()));
 }
 
 std::vector<Polyline> walls_of_picture(const OccupancyPicture& picture, double tolerance_m) {
@@ -176,21 +195,21 @@ WallSource wall_source(const std::filesystem::path& source) {
 }
 
 std::vector<Polyline> import_walls(const std::filesystem::path& source,
-                                   const ImportOptions& options, std::size_t* left_out) {
+                                   const ImportOptions& options, ImportReport* report) {
     std::vector<Polyline> walls;
-    switch (wall_source(source)) {
+    const WallSource kind = wall_source(source);
+    if (kind != WallSource::drawing && (!options.layer.empty() || options.unit_m)) {
+        refuse_layer_and_unit(source);
+    }
+    switch (kind) {
         case WallSource::drawing:
-            for (Polyline& wall : walls_of_drawing(source)) {
-                // Drawings hold points twice where a line was snapped to itself.
-                wall.erase(std::unique(wall.begin(), wall.end()), wall.end());
-                if (wall.size() >= 2) walls.push_back(std::move(wall));
-            }
+            walls = walls_of_drawing(source, options, report);
             break;
         case WallSource::segments:
             walls = walls_of_segments(segments_file(source));
             break;
         case WallSource::map:
-            walls = walls_of_map(source, options.tolerance_m, left_out);
+            walls = walls_of_map(source, options.tolerance_m, report);
             break;
         case WallSource::map_server:
             walls = walls_of_picture(read_map_server(source), options.tolerance_m);
@@ -213,8 +232,9 @@ std::vector<Polyline> import_walls(const std::filesystem::path& source,
 }
 
 WorldText import_world(const std::filesystem::path& source, const std::filesystem::path& path,
-                       const ImportOptions& options, std::size_t* left_out) {
+                       const ImportOptions& options, ImportReport* report) {
     if (wall_source(source) == WallSource::world) {
+        if (!options.layer.empty() || options.unit_m) refuse_layer_and_unit(source);
         WorldText text = WorldText::read(source);
         if (options.start) text.set_start(*options.start);
         return text;
@@ -225,7 +245,7 @@ WorldText import_world(const std::filesystem::path& source, const std::filesyste
         name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
     // The start is written even where it is the origin, to be seen and changed.
     WorldText text(fmt::format("# The walls of {}.\n[tour]\nstart = [0, 0, 0]\n", name), path);
-    const std::vector<Polyline> walls = import_walls(source, options, left_out);
+    const std::vector<Polyline> walls = import_walls(source, options, report);
     try {
         text.set_walls(walls);
     } catch (const FormatError& error) {  // of the source, not of what is made of it

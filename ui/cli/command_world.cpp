@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -25,10 +27,14 @@
 namespace hitos::cli {
 namespace {
 
+constexpr std::array<std::pair<const char*, double>, 5> kUnits = {
+    {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}, {"ft", 0.3048}}};
+
 struct WorldOptions {
     std::string source;
     std::string out;
     std::string start;
+    std::string unit;
     ImportOptions import;
     bool json = false;
 };
@@ -53,10 +59,54 @@ Pose parse_start(const std::string& text) {
     return {values[0], values[1], wrap_angle(values[2] * (kPi / 180.0))};
 }
 
+/// Metres per unit.
+double parse_unit(const std::string& text) {
+    for (const auto& [name, metres] : kUnits) {
+        if (text == name) return metres;
+    }
+    const auto value = input::parse_number(text);
+    if (!value || !(*value > 0.0) || !std::isfinite(*value)) {
+        throw ConfigError("--unit", verbatim(fmt::format("found \"{}\", expected mm, cm, m, in, ft "
+                                                         "or the metres of a unit",
+                                                         text)));
+    }
+    return *value;
+}
+
+/// The size of what the walls enclose, from where to where.
+void tell_size(const World& world, Report& report) {
+    Bounds box;
+    for (const WallSegment& wall : world.walls) {
+        box.hold(wall.a);
+        box.hold(wall.b);
+    }
+    if (box.empty) return;
+    const double width = box.high.x - box.low.x;
+    const double height = box.high.y - box.low.y;
+    report.say("size: {:.3f} m x {:.3f} m, from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f})\n", width,
+               height, box.low.x, box.low.y, box.high.x, box.high.y);
+    report.object()["size_m"] = {width, height};
+    report.object()["low_m"] = {box.low.x, box.low.y};
+}
+
+/// What became of a drawing.
+void tell(const char* name, const std::vector<Message>& messages, Report& report) {
+    report.object()[name] = nlohmann::ordered_json::array();
+    for (const Message& message : messages) {
+        report.object()[name].push_back(message.english());
+        if (std::string_view(name) == "warnings") {
+            report.warn(message.english());
+        } else {
+            report.say("{}\n", message.english());
+        }
+    }
+}
+
 void make_world(WorldOptions options) {
     const std::filesystem::path source = source_named(options.source);
     const std::filesystem::path out = options.out;
     if (!options.start.empty()) options.import.start = parse_start(options.start);
+    if (!options.unit.empty()) options.import.unit_m = parse_unit(options.unit);
     if (out.empty() && wall_source(source) != WallSource::world) {
         throw ConfigError("world", verbatim("found nothing to write; give --out WORLD.toml"));
     }
@@ -68,8 +118,8 @@ void make_world(WorldOptions options) {
     const std::vector<std::filesystem::path> inputs =
         is_world_file(source) ? tour_files(source.string()) : std::vector{source};
     check_apart({&out, 1}, inputs);
-    std::size_t left_out = 0;
-    WorldText text = import_world(source, out, options.import, &left_out);
+    ImportReport made;
+    WorldText text = import_world(source, out, options.import, &made);
     if (!out.empty()) text.save(out);
 
     const World& world = text.world();
@@ -81,21 +131,27 @@ void make_world(WorldOptions options) {
                        {"file", options.out},
                        {"walls", world.walls.size()},
                        {"polylines", text.walls().size()},
-                       {"lines_left_out", left_out},
+                       {"lines_left_out", made.left_out},
                        {"good", check.good()},
                        {"start_free", check.start_free},
                        {"closed", check.closed()},
                        {"has_tour", check.has_tour},
                        {"tour_hits_no_wall", check.has_tour && check.tour_problem.empty()}};
+    tell_size(world, report);
+    // Of a drawing that the world names, or that it is made of.
+    made.notes.insert(made.notes.end(), world.drawing_notes.begin(), world.drawing_notes.end());
+    tell("notes", made.notes, report);
     if (!world.walls.empty()) report.object()["nearest_wall_m"] = check.nearest_m;
     report.object()["check"] = nlohmann::ordered_json::array();
     for (const Message& sentence : sentences_of(check, world)) {
         report.say("{}\n", sentence.english());
         report.object()["check"].push_back(sentence.english());
     }
-    if (left_out > 0) {
-        report.note(fmt::format(
-            "{} lines of the map have no two corners and so no ends; they are left out", left_out));
+    tell("warnings", made.warnings, report);
+    if (made.left_out > 0) {
+        report.note(
+            fmt::format("{} lines of the map have no two corners and so no ends; they are left out",
+                        made.left_out));
     }
     report.end();
 }
@@ -122,6 +178,12 @@ void add_world(CLI::App& program) {
         ->add_option("--resolution", options->import.resolution_m,
                      "Metres of a pixel, of a picture without a YAML file")
         ->check(positive());
+    command->add_option("--layer", options->import.layer,
+                        "Layers of a drawing that are walls, apart by commas (default: all that "
+                        "are shown)");
+    command->add_option("--unit", options->unit,
+                        "Unit of a drawing: mm, cm, m, in, ft or the metres of one (default: as "
+                        "it says, else m)");
     command->add_option("--start", options->start,
                         "Where the robot starts: X,Y,DEG [m, degrees] (default: 0,0,0)");
     add_report_option(*command, options->json);

@@ -110,9 +110,11 @@ struct OdometryParams {
 };
 
 struct World {
-    std::string name;               ///< the file's name without folder and extension
-    std::string file;               ///< path, for messages
-    std::filesystem::path drawing;  ///< from which walls come too; empty: none
+    std::string name;                       ///< the file's name without folder and extension
+    std::string file;                       ///< path, for messages
+    std::filesystem::path drawing;          ///< from which walls come too; empty: none
+    std::vector<Message> drawing_notes;     ///< what became of it (DxfWalls)
+    std::vector<Message> drawing_warnings;  ///< where walls of it may be missing
     std::vector<WallSegment> walls;
     std::vector<WallSegment> doors;  ///< walls that open and close, closed at the start
     std::vector<Walker> walkers;

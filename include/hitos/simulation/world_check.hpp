@@ -28,7 +28,7 @@ struct WorldCheck {
 /// a millimetre short of each other are taken to meet.
 WorldCheck check_world(const World& world);
 
-/// The check in sentences, of start, room and tour.
+/// The check in sentences, of start, room, what may be missing of a drawing, and last the tour.
 std::vector<Message> sentences_of(const WorldCheck& check, const World& world);
 
 }  // namespace hitos

@@ -4,13 +4,18 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hitos/base/geometry.hpp"
+#include "hitos/base/message.hpp"
 #include "hitos/simulation/world_text.hpp"
 
 namespace hitos {
 
 struct ImportOptions {
+    /// Of a drawing (DxfOptions).
+    std::string layer;
+    std::optional<double> unit_m;
     /// Of traced pictures (TracingOptions::tolerance_m), and how far the corners of a map may lie
     /// from its lines [m]; 0: two cells of the picture, 0.05 m of a map.
     double tolerance_m = 0.0;
@@ -19,6 +24,13 @@ struct ImportOptions {
     /// Of the robot in the world; nothing: of a world its own, else the origin, where maps and
     /// grids of runs begin.
     std::optional<Pose> start;
+};
+
+/// What became of what is no wall, and of a drawing's unit and place (DxfWalls).
+struct ImportReport {
+    std::size_t left_out = 0;  ///< lines of a map that have no two corners
+    std::vector<Message> notes;
+    std::vector<Message> warnings;
 };
 
 /// What a source is taken for.
@@ -30,17 +42,18 @@ enum class WallSource { drawing, segments, map, map_server, picture, world };
 WallSource wall_source(const std::filesystem::path& source);
 
 /// The walls of the source [m]. Of a map, whose lines have no ends, each line gets one wall from
-/// its first corner to its last; `left_out` counts the lines that have no two corners. Throws what
-/// the readers throw, ConfigError for a picture of no known resolution and FormatError where no
-/// wall is found or the source is a world.
+/// its first corner to its last. A drawing farther than 10 km from its origin is moved there,
+/// unless the start lies out there too. Throws what the readers throw, ConfigError for a picture of
+/// no known resolution and for a layer or unit of what is no drawing, and FormatError where no wall
+/// is found or the source is a world.
 std::vector<Polyline> import_walls(const std::filesystem::path& source,
-                                   const ImportOptions& options, std::size_t* left_out = nullptr);
+                                   const ImportOptions& options, ImportReport* report = nullptr);
 
 /// A world file of the source's walls, to the millimetre where they come from a picture or a run,
 /// with a comment that names the source, and of the start; walls that end where another begins are
 /// one polyline. A world file itself stays as it is written but for the start. `path` is where it
 /// will stand. Throws as import_walls().
 WorldText import_world(const std::filesystem::path& source, const std::filesystem::path& path,
-                       const ImportOptions& options, std::size_t* left_out = nullptr);
+                       const ImportOptions& options, ImportReport* report = nullptr);
 
 }  // namespace hitos

@@ -71,7 +71,7 @@ void require_round_trip(const Walls& walls) {
         }
     }
     if (pieces.empty()) return;
-    const Walls again = read_dxf_walls(file_of(dxf_text(map, pieces, {})), {kDxfLines, 1.0});
+    const Walls again = read_dxf_walls(file_of(dxf_text(map, pieces, {})), {kDxfLines, 1.0}).walls;
     const auto near = [](const Point2& a, const Point2& b) {
         return std::abs(a.x - b.x) <= kTolerance && std::abs(a.y - b.y) <= kTolerance;
     };
@@ -116,8 +116,8 @@ bool check_world(std::string_view input) {
 
 bool check_drawing(std::string_view input) {
     const std::filesystem::path& file = file_of(input);
-    const auto of_layer = unless_refused([&] { return read_dxf_walls(file, {"WALLS", {}}); });
-    const auto walls = unless_refused([&] { return read_dxf_walls(file); });
+    const auto of_layer = unless_refused([&] { return read_dxf_walls(file, {"WALLS", {}}).walls; });
+    const auto walls = unless_refused([&] { return read_dxf_walls(file).walls; });
     for (const auto& found : {of_layer, walls}) {
         if (!found) continue;
         require(!found->empty(), "a drawing that is read has walls");

@@ -85,10 +85,10 @@ TEST(WorldImport, LinesOfAMapEndAtTheirCorners) {
     const auto map = folder.put("some.map",
                                 "rho: 0 theta: 0\nrho: 2 theta: 90\nrho: 50 theta: 90\n"
                                 "x: 0 y: 2\nx: 0.04 y: -3\nx: 0 y: 1\nx: 7 y: 2.2\n");
-    std::size_t left_out = 0;
-    EXPECT_EQ(import_walls(map, {}, &left_out),
+    ImportReport report;
+    EXPECT_EQ(import_walls(map, {}, &report),
               (std::vector<Polyline>{{{0.04, -3}, {0, 1}, {0, 2}}}));
-    EXPECT_EQ(left_out, 2U);
+    EXPECT_EQ(report.left_out, 2U);
     ImportOptions wide;
     wide.tolerance_m = 0.25;
     EXPECT_EQ(import_walls(map, wide).size(), 2U);

@@ -1316,38 +1316,6 @@
         <translation>de camino a %1 el robot se acerca a %2 m de %3; se esperaba al menos su radio, %4 m</translation>
     </message>
     <message>
-        <source>a mesh</source>
-        <translation>una malla</translation>
-    </message>
-    <message>
-        <source>a polyline fitted to a curve</source>
-        <translation>una polilínea ajustada a una curva</translation>
-    </message>
-    <message>
-        <source>a polyline with arcs (bulges)</source>
-        <translation>una polilínea con arcos (bulges)</translation>
-    </message>
-    <message>
-        <source>an ARC</source>
-        <translation>un ARC</translation>
-    </message>
-    <message>
-        <source>a CIRCLE</source>
-        <translation>un CIRCLE</translation>
-    </message>
-    <message>
-        <source>an ELLIPSE</source>
-        <translation>un ELLIPSE</translation>
-    </message>
-    <message>
-        <source>a SPLINE</source>
-        <translation>un SPLINE</translation>
-    </message>
-    <message>
-        <source>an inserted block (INSERT)</source>
-        <translation>un bloque insertado (INSERT)</translation>
-    </message>
-    <message>
         <source>is a directory; expected a DXF drawing</source>
         <translation>es una carpeta; se esperaba un dibujo DXF</translation>
     </message>
@@ -1360,20 +1328,8 @@
         <translation>la capa «%1»</translation>
     </message>
     <message>
-        <source>%1 holds %2; walls are straight: expected LINE, LWPOLYLINE and POLYLINE (explode blocks, draw arcs as polylines, or name the walls&apos; layer)</source>
-        <translation>%1 contiene %2; las paredes son rectas: se esperaban LINE, LWPOLYLINE y POLYLINE (descomponga los bloques, dibuje los arcos como polilíneas o nombre la capa de las paredes)</translation>
-    </message>
-    <message>
         <source>%1 holds no wall; expected LINE, LWPOLYLINE or POLYLINE entities of an ASCII DXF drawing</source>
         <translation>%1 no contiene ninguna pared; se esperaban entidades LINE, LWPOLYLINE o POLYLINE de un dibujo DXF en ASCII</translation>
-    </message>
-    <message>
-        <source>%1 holds a polyline of one point; a wall needs two</source>
-        <translation>%1 contiene una polilínea de un punto; una pared necesita dos</translation>
-    </message>
-    <message>
-        <source>holds a point that is not finite</source>
-        <translation>contiene un punto que no es finito</translation>
     </message>
     <message>
         <source>found %1, expected a number of 0 or more</source>
@@ -1574,10 +1530,6 @@
     <message>
         <source>is the plan of another study, on which others are at work: program, configuration, log, values or seeds differ; wait for them or choose another folder</source>
         <translation>es el plan de otro estudio en el que otros están trabajando: difieren el programa, la configuración, el registro, los valores o las semillas; espere a que terminen o elija otra carpeta</translation>
-    </message>
-    <message>
-        <source>cannot be read as a DXF drawing: save it as ASCII DXF, of AutoCAD 2000 or 2004, and try again</source>
-        <translation>no se puede leer como dibujo DXF: guárdelo como DXF ASCII, de AutoCAD 2000 o 2004, e inténtelo de nuevo</translation>
     </message>
     <message>
         <source>the run is not there</source>
@@ -2102,6 +2054,114 @@
     <message>
         <source>lies among the files that come with Hitos; choose another folder</source>
         <translation>está entre los archivos que vienen con Hitos; elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>found %1, expected a finite number</source>
+        <translation>se encontró %1, se esperaba un número finito</translation>
+    </message>
+    <message>
+        <source>found %1, expected a drawing that is saved as ASCII DXF</source>
+        <translation>se encontró %1, se esperaba un dibujo guardado como DXF ASCII</translation>
+    </message>
+    <message>
+        <source>holds more than %1 entities; save the layers of the walls as a drawing of their own</source>
+        <translation>contiene más de %1 entidades; guarde las capas de las paredes como un dibujo propio</translation>
+    </message>
+    <message>
+        <source>found %1, expected a group code of an ASCII DXF drawing</source>
+        <translation>se encontró %1, se esperaba un código de grupo de un dibujo DXF ASCII</translation>
+    </message>
+    <message>
+        <source>drawing: left out, farther from the rest than a world reaches: %1; are they in the right place?</source>
+        <translation>dibujo: excluidos, más lejos del resto de lo que abarca un mundo: %1; ¿están en su sitio?</translation>
+    </message>
+    <message>
+        <source>drawing: %1 is no size of a place that a robot maps; is the unit right? By others (--unit, dxf_unit) it is: %2</source>
+        <translation>dibujo: %1 no es el tamaño de un lugar que explore un robot; ¿es correcta la unidad? Con otras (--unit, dxf_unit) es: %2</translation>
+    </message>
+    <message>
+        <source>drawing: unit %1 m, as asked</source>
+        <translation>dibujo: unidad de %1 m, como se pidió</translation>
+    </message>
+    <message>
+        <source>drawing: unit %1 m, as it says ($INSUNITS %2)</source>
+        <translation>dibujo: unidad de %1 m, como él dice ($INSUNITS %2)</translation>
+    </message>
+    <message>
+        <source>drawing: tells no unit ($INSUNITS); taken for metres, another one is given by --unit, or dxf_unit of a world</source>
+        <translation>dibujo: no dice su unidad ($INSUNITS); se toma el metro, otra se da con --unit, o con dxf_unit de un mundo</translation>
+    </message>
+    <message>
+        <source>drawing: lies far from its origin, as in survey coordinates; moved by (%1, %2) m, so that its lower left corner is near (0, 0)</source>
+        <translation>dibujo: está lejos de su origen, como en coordenadas topográficas; se desplaza (%1, %2) m, con su esquina inferior izquierda cerca de (0, 0)</translation>
+    </message>
+    <message>
+        <source>shows more than %1 pieces, blocks as often as they are inserted; name the layer of the walls</source>
+        <translation>muestra más de %1 piezas, los bloques tantas veces como se insertan; nombre la capa de las paredes</translation>
+    </message>
+    <message>
+        <source>drawing: walls are made of %1</source>
+        <translation>dibujo: las paredes salen de %1</translation>
+    </message>
+    <message>
+        <source>drawing: chords, at most 5 mm off, stand for the curves of %1</source>
+        <translation>dibujo: cuerdas, a 5 mm como mucho, hacen de curvas de %1</translation>
+    </message>
+    <message>
+        <source>drawing: %1 passed over, which are no walls</source>
+        <translation>dibujo: se pasan por alto %1, que no son paredes</translation>
+    </message>
+    <message>
+        <source>drawing: %1 left out, on sheets (paper space)</source>
+        <translation>dibujo: excluidos %1, en láminas (espacio papel)</translation>
+    </message>
+    <message>
+        <source>drawing: %1 left out, invisible</source>
+        <translation>dibujo: excluidos %1, invisibles</translation>
+    </message>
+    <message>
+        <source>drawing: left out on layers that are off or frozen: %1; name them (--layer, dxf_layer) to have them</source>
+        <translation>dibujo: excluidos en capas desactivadas o inutilizadas: %1; nómbrelas (--layer, dxf_layer) para tenerlos</translation>
+    </message>
+    <message>
+        <source>drawing: left out on other layers: %1</source>
+        <translation>dibujo: excluidos en otras capas: %1</translation>
+    </message>
+    <message>
+        <source>drawing: left out, of no length seen from above: %1</source>
+        <translation>dibujo: excluidos, sin longitud vistos desde arriba: %1</translation>
+    </message>
+    <message>
+        <source>drawing: polylines drawn with a width: %1; their middle lines are taken for walls</source>
+        <translation>dibujo: polilíneas dibujadas con grosor: %1; se toman sus líneas medias como paredes</translation>
+    </message>
+    <message>
+        <source>drawing: %1 cannot be read and may be walls that are missing; explode them where they were drawn</source>
+        <translation>dibujo: %1 no se pueden leer y pueden ser paredes que faltan; descompóngalos donde se dibujaron</translation>
+    </message>
+    <message>
+        <source>drawing: inserted, but not in the file: %1; bind external references where it was drawn</source>
+        <translation>dibujo: insertados, pero no están en el archivo: %1; una las referencias externas donde se dibujó</translation>
+    </message>
+    <message>
+        <source>%1 holds no wall; expected one of the layers that do: %2</source>
+        <translation>%1 no contiene ninguna pared; se esperaba una de las capas que las contienen: %2</translation>
+    </message>
+    <message>
+        <source>%1 holds no wall; found %2 that are none, cannot be read, or are hidden (name their layer to have them)</source>
+        <translation>%1 no contiene ninguna pared; se encontró %2, que no lo son, no se pueden leer o están ocultos (nombre su capa para tenerlos)</translation>
+    </message>
+    <message>
+        <source>drawing: breaks off before its end (EOF); what followed is missing, its last entity too</source>
+        <translation>dibujo: se interrumpe antes de su final (EOF); falta lo que seguía, y su última entidad</translation>
+    </message>
+    <message>
+        <source>%1 is no drawing; layers and units are chosen of DXF drawings (.dxf) alone</source>
+        <translation>%1 no es un dibujo; solo de dibujos DXF (.dxf) se eligen capas y unidad</translation>
+    </message>
+    <message>
+        <source>drawing: %1 is no size of a place that a robot maps; is anything far from the rest, or missing?</source>
+        <translation>dibujo: %1 no es el tamaño de un lugar que explore un robot; ¿hay algo lejos del resto, o falta algo?</translation>
     </message>
 </context>
 <context>
@@ -4332,6 +4392,50 @@
         <source>Walls found: %1, tolerance %2</source>
         <translation>Paredes encontradas: %1, tolerancia %2</translation>
     </message>
+    <message>
+        <source>Walls found: %1</source>
+        <translation>Paredes encontradas: %1</translation>
+    </message>
+    <message>
+        <source>as the drawing says, else metres</source>
+        <translation>la que dice el dibujo, si no metros</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>all that are shown</source>
+        <translation>todas las que se ven</translation>
+    </message>
+    <message>
+        <source>The layers whose entities are walls, apart by commas</source>
+        <translation>Las capas cuyas entidades son paredes, separadas por comas</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::Inspection</name>
@@ -6191,10 +6295,6 @@
     <message>
         <source>The world is saved as %1</source>
         <translation>El mundo se ha guardado como %1</translation>
-    </message>
-    <message>
-        <source>Walls found: %1</source>
-        <translation>Paredes encontradas: %1</translation>
     </message>
 </context>
 <context>

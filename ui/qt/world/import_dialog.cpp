@@ -1,11 +1,13 @@
 #include "import_dialog.hpp"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QThreadPool>
@@ -30,6 +32,14 @@ QDoubleSpinBox* length_field(QWidget* parent, const char* name, double greatest)
 
 }  // namespace
 
+QString found_words(const WorldText& world, const ImportReport& report) {
+    QStringList words{ImportDialog::tr("Walls found: %1").arg(world.world().walls.size())};
+    for (const auto* messages : {&report.notes, &report.warnings}) {
+        for (const Message& message : *messages) words << words_of(message);
+    }
+    return words.join(QStringLiteral("; "));
+}
+
 ImportDialog::ImportDialog(const QString& source, WallSource kind, QWidget* parent)
     : QDialog(parent), source_(source), kind_(kind) {
     setObjectName("import_dialog");
@@ -44,13 +54,11 @@ ImportDialog::ImportDialog(const QString& source, WallSource kind, QWidget* pare
                "a picture says it: open that one instead, if there is one."));
         form->addRow(tr("A pixel"), pixel_);
     }
-    tolerance_ = length_field(this, "import_tolerance", 10.0);
-    tolerance_->setSpecialValueText(kind == WallSource::map ? tr("0.05 m") : tr("two pixels"));
-    tolerance_->setToolTip(kind == WallSource::map
-                               ? tr("How far a corner may lie from a line to be on it")
-                               : tr("How far a wall may lie from the middle of what is drawn; "
-                                    "more gives fewer and straighter walls"));
-    form->addRow(tr("Tolerance"), tolerance_);
+    if (kind == WallSource::drawing) {
+        ask_for_layer_and_unit(*form);
+    } else {
+        ask_for_tolerance(*form);
+    }
     verdict_ = new QLabel(this);
     verdict_->setObjectName("import_verdict");
     verdict_->setWordWrap(true);
@@ -63,9 +71,48 @@ ImportDialog::ImportDialog(const QString& source, WallSource kind, QWidget* pare
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
+void ImportDialog::ask_for_tolerance(QFormLayout& form) {
+    tolerance_ = length_field(this, "import_tolerance", 10.0);
+    tolerance_->setSpecialValueText(kind_ == WallSource::map ? tr("0.05 m") : tr("two pixels"));
+    tolerance_->setToolTip(kind_ == WallSource::map
+                               ? tr("How far a corner may lie from a line to be on it")
+                               : tr("How far a wall may lie from the middle of what is drawn; "
+                                    "more gives fewer and straighter walls"));
+    form.addRow(tr("Tolerance"), tolerance_);
+}
+
+void ImportDialog::ask_for_layer_and_unit(QFormLayout& form) {
+    unit_ = new QComboBox(this);
+    unit_->setObjectName("import_unit");
+    unit_->addItem(tr("as the drawing says, else metres"), 0.0);
+    unit_->addItem(tr("millimetres"), 1e-3);
+    unit_->addItem(tr("centimetres"), 1e-2);
+    unit_->addItem(tr("metres"), 1.0);
+    unit_->addItem(tr("inches"), 0.0254);
+    unit_->addItem(tr("feet"), 0.3048);
+    form.addRow(tr("Unit"), unit_);
+    layer_ = new QLineEdit(this);
+    layer_->setObjectName("import_layer");
+    layer_->setPlaceholderText(tr("all that are shown"));
+    layer_->setToolTip(tr("The layers whose entities are walls, apart by commas"));
+    form.addRow(tr("Layers"), layer_);
+}
+
+void ImportDialog::tell(const std::vector<Message>& doubts) {
+    QStringList words;
+    for (const Message& doubt : doubts) words << words_of(doubt);
+    verdict_->setText(words.join(QStringLiteral("\n")));
+    set_look(*verdict_, "role", "warning");
+}
+
 void ImportDialog::accept() {
     ImportOptions options;
-    options.tolerance_m = tolerance_->value();
+    if (tolerance_ != nullptr) options.tolerance_m = tolerance_->value();
+    if (unit_ != nullptr) {
+        options.layer = layer_->text().trimmed().toStdString();
+        const double unit_m = unit_->currentData().toDouble();
+        if (unit_m > 0.0) options.unit_m = unit_m;
+    }
     if (pixel_ != nullptr) options.resolution_m = pixel_->value();
     find_->setEnabled(false);
     set_look(*verdict_, "role", "muted");
@@ -75,20 +122,20 @@ void ImportDialog::accept() {
         [self = QPointer(this), options, source = source_.toStdString()] {
             begin_background_work();
             std::optional<WorldText> world;
-            std::size_t left_out = 0;
+            ImportReport report;
             QString problem;
             try {
-                world = import_world(source, {}, options, &left_out);
+                world = import_world(source, {}, options, &report);
             } catch (const std::exception& error) {
                 problem = words_of(error);
             }
-            QMetaObject::invokeMethod(qApp, [self, world, left_out, problem] {
-                if (self) self->finish(world, left_out, problem);
+            QMetaObject::invokeMethod(qApp, [self, world, report, problem] {
+                if (self) self->finish(world, report, problem);
             });
         });
 }
 
-void ImportDialog::finish(const std::optional<WorldText>& world, std::size_t left_out,
+void ImportDialog::finish(const std::optional<WorldText>& world, const ImportReport& report,
                           const QString& problem) {
     find_->setEnabled(true);
     if (!world) {
@@ -97,11 +144,12 @@ void ImportDialog::finish(const std::optional<WorldText>& world, std::size_t lef
         return;
     }
     world_ = world;
-    words_ = tr("Walls found: %1, tolerance %2")
-                 .arg(world->world().walls.size())
-                 .arg(tolerance_->text());
-    if (left_out > 0) {
-        words_ += tr("; lines without two corners left out: %1").arg(left_out);
+    words_ = tolerance_ == nullptr ? found_words(*world, report)
+                                   : tr("Walls found: %1, tolerance %2")
+                                         .arg(world->world().walls.size())
+                                         .arg(tolerance_->text());
+    if (report.left_out > 0) {
+        words_ += tr("; lines without two corners left out: %1").arg(report.left_out);
     }
     QDialog::accept();
 }

@@ -1,19 +1,27 @@
-// How walls are to be found in a picture or a map, and what is found.
+// How walls are to be found in a picture, a map or a drawing, and what is found.
 #pragma once
 
 #include <QDialog>
 #include <optional>
+#include <vector>
 
 #include "hitos/workbench/world_import.hpp"
 
+class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 
 namespace hitos::window {
 
-/// Asks for the size of a pixel, where a picture does not say it, and for the tolerance. Traces
-/// beside the window, and can be left by OK only with walls.
+/// "Walls found: 34; drawing: unit 0.001 m, …"
+QString found_words(const WorldText& world, const ImportReport& report);
+
+/// Asks for the size of a pixel, where a picture does not say it, and for the tolerance; of a
+/// drawing for its unit and layers. Looks for walls beside the window, and can be left by OK only
+/// with walls.
 class ImportDialog final : public QDialog {
     Q_OBJECT
 
@@ -21,19 +29,25 @@ class ImportDialog final : public QDialog {
     ImportDialog(const QString& source, WallSource kind, QWidget* parent);
 
     const std::optional<WorldText>& world() const { return world_; }
-    /// "Walls found: 34, tolerance two pixels"
+    /// What was found, "Walls found: 34, tolerance two pixels".
     const QString& words() const { return words_; }
+    /// Why it asks.
+    void tell(const std::vector<Message>& doubts);
 
     void accept() override;
 
   private:
-    void finish(const std::optional<WorldText>& world, std::size_t left_out,
+    void ask_for_tolerance(QFormLayout& form);
+    void ask_for_layer_and_unit(QFormLayout& form);
+    void finish(const std::optional<WorldText>& world, const ImportReport& report,
                 const QString& problem);
 
     QString source_;
     WallSource kind_;
     QDoubleSpinBox* pixel_ = nullptr;
     QDoubleSpinBox* tolerance_ = nullptr;
+    QComboBox* unit_ = nullptr;
+    QLineEdit* layer_ = nullptr;
     QLabel* verdict_ = nullptr;
     QPushButton* find_ = nullptr;
     std::optional<WorldText> world_;

@@ -89,12 +89,24 @@ bool WorldFiles::open(const QString& path) {
 
 bool WorldFiles::import(const QString& path) {
     const WallSource kind = wall_source(path.toStdString());
-    if (kind == WallSource::drawing || kind == WallSource::segments) {
-        draft_.open(import_world(path.toStdString(), {}, {}), {});
-        emit notice(tr("Walls found: %1").arg(draft_.world().walls.size()));
-        return true;
-    }
     ImportDialog dialog(path, kind, window_);
+    if (kind == WallSource::drawing || kind == WallSource::segments) {
+        // Unit and layer are asked for where the drawing leaves a doubt.
+        try {
+            ImportReport report;
+            const WorldText world = import_world(path.toStdString(), {}, {}, &report);
+            if (report.warnings.empty()) {
+                draft_.open(world, {});
+                emit notice(found_words(world, report));
+                return true;
+            }
+            dialog.tell(report.warnings);
+        } catch (const FormatError& error) {
+            const bool damaged = error.line() > 0;  // no choice mends that
+            if (kind != WallSource::drawing || damaged) throw;
+            dialog.tell({error.problem()});
+        }
+    }
     if (dialog.exec() != QDialog::Accepted || !dialog.world()) return false;
     draft_.open(*dialog.world(), {});
     emit notice(dialog.words());
