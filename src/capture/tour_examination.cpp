@@ -354,10 +354,11 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
     } else if (leaps_ > 0) {
         found.push_back(
             {Kind::leaping_odometry, longest_step_m_,
-             message(HITOS_TEXT("Errors",
-                                "the odometry leaps %1 times, by up to %2 m (line %3), as where a "
-                                "driver begins anew; the map falls in pieces there"),
-                     leaps_, fmt::format("{:.1f}", longest_step_m_), longest_step_line_),
+             message(
+                 HITOS_TEXT("Errors",
+                            "the odometry leaps, by up to %1 m (line %2) and %3 in all, as where a "
+                            "driver begins anew; the map falls in pieces there"),
+                 fmt::format("{:.1f}", longest_step_m_), longest_step_line_, leaps_),
              marked(HITOS_TEXT("Errors", "map it with registration: --preset recorded"))});
     }
     if (way_m_ > 0.0 || turned_rad_ > 0.0) return;

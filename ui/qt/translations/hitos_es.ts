@@ -2163,6 +2163,106 @@
         <source>drawing: %1 is no size of a place that a robot maps; is anything far from the rest, or missing?</source>
         <translation>dibujo: %1 no es el tamaño de un lugar que explore un robot; ¿hay algo lejos del resto, o falta algo?</translation>
     </message>
+    <message>
+        <source>%1 of %2 scans have no reading that can be used, so there is nothing to map</source>
+        <translation>%1 de %2 barridos no tienen ninguna lectura utilizable, así que no hay nada que cartografiar</translation>
+    </message>
+    <message>
+        <source>look whether the range limits of the recording are swapped or tiny; source.max_range sets the greatest range</source>
+        <translation>compruebe si los límites de alcance de la grabación están cambiados o son diminutos; source.max_range fija el alcance máximo</translation>
+    </message>
+    <message>
+        <source>half of the readings are beyond %1 m, which no such laser sees; the map is that many times too large</source>
+        <translation>la mitad de las lecturas están a más de %1 m, lo que ningún láser de esta clase ve; el mapa sale otras tantas veces demasiado grande</translation>
+    </message>
+    <message>
+        <source>if they are millimetres, record them as metres, which messages of lasers are in</source>
+        <translation>si son milímetros, grábelas en metros, que es la unidad de los mensajes de láser</translation>
+    </message>
+    <message>
+        <source>the rays of a scan go over %1 degrees, more than a whole turn; they lie upon each other in the map</source>
+        <translation>los rayos de un barrido abarcan %1 grados, más de una vuelta entera; en el mapa quedan unos sobre otros</translation>
+    </message>
+    <message>
+        <source>if angles were written in degrees, record them in radians</source>
+        <translation>si los ángulos se escribieron en grados, grábelos en radianes</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans taken while the robot moved are the same as the one before</source>
+        <translation>%1 de %2 barridos tomados con el robot en movimiento son iguales al anterior</translation>
+    </message>
+    <message>
+        <source>look whether the laser&apos;s driver hung</source>
+        <translation>compruebe si el controlador del láser se quedó colgado</translation>
+    </message>
+    <message>
+        <source>there is no odometry, so that all scans are put on one place</source>
+        <translation>no hay odometría, así que todos los barridos se ponen en un mismo lugar</translation>
+    </message>
+    <message>
+        <source>record it too: of ROS the topic of the odometry, or /tf together with /tf_static</source>
+        <translation>grábela también: en ROS, el tema de la odometría, o /tf junto con /tf_static</translation>
+    </message>
+    <message>
+        <source>by the odometry the robot mostly drives at %1 m/s, which none of its kind does</source>
+        <translation>según la odometría el robot circula casi siempre a %1 m/s, lo que ninguno de su clase hace</translation>
+    </message>
+    <message>
+        <source>if positions are millimetres, record them as metres</source>
+        <translation>si las posiciones son milímetros, grábelas en metros</translation>
+    </message>
+    <message>
+        <source>map it with registration: --preset recorded</source>
+        <translation>cartografíe con registro: --preset recorded</translation>
+    </message>
+    <message>
+        <source>the scans change and the odometry says that the robot never moved; all scans are put on one place</source>
+        <translation>los barridos cambian y la odometría dice que el robot no se movió nunca; todos los barridos se ponen en un mismo lugar</translation>
+    </message>
+    <message>
+        <source>if its messages hold velocities, take these: --set source.odometry=velocities</source>
+        <translation>si sus mensajes contienen velocidades, úselas: --set source.odometry=velocities</translation>
+    </message>
+    <message>
+        <source>scans are stamped from %1 to %2 s and the odometry from %3 to %4 s: they share no time, so that the robot stands still in the map</source>
+        <translation>los barridos están fechados de %1 a %2 s y la odometría de %3 a %4 s: no tienen ningún tiempo en común, así que en el mapa el robot está parado</translation>
+    </message>
+    <message>
+        <source>the scans fit the odometry where %1 are added to their times: --scan-delay %2</source>
+        <translation>los barridos encajan con la odometría si a sus tiempos se suman %1: --scan-delay %2</translation>
+    </message>
+    <message>
+        <source>set the clocks of both computers alike, and record again</source>
+        <translation>ponga en hora los relojes de ambos ordenadores y grabe de nuevo</translation>
+    </message>
+    <message>
+        <source>the scans fit the odometry of %1 from theirs (%2 % of their points, against %3 % as they are stamped): their clocks differ, and the map is wrong by what the robot drove meanwhile</source>
+        <translation>los barridos encajan con la odometría de %1 respecto a sus tiempos (%2 % de sus puntos, frente a %3 % tal como están fechados): los relojes difieren y el mapa yerra en lo que el robot recorrió entretanto</translation>
+    </message>
+    <message>
+        <source>add that to their times: --scan-delay %1</source>
+        <translation>súmelos a sus tiempos: --scan-delay %1</translation>
+    </message>
+    <message>
+        <source>the scans turn against the odometry (%1 % of their points fit mirrored, %2 % as they are): the map is a mirror image</source>
+        <translation>los barridos giran al revés que la odometría (%1 % de sus puntos encajan reflejados, %2 % tal como están): el mapa es una imagen especular</translation>
+    </message>
+    <message>
+        <source>the laser is upside down, turned by %1 degrees, or the odometry counts turns to the right; mend the transform of its frame</source>
+        <translation>el láser está boca abajo, girado %1 grados, o la odometría cuenta los giros hacia la derecha; corrija la transformación de su sistema de referencia</translation>
+    </message>
+    <message>
+        <source>the scans move %1 degrees off where the odometry drives (%2 % of their points fit turned so, %3 % as they are): the map&apos;s path and walls do not fit each other</source>
+        <translation>los barridos se desplazan a %1 grados de hacia donde circula la odometría (%2 % de sus puntos encajan girados así, %3 % tal como están): la trayectoria y las paredes del mapa no encajan</translation>
+    </message>
+    <message>
+        <source>the laser is mounted otherwise than the recording says; mend the transform of its frame</source>
+        <translation>el láser está montado de otra manera que la que dice la grabación; corrija la transformación de su sistema de referencia</translation>
+    </message>
+    <message>
+        <source>the odometry leaps, by up to %1 m (line %2) and %3 in all, as where a driver begins anew; the map falls in pieces there</source>
+        <translation>la odometría salta hasta %1 m (línea %2), %3 veces en total, como cuando un controlador empieza de nuevo; ahí el mapa se rompe en pedazos</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -2746,6 +2846,10 @@
     <message>
         <source>sigma = level |v|, or variance = level |v|</source>
         <translation>sigma = nivel |v|, o varianza = nivel |v|</translation>
+    </message>
+    <message>
+        <source>Added to the times of the scans, where the laser&apos;s clock is not the odometry&apos;s; hitos-cli check says by how much they differ. A higher value pairs scans with later odometry.</source>
+        <translation>Se suma a los tiempos de los barridos cuando el reloj del láser no es el de la odometría; hitos-cli check dice cuánto difieren. Un valor mayor empareja los barridos con odometría posterior.</translation>
     </message>
 </context>
 <context>
@@ -3495,6 +3599,10 @@
     <message>
         <source>Kind of noise</source>
         <translation>Tipo de ruido</translation>
+    </message>
+    <message>
+        <source>Scan delay</source>
+        <translation>Retraso de barridos</translation>
     </message>
 </context>
 <context>
