@@ -179,7 +179,8 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
     summary_ = summary;
     const ReadReport& report = summary->tour.report;
     const bool scans = report.scans > 0;
-    const bool lacking = report.skipped + report.early_scans + report.early_scans_left_out > 0;
+    const bool lacking = report.skipped + report.early_scans + report.early_scans_left_out > 0 ||
+                         !summary->tour.findings.empty();
     show_verdict(
         scans ? words_of(summary->tour) : tr("The file holds odometry but not one readable scan."),
         !scans    ? "error"
@@ -226,6 +227,9 @@ QString SourceDialog::words_of(const TourSummary& summary) const {
                       .arg(summary.fan.count)
                       .arg((summary.fan.max_angle_rad - summary.fan.min_angle_rad) * 180.0 / kPi, 0,
                            'f', 0);
+    }
+    for (const TourFinding& finding : summary.findings) {
+        words += '\n' + window::words_of(finding.what) + "; " + window::words_of(finding.remedy);
     }
     const ReadReport& report = summary.report;
     if (report.early_scans > 0) {
