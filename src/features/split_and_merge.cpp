@@ -11,6 +11,7 @@ bool SplitAndMerge::gap_between(const Point2& a, const Point2& b, const Point2& 
 }
 
 void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t last) {
+    const bool closed = scan.fan.closed();
     // A stack of index ranges instead of recursion: a scan of many rays must not grow the call
     // stack. The left half is taken first, so pieces come in scan order.
     pending_.assign(1, {first, last});
@@ -21,21 +22,27 @@ void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t l
         const Point2& a = scan.points[begin];
         const Point2& b = scan.points[end];
         const double length = distance(a, b);
-        if (length < lines_.min_length_m || length == 0.0) continue;
+        const bool long_enough = length >= lines_.min_length_m && length > 0.0;
+        // Before it is split [T table 4.3]; but the ends of a run that leads round the laser may
+        // lie side by side, however long its walls are.
+        if (!long_enough && !closed) continue;
         // Distance from the chord, as a cross product: no angle is needed to split.
-        const double nx = (b.y - a.y) / length;
-        const double ny = (a.x - b.x) / length;
+        const double nx = length > 0.0 ? (b.y - a.y) / length : 0.0;
+        const double ny = length > 0.0 ? (a.x - b.x) / length : 0.0;
         double farthest = -1.0;
         std::uint32_t at = begin;
         for (std::uint32_t i = begin + 1; i < end; ++i) {
             const double d =
-                std::abs((scan.points[i].x - a.x) * nx + (scan.points[i].y - a.y) * ny);
+                length > 0.0
+                    ? std::abs((scan.points[i].x - a.x) * nx + (scan.points[i].y - a.y) * ny)
+                    : distance(a, scan.points[i]);
             if (d > farthest) {
                 farthest = d;
                 at = i;
             }
         }
         if (farthest < params_.dmax_m) {
+            if (!long_enough) continue;
             const std::span points(&scan.points[begin], end - begin + 1);
             pieces_.push_back({points, fit_line(points, {a, b}, params_.fit)});
         } else {
@@ -60,7 +67,7 @@ void SplitAndMerge::extract_lines(const Scan& scan, Observation& out) {
         }
     }
 
-    merge_collinear(pieces_, lines_.collinear, params_.fit, out);
+    merge_collinear(pieces_, lines_.collinear, params_.fit, scan.fan.closed(), out);
 }
 
 LineMethodEntry split_and_merge_method() {
