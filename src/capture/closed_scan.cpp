@@ -61,30 +61,29 @@ class Ring {
     std::size_t sharpest() const {
         if (size_ < 5) return 0;
         const auto window = std::clamp<std::size_t>(
-            static_cast<std::size_t>(kWindow / std::abs(scan_.fan.step_rad())), 2, (size_ - 1) / 2);
-        std::size_t at = 0;
-        double most = -1.0;
-        for (std::size_t i = size_; i < 2 * size_; ++i) {
-            const double out = deviation(point(i), point(i - window), point(i + window)) + tie(i);
-            if (out > most) {
-                most = out;
-                at = i;
+            static_cast<std::size_t>(std::lround(kWindow / std::abs(scan_.fan.step_rad()))), 2, (size_ - 1) / 2);
+        const auto farthest = [&](std::size_t from, std::size_t to, const auto& out_of_line) {
+            std::size_t at = from;
+            double most = -1.0;
+            for (std::size_t i = from; i < to; ++i) {
+                const double out = out_of_line(i) + tie(i);
+                if (out > most) {
+                    most = out;
+                    at = i;
+                }
             }
-        }
+            return at;
+        };
+        const std::size_t near = farthest(size_, 2 * size_, [&](std::size_t i) {
+            return deviation(point(i), point(i - window), point(i + window));
+        });
         // Every point near the end of a wall is far from a line that leads to another wall: the
         // end itself is the farthest from the line over it.
-        const std::size_t from = at - window;
-        const std::size_t to = at + window;
-        most = -1.0;
-        for (std::size_t i = from + 1; i < to; ++i) {
-            const double out = deviation(point(i), point(from), point(to));
-            if (out > most) {
-                most = out;
-                at = i;
-            }
-        }
+        const std::size_t at = farthest(near - window, near + window + 1, [&](std::size_t i) {
+            return deviation(point(i), point(near - window), point(near + window));
+        });
         const bool with_next =
-            distance(point(at), point(at + 1)) < distance(point(at - 1), point(at));
+            distance(point(at), point(at + 1)) < distance(point(at - 1), point(at)) - kTie;
         return (with_next ? at : at + 1) % size_;
     }
 

@@ -10,6 +10,25 @@ bool SplitAndMerge::gap_between(const Point2& a, const Point2& b, const Point2& 
     return distance(a, b) > params_.gap_m + params_.gap_per_range * range;
 }
 
+bool SplitAndMerge::split_at_far_side(const Scan& scan, std::uint32_t begin, std::uint32_t end) {
+    // Where the ends are neighbours, the line through them has the direction of their errors, or
+    // that of a wall that another one faces, all of it equally far.
+    const Point2& a = scan.points[begin];
+    double farthest = 2.0 * distance(a, scan.points[end]);
+    std::uint32_t at = end;
+    for (std::uint32_t i = begin + 1; i < end; ++i) {
+        const double d = distance(a, scan.points[i]);
+        if (d > farthest) {
+            farthest = d;
+            at = i;
+        }
+    }
+    if (at == end) return false;
+    pending_.emplace_back(at + 1, end);
+    pending_.emplace_back(begin, at);
+    return true;
+}
+
 void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t last) {
     const bool closed = scan.fan.closed();
     // A stack of index ranges instead of recursion: a scan of many rays must not grow the call
@@ -33,14 +52,13 @@ void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t l
         std::uint32_t at = begin;
         for (std::uint32_t i = begin + 1; i < end; ++i) {
             const double d =
-                length > 0.0
-                    ? std::abs((scan.points[i].x - a.x) * nx + (scan.points[i].y - a.y) * ny)
-                    : distance(a, scan.points[i]);
+                std::abs((scan.points[i].x - a.x) * nx + (scan.points[i].y - a.y) * ny);
             if (d > farthest) {
                 farthest = d;
                 at = i;
             }
         }
+        if (!long_enough && split_at_far_side(scan, begin, end)) continue;
         if (farthest < params_.dmax_m) {
             if (!long_enough) continue;
             const std::span points(&scan.points[begin], end - begin + 1);

@@ -20,6 +20,9 @@ class SplitAndMerge final : public MetodoExtraccionRectas {
   private:
     /// Whether neighbours are further apart than their range from the laser allows.
     bool gap_between(const Point2& a, const Point2& b, const Point2& laser) const;
+    /// Divides what comes back to where it began at the point that is farthest from there; false
+    /// where it does not.
+    bool split_at_far_side(const Scan& scan, std::uint32_t begin, std::uint32_t end);
     void split(const Scan& scan, std::uint32_t first, std::uint32_t last);
 
     LineParams lines_;

@@ -48,7 +48,8 @@ TEST(SimulatedLaser, AgreesWithASlowOracleInRandomWorlds) {
     std::uniform_real_distribution<double> angle(-kPi, kPi);
     const std::vector<Fan> fans = {fan(-kPi / 2, kPi / 2, 181), fan(-kPi, kPi, 361, 30.0),
                                    fan(-kPi / 2, kPi / 2, 181, 8.0, {0.3, -0.1, 2.0}),
-                                   fan(-0.2, 0.3, 2, 30.0)};
+                                   fan(-0.2, 0.3, 2, 30.0), fan(kPi / 2, -kPi / 2, 181),
+                                   fan(2.0, 2.0 - 2.0 * kPi, 361, 30.0)};
     int compared = 0;
     int hits = 0;
     int differ = 0;
