@@ -1,9 +1,34 @@
 #include "split_and_merge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace hitos {
+namespace {
+
+/// Whether the laser sees further round than half a turn, as the thesis's does not. Of a fan that
+/// is not known the points tell: it has some well to either side of the first.
+bool beyond_half_a_turn(const Scan& scan) {
+    const Fan& fan = scan.fan;
+    if (fan.count > 0) {
+        return std::abs(fan.max_angle_rad - fan.min_angle_rad) > kPi + std::abs(fan.step_rad());
+    }
+    constexpr double kWell = 0.1;  // [rad]
+    bool left = false;
+    bool right = false;
+    for (const Point2& p : scan.points) {
+        const Point2& first = scan.points.front();
+        const double side = first.x * p.y - first.y * p.x;
+        const double well = kWell * std::hypot(first.x, first.y) * std::hypot(p.x, p.y);
+        left |= side > well;
+        right |= side < -well;
+    }
+    return left && right;
+}
+
+}  // namespace
+
 bool SplitAndMerge::gap_between(const Point2& a, const Point2& b, const Point2& laser) const {
     if (params_.gap_m == 0.0 && params_.gap_per_range == 0.0) return false;
     const double range = std::min(distance(a, laser), distance(b, laser));
@@ -30,7 +55,6 @@ bool SplitAndMerge::split_at_far_side(const Scan& scan, std::uint32_t begin, std
 }
 
 void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t last) {
-    const bool closed = scan.fan.closed();
     // A stack of index ranges instead of recursion: a scan of many rays must not grow the call
     // stack. The left half is taken first, so pieces come in scan order.
     pending_.assign(1, {first, last});
@@ -44,7 +68,7 @@ void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t l
         const bool long_enough = length >= lines_.min_length_m && length > 0.0;
         // Before it is split [T table 4.3]; but the ends of a run that leads round the laser may
         // lie side by side, however long its walls are.
-        if (!long_enough && !closed) continue;
+        if (!long_enough && !beyond_half_a_turn_) continue;
         // Distance from the chord, as a cross product: no angle is needed to split.
         const double nx = length > 0.0 ? (b.y - a.y) / length : 0.0;
         const double ny = length > 0.0 ? (a.x - b.x) / length : 0.0;
@@ -73,6 +97,7 @@ void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t l
 
 void SplitAndMerge::extract_lines(const Scan& scan, Observation& out) {
     pieces_.clear();
+    beyond_half_a_turn_ = beyond_half_a_turn(scan);
     const Point2 laser{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
     for (std::size_t run = 0; run < scan.run_starts.size(); ++run) {
         const std::uint32_t run_end = scan.run_end(run);

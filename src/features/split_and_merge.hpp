@@ -9,7 +9,9 @@
 namespace hitos {
 
 /// Recursive splitting at the farthest point [T table 4.3] in every run of neighbours, then the
-/// merge of collinear pieces [T table 4.4], first piece first.
+/// merge of collinear pieces [T table 4.4], first piece first. What is shorter than a line may be
+/// is dropped before it is split, as in the thesis, whose laser sees half a turn; where one sees
+/// further round, once it is found to be straight.
 class SplitAndMerge final : public MetodoExtraccionRectas {
   public:
     SplitAndMerge(const LineParams& lines, const SplitMergeParams& params)
@@ -27,6 +29,7 @@ class SplitAndMerge final : public MetodoExtraccionRectas {
 
     LineParams lines_;
     SplitMergeParams params_;
+    bool beyond_half_a_turn_ = false;  // the scan at hand
     // Working memory, kept between scans.
     std::vector<LinePiece> pieces_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pending_;

@@ -204,6 +204,27 @@ TEST(ClosedScan, WhatIsShorterThanTheShortestLineIsStillNoLine) {
     EXPECT_EQ(extract(params, scan).lines.size(), 2U) << "of 7 m, beside two of 5 m";
 }
 
+TEST(SplitAndMerge, ARunThatComesBackToWhereItBeganHasItsWalls) {
+    // A laser with a blind sector behind it, near a wall: the ends are 0.2 m apart.
+    std::vector<double> ranges = ranges_to({{{-0.6, -2}, {4, -2}, {4, 3}, {-0.6, 3}}}, 360);
+    for (std::size_t k = 171; k < 190; ++k) ranges[k] = std::numeric_limits<double>::infinity();
+    ExtractionParams params;
+    params.lines.collinear.gap_m = 0.1;
+    Scan scan = seen_from(ranges, 190, false);
+    scan.fan.max_angle_rad -= 19.0 * kRadiansPerDegree;
+    scan.fan.count = 341;
+    ASSERT_FALSE(scan.fan.closed());
+    EXPECT_EQ(extract(params, scan).lines.size(), 5U) << "the one behind in two parts";
+    scan.fan = {};  // as logs have it that hold points alone
+    scan.rays.clear();
+    EXPECT_EQ(extract(params, scan).lines.size(), 5U);
+    // Half a turn is the thesis's laser, and its order stays: what has near ends is no line.
+    const std::vector<Point2> niche =
+        joined(joined(wall({0.0, -0.2}, {2.0, -0.2}, 60), wall({2.0, -0.2}, {2.0, 0.2}, 30)),
+               wall({2.0, 0.2}, {0.0, 0.2}, 60));
+    EXPECT_TRUE(extract(params, scan_of({niche})).lines.empty());
+}
+
 TEST(ClosedScan, AWallWithMissingRaysOnTheSeamIsOneWall) {
     ExtractionParams params;
     params.lines.collinear.gap_m = 0.5;
