@@ -61,7 +61,8 @@ class Ring {
     std::size_t sharpest() const {
         if (size_ < 5) return 0;
         const auto window = std::clamp<std::size_t>(
-            static_cast<std::size_t>(std::lround(kWindow / std::abs(scan_.fan.step_rad()))), 2, (size_ - 1) / 2);
+            static_cast<std::size_t>(std::lround(kWindow / std::abs(scan_.fan.step_rad()))), 2,
+            (size_ - 1) / 2);
         const auto farthest = [&](std::size_t from, std::size_t to, const auto& out_of_line) {
             std::size_t at = from;
             double most = -1.0;

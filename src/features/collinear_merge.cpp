@@ -42,17 +42,26 @@ void merge_collinear(std::span<LinePiece> pieces, const CollinearParams& params,
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (pieces[i].merged) continue;
         DetectedLine line{pieces[i].recta, static_cast<std::uint32_t>(out.support.size()), 0};
-        const auto append = [&](const LinePiece& piece) {
-            out.support.insert(out.support.end(), piece.points.begin(), piece.points.end());
+        const auto take_up = [&](LinePiece& piece, bool in_front) {
+            piece.merged = true;
+            out.support.insert(in_front ? out.support.begin() + line.first : out.support.end(),
+                               piece.points.begin(), piece.points.end());
             line.count = static_cast<std::uint32_t>(out.support.size()) - line.first;
         };
-        append(pieces[i]);
-        const auto take_up = [&](LinePiece& piece) {
-            piece.merged = true;
-            append(piece);
+        const auto fit_anew = [&] {
             const std::span<const Point2> support(&out.support[line.first], line.count);
             line.recta = fit_line(support, ends_of(support, line.recta), fit);
         };
+        take_up(pieces[i], false);
+        // Round the seam of a closed scan the wall goes on with the last pieces.
+        for (std::size_t j = pieces.size(), next = i; closed && i == 0 && --j > i; next = j) {
+            if (!collinear(line.recta, pieces[j].recta, pieces[j].points.back(),
+                           pieces[next].points.front(), params)) {
+                break;
+            }
+            take_up(pieces[j], true);
+            fit_anew();
+        }
         std::size_t newest = i;
         for (std::size_t j = i + 1; j < pieces.size(); ++j) {
             if (pieces[j].merged ||
@@ -60,19 +69,9 @@ void merge_collinear(std::span<LinePiece> pieces, const CollinearParams& params,
                            pieces[j].points.front(), params)) {
                 continue;
             }
-            take_up(pieces[j]);
+            take_up(pieces[j], false);
+            fit_anew();
             newest = j;
-        }
-        // Round the seam, from the first piece backwards.
-        std::size_t foremost = i;
-        for (std::size_t j = pieces.size(); closed && --j > i;) {
-            if (pieces[j].merged ||
-                !collinear(line.recta, pieces[j].recta, pieces[j].points.back(),
-                           pieces[foremost].points.front(), params)) {
-                continue;
-            }
-            take_up(pieces[j]);
-            foremost = j;
         }
         out.lines.push_back(line);
     }

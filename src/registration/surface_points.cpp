@@ -148,8 +148,7 @@ class SurfaceFinder {
 
 }  // namespace
 
-void find_surface_points(const Scan& as_logged, double range_m,
-                         std::vector<SurfacePoint>& points) {
+void find_surface_points(const Scan& as_logged, double range_m, std::vector<SurfacePoint>& points) {
     points.clear();
     Scan room;
     const Scan& scan = cut_open(as_logged, room);
