@@ -25,8 +25,9 @@ std::array<Point2, 2> ends_of(std::span<const Point2> points, const Recta& line)
 Recta fit_line(std::span<const Point2> points, const std::array<Point2, 2>& ends, LineFit fit);
 
 /// Appends the lines that the pieces make to `out`: each piece takes up the later ones that are
-/// collinear with it as it grows. The pieces' points lie outside `out`.
+/// collinear with it as it grows. The last piece may lie beside the first where the scan is
+/// `closed`. The pieces' points lie outside `out`.
 void merge_collinear(std::span<LinePiece> pieces, const CollinearParams& params, LineFit fit,
-                     Observation& out);
+                     bool closed, Observation& out);
 
 }  // namespace hitos

@@ -10,6 +10,7 @@
 #include "collinear_merge.hpp"
 #include "extractors.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/capture/closed_scan.hpp"
 #include "hitos/features/extraction_parameters.hpp"
 #include "hitos/features/line_fit.hpp"
 
@@ -80,7 +81,7 @@ LineFinder::LineFinder(const ExtractionParams& params, std::uint64_t seed)
 void LineFinder::find(const Scan& scan, Observation& out) {
     out.clear();
     out.time_s = scan.time_s;
-    method_->extract_lines(scan, out);
+    method_->extract_lines(cut_open(scan, cut_open_), out);
     check_finite(out);
     if (covariance_ == ObservationCovariance::fixed) return;
     const PointErrors of_points = errors(scan);

@@ -34,6 +34,7 @@ class LineFinder {
     ObservationCovariance covariance_;
     double point_sigma_m_;
     double common_sigma_m_;
+    Scan cut_open_;  ///< working memory
 };
 
 /// Lines only.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hitos/capture/closed_scan.hpp"
 #include "hitos/features/line_fit.hpp"
 
 namespace hitos {
@@ -33,35 +34,74 @@ void RansacLines::extract_lines(const Scan& scan, Observation& out) {
     RandomStream random(seed_, RandomPurpose::line_sampling, next_scan_++, 0);
     pieces_.clear();
     points_.clear();
-    points_.reserve(2 * scan.points.size());  // pieces point into it: it must not move
-    ranges_.clear();
-    const Pose& laser = scan.fan.pose_robot_laser;
-    for (const Point2& p : scan.points) {
-        ranges_.push_back(std::hypot(p.x - laser.x, p.y - laser.y));
-    }
+    points_.reserve(2 * scan.points.size() + 2);  // pieces point into it: it must not move
+    const std::span<const Point2> points = in_order(scan);
     if (params_.order == RansacOrder::ransac_first) {
         run_ranges_ = ranges_;
         run_of_.clear();
         for (std::size_t run = 0; run < scan.run_starts.size(); ++run)
             run_of_.resize(scan.run_end(run), static_cast<std::uint32_t>(run));
-        search(scan.points, random);
+        run_of_.resize(points.size(), 0);
+        search(points, random);
+    } else if (goes_all_round(scan)) {
+        follow_edges(points, 0, points.size(), random);
     } else {
         for (std::size_t run = 0; run < scan.run_starts.size(); ++run) {
-            follow_edges(scan, scan.run_starts[run], scan.run_end(run), random);
+            follow_edges(points, scan.run_starts[run], scan.run_end(run), random);
         }
     }
-    merge_collinear(pieces_, lines_params_.collinear, LineFit::least_squares, out);
+    merge_collinear(pieces_, lines_params_.collinear, LineFit::least_squares, scan.fan.closed(),
+                    out);
 }
 
-void RansacLines::follow_edges(const Scan& scan, std::uint32_t begin, std::uint32_t end,
+/// The points of the scan, and `ranges_` with theirs. A run that goes all round begins behind an
+/// edge; where it has none it stays cut at a corner, whose point then ends the run too, so that it
+/// can be of both walls.
+std::span<const Point2> RansacLines::in_order(const Scan& scan) {
+    ranges_.clear();
+    const Pose& laser = scan.fan.pose_robot_laser;
+    for (const Point2& p : scan.points) {
+        ranges_.push_back(std::hypot(p.x - laser.x, p.y - laser.y));
+    }
+    if (!goes_all_round(scan)) return scan.points;
+    const std::size_t count = ranges_.size();
+    // Of the edges that are no strays the greatest, for what the parameters call an edge.
+    std::size_t start = count;
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double before = ranges_[(i + count - 1) % count];
+        const double step = std::abs(ranges_[i] - before) / std::min(ranges_[i], before);
+        if (step <= greatest) continue;
+        bool edge = true;
+        for (std::size_t k = 0; edge && k <= std::min<std::size_t>(kStrays, count - 1); ++k) {
+            edge = edge_between(ranges_[(i + k) % count], before) &&
+                   edge_between(ranges_[i], ranges_[(i + count - 1 - k) % count]);
+        }
+        if (!edge) continue;
+        greatest = step;
+        start = i;
+    }
+    around_ = scan.points;
+    if (start < count) {
+        const auto by = static_cast<std::ptrdiff_t>(start);
+        std::rotate(around_.begin(), around_.begin() + by, around_.end());
+        std::rotate(ranges_.begin(), ranges_.begin() + by, ranges_.end());
+    } else {
+        around_.push_back(around_.front());
+        ranges_.push_back(ranges_.front());
+    }
+    return around_;
+}
+
+void RansacLines::follow_edges(std::span<const Point2> points, std::size_t begin, std::size_t end,
                                RandomStream& random) {
     while (begin < end) {
-        std::uint32_t last = begin;
-        for (std::uint32_t i = begin + 1; i < end && i - last <= kStrays + 1; ++i) {
+        std::size_t last = begin;
+        for (std::size_t i = begin + 1; i < end && i - last <= kStrays + 1; ++i) {
             if (!edge_between(ranges_[i], ranges_[last])) last = i;
         }
         run_ranges_ = std::span(ranges_).subspan(begin, last - begin + 1);
-        search(std::span(scan.points).subspan(begin, last - begin + 1), random);
+        search(points.subspan(begin, last - begin + 1), random);
         begin = last + 1;
     }
 }

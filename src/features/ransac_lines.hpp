@@ -29,7 +29,8 @@ class RansacLines final : public MetodoExtraccionRectas {
         std::size_t size() const { return x.size(); }
     };
 
-    void follow_edges(const Scan& scan, std::uint32_t begin, std::uint32_t end,
+    std::span<const Point2> in_order(const Scan& scan);
+    void follow_edges(std::span<const Point2> points, std::size_t begin, std::size_t end,
                       RandomStream& random);
     bool parted(std::size_t last, std::size_t next) const;
     bool edge_between(double range_a, double range_b) const;
@@ -53,6 +54,7 @@ class RansacLines final : public MetodoExtraccionRectas {
     std::uint64_t next_scan_ = 0;
     // Working memory, kept between scans.
     std::vector<double> ranges_;  // of all points, from the laser
+    std::vector<Point2> around_;  // those of a scan that goes all round, in the order used
     std::vector<std::uint32_t>
         run_of_;  // run of neighbours of each point, where RANSAC comes first
     std::span<const double> run_ranges_;  // of the run at hand

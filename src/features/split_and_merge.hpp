@@ -9,7 +9,9 @@
 namespace hitos {
 
 /// Recursive splitting at the farthest point [T table 4.3] in every run of neighbours, then the
-/// merge of collinear pieces [T table 4.4], first piece first.
+/// merge of collinear pieces [T table 4.4], first piece first. What is shorter than a line may be
+/// is dropped before it is split, as in the thesis, whose laser sees half a turn; where one sees
+/// further round, once it is found to be straight.
 class SplitAndMerge final : public MetodoExtraccionRectas {
   public:
     SplitAndMerge(const LineParams& lines, const SplitMergeParams& params)
@@ -20,10 +22,14 @@ class SplitAndMerge final : public MetodoExtraccionRectas {
   private:
     /// Whether neighbours are further apart than their range from the laser allows.
     bool gap_between(const Point2& a, const Point2& b, const Point2& laser) const;
+    /// Divides what comes back to where it began at the point that is farthest from there; false
+    /// where it does not.
+    bool split_at_far_side(const Scan& scan, std::uint32_t begin, std::uint32_t end);
     void split(const Scan& scan, std::uint32_t first, std::uint32_t last);
 
     LineParams lines_;
     SplitMergeParams params_;
+    bool beyond_half_a_turn_ = false;  // the scan at hand
     // Working memory, kept between scans.
     std::vector<LinePiece> pieces_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pending_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "hitos/capture/closed_scan.hpp"
+
 namespace hitos {
 namespace {
 
@@ -146,8 +148,10 @@ class SurfaceFinder {
 
 }  // namespace
 
-void find_surface_points(const Scan& scan, double range_m, std::vector<SurfacePoint>& points) {
+void find_surface_points(const Scan& as_logged, double range_m, std::vector<SurfacePoint>& points) {
     points.clear();
+    Scan room;
+    const Scan& scan = cut_open(as_logged, room);
     const SurfaceFinder finder(scan, range_m);
     const std::size_t rays = scan.fan.count > 0 ? scan.fan.count : scan.points.size();
     const std::uint32_t stride = rays > kManyRays ? 2 : 1;

@@ -33,9 +33,10 @@ double range_to(const Point2& a, const Point2& b, double cosine, double sine) {
     return hit ? range : missed;
 }
 
-/// Bearing in [0, 2 pi) counted from the fan's first ray.
-double from_first_ray(const Point2& point, double min_angle_rad) {
-    const double angle = std::fmod(std::atan2(point.y, point.x) - min_angle_rad, kTurn);
+/// Bearing in [0, 2 pi) counted from the fan's first ray in the direction that it sweeps.
+double from_first_ray(const Point2& point, double min_angle_rad, bool clockwise) {
+    const double left = std::fmod(std::atan2(point.y, point.x) - min_angle_rad, kTurn);
+    const double angle = clockwise ? -left : left;
     return angle < 0.0 ? angle + kTurn : angle;
 }
 
@@ -52,14 +53,16 @@ void SimulatedLaser::cast(const Pose& pose_world_robot, std::vector<RayHit>& out
     const Pose pose_world_laser = compose(pose_world_robot, fan_.pose_robot_laser);
     const Pose pose_laser_world = inverse(pose_world_laser);
     const Point2 laser{pose_world_laser.x, pose_world_laser.y};
+    const bool clockwise = step_rad_ < 0.0;
+    const double step = std::abs(step_rad_);
     for (std::size_t i = 0; i < walls_.size(); ++i) {
         if (distance(walls_[i], laser) > fan_.max_range_m) continue;
         const Point2 a = transform(pose_laser_world, walls_[i].a);
         const Point2 b = transform(pose_laser_world, walls_[i].b);
         const auto offer = [&](double first, double last) {
             // One ray more on each side: the bearings are rounded, range_to() decides.
-            const double low = std::max(0.0, std::ceil(first / step_rad_) - 1.0);
-            const double high = std::min(fan_.count - 1.0, std::floor(last / step_rad_) + 1.0);
+            const double low = std::max(0.0, std::ceil(first / step) - 1.0);
+            const double high = std::min(fan_.count - 1.0, std::floor(last / step) + 1.0);
             if (high < low) return;
             const auto end = static_cast<std::size_t>(high) + 1;
             for (auto k = static_cast<std::size_t>(low); k < end; ++k) {
@@ -70,8 +73,8 @@ void SimulatedLaser::cast(const Pose& pose_world_robot, std::vector<RayHit>& out
                 }
             }
         };
-        double first = from_first_ray(a, fan_.min_angle_rad);
-        double last = from_first_ray(b, fan_.min_angle_rad);
+        double first = from_first_ray(a, fan_.min_angle_rad, clockwise);
+        double last = from_first_ray(b, fan_.min_angle_rad, clockwise);
         if (first > last) std::swap(first, last);
         // A wall is seen under less than half a turn: the smaller of the two angles between its
         // ends, which may lie across the first ray. A fan of a whole turn has rays at both ends of
@@ -103,8 +106,9 @@ std::vector<Point2> ray_directions(const Fan& fan, double turned_rad, double ste
 Fan fan_of(const LaserParams& laser) {
     const double half_rad = laser.field_of_view_deg / 360.0 * kPi;
     Fan fan;
-    fan.min_angle_rad = -half_rad;
-    fan.max_angle_rad = half_rad;
+    fan.min_angle_rad = -half_rad + laser.fan_turn_deg / 180.0 * kPi;
+    fan.max_angle_rad = half_rad + laser.fan_turn_deg / 180.0 * kPi;
+    if (laser.clockwise) std::swap(fan.min_angle_rad, fan.max_angle_rad);
     fan.count = static_cast<std::uint32_t>(laser.rays);
     fan.max_range_m = laser.max_range_m;
     fan.pose_robot_laser = {laser.mount_x_m, laser.mount_y_m,

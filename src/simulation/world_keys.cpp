@@ -93,6 +93,17 @@ std::vector<WorldKey> make_keys() {
             {"laser.field_of_view", "degrees", 1, 360,
              HITOS_TEXT("Parameter", "from the first ray to the last"),
              HITOS_TEXT("ParameterLabel", "Field of view")}),
+        real<&W::laser, &Laser::fan_turn_deg>(
+            {"laser.fan_turn", "degrees", -360, 360,
+             HITOS_TEXT("Parameter",
+                        "how far the fan is turned to the left in the laser's frame, which has it "
+                        "straight ahead where this is 0"),
+             HITOS_TEXT("ParameterLabel", "Fan turned")}),
+        choice<&W::laser, &Laser::clockwise>(
+            {.key = "laser.clockwise",
+             .description = HITOS_TEXT("Parameter", "the rays follow each other to the right"),
+             .label = HITOS_TEXT("ParameterLabel", "Clockwise"),
+             .choices = yes_no}),
         real<&W::laser, &Laser::max_range_m>(
             {"laser.max_range", "m", 0.1, 1000,
              HITOS_TEXT("Parameter", "walls further away give no reading"),

@@ -1,6 +1,7 @@
 // One laser scan and one odometry reading, as every layer above sees them [T fig 9.2].
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,7 +11,8 @@
 namespace hitos {
 
 /// The fan of rays a scanner sweeps: ray i of `count` lies at
-/// min_angle + i (max_angle - min_angle) / (count - 1), whatever resolution the log states.
+/// min_angle + i (max_angle - min_angle) / (count - 1), whatever resolution the log states. It
+/// sweeps clockwise where max_angle is the lesser one.
 struct Fan {
     double min_angle_rad = 0.0;
     double max_angle_rad = 0.0;
@@ -25,6 +27,13 @@ struct Fan {
     /// Of a ray, in the laser's frame.
     double angle_rad(std::size_t ray) const {
         return min_angle_rad + static_cast<double>(ray) * step_rad();
+    }
+    /// Whether it covers one whole turn, so that its last ray is the neighbour of its first. Half a
+    /// step is left to logs that round their angles, or have a first and a last ray that are one.
+    bool closed() const {
+        const double step = std::abs(step_rad());
+        return count > 2 && std::abs(std::abs(max_angle_rad - min_angle_rad) + 0.5 * step -
+                                     2.0 * kPi) <= step * (1.0 + 1e-9);
     }
     friend bool operator==(const Fan&, const Fan&) = default;
 };

@@ -20,7 +20,8 @@ class MetodoExtraccionRectas {
     /// depend on more than scan and parameters has to make them depend on this: runs go back.
     virtual void go_to(std::uint64_t /*scan*/) {}
     /// Appends the lines of the scan (robot frame, normal form) and their points to `out`, which is
-    /// otherwise left alone.
+    /// otherwise left alone. A scan of a closed fan comes cut open (capture/closed_scan.hpp), so
+    /// that no wall goes on from its last point to its first where none has to.
     virtual void extract_lines(const Scan& scan, Observation& out) = 0;
     /// Whether its lines go through the first and last of their points whatever lies between: their
     /// covariance is then that of these two.

@@ -77,7 +77,9 @@ enum class NoReturn {
 /// The defaults are a SICK LMS-200 at one degree and 8 m.
 struct LaserParams {
     int rays = 181;
-    double field_of_view_deg = 180.0;  ///< symmetric about the laser's heading
+    double field_of_view_deg = 180.0;  ///< symmetric about the laser's heading, unless turned:
+    double fan_turn_deg = 0.0;         ///< of the fan in the laser's frame, to the left
+    bool clockwise = false;            ///< the rays follow each other to the right
     double max_range_m = 8.0;
     double sigma_m = 0.01;  ///< standard deviation of a range
     double rate_hz = 5.0;

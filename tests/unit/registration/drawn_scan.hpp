@@ -40,17 +40,17 @@ inline double range_to(const Walls& walls, const Pose& pose, double angle) {
     return nearest;
 }
 
-/// 181 rays over half a turn; normal noise of `sigma` on ranges where there is an engine.
-inline Scan drawn_scan(const Walls& walls, const Pose& pose, double sigma = 0.0,
-                       std::mt19937* engine = nullptr, double furthest = 30.0) {
+/// Normal noise of `sigma` on ranges where there is an engine.
+inline Scan drawn_scan(const Walls& walls, const Pose& pose, const Fan& fan, double sigma = 0.0,
+                       std::mt19937* engine = nullptr) {
     Scan scan;
-    scan.fan = {-kPi / 2.0, kPi / 2.0, 181, furthest, {}};
+    scan.fan = fan;
     std::normal_distribution<double> normal;
     bool running = false;
     for (std::uint32_t ray = 0; ray < scan.fan.count; ++ray) {
         const double angle = scan.fan.angle_rad(ray);
         double range = range_to(walls, pose, angle);
-        if (!(range < furthest)) {
+        if (!(range < fan.max_range_m)) {
             running = false;
             continue;
         }
@@ -61,6 +61,12 @@ inline Scan drawn_scan(const Walls& walls, const Pose& pose, double sigma = 0.0,
         scan.rays.push_back(ray);
     }
     return scan;
+}
+
+/// 181 rays over half a turn.
+inline Scan drawn_scan(const Walls& walls, const Pose& pose, double sigma = 0.0,
+                       std::mt19937* engine = nullptr, double furthest = 30.0) {
+    return drawn_scan(walls, pose, {-kPi / 2.0, kPi / 2.0, 181, furthest, {}}, sigma, engine);
 }
 
 inline std::vector<SurfacePoint> drawn_points(const Walls& walls, const Pose& pose,

@@ -48,5 +48,37 @@ TEST(SurfacePoints, ReadingsBeyondTheRangeAreLeftOut) {
     for (const SurfacePoint& p : points) EXPECT_LT(std::hypot(p.x, p.y), 4.0F);
 }
 
+TEST(SurfacePoints, AClosedFanHasNoSeam) {
+    // The wall behind is met by the first and the last ray.
+    const Walls room = test::recess_room();
+    const auto seen = [&](double first, double sign) {
+        std::vector<SurfacePoint> points;
+        const double turn = sign * 359.0 * kRadiansPerDegree;
+        find_surface_points(test::drawn_scan(room, {}, {first, first + turn, 360, 30.0, {}}), 80.0,
+                            points);
+        std::sort(points.begin(), points.end(), [](const SurfacePoint& a, const SurfacePoint& b) {
+            return std::atan2(a.y, a.x) < std::atan2(b.y, b.x);
+        });
+        return points;
+    };
+    const std::vector<SurfacePoint> whole = seen(0.0, 1.0);
+    EXPECT_GE(whole.size(), 180U);
+    int behind = 0;
+    for (const SurfacePoint& p : whole) {
+        if (p.x > -3.9F || std::abs(p.y) > 1.0F) continue;
+        ++behind;
+        EXPECT_NEAR(p.nx, 1.0F, 1e-3F) << p.y;
+    }
+    EXPECT_GT(behind, 10);
+    for (const double sign : {1.0, -1.0}) {
+        const std::vector<SurfacePoint> turned = seen(-kPi, sign);
+        ASSERT_EQ(turned.size(), whole.size());
+        for (std::size_t i = 2; i + 2 < whole.size(); ++i) {  // a ray at pi may be the first
+            EXPECT_NEAR(turned[i].nx, whole[i].nx, 1e-3F) << whole[i].x << " " << whole[i].y;
+            EXPECT_NEAR(turned[i].ny, whole[i].ny, 1e-3F) << whole[i].x << " " << whole[i].y;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace hitos

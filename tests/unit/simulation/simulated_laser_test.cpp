@@ -46,9 +46,12 @@ TEST(SimulatedLaser, AgreesWithASlowOracleInRandomWorlds) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-10.0, 10.0);
     std::uniform_real_distribution<double> angle(-kPi, kPi);
-    const std::vector<Fan> fans = {fan(-kPi / 2, kPi / 2, 181), fan(-kPi, kPi, 361, 30.0),
+    const std::vector<Fan> fans = {fan(-kPi / 2, kPi / 2, 181),
+                                   fan(-kPi, kPi, 361, 30.0),
                                    fan(-kPi / 2, kPi / 2, 181, 8.0, {0.3, -0.1, 2.0}),
-                                   fan(-0.2, 0.3, 2, 30.0)};
+                                   fan(-0.2, 0.3, 2, 30.0),
+                                   fan(kPi / 2, -kPi / 2, 181),
+                                   fan(2.0, 2.0 - 2.0 * kPi, 361, 30.0)};
     int compared = 0;
     int hits = 0;
     int differ = 0;

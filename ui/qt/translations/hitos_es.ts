@@ -2792,6 +2792,14 @@
         <translation>del primer rayo al último</translation>
     </message>
     <message>
+        <source>how far the fan is turned to the left in the laser&apos;s frame, which has it straight ahead where this is 0</source>
+        <translation>cuánto está girado el abanico a la izquierda en el sistema del láser, que con 0 lo tiene justo al frente</translation>
+    </message>
+    <message>
+        <source>the rays follow each other to the right</source>
+        <translation>los rayos se siguen unos a otros hacia la derecha</translation>
+    </message>
+    <message>
         <source>walls further away give no reading</source>
         <translation>las paredes más lejanas no dan lectura</translation>
     </message>
@@ -3551,6 +3559,14 @@
     <message>
         <source>Field of view</source>
         <translation>Campo de visión</translation>
+    </message>
+    <message>
+        <source>Fan turned</source>
+        <translation>Abanico girado</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>Sentido horario</translation>
     </message>
     <message>
         <source>Greatest range</source>
