@@ -100,12 +100,10 @@ std::string size_of(double width, double height) {
 
 /// By the units that would make it a place for robots.
 std::string other_sizes(double width, double height) {
-    constexpr std::array<std::pair<const char*, double>, 5> kUsual = {
-        {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}, {"ft", 0.3048}}};
     std::vector<std::string> sizes;
-    for (const auto& [name, metres] : kUsual) {
+    for (const auto& [word, metres, name] : kDrawingUnits) {
         if (reasonable(std::max(width, height) * metres))
-            sizes.push_back(fmt::format("{}: {}", name, size_of(width * metres, height * metres)));
+            sizes.push_back(fmt::format("{}: {}", word, size_of(width * metres, height * metres)));
     }
     return fmt::format("{}", fmt::join(sizes, ", "));
 }

@@ -457,7 +457,25 @@ void DrawTest::drawings_segments_and_grids_are_opened() {
     QVERIFY(f.world().world_files().open(f.path("room.dxf")));
     QVERIFY(f.no_warnings());
     QCOMPARE(f.text().world().walls.size(), std::size_t{4});
-    f.prompts.confirms = {true, true, true, true};
+    f.prompts.confirms = {true, true, true, true, true};
+    // Of a drawing that leaves a doubt, unit and layers are asked for.
+    drawing.replace("\n4\n", "\n4000\n").replace("\n3\n", "\n3000\n");
+    f.write("mm.dxf", drawing);
+    in_dialog<ImportDialog>([](ImportDialog& dialog) {
+        const auto* verdict = dialog.findChild<QLabel*>("import_verdict");
+        QVERIFY2(verdict->text().contains("4000 m x 3000 m"), qPrintable(verdict->text()));
+        dialog.findChild<QComboBox*>("import_unit")->setCurrentIndex(1);
+        dialog.findChild<QLineEdit*>("import_layer")->setText("roof");
+        dialog.accept();
+        QTRY_VERIFY(verdict->text().contains("roof"));
+        dialog.findChild<QLineEdit*>("import_layer")->clear();
+        dialog.accept();
+        QTRY_VERIFY(!dialog.isVisible());
+    });
+    QVERIFY(f.world().world_files().open(f.path("mm.dxf")));
+    QVERIFY(f.no_warnings());
+    QVERIFY2(f.said().contains("as asked"), qPrintable(f.said()));
+    QCOMPARE(f.text().world().walls.front().b, (Point2{4, 0}));
     f.write("segments.txt", "# x1 y1 x2 y2 landmark\n0 0 4 0 1\n4 0 4 3 2\n");
     QVERIFY(f.world().world_files().open(f.path("segments.txt")));
     QVERIFY(f.no_warnings());

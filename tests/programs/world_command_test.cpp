@@ -1,4 +1,6 @@
 // hitos-cli world as a user calls it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -114,6 +116,52 @@ TEST_F(WorldCommand, ADrawingBecomesAWorldAndItsFaultsAreTold) {
     EXPECT_EQ(content(path("w.toml")),
               "# The walls of room.dxf.\nwalls = [\n    [[0, -1], [4, -1]],\n]\n\n[tour]\n"
               "start = [2, -0.9, 0]\n");
+}
+
+TEST_F(WorldCommand, ADrawingIsReadByUnitAndLayerAndItsSizeIsTold) {
+    const auto line = [](const char* layer, const char* to) {
+        return fmt::format("0\nLINE\n8\n{}\n10\n0\n20\n0\n11\n{}\n21\n12000\n", layer, to);
+    };
+    const std::string drawing = file(
+        "mm.dxf", "0\nSECTION\n2\nENTITIES\n" + line("WALLS", "20000") + line("AXES", "90000") +
+                      "0\nTEXT\n8\n0\n1\nHall\n0\n3DSOLID\n8\nX\n0\nENDSEC\n0\nEOF\n");
+    const std::string to = " --out " + path("w.toml");
+    const json all = object(drawing + to);
+    EXPECT_EQ(all.at("size_m"), json::array({90000.0, 12000.0}));
+    EXPECT_NE(all.at("notes").dump().find("tells no unit"), std::string::npos) << all;
+    EXPECT_NE(all.at("warnings").dump().find("mm: 90 m x 12 m"), std::string::npos) << all;
+    EXPECT_NE(all.at("warnings").dump().find("1 3DSOLID cannot be read"), std::string::npos);
+    for (const char* unit : {"mm", "0.001"}) {
+        const json chosen = object(drawing + to + " --layer walls --unit " + unit);
+        EXPECT_EQ(chosen.at("size_m"), json::array({20.0, 12.0}));
+        EXPECT_EQ(chosen.at("warnings"), json::array());
+    }
+    EXPECT_NE(
+        call(drawing + to + " --layer walls --unit mm").output.find("size: 20.000 m x 12.000"),
+        std::string::npos);
+    refused(drawing + to + " --layer ROOF", "expected one of the layers that do: 1 AXES, 1 WALLS");
+    refused(drawing + to + " --unit furlong", "expected mm, cm, m, in, ft");
+    refused(drawing + to + " --unit -1", "more than 0");
+    refused(map_ + to + " --unit mm", "is no drawing");
+    refused("bigloop --layer walls", "is no drawing");
+    // A world that takes its walls from the drawing tells the same.
+    const Outcome named = call(file("named.toml", "walls_dxf = \"mm.dxf\"\n"));
+    EXPECT_NE(named.output.find("1 TEXT passed over"), std::string::npos) << named.output;
+    EXPECT_NE(named.output.find("1 3DSOLID cannot be read"), std::string::npos) << named.output;
+}
+
+TEST_F(WorldCommand, ADrawingInSurveyCoordinatesIsMoved) {
+    const std::string drawing =
+        file("far.dxf",
+             "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n530000\n20\n180000\n11\n530020\n"
+             "21\n180012\n0\nENDSEC\n0\nEOF\n");
+    const std::string to = " --out " + path("w.toml");
+    const json moved = object(drawing + to + " --start 2,9,0");
+    EXPECT_EQ(moved.at("low_m"), json::array({0.0, 0.0}));
+    EXPECT_NE(moved.at("warnings").dump().find("moved by (-530000, -180000) m"), std::string::npos);
+    // Whoever starts out there means the drawing's own coordinates.
+    EXPECT_EQ(object(drawing + to + " --start 530002,180009,0").at("low_m"),
+              json::array({530000.0, 180000.0}));
 }
 
 TEST_F(WorldCommand, AWorldIsChecked) {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -9,7 +10,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -17,6 +17,7 @@
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/tour_reader.hpp"
+#include "hitos/simulation/dxf_walls.hpp"
 #include "hitos/simulation/world_check.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
@@ -26,9 +27,6 @@
 
 namespace hitos::cli {
 namespace {
-
-constexpr std::array<std::pair<const char*, double>, 5> kUnits = {
-    {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}, {"ft", 0.3048}}};
 
 struct WorldOptions {
     std::string source;
@@ -61,16 +59,13 @@ Pose parse_start(const std::string& text) {
 
 /// Metres per unit.
 double parse_unit(const std::string& text) {
-    for (const auto& [name, metres] : kUnits) {
-        if (text == name) return metres;
-    }
+    const auto unit = std::ranges::find(kDrawingUnits, text, &DrawingUnit::word);
+    if (unit != kDrawingUnits.end()) return unit->metres;
     const auto value = input::parse_number(text);
-    if (!value || !(*value > 0.0) || !std::isfinite(*value)) {
-        throw ConfigError("--unit", verbatim(fmt::format("found \"{}\", expected mm, cm, m, in, ft "
-                                                         "or the metres of a unit",
-                                                         text)));
-    }
-    return *value;
+    if (value && *value > 0.0 && std::isfinite(*value)) return *value;
+    throw ConfigError("--unit", verbatim(fmt::format("found \"{}\", expected mm, cm, m, in, ft or "
+                                                     "the metres of a unit, more than 0",
+                                                     text)));
 }
 
 /// The size of what the walls enclose, from where to where.

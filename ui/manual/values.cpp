@@ -12,6 +12,7 @@
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/study/study.hpp"
 #include "hitos/services/study/study_values.hpp"
+#include "hitos/simulation/dxf_walls.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 #include "hitos/simulation/world.hpp"
 #include "hitos/simulation/world_key.hpp"
@@ -112,6 +113,10 @@ Values odometry_topics() {
     return words_alone({{"tf", "the transforms"}});
 }
 
+Values drawing_units() {
+    return words_of(kDrawingUnits, &DrawingUnit::word, &DrawingUnit::name);
+}
+
 Values picture_values() {
     return words_alone({{"first", "of each value's first run"}, {"all", "of every run"}});
 }
@@ -152,6 +157,8 @@ constexpr std::array kRules{
     Rule{"", "--vary", &assignments<Keys::study>},
     Rule{"", "--second", &thesis_names},
     Rule{"", "--shard", &anything},
+    Rule{"world", "--unit", &drawing_units},
+    Rule{"", "--layer", &anything},
     Rule{"", "--start", &anything},
     Rule{"", "--size", &anything},
     Rule{"", "log", &sources},

@@ -1,6 +1,7 @@
 // Walls from a DXF drawing.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,8 +9,22 @@
 
 #include "hitos/base/geometry.hpp"
 #include "hitos/base/message.hpp"
+#include "hitos/base/translatable.hpp"
 
 namespace hitos {
+
+/// What a drawing's unit may be asked for by.
+struct DrawingUnit {
+    const char* word;
+    double metres;
+    const char* name;
+};
+inline constexpr std::array<DrawingUnit, 5> kDrawingUnits = {
+    {{"mm", 1e-3, HITOS_TEXT("DrawingUnit", "millimetres")},
+     {"cm", 1e-2, HITOS_TEXT("DrawingUnit", "centimetres")},
+     {"m", 1.0, HITOS_TEXT("DrawingUnit", "metres")},
+     {"in", 0.0254, HITOS_TEXT("DrawingUnit", "inches")},
+     {"ft", 0.3048, HITOS_TEXT("DrawingUnit", "feet")}}};
 
 struct DxfOptions {
     /// Only entities of these layers count, "WALLS" or "WALLS,COLUMNS", hidden or not; empty: all

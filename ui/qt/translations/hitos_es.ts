@@ -330,6 +330,29 @@
     </message>
 </context>
 <context>
+    <name>DrawingUnit</name>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+</context>
+<context>
     <name>Errors</name>
     <message>
         <source>line %1: %2</source>
@@ -4523,26 +4546,6 @@
     <message>
         <source>as the drawing says, else metres</source>
         <translation>la que dice el dibujo, si no metros</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>milímetros</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>centímetros</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>metros</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>pulgadas</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>pies</translation>
     </message>
     <message>
         <source>Unit</source>

@@ -14,6 +14,7 @@
 
 #include "app/theme.hpp"
 #include "app/words_of.hpp"
+#include "hitos/simulation/dxf_walls.hpp"
 #include "workers/background.hpp"
 
 namespace hitos::window {
@@ -85,11 +86,8 @@ void ImportDialog::ask_for_layer_and_unit(QFormLayout& form) {
     unit_ = new QComboBox(this);
     unit_->setObjectName("import_unit");
     unit_->addItem(tr("as the drawing says, else metres"), 0.0);
-    unit_->addItem(tr("millimetres"), 1e-3);
-    unit_->addItem(tr("centimetres"), 1e-2);
-    unit_->addItem(tr("metres"), 1.0);
-    unit_->addItem(tr("inches"), 0.0254);
-    unit_->addItem(tr("feet"), 0.3048);
+    for (const DrawingUnit& unit : kDrawingUnits)
+        unit_->addItem(QCoreApplication::translate("DrawingUnit", unit.name), unit.metres);
     form.addRow(tr("Unit"), unit_);
     layer_ = new QLineEdit(this);
     layer_->setObjectName("import_layer");
