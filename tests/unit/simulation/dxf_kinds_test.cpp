@@ -58,7 +58,7 @@ class DxfKinds : public testing::Test {
     TempFolder folder_;
 };
 
-constexpr const char* kWall = " 0 LINE 8 W 10 0 20 0 11 9 21 0";
+constexpr const char* kPlainWall = " 0 LINE 8 W 10 0 20 0 11 9 21 0";
 const WallPoints kItsWall = {{{0, 0}, {9, 0}}};
 
 TEST_F(DxfKinds, ArcsAndCirclesLieWithinAHairOfTheirChords) {
@@ -108,8 +108,9 @@ TEST_F(DxfKinds, EllipsesAndSplinesAreFollowed) {
     EXPECT_LE(farthest(quarter[0], {0, 0}, 3.0), 0.005);
     EXPECT_EQ(walls("0 SPLINE 8 0 71 3 11 0 21 0 11 2 21 1 11 4 21 0"),
               (WallPoints{{{0, 0}, {2, 1}, {4, 0}}}));
-    EXPECT_THAT(told(read("0 SPLINE 8 0 71 3 10 0 20 0 10 1 20 1" + std::string(kWall)).warnings),
-                HasSubstr("1 SPLINE cannot be read"));
+    EXPECT_THAT(
+        told(read("0 SPLINE 8 0 71 3 10 0 20 0 10 1 20 1" + std::string(kPlainWall)).warnings),
+        HasSubstr("1 SPLINE cannot be read"));
 }
 
 TEST_F(DxfKinds, FilledSurfacesGiveTheirOutlines) {
@@ -131,7 +132,7 @@ TEST_F(DxfKinds, FilledSurfacesGiveTheirOutlines) {
     expect_near(arc[0].front(), {-2, 0});
     expect_near(arc[0].back(), {0, -2});
     const DxfWalls pattern =
-        read("0 HATCH 8 0 2 ANSI31 70 0 91 1 92 3 72 0 73 1 93 0 75 1" + std::string(kWall));
+        read("0 HATCH 8 0 2 ANSI31 70 0 91 1 92 3 72 0 73 1 93 0 75 1" + std::string(kPlainWall));
     EXPECT_EQ(pattern.walls, kItsWall);
     EXPECT_THAT(told(pattern.notes), HasSubstr("1 HATCH (pattern) passed over"));
 }
@@ -211,7 +212,7 @@ TEST_F(DxfKinds, BlocksAreDrawnWhereTheyAreInserted) {
     const DxfWalls lacking = read(
         "0 INSERT 8 0 2 SELF 10 0 20 0 0 INSERT 8 0 2 XREF 10 0 20 0 "
         "0 INSERT 8 0 2 GONE 10 0 20 0" +
-            std::string(kWall),
+            std::string(kPlainWall),
         blocks);
     EXPECT_EQ(lacking.walls, kItsWall);
     EXPECT_THAT(told(lacking.warnings), HasSubstr("1 INSERT cannot be read"));
@@ -225,22 +226,23 @@ TEST_F(DxfKinds, LayersThatAreOffOrFrozenAreLeftOutUnlessNamed) {
         "0 LINE 8 0 10 0 20 0 11 0 21 1 0 LINE 8 W 10 0 20 0 11 0 21 2 0 ENDBLK 0 ENDSEC";
     const std::string hidden =
         "0 LINE 8 AXES 10 0 20 0 11 1 21 1 0 LINE 8 FURN 10 0 20 0 11 2 21 2";
-    const DxfWalls all = read(hidden + kWall, tables);
+    const DxfWalls all = read(hidden + kPlainWall, tables);
     EXPECT_EQ(all.walls, kItsWall);
     EXPECT_THAT(told(all.notes), HasSubstr("off or frozen: 1 AXES, 1 FURN"));
-    EXPECT_EQ(read(hidden + kWall, tables, {"furn", 1.0}).walls, (WallPoints{{{0, 0}, {2, 2}}}));
-    EXPECT_EQ(read(hidden + kWall, tables, {"W,axes", 1.0}).walls,
+    EXPECT_EQ(read(hidden + kPlainWall, tables, {"furn", 1.0}).walls,
+              (WallPoints{{{0, 0}, {2, 2}}}));
+    EXPECT_EQ(read(hidden + kPlainWall, tables, {"W,axes", 1.0}).walls,
               (WallPoints{{{0, 0}, {1, 1}}, {{0, 0}, {9, 0}}}));
     EXPECT_THAT(message_of<FormatError>([&] { read(hidden, tables); }),
                 HasSubstr("1 AXES, 1 FURN"));
     EXPECT_THAT(message_of<FormatError>([&] {
-                    read(hidden + kWall, tables, {"roof", {}});
+                    read(hidden + kPlainWall, tables, {"roof", {}});
                 }),
                 HasSubstr("layer \"roof\" holds no wall; expected one of the layers that do: "
                           "1 AXES, 1 FURN, 1 W"));
     // In a block, layer 0 is the insertion's; a frozen insertion takes all with it.
     EXPECT_EQ(walls("0 INSERT 8 AXES 2 B 10 0 20 0", tables), (WallPoints{{{0, 0}, {0, 2}}}));
-    EXPECT_EQ(walls("0 INSERT 8 FURN 2 B 10 0 20 0" + std::string(kWall), tables), kItsWall);
+    EXPECT_EQ(walls("0 INSERT 8 FURN 2 B 10 0 20 0" + std::string(kPlainWall), tables), kItsWall);
     EXPECT_EQ(read("0 INSERT 8 P 2 B 10 0 20 0", tables, {"P", 1.0}).walls,
               (WallPoints{{{0, 0}, {0, 1}}}));
     // Names in Latin-1 and as \U+00C4 are the same.
@@ -286,7 +288,7 @@ TEST_F(DxfKinds, UnitsAreTakenAsToldAndTheirSizesDoubted) {
                                         {"6", 1.0},
                                         {"10", 0.9144},
                                         {"14", 0.1}}) {
-        const auto found = read(kWall + 1, header + value + " 0 ENDSEC", {}).walls;
+        const auto found = read(kPlainWall + 1, header + value + " 0 ENDSEC", {}).walls;
         EXPECT_NEAR(found[0][1].x, 9.0 * metres, 1e-9) << value;
     }
     const std::string hall = "0 LINE 8 0 10 0 20 0 11 20000 21 12000";
@@ -311,7 +313,7 @@ TEST_F(DxfKinds, SurveyCoordinatesAreMovedAndStraysLeftOut) {
     EXPECT_EQ(stray.walls.size(), 2U);
     EXPECT_THAT(told(stray.warnings), HasSubstr("1 LINE (X)"));
     EXPECT_THAT(told(read("0 LINE 8 X 10 1e300 20 0 11 -1e300 21 1 0 INSERT 8 0 2 G" +
-                          std::string(kWall) + kWall)
+                          std::string(kPlainWall) + kPlainWall)
                          .warnings),
                 HasSubstr("1 LINE (X)"));
 }
@@ -324,16 +326,16 @@ TEST_F(DxfKinds, DamageIsToldAndNeverHangs) {
     EXPECT_THAT(message_of<FormatError>([&] { read("0 LINE 8 0 10 1,5 20 0 11 1 21 1"); }),
                 HasSubstr("\"1,5\""));
     // Of what breaks off, the last entity may be half of one.
-    const DxfWalls cut =
-        read_dxf_walls(folder_.put("cut.dxf", as_lines("0 SECTION 2 ENTITIES" + std::string(kWall) +
-                                                       " 0 LINE 8 0 10 3 20 3 11 4")));
+    const DxfWalls cut = read_dxf_walls(folder_.put(
+        "cut.dxf",
+        as_lines("0 SECTION 2 ENTITIES" + std::string(kPlainWall) + " 0 LINE 8 0 10 3 20 3 11 4")));
     EXPECT_EQ(cut.walls, kItsWall);
     EXPECT_THAT(told(cut.warnings), HasSubstr("breaks off"));
-    EXPECT_THAT(told(read("0 LINE 8 0 10 3 20 3 11 4" + std::string(kWall)).warnings),
+    EXPECT_THAT(told(read("0 LINE 8 0 10 3 20 3 11 4" + std::string(kPlainWall)).warnings),
                 HasSubstr("1 LINE cannot be read"));
     // Ten blocks, each of ten of the one before, and a field of insertions without end.
     std::string blocks =
-        "0 SECTION 2 BLOCKS 0 BLOCK 2 B0 10 0 20 0" + std::string(kWall) + " 0 ENDBLK";
+        "0 SECTION 2 BLOCKS 0 BLOCK 2 B0 10 0 20 0" + std::string(kPlainWall) + " 0 ENDBLK";
     for (int i = 1; i <= 10; ++i) {
         blocks += " 0 BLOCK 2 B" + std::to_string(i) + " 10 0 20 0";
         for (int k = 0; k < 10; ++k)
