@@ -209,7 +209,7 @@ void Drawing::read() {
             if ((fields.integer(70, 0) & kExternal) != 0) block->external = name_of(fields.word(1));
         } else if (section == "BLOCKS" && type == "ENDBLK") {
             block = nullptr;
-        } else if (section == "ENTITIES" || (section == "BLOCKS" && block != nullptr)) {
+        } else if (section == "ENTITIES" || block != nullptr) {
             if (++count > kMostEntities) {
                 throw FormatError(path_, 0,
                                   message(HITOS_TEXT("Errors",
@@ -217,10 +217,9 @@ void Drawing::read() {
                                                      "of the walls as a drawing of their own"),
                                           kMostEntities));
             }
-            entity.paper = entity.paper || (section == "BLOCKS" && on_sheet);
-            // What a sheet's or the model's own block holds is drawn as it is.
-            const bool inserted = section == "BLOCKS" && !on_sheet;
-            (inserted ? block->entities : entities).push_back(entity);
+            // What a sheet's block holds is counted with what stands on the sheet itself.
+            entity.paper = entity.paper || (block != nullptr && on_sheet);
+            (block != nullptr && !on_sheet ? block->entities : entities).push_back(entity);
         }
     };
 
@@ -245,7 +244,10 @@ void Drawing::read() {
                 ended = true;
                 break;
             }
-            if (value == "ENDSEC") section = {};
+            if (value == "ENDSEC") {
+                section = {};
+                block = nullptr;
+            }
             if (value == "SECTION") section = "?";  // its name follows
             if (!section.empty() && section != "?") entity.type = value;
         } else if (section == "?" && *code == 2) {

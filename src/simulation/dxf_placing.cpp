@@ -85,6 +85,7 @@ std::vector<Wall> without_strays(std::vector<Wall> walls, DxfWalls& result) {
         return stray;
     });
     std::vector<std::string> names;
+    names.reserve(strays.size());
     for (const auto& [name, count] : strays) names.push_back(fmt::format("{} {}", count, name));
     result.warnings.push_back(
         message(HITOS_TEXT("Errors",
