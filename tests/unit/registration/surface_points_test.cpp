@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "drawn_scan.hpp"
 
 namespace hitos {
@@ -70,12 +72,15 @@ TEST(SurfacePoints, AClosedFanHasNoSeam) {
         EXPECT_NEAR(p.nx, 1.0F, 1e-3F) << p.y;
     }
     EXPECT_GT(behind, 10);
-    for (const double sign : {1.0, -1.0}) {
-        const std::vector<SurfacePoint> turned = seen(-kPi, sign);
-        ASSERT_EQ(turned.size(), whole.size());
-        for (std::size_t i = 2; i + 2 < whole.size(); ++i) {  // a ray at pi may be the first
-            EXPECT_NEAR(turned[i].nx, whole[i].nx, 1e-3F) << whole[i].x << " " << whole[i].y;
-            EXPECT_NEAR(turned[i].ny, whole[i].ny, 1e-3F) << whole[i].x << " " << whole[i].y;
+    for (int first = 0; first < 360; first += 6) {  // even, as the rays that are kept
+        for (const double sign : {1.0, -1.0}) {
+            const std::vector<SurfacePoint> turned = seen(first * kRadiansPerDegree, sign);
+            ASSERT_EQ(turned.size(), whole.size());
+            // A ray at pi may be the first by its bearing, or the last.
+            for (std::size_t i = 2; i + 2 < whole.size(); ++i) {
+                ASSERT_NEAR(turned[i].nx, whole[i].nx, 1e-3F) << whole[i].x << " " << whole[i].y;
+                ASSERT_NEAR(turned[i].ny, whole[i].ny, 1e-3F) << whole[i].x << " " << whole[i].y;
+            }
         }
     }
 }
