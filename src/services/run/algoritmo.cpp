@@ -42,6 +42,8 @@ Algoritmo::Algoritmo(const Configuracion& configuration, std::unique_ptr<TourRea
         remembered_ = remembered.get();
         reader_ = std::move(remembered);
     }
+    // Once: what is read again, after going back, it knows already.
+    if (options_.examine) examination_ = std::make_unique<TourExamination>();
     begin();
 }
 
@@ -55,7 +57,6 @@ void Algoritmo::begin() {
                      : make_extractor(configuration_.extraction, configuration_.run.seed);
     filter_ =
         make_filter(configuration_.filter, configuration_.run.seed, configuration_.run.threads);
-    examination_ = options_.examine ? std::make_unique<TourExamination>() : nullptr;
     controls_ = std::make_unique<ControlTrack>([from = reader_.get(), doubts = examination_.get()] {
         const std::optional<Odometria> reading = from->next_odometry();
         if (reading && doubts != nullptr) doubts->note(*reading);
