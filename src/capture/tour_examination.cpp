@@ -388,10 +388,10 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     const Best late = best_delay(*this, path_.front().time_s - first_scan_s_, apart != 0.0, every);
     Best turned;
     constexpr int kTurns = 36;
-    for (int i = 0; i < 2 * kTurns; ++i) {
-        turned.try_out(*this, {.turn_rad = wrap_angle(2.0 * kPi * (i / 2) / kTurns),
-                               .mirrored = i % 2 == 1,
-                               .every = every});
+    for (int i = 0; i < kTurns; ++i) {
+        const double turn_rad = wrap_angle(2.0 * kPi * i / kTurns);
+        turned.try_out(*this, {.turn_rad = turn_rad, .every = every});
+        turned.try_out(*this, {.turn_rad = turn_rad, .mirrored = true, .every = every});
     }
     const Best& best = turned.agreement > late.agreement ? turned : late;
     constexpr double kShortest = 0.3;
