@@ -35,6 +35,18 @@ bool SplitAndMerge::gap_between(const Point2& a, const Point2& b, const Point2& 
     return distance(a, b) > params_.gap_m + params_.gap_per_range * range;
 }
 
+std::span<const Point2> SplitAndMerge::without_strangers(std::span<const Point2> points) const {
+    std::span<const Point2> most;
+    std::size_t first = 0;
+    for (std::size_t i = 1; i <= points.size(); ++i) {
+        if (i < points.size() && distance(points[i - 1], points[i]) <= lines_.min_length_m)
+            continue;
+        if (i - first > most.size()) most = points.subspan(first, i - first);
+        first = i;
+    }
+    return most;
+}
+
 bool SplitAndMerge::split_at_far_side(const Scan& scan, std::uint32_t begin, std::uint32_t end) {
     // Where the ends are neighbours, the line through them has the direction of their errors, or
     // that of a wall that another one faces, all of it equally far.
@@ -85,8 +97,16 @@ void SplitAndMerge::split(const Scan& scan, std::uint32_t first, std::uint32_t l
         if (!long_enough && split_at_far_side(scan, begin, end)) continue;
         if (farthest < params_.dmax_m) {
             if (!long_enough) continue;
-            const std::span points(&scan.points[begin], end - begin + 1);
-            pieces_.push_back({points, fit_line(points, {a, b}, params_.fit)});
+            std::span<const Point2> points(&scan.points[begin], end - begin + 1);
+            if (beyond_half_a_turn_) {
+                points = without_strangers(points);
+                if (points.size() < static_cast<std::size_t>(lines_.min_points) ||
+                    distance(points.front(), points.back()) < lines_.min_length_m) {
+                    continue;
+                }
+            }
+            pieces_.push_back(
+                {points, fit_line(points, {points.front(), points.back()}, params_.fit)});
         } else {
             // Disjoint halves, the first up to the point of the split [T tables 4.1, 4.3].
             pending_.emplace_back(at + 1, end);

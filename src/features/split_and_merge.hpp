@@ -25,6 +25,9 @@ class SplitAndMerge final : public MetodoExtraccionRectas {
     /// Divides what comes back to where it began at the point that is farthest from there; false
     /// where it does not.
     bool split_at_far_side(const Scan& scan, std::uint32_t begin, std::uint32_t end);
+    /// Of a piece, the most points in a row that are no further apart than the shortest line is
+    /// long: a wall that is seen along itself would else take a point of what lies behind its end.
+    std::span<const Point2> without_strangers(std::span<const Point2> points) const;
     void split(const Scan& scan, std::uint32_t first, std::uint32_t last);
 
     LineParams lines_;

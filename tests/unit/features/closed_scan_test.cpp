@@ -225,6 +225,29 @@ TEST(SplitAndMerge, ARunThatComesBackToWhereItBeganHasItsWalls) {
     EXPECT_TRUE(extract(params, scan_of({niche})).lines.empty());
 }
 
+TEST(ClosedScan, AWallSeenAlongItselfTakesNoPointOfTheOneBehindItsEnd) {
+    // Past the block's face at y = -0.15 a ray meets the far wall almost where the face would be.
+    const std::vector<Corners> polygons = {{{-3, -3}, {5.6, -3}, {5.6, 3}, {-3, 3}},
+                                           {{2, -0.15}, {5, -0.15}, {5, -2}, {2, -2}}};
+    ExtractionParams params;
+    params.lines.min_points = 9;
+    params.split_merge = {0.04, LineFit::least_squares};
+    const Observation seen = extract(params, seen_from(ranges_to(polygons, 1440), 0, false));
+    const auto met = [&](const Point2& place) {
+        return std::count_if(seen.corners.begin(), seen.corners.end(), [&](const Esquina& corner) {
+            return distance({corner.x, corner.y}, place) < 0.1;
+        });
+    };
+    EXPECT_EQ(met({5.6, -0.15}), 0);
+    EXPECT_EQ(met({2.0, -0.15}), 1);
+    EXPECT_EQ(met({5.6, 3.0}), 1);
+    bool face = false;
+    for (const DetectedLine& line : seen.lines) {
+        face |= difference(line.recta, {0.15, -kPi / 2.0}).rho < 0.01;
+    }
+    EXPECT_TRUE(face);
+}
+
 TEST(ClosedScan, AWallWithMissingRaysOnTheSeamIsOneWall) {
     ExtractionParams params;
     params.lines.collinear.gap_m = 0.5;
