@@ -143,19 +143,25 @@ void TourExamination::note(const Odometria& odometry) {
 
 TourExamination::View TourExamination::view_of(const Scan& scan) const {
     constexpr double kStepWhereUnknown = kRadiansPerDegree;
+    constexpr double kFinestStep = 1e-3;       // however many rays there are,
+    constexpr std::size_t kMostPoints = 1024;  // a scan is kept in some kilobytes
     const double step = std::abs(scan.fan.step_rad());
-    const bool known = scan.fan.count > 1 && step > 1e-4 && step < 0.2;
-    const auto bins =
-        static_cast<std::size_t>(std::lround(2.0 * kPi / (known ? step : kStepWhereUnknown)));
+    const bool known = scan.fan.count > 1 && step > 0.0 && step < 0.2;
+    const auto bins = static_cast<std::size_t>(
+        std::lround(2.0 * kPi / (known ? std::max(step, kFinestStep) : kStepWhereUnknown)));
+    const std::size_t every = scan.points.size() / kMostPoints + 1;
     View view{scan.time_s, scan.fan.pose_robot_laser, std::vector<float>(bins, 0.0F), {}, {}};
     const Pose pose_laser_robot = inverse(scan.fan.pose_robot_laser);
+    std::size_t count = 0;
     for (const Point2& point : scan.points) {
         const Point2 seen = transform(pose_laser_robot, point);
         const double range = std::hypot(seen.x, seen.y);
         const double direction = std::atan2(seen.y, seen.x);
         if (!std::isfinite(range) || !std::isfinite(direction)) continue;
-        view.directions.push_back(static_cast<float>(direction));
-        view.distances.push_back(static_cast<float>(range));
+        if (count++ % every == 0) {
+            view.directions.push_back(static_cast<float>(direction));
+            view.distances.push_back(static_cast<float>(range));
+        }
         const double turns = (direction + kPi) / (2.0 * kPi);
         float& bin =
             view.ranges[static_cast<std::size_t>(std::lround(turns * static_cast<double>(bins))) %
