@@ -203,8 +203,7 @@ void Drawing::read() {
             const std::string key = key_of(fields.word(2));
             block = &blocks[key];
             on_sheet = is_sheet(key);
-            for (int axis = 0; axis < 3; ++axis)
-                block->base[axis] = fields.number(10 * (axis + 1), 0.0);
+            block->base = {fields.number(10, 0.0), fields.number(20, 0.0), fields.number(30, 0.0)};
             constexpr int kExternal = 4 | 8;
             if ((fields.integer(70, 0) & kExternal) != 0) block->external = name_of(fields.word(1));
         } else if (section == "BLOCKS" && type == "ENDBLK") {

@@ -1,6 +1,7 @@
 // The sections of a DXF drawing: its entities as they stand in the file, its blocks and layers.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -31,8 +32,8 @@ struct Entity {
 
 struct Block {
     std::vector<Entity> entities;
-    double base[3] = {0.0, 0.0, 0.0};  ///< the point that an INSERT places [drawing units]
-    std::string external;              ///< the file of an external reference (XREF)
+    std::array<double, 3> base{};  ///< the point that an INSERT places [drawing units]
+    std::string external;          ///< the file of an external reference (XREF)
 };
 
 struct Layer {

@@ -197,7 +197,7 @@ class Draughtsman {
         if (extrusion.isZero(0.0)) extrusion = Eigen::Vector3d::UnitZ();
         const Eigen::Vector3d scale(fields.number(41, 1.0), fields.number(42, 1.0),
                                     fields.number(43, 1.0));
-        const Eigen::Map<const Eigen::Vector3d> base(found->second.base);
+        const Eigen::Map<const Eigen::Vector3d> base(found->second.base.data());
         const int columns = std::max(1, fields.integer(70, 1));
         const int rows = std::max(1, fields.integer(71, 1));
         const Eigen::Affine3d at =

@@ -26,7 +26,7 @@ class DxfKinds : public testing::Test {
   protected:
     /// Of a drawing in metres; `before` are the sections before its entities.
     DxfWalls read(const std::string& entities, const std::string& before = {},
-                  DxfOptions options = {{}, 1.0}) {
+                  const DxfOptions& options = {{}, 1.0}) {
         return read_dxf_walls(
             folder_.put("d.dxf", (before.empty() ? "" : as_lines(before)) +
                                      as_lines("0 SECTION 2 ENTITIES " + entities) +
@@ -355,7 +355,7 @@ TEST_F(DxfKinds, DrawingsOfOthersAreReadRightOrToldOf) {
     if (!std::filesystem::exists(shared / "dxf-paper-space"))
         GTEST_SKIP() << "the foreign drawings are not here";
     const WallPoints room = {{{0, 0}, {20, 0}, {20, 12}, {10, 12}, {10, 10}, {0, 10}, {0, 0}}};
-    const auto of = [&](const std::string& name, DxfOptions options = {}) {
+    const auto of = [&](const std::string& name, const DxfOptions& options = {}) {
         return read_dxf_walls(shared / ("dxf-" + name) / "plan.dxf", options).walls;
     };
     EXPECT_EQ(of("paper-space"), room);
