@@ -87,6 +87,16 @@ std::vector<std::string_view> fields(std::string_view text) {
     return words;
 }
 
+std::vector<std::string_view> listed(std::string_view text) {
+    std::vector<std::string_view> words;
+    while (!text.empty()) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        if (const auto word = trimmed(text.substr(0, comma)); !word.empty()) words.push_back(word);
+        text.remove_prefix(std::min(comma + 1, text.size()));
+    }
+    return words;
+}
+
 std::optional<std::string_view> next_line(std::string_view& rest) {
     if (rest.empty()) return std::nullopt;
     const std::size_t end = rest.find('\n');

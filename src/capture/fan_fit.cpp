@@ -150,7 +150,8 @@ Sweep FanFitter::sweep(const Scan& scan) {
                  message(HITOS_TEXT("Errors", "a point is %1 m away, its greatest range is %2 m"),
                          std::to_string(range), std::to_string(result.fan.max_range_m)));
         }
-        result.ranges_m[static_cast<std::size_t>(ray)] = range;
+        double& known = result.ranges_m[static_cast<std::size_t>(ray)];
+        if (known == 0.0 || range < known) known = range;
     }
     return result;
 }

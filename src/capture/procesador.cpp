@@ -1,10 +1,12 @@
 #include "hitos/capture/procesador.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/log_format.hpp"
+#include "odometry_track.hpp"
 
 namespace hitos {
 namespace {
@@ -28,6 +30,8 @@ Procesador::Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options)
     begin_report();
 }
 
+Procesador::~Procesador() = default;
+
 void Procesador::begin_report() {
     report_ = {};
     report_.of_recording = fuente_->format().open != nullptr;
@@ -45,6 +49,11 @@ void Procesador::restart() {
     begin_report();
     last_scan_.reset();
     last_odometry_.reset();
+    last_twist_ = {};
+    track_.reset();
+    sweeps_ = {};
+    leaps_ = {};
+    poses_move_ = velocities_move_ = false;
     clock_s_ = 0.0;
 }
 
@@ -103,12 +112,77 @@ std::optional<Scan> Procesador::next_scan() {
                 }
                 ++report_.early_scans;
             }
+            if (options_.mend && !scan->times_s.empty()) mend(*scan);
             ++report_.scans;
             return scan;
         } catch (const FormatError& error) {
             note_damage(line->number, error.problem());
         }
     }
+}
+
+void Procesador::mend(Scan& scan) {
+    // A sweep ends before the next one begins; what says otherwise is wrong.
+    constexpr double kLongest = 1.5;
+    const auto [first, last] = std::ranges::minmax(scan.times_s);
+    const auto sweep_s = static_cast<double>(last - first);
+    if (sweeps_.last_s) {
+        sweeps_.periods_s.at(sweeps_.scans % sweeps_.periods_s.size()) =
+            scan.time_s - *sweeps_.last_s;
+    }
+    sweeps_.last_s = scan.time_s;
+    ++sweeps_.scans;
+    const double period_s = std::ranges::max(sweeps_.periods_s);
+    if (period_s > 0.0 && sweep_s > kLongest * period_s) {
+        ++sweeps_.too_long;
+        sweeps_.longest_s = std::max(sweeps_.longest_s, sweep_s);
+        scan.times_s.clear();
+        return;
+    }
+    if (!track_) {
+        // By a reader of its own: what this one's odometry sequence reads belongs to that sequence.
+        auto ahead = std::make_shared<Procesador>(fuente_->reopen(), without_look_ahead(options_));
+        track_ = std::make_unique<OdometryTrack>([ahead] { return ahead->next_odometry(); });
+    }
+    unwarp(scan, *track_);
+}
+
+std::vector<TourFinding> Procesador::findings() const {
+    std::vector<TourFinding> found = fuente_->findings();
+    if (2 * sweeps_.too_long > sweeps_.scans) {
+        found.push_back(
+            {TourFinding::Kind::ray_times, sweeps_.longest_s,
+             message(HITOS_TEXT("Errors",
+                                "a scan's rays are said to take %1 s, more than from one scan to "
+                                "the next; they are taken to be of one time"),
+                     sweeps_.longest_s),
+             marked(HITOS_TEXT("Errors",
+                               "say how long it takes from one ray to the next: --set "
+                               "source.ray_time=SECONDS"))});
+    }
+    if (leaps_.count > 0) {
+        found.push_back(
+            {TourFinding::Kind::leaping_odometry, leaps_.longest_m,
+             message(HITOS_TEXT("Errors",
+                                "the odometry leaps, by up to %1 m (line %2) and %3 in all, as "
+                                "where a driver begins anew; the robot is taken to drive on there "
+                                "as before"),
+                     std::round(leaps_.longest_m * 10.0) / 10.0, leaps_.longest_line,
+                     leaps_.count),
+             marked(HITOS_TEXT("Errors",
+                               "map it with registration, which finds what is left of it: --preset "
+                               "recorded"))});
+    }
+    if (velocities_move_ && !poses_move_ && report_.odometry > 1 && !options_.logged_velocities) {
+        found.push_back(
+            {TourFinding::Kind::still_odometry, 0.0,
+             marked(HITOS_TEXT("Errors",
+                               "the odometry's poses never change although its velocities do; all "
+                               "scans are put on one place")),
+             marked(HITOS_TEXT("Errors",
+                               "take the velocities: --set source.odometry=velocities"))});
+    }
+    return found;
 }
 
 bool Procesador::is_early(const Scan& scan) {
@@ -131,6 +205,9 @@ std::optional<Odometria> Procesador::next_odometry() {
             const std::optional<OdometryRecord> record = conversor_odometry_->odometry(*line);
             if (!record) continue;
             const bool by_pose = record->pose_odom_robot && !options_.logged_velocities;
+            constexpr double kMoves = 1e-3;  // [m/s]; rounding does not
+            velocities_move_ =
+                velocities_move_ || (record->velocity && std::abs(record->velocity->v) > kMoves);
             const std::optional<Odometria> reading =
                 by_pose ? from_pose(*record) : from_velocity(*record);
             if (reading) return reading;
@@ -154,7 +231,35 @@ std::optional<Odometria> Procesador::from_pose(const OdometryRecord& record) {
         time_s = clock_s_ + kRepairStep;
     }
     last_odometry_ = record;
-    return hand_out(time_s, twist_between(between(before, pose), time_s - clock_s_), record.line);
+    const std::optional<Twist> bridge = bridged(record, before, time_s);
+    last_twist_ = bridge ? *bridge : twist_between(between(before, pose), time_s - clock_s_);
+    return hand_out(time_s, last_twist_, record.line);
+}
+
+bool Procesador::is_leap(const Pose& pose, const Pose& before, double seconds) const {
+    constexpr double kLeap = 1.0;          // [m]
+    constexpr double kGreatestSpeed = 15;  // [m/s], of the fastest robots of this kind
+    constexpr double kOrigin = 1e-3;
+    const double way = std::hypot(pose.x - before.x, pose.y - before.y);
+    const bool begins_anew =
+        std::hypot(pose.x, pose.y) < kOrigin && std::abs(wrap_angle(pose.theta)) < kOrigin;
+    return way > kLeap && (begins_anew || way > kGreatestSpeed * seconds);
+}
+
+std::optional<Twist> Procesador::bridged(const OdometryRecord& record, const Pose& before,
+                                         double time_s) {
+    const Pose& pose = *record.pose_odom_robot;
+    const bool after_leap = leaps_.last;
+    leaps_.last = is_leap(pose, before, time_s - clock_s_);
+    // Where each step is one, all of the odometry is wrong, as where it is in millimetres.
+    if (!options_.mend || !leaps_.last || after_leap) return std::nullopt;
+    const double way = std::hypot(pose.x - before.x, pose.y - before.y);
+    ++leaps_.count;
+    if (way > leaps_.longest_m) {
+        leaps_.longest_m = way;
+        leaps_.longest_line = record.line;
+    }
+    return last_twist_;
 }
 
 std::optional<Odometria> Procesador::from_velocity(const OdometryRecord& record) {
@@ -173,8 +278,11 @@ std::optional<Odometria> Procesador::from_velocity(const OdometryRecord& record)
     return hand_out(record.time_s, *record.velocity, record.line);
 }
 
-Odometria Procesador::hand_out(double time_s, const Twist& twist, std::uint64_t line) {
+Odometria Procesador::hand_out(double time_s, Twist twist, std::uint64_t line) {
+    twist.v *= options_.odometry_scale;
+    twist.v_lateral *= options_.odometry_scale;
     clock_s_ = time_s;
+    if (twist != Twist{}) poses_move_ = true;
     ++report_.odometry;
     return {time_s, twist, line};
 }

@@ -13,6 +13,28 @@ void RangeConversor::Readings::clear() {
     carries_odometry = false;
     ranges_m.clear();
     bearings_rad.clear();
+    ray_times_s.clear();
+}
+
+RangeConversor::RangeConversor(ReadOptions options)
+    : options_(std::move(options)), laser_pose_(laser_pose_of(options_.laser_pose)) {}
+
+/// Puts the laser, and its rays' times, where the options say.
+void RangeConversor::mount(Readings& readings) const {
+    if (options_.ray_time_s != 0.0) {
+        readings.ray_times_s.clear();
+        for (std::size_t i = 0; i < readings.ranges_m.size(); ++i) {
+            readings.ray_times_s.push_back(
+                static_cast<float>(static_cast<double>(i) * options_.ray_time_s));
+        }
+    }
+    if (!laser_pose_) return;
+    Fan& fan = readings.fan;
+    fan.pose_robot_laser = laser_pose_->pose_robot_laser;
+    if (!laser_pose_->upside_down) return;
+    fan.min_angle_rad = -fan.min_angle_rad;
+    fan.max_angle_rad = -fan.max_angle_rad;
+    for (double& bearing : readings.bearings_rad) bearing = -bearing;
 }
 
 double RangeConversor::limit(const Readings& readings) const {
@@ -55,6 +77,7 @@ void RangeConversor::point_along(const Pose& pose_robot_laser,
 std::optional<Scan> RangeConversor::scan(const RawLine& line) {
     readings_.clear();
     if (!parse_scan(line, readings_)) return std::nullopt;
+    mount(readings_);
     const double greatest = limit(readings_);
     const Pose& mount = readings_.fan.pose_robot_laser;
     if (readings_.bearings_rad.empty()) {
@@ -74,7 +97,7 @@ std::optional<Scan> RangeConversor::scan(const RawLine& line) {
     bool run_open = false;
     for (std::size_t i = 0; i < readings_.ranges_m.size(); ++i) {
         const double range = readings_.ranges_m[i];
-        if (!(range > 0.0 && range < greatest)) {  // so that NaN is none
+        if (!(range > options_.min_range_m && range < greatest)) {  // so that NaN is none
             run_open = false;
             continue;
         }
@@ -83,6 +106,7 @@ std::optional<Scan> RangeConversor::scan(const RawLine& line) {
         scan.points.push_back(
             {mount.x + range * directions_[i].x, mount.y + range * directions_[i].y});
         scan.rays.push_back(static_cast<std::uint32_t>(i));
+        if (!readings_.ray_times_s.empty()) scan.times_s.push_back(readings_.ray_times_s[i]);
     }
     return scan;
 }

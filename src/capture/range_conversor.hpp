@@ -8,6 +8,7 @@
 
 #include "fields.hpp"
 #include "hitos/capture/conversor.hpp"
+#include "laser_pose.hpp"
 
 namespace hitos {
 
@@ -22,7 +23,8 @@ inline constexpr double kNoReturnMargin = 0.1;
 /// the scan.
 class RangeConversor : public Conversor {
   public:
-    explicit RangeConversor(ReadOptions options) : options_(std::move(options)) {}
+    /// Throws ConfigError where the options' place of the laser is none.
+    explicit RangeConversor(ReadOptions options);
 
     std::optional<Scan> scan(const RawLine& line) final;
 
@@ -35,6 +37,7 @@ class RangeConversor : public Conversor {
         bool carries_odometry = false;
         std::vector<double> ranges_m;
         std::vector<double> bearings_rad;  ///< in the laser's frame; empty: as the fan says
+        std::vector<float> ray_times_s;    ///< from time_s on; empty: all of one time
         void clear();
     };
 
@@ -46,10 +49,12 @@ class RangeConversor : public Conversor {
 
   private:
     double limit(const Readings& readings) const;
+    void mount(Readings& readings) const;
     void point_along(const Fan& fan);
     void point_along(const Pose& pose_robot_laser, const std::vector<double>& bearings_rad);
 
     ReadOptions options_;
+    std::optional<LaserPose> laser_pose_;  // of the options
     std::optional<double> no_return_m_;
     Readings readings_;
     Fan directions_fan_;              // the fan that directions_ were computed for

@@ -81,6 +81,7 @@ std::shared_ptr<const RecordedTour> record_tour(const TourReader& reader, const 
     tour->name = reader.name();
     tour->format = reader.format();
     tour->of_recording = reader.report().of_recording;
+    tour->findings = odometry->findings();
     return tour;
 }
 

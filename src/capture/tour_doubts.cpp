@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "hitos/capture/tour_examination.hpp"
@@ -13,75 +14,13 @@ namespace hitos {
 namespace {
 
 using Kind = TourFinding::Kind;
-using Hypothesis = TourExamination::Hypothesis;
 
-/// How much better than what the tour says another reading of it has to fit.
-constexpr double kClearly = 0.06;
-/// A scan of which less lies on its neighbour says nothing about where it was.
-constexpr double kFits = 0.4;
-
-constexpr std::array<std::string_view, 12> kWords{
-    "clocks-apart", "scan-delay",     "mirrored-laser",   "turned-laser",
-    "no-odometry",  "still-odometry", "leaping-odometry", "odometry-units",
-    "laser-units",  "beyond-a-turn",  "blind-laser",      "frozen-laser"};
-
-std::string seconds_words(double seconds) {
-    return fmt::format("{:.{}f} s", seconds, std::abs(seconds) < 10.0 ? 2 : 1);
-}
-
-/// The best of some hypotheses by the agreement of every `every`-th pair.
-struct Best {
-    Hypothesis hypothesis;
-    double agreement = 0.0;
-
-    void try_out(const TourExamination& examination, const Hypothesis& other) {
-        const std::optional<double> found = examination.agreement(other);
-        if (!found || *found <= agreement) return;
-        hypothesis = other;
-        agreement = *found;
-    }
-};
-
-/// The delay by which the scans fit best: of those that fit about as well, as on every lap of a
-/// tour, the shortest. `begins`: from the first scan to the odometry's first reading; looked round
-/// too where the clocks are `apart`.
-Best best_delay(const TourExamination& examination, double begins, bool apart, std::size_t every) {
-    constexpr double kLongest = 60.0;
-    constexpr double kStep = 0.5;
-    constexpr double kFine = 0.05;
-    constexpr double kAsWell = 0.01;
-    const double middle = apart ? begins : 0.0;
-    const auto at = [&](double delay) {
-        Best one;
-        one.try_out(examination, {.delay_s = delay, .every = every});
-        return one;
-    };
-    std::vector<Best> tried;
-    for (double away = -kLongest; away <= kLongest; away += kStep)
-        tried.push_back(at(middle + away));
-    const Best highest = *std::ranges::max_element(tried, {}, &Best::agreement);
-    Best best = highest;
-    for (const Best& one : tried) {
-        if (one.agreement >= highest.agreement - kAsWell &&
-            std::abs(one.hypothesis.delay_s - middle) <
-                std::abs(best.hypothesis.delay_s - middle)) {
-            best = one;
-        }
-    }
-    for (double step = kStep; step >= kFine; step /= kStep / kFine) {
-        for (bool better = true; better;) {
-            better = false;
-            for (const double next :
-                 {best.hypothesis.delay_s - step, best.hypothesis.delay_s + step}) {
-                const Best one = at(next);
-                if (one.agreement <= best.agreement) continue;
-                best = one;
-                better = true;
-            }
-        }
-    }
-    return best;
-}
+constexpr std::array<std::string_view, 22> kWords{
+    "clocks-apart",     "scan-delay",        "late-stamps",    "ray-times",      "clock-speed",
+    "coarse-stamps",    "assumed-mounting",  "two-publishers", "mirrored-laser", "turned-laser",
+    "no-odometry",      "unread-odometry",   "still-odometry", "leaping-odometry",
+    "sideways-odometry", "odometry-scale",   "odometry-units", "laser-units",    "beyond-a-turn",
+    "blind-laser",      "self-hits",         "frozen-laser"};
 
 }  // namespace
 
@@ -177,7 +116,7 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
              marked(HITOS_TEXT("Errors", "map it with registration: --preset recorded"))});
     }
     if (way_m_ > 0.0 || turned_rad_ > 0.0) return;
-    const std::optional<double> still = agreement(Hypothesis{});
+    const std::optional<double> still = agreement({});
     constexpr double kStandsStill = 0.8;
     if (!still || *still > kStandsStill) return;
     found.push_back(
@@ -190,95 +129,81 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
                            "source.odometry=velocities"))});
 }
 
-void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
-    if (path_.size() < 2 || pairs_.empty() || (way_m_ == 0.0 && turned_rad_ == 0.0)) return;
-    const double apart =
-        path_.front().time_s > last_scan_s_
-            ? path_.front().time_s - last_scan_s_
-            : (first_scan_s_ > path_.back().time_s ? path_.back().time_s - first_scan_s_ : 0.0);
-    // What is asked costs a fraction of a second: enough pairs for a mean, not all of them.
-    constexpr std::size_t kAsked = 128;
-    const std::size_t every = std::max<std::size_t>(pairs_.size() / kAsked, 1);
-    const double told = agreement({.every = every}).value_or(0.0);
-    const Best late = best_delay(*this, path_.front().time_s - first_scan_s_, apart != 0.0, every);
-    if (apart != 0.0) {
-        Message when = message(
-            HITOS_TEXT("Errors",
-                       "scans are stamped from %1 to %2 s and the odometry from %3 to %4 s: they "
-                       "share no time, so that the robot stands still in the map"),
-            fmt::format("{:.3f}", first_scan_s_), fmt::format("{:.3f}", last_scan_s_),
-            fmt::format("{:.3f}", path_.front().time_s),
-            fmt::format("{:.3f}", path_.back().time_s));
-        const bool fits = late.agreement > kFits;
+/// Times that do not tell one scan from the next, rays that end on the robot, a robot that drives
+/// sideways.
+void TourExamination::doubt_times(std::vector<TourFinding>& found) const {
+    constexpr double kMostOfOneTime = 0.2;
+    const auto scans = static_cast<double>(scans_ + scans_of_one_time_);
+    if (static_cast<double>(scans_of_one_time_) > kMostOfOneTime * scans) {
         found.push_back(
-            {Kind::clocks_apart, fits ? late.hypothesis.delay_s : apart, std::move(when),
-             fits ? message(HITOS_TEXT("Errors",
-                                       "the scans fit the odometry where %1 are added to their "
-                                       "times: --scan-delay %2"),
-                            seconds_words(late.hypothesis.delay_s),
-                            fmt::format("{:.2f}", late.hypothesis.delay_s))
-                  : marked(HITOS_TEXT(
-                        "Errors", "set the clocks of both computers alike, and record again"))});
-        return;
+            {Kind::coarse_stamps, static_cast<double>(scans_of_one_time_) / scans,
+             message(HITOS_TEXT("Errors",
+                                "%1 of %2 scans have the time of the one before: their stamps have "
+                                "too few digits, and how the robot moved between them is not "
+                                "known"),
+                     scans_of_one_time_, scans_ + scans_of_one_time_),
+             marked(HITOS_TEXT("Errors",
+                               "record times with milliseconds, as numbers of 64 bits"))});
     }
-    Best turned;
-    constexpr int kTurns = 36;
-    for (int i = 0; i < kTurns; ++i) {
-        const double turn_rad = wrap_angle(2.0 * kPi * i / kTurns);
-        turned.try_out(*this, {.turn_rad = turn_rad, .every = every});
-        turned.try_out(*this, {.turn_rad = turn_rad, .mirrored = true, .every = every});
+    constexpr std::uint64_t kLeastTurns = 20;
+    constexpr double kAlways = 0.9;
+    std::uint64_t own = 0;
+    float farthest = 0.0F;
+    for (std::size_t i = 0; i < same_rays_.size(); ++i) {
+        if (same_rays_[i] <= kAlways * static_cast<double>(turns_)) continue;
+        ++own;
+        farthest = std::max(farthest, near_ranges_[i]);
     }
-    const Best& best = turned.agreement > late.agreement ? turned : late;
-    constexpr double kShortest = 0.3;
-    if (best.agreement < kFits || best.agreement < told + kClearly) return;
-    if (&best == &late) {
-        if (std::abs(late.hypothesis.delay_s) < kShortest) return;
+    if (turns_ >= kLeastTurns && own > 0) {
+        constexpr double kBeyond = 0.05;
+        const double least = std::ceil((static_cast<double>(farthest) + kBeyond) * 20.0) / 20.0;
         found.push_back(
-            {Kind::scan_delay, late.hypothesis.delay_s,
+            {Kind::self_hits, static_cast<double>(own),
              message(HITOS_TEXT("Errors",
-                                "the scans fit the odometry of %1 from theirs (%2 % of their "
-                                "points, against %3 % as they are stamped): their clocks differ, "
-                                "and the map is wrong by what the robot drove meanwhile"),
-                     seconds_words(late.hypothesis.delay_s), std::lround(100.0 * late.agreement),
-                     std::lround(100.0 * told)),
-             message(HITOS_TEXT("Errors", "add that to their times: --scan-delay %1"),
-                     fmt::format("{:.2f}", late.hypothesis.delay_s))});
-        return;
+                                "%1 rays always end at the same distance, however the robot turns: "
+                                "on the robot itself; they draw its path as walls"),
+                     own),
+             message(HITOS_TEXT("Errors", "leave out what is so near: --set source.min_range=%1"),
+                     fmt::format("{:.2f}", least))});
     }
-    const double degrees = turned.hypothesis.turn_rad * kDegreesPerRadian;
-    if (turned.hypothesis.mirrored) {
+    constexpr double kLeastWay = 3.0;
+    constexpr double kOneDirection = 0.9;
+    constexpr double kOff = 20.0 * kRadiansPerDegree;
+    const double off_rad = std::atan2(across_m_, along_m_) / 2.0;
+    if (way_m_ > kLeastWay && std::hypot(along_m_, across_m_) > kOneDirection * way_m_ &&
+        std::abs(off_rad) > kOff) {
         found.push_back(
-            {Kind::mirrored_laser, 1.0,
+            {Kind::sideways_odometry, off_rad,
              message(HITOS_TEXT("Errors",
-                                "the scans turn against the odometry (%1 % of their points fit "
-                                "mirrored, %2 % as they are): the map is a mirror image"),
-                     std::lround(100.0 * turned.agreement), std::lround(100.0 * told)),
+                                "by the odometry the robot always drives %1 degrees off where it "
+                                "looks, which no robot on wheels does: its headings are off by "
+                                "that"),
+                     std::lround(off_rad * kDegreesPerRadian)),
              message(HITOS_TEXT("Errors",
-                                "the laser is upside down, turned by %1 degrees, or the odometry "
-                                "counts turns to the right; mend the transform of its frame"),
-                     std::lround(degrees))});
-        return;
+                                "mend the odometry's heading; or, where the scans are to be "
+                                "turned with it: --laser-pose 0,0,%1"),
+                     std::lround(off_rad * kDegreesPerRadian))});
     }
-    found.push_back(
-        {Kind::turned_laser, turned.hypothesis.turn_rad,
-         message(HITOS_TEXT("Errors",
-                            "the scans move %1 degrees off where the odometry drives (%2 % of "
-                            "their points fit turned so, %3 % as they are): the map's path and "
-                            "walls do not fit each other"),
-                 std::lround(degrees), std::lround(100.0 * turned.agreement),
-                 std::lround(100.0 * told)),
-         marked(HITOS_TEXT("Errors",
-                           "the laser is mounted otherwise than the recording says; mend the "
-                           "transform of its frame"))});
 }
 
-std::vector<TourFinding> TourExamination::findings() const {
-    std::vector<TourFinding> found;
-    doubt_readings(found);
-    if (found.empty()) doubt_fit(found);
-    doubt_odometry(found);
-    std::ranges::stable_sort(found, {}, &TourFinding::kind);
-    return found;
+std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told) const {
+    std::vector<TourFinding> own;
+    doubt_readings(own);
+    if (own.empty()) doubt_fit(own);
+    doubt_odometry(own);
+    doubt_times(own);
+    const auto holds = [](const std::vector<TourFinding>& all, Kind kind) {
+        return std::ranges::count(all, kind, &TourFinding::kind) > 0;
+    };
+    std::erase_if(told, [&](const TourFinding& finding) {
+        return finding.kind == Kind::late_stamps &&
+               (contradicted(finding) || holds(own, Kind::scan_delay) ||
+                holds(own, Kind::clocks_apart));
+    });
+    std::erase_if(own, [&](const TourFinding& finding) { return holds(told, finding.kind); });
+    std::ranges::move(own, std::back_inserter(told));
+    std::ranges::stable_sort(told, {}, &TourFinding::kind);
+    return told;
 }
 
 }  // namespace hitos

@@ -39,6 +39,9 @@ void TourExamination::note(const Odometria& odometry) {
     last_.pose = compose(last_.pose, displacement(odometry.twist, seconds));
     last_.time_s = odometry.time_s;
     way_m_ += way;
+    const double direction = std::atan2(odometry.twist.v_lateral, odometry.twist.v);
+    along_m_ += way * std::cos(2.0 * direction);
+    across_m_ += way * std::sin(2.0 * direction);
     turned_rad_ += std::abs(odometry.twist.w) * seconds;
     // What the fastest robots of this kind do not reach, over more than a hand's breadth.
     constexpr double kGreatestSpeed = 15.0;
@@ -89,7 +92,14 @@ TourExamination::View TourExamination::view_of(const Scan& scan) const {
 }
 
 void TourExamination::note(const Scan& scan) {
-    if (scans_ > 0 && scan.time_s <= last_scan_s_) return;
+    if (scans_ > 0 && scan.time_s <= last_scan_s_) {
+        // A tour that is read again has the same lines again.
+        if (scan.time_s == last_scan_s_ && scan.line > last_scan_line_) ++scans_of_one_time_;
+        last_scan_line_ = std::max(last_scan_line_, scan.line);
+        return;
+    }
+    last_scan_line_ = scan.line;
+    note_self(scan);
     const double odometer = way_m_ + turned_rad_;
     if (scans_ == 0) {
         fan_ = scan.fan;
@@ -113,6 +123,36 @@ void TourExamination::note(const Scan& scan) {
         medians_.push_back(static_cast<float>(median(std::move(ranges))));
     }
     keep(scan);
+}
+
+/// What is as near as before although the robot turned is a part of it.
+void TourExamination::note_self(const Scan& scan) {
+    constexpr double kTurn = 0.1;  // a wall beside the robot keeps its distance where it does not
+    constexpr double kOwn = 1.0;   // no robot of this kind is larger
+    constexpr float kSame = 0.01F;
+    constexpr std::size_t kMostRays = 100'000;
+    if (scan.rays.size() != scan.points.size() || scan.fan.count > kMostRays) return;
+    const bool first = near_ranges_.size() != scan.fan.count;
+    if (!first && turned_rad_ - turned_at_rad_ < kTurn) return;
+    std::vector<float> ranges(scan.fan.count, 0.0F);
+    const Point2 laser{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+        const double range = distance(laser, scan.points[i]);
+        if (range < kOwn && scan.rays[i] < ranges.size()) {
+            ranges[scan.rays[i]] = static_cast<float>(range);
+        }
+    }
+    if (first) {
+        same_rays_.assign(ranges.size(), 0);
+        turns_ = 0;
+    } else {
+        ++turns_;
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+            if (ranges[i] > 0.0F && std::abs(ranges[i] - near_ranges_[i]) < kSame) ++same_rays_[i];
+        }
+    }
+    near_ranges_ = std::move(ranges);
+    turned_at_rad_ = turned_rad_;
 }
 
 void TourExamination::keep(const Scan& scan) {
@@ -146,12 +186,16 @@ std::optional<Pose> TourExamination::pose_at(double time_s) const {
 
 std::optional<double> TourExamination::agreement(const Pair& pair,
                                                  const Hypothesis& hypothesis) const {
-    constexpr double kNear = 0.1;  // of what odometry and scans are wrong by, from one scan
-    constexpr double kNearPerRange = 0.02;  // of a pair to the other
     constexpr int kLeastPoints = 10;
     const std::optional<Pose> first = pose_at(pair.first.time_s + hypothesis.delay_s);
-    const std::optional<Pose> second = pose_at(pair.second.time_s + hypothesis.delay_s);
+    std::optional<Pose> second = pose_at(pair.second.time_s + hypothesis.delay_s);
     if (!first || !second) return {};
+    if (hypothesis.scale != 1.0) {
+        Pose step = between(*first, *second);
+        step.x *= hypothesis.scale;
+        step.y *= hypothesis.scale;
+        second = compose(*first, step);
+    }
     const double sign = hypothesis.mirrored ? -1.0 : 1.0;
     const auto mounted = [&](Pose laser) {
         laser.theta += hypothesis.turn_rad;
@@ -175,7 +219,7 @@ std::optional<double> TourExamination::agreement(const Pair& pair,
         const double expected = std::hypot(at.x, at.y);
         ++asked;
         if (std::abs(static_cast<double>(ranges[bin]) - expected) <
-            kNear + kNearPerRange * expected) {
+            hypothesis.near_m + hypothesis.near_per_range * expected) {
             ++lie;
         }
     }
@@ -187,7 +231,10 @@ std::optional<double> TourExamination::agreement(const Hypothesis& hypothesis) c
     constexpr int kLeastPairs = 10;
     double sum = 0.0;
     int pairs = 0;
-    for (std::size_t i = 0; i < pairs_.size(); i += hypothesis.every) {
+    const auto count = static_cast<double>(pairs_.size());
+    const auto end = static_cast<std::size_t>(hypothesis.to * count);
+    for (auto i = static_cast<std::size_t>(hypothesis.from * count); i < end;
+         i += hypothesis.every) {
         const std::optional<double> one = agreement(pairs_[i], hypothesis);
         if (!one) continue;
         sum += *one;

@@ -122,7 +122,7 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
     if (summary.complete) {
         read_odometry_to(kWholeTour);
         if (progress) progress(1.0);
-        summary.findings = examination.findings();
+        summary.findings = examination.findings(reader.findings());
         if (!stamps.any()) refuse_empty(reader);
     }
     summary.report = reader.report();

@@ -26,6 +26,7 @@ class TourWriter : public LogWriter {
     struct Prepared {
         Fan fan;           ///< as said in the file
         std::string text;  ///< of the readings
+        double ray_time_s = 0.0;  ///< from one ray to the next
     };
 
     /// Throws FormatError where the format cannot say the scan.

@@ -28,6 +28,8 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
 void TopicChoices::choose(SourceParams& source) const {
     if (!scan_topic.empty()) source.read.scan_topic = scan_topic;
     if (!odom_topic.empty()) source.read.odom_topic = odom_topic;
+    if (!same_frames.empty()) source.read.same_frames = same_frames;
+    if (!laser_pose.empty()) source.read.laser_pose = laser_pose;
 }
 
 std::string complaint_of_seed(const std::string& text) {

@@ -40,6 +40,7 @@ void convert(const ConvertOptions& options) {
     SourceParams source;
     source.file = input_named(options.log, "log");
     options.source.choose(source);
+    source.read.mend = false;  // what is written is mended by who reads it
     const std::filesystem::path out = options.out;
     check_apart({&out, 1}, log_files(source.file));
     const std::unique_ptr<TourReader> reader = make_noisy_reader(

@@ -1,5 +1,6 @@
 #include "options.hpp"
 
+#include <fmt/core.h>
 #include <sysexits.h>
 
 #include <algorithm>
@@ -8,11 +9,14 @@
 #include <string_view>
 #include <system_error>
 
+#include "hitos/base/error.hpp"
 #include "hitos/base/parameter.hpp"
 #include "hitos/base/process.hpp"
+#include "hitos/base/text_input.hpp"
 #include "hitos/capture/log_format.hpp"
-#include "hitos/capture/tour_reader.hpp"
+#include "hitos/capture/tour_summary.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/run/open_source.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "manual/topic_options.hpp"
 
@@ -82,6 +86,22 @@ std::string slip_of(const CLI::App& program) {
     }
 }
 
+/// What check advises, to a hundredth of a second; told, so that it can be given as a number.
+double found_delay(SourceParams source) {
+    source.read.scan_delay_s = 0.0;
+    const std::unique_ptr<TourReader> reader = open_source(source);
+    double delay_s = 0.0;
+    for (const TourFinding& finding : inspect_tour(*reader).findings) {
+        using Kind = TourFinding::Kind;
+        const bool delay = finding.kind == Kind::scan_delay || finding.kind == Kind::clocks_apart ||
+                           finding.kind == Kind::late_stamps;
+        constexpr double kHundredths = 100.0;
+        if (delay) delay_s = std::round(finding.value * kHundredths) / kHundredths;
+    }
+    fmt::print(stderr, "scan delay found: {:.2f} s\n", delay_s);
+    return delay_s;
+}
+
 }  // namespace
 
 CLI::Validator positive() {
@@ -128,14 +148,25 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
 void add_source_options(CLI::App& command, SourceOptions& options) {
     command.add_option("--format", options.format, log_format_choices() + " (default: auto)");
     manual::add_topic_options(command, options.topics);
-    command.add_option("--scan-delay", options.scan_delay_s,
-                       "Seconds to add to the scans' times, as check advises (default: 0)");
+    command
+        .add_option("--scan-delay", options.scan_delay,
+                    "Seconds to add to the scans' times, as check advises; auto looks for them "
+                    "(default: 0)")
+        ->type_name("SECONDS|auto");
 }
 
 void SourceOptions::choose(SourceParams& source) const {
     if (!format.empty()) source.format = checked_log_format(format, "--format");
     topics.choose(source);
-    if (scan_delay_s) source.read.scan_delay_s = *scan_delay_s;
+    if (scan_delay.empty()) return;
+    constexpr const char* kAuto = "auto";
+    const std::optional<double> number = input::parse_number(scan_delay);
+    if (scan_delay != kAuto && (!number || !std::isfinite(*number))) {
+        throw ConfigError("--scan-delay",
+                          verbatim(fmt::format("found \"{}\", expected seconds or {}", scan_delay,
+                                               kAuto)));
+    }
+    source.read.scan_delay_s = number ? *number : found_delay(source);
 }
 
 std::string complaint_of_output(const std::string& name) {

@@ -25,13 +25,15 @@ struct ConfigurationOptions {
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options);
 
-/// --format, --scan-topic and --odom-topic.
+/// --format, those of TopicChoices and --scan-delay.
 struct SourceOptions {
     std::string format;
     TopicChoices topics;
-    std::optional<double> scan_delay_s;
+    std::string scan_delay;
 
-    /// Over what the configuration says. Throws ConfigError for a word that no format has.
+    /// Over what the configuration says, which names the log already: with "auto" its scans' delay
+    /// is looked for and told. Throws ConfigError for a word that no format has and for a delay
+    /// that is none, and what reading throws.
     void choose(SourceParams& source) const;
 };
 

@@ -8,6 +8,16 @@ void add_topic_options(CLI::App& program, TopicChoices& choices) {
                        "between them, or all");
     program.add_option("--odom-topic", choices.odom_topic,
                        "Odometry topic of a ROS recording with several, or tf for its transforms");
+    program
+        .add_option("--same-frames", choices.same_frames,
+                    "Frames of a ROS recording that are one: base_footprint=base_link, several "
+                    "with commas between them")
+        ->type_name("A=B");
+    program
+        .add_option("--laser-pose", choices.laser_pose,
+                    "Where the laser sits on the robot, whatever the log says: metres ahead, "
+                    "metres to the left, degrees to the left, and upside-down where it does")
+        ->type_name("X,Y,DEGREES[,upside-down]");
 }
 
 }  // namespace hitos::manual

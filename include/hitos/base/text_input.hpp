@@ -26,6 +26,9 @@ std::string_view trimmed(std::string_view text);
 /// The words between white space.
 std::vector<std::string_view> fields(std::string_view text);
 
+/// The words between commas, trimmed, without empty ones.
+std::vector<std::string_view> listed(std::string_view text);
+
 /// Cuts the next line, without its end, off the front of `rest`; nothing where `rest` is empty.
 std::optional<std::string_view> next_line(std::string_view& rest);
 

@@ -64,6 +64,8 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path,
 /// The parameters under which open_log() refuses topics, and a choice that is still to be made.
 inline constexpr const char* kScanTopicKey = "source.scan_topic";
 inline constexpr const char* kOdomTopicKey = "source.odom_topic";
+inline constexpr const char* kSameFramesKey = "source.same_frames";
+inline constexpr const char* kLaserPoseKey = "source.laser_pose";
 
 /// The format of a ROS recording, by its first bytes, or of a folder; null where the path is
 /// neither. Throws FileError.

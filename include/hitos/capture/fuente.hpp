@@ -6,8 +6,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hitos/base/message.hpp"
+#include "hitos/capture/tour_finding.hpp"
 
 namespace hitos {
 
@@ -41,6 +43,8 @@ class Fuente {
     /// Reasons and line numbers of lines that no cursor could hand out (too long, no text); each
     /// such line is told once, to the scan cursor's owner.
     virtual std::optional<std::pair<std::uint64_t, Message>> take_damage() = 0;
+    /// What there is to doubt about what it is read from.
+    virtual std::vector<TourFinding> findings() const { return {}; }
     /// An equal source at its beginning.
     virtual std::unique_ptr<Fuente> reopen() const = 0;
 };

@@ -1,6 +1,7 @@
 // Hands out scans and odometry in the normalised form [T 9.2.2].
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,6 +15,8 @@
 
 namespace hitos {
 
+class OdometryTrack;
+
 /// The reader of text logs [T fig 9.4]: raw lines of a source, through the converter of its format.
 ///
 /// * A scan that repeats the stamp and the ranges of the one before is left out and counted.
@@ -24,11 +27,17 @@ namespace hitos {
 ///   no time to hold them, so such a reading is left out and counted.
 /// * A scan before the first odometry reading is counted, and left out where the options say so.
 ///   Without any odometry there is no scan before it.
+/// * Where the options let it mend: rays of several times are moved to where they would lie had all
+///   been measured at the scan's time, unless a scan is said to take longer than from one to the
+///   next; a step that no robot makes, alone among others, is taken to be as the one before it.
 /// * Damaged lines are left out, counted and reported with their number. A line that is scan and
 ///   odometry at once (CARMEN's FLASER) counts when the scan sequence passes over it.
 class Procesador final : public TourReader {
   public:
     explicit Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options = {});
+    ~Procesador() override;
+    Procesador(const Procesador&) = delete;
+    Procesador& operator=(const Procesador&) = delete;
 
     /// A truncated gzip file hands out what can be read, then counts as damage.
     std::optional<Scan> next_scan() override;
@@ -39,11 +48,31 @@ class Procesador final : public TourReader {
     std::optional<double> progress() const override { return fuente_->progress(); }
     std::string name() const override { return fuente_->name(); }
     std::string format() const override;
+    std::vector<TourFinding> findings() const override;
 
   private:
+    /// How long the scans' sweeps are said to take, against the time from scan to scan.
+    struct Sweeps {
+        std::uint64_t scans = 0;
+        std::uint64_t too_long = 0;
+        double longest_s = 0.0;
+        std::array<double, 4> periods_s{};  ///< newest times from scan to scan
+        std::optional<double> last_s;
+    };
+    struct Leaps {
+        std::uint64_t count = 0;
+        double longest_m = 0.0;
+        std::uint64_t longest_line = 0;
+        bool last = false;  ///< the last step was one
+    };
+    void mend(Scan& scan);
+    bool is_leap(const Pose& pose, const Pose& before, double seconds) const;
+    /// The twist of a step that no robot makes; nothing of others, and where several follow on each
+    /// other.
+    std::optional<Twist> bridged(const OdometryRecord& record, const Pose& before, double time_s);
     std::optional<Odometria> from_pose(const OdometryRecord& record);
     std::optional<Odometria> from_velocity(const OdometryRecord& record);
-    Odometria hand_out(double time_s, const Twist& twist, std::uint64_t line);
+    Odometria hand_out(double time_s, Twist twist, std::uint64_t line);
     /// Whether it was taken before the first odometry reading.
     bool is_early(const Scan& scan);
     void begin_report();
@@ -57,6 +86,12 @@ class Procesador final : public TourReader {
     ReadReport report_;
     std::optional<Scan> last_scan_;
     std::optional<OdometryRecord> last_odometry_;
+    Twist last_twist_;  ///< as logged
+    std::unique_ptr<OdometryTrack> track_;  ///< where scans are unwarped
+    Sweeps sweeps_;
+    Leaps leaps_;
+    bool poses_move_ = false;
+    bool velocities_move_ = false;
     double clock_s_ = 0.0;  ///< time of the last odometry reading handed out
     bool looked_ahead_ = false;
     std::optional<double> odometry_begin_s_;  ///< once looked ahead: nothing where there is none

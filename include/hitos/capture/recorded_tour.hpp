@@ -37,6 +37,7 @@ struct RecordedTour {
     std::string name;
     std::string format;
     bool of_recording = false;  ///< ReadReport::of_recording
+    std::vector<TourFinding> findings;
 };
 
 /// All of the tour that `reader` reads, which is left where it is; null where that may not grow so
@@ -59,6 +60,7 @@ class RecordedReader final : public TourReader {
     std::optional<double> progress() const override;
     std::string name() const override { return tour_->name; }
     std::string format() const override { return tour_->format; }
+    std::vector<TourFinding> findings() const override { return tour_->findings; }
     std::optional<Truth> truth() const override { return tour_->truth; }
 
   private:

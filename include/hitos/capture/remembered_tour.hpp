@@ -37,6 +37,7 @@ class RememberedTour final : public TourReader {
     std::optional<double> progress() const override;
     std::string name() const override { return reader_->name(); }
     std::string format() const override { return reader_->format(); }
+    std::vector<TourFinding> findings() const override { return reader_->findings(); }
     std::optional<Truth> truth() const override { return reader_->truth(); }
 
     Place place() const { return at_; }

@@ -4,39 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <vector>
 
-#include "hitos/base/message.hpp"
 #include "hitos/capture/scan.hpp"
+#include "hitos/capture/tour_finding.hpp"
 
 namespace hitos {
-
-/// Something that a map would show wrong although every line of the tour can be read.
-struct TourFinding {
-    enum class Kind : std::uint8_t {
-        clocks_apart,  ///< scans and odometry share no time; value: seconds between them
-        scan_delay,    ///< the scans fit the odometry of another time; value: that less theirs [s]
-        mirrored_laser,    ///< the scans turn against the odometry; value: 1
-        turned_laser,      ///< the scans move where the odometry does not; value: turn to the left
-                           ///< [rad]
-        no_odometry,       ///< there are scans and no odometry; value: the scans
-        still_odometry,    ///< the scans change and the odometry does not; value: 0
-        leaping_odometry,  ///< steps that no robot makes; value: the longest [m]
-        odometry_units,    ///< all of it is too fast; value: median speed [m/s]
-        laser_units,       ///< readings of a distance that no such laser sees; value: median [m]
-        beyond_a_turn,     ///< rays over more than a turn; value: angle from first to last [rad]
-        blind_laser,       ///< hardly any scan has a point; value: share of those with none
-        frozen_laser       ///< the same ranges while the robot drives; value: share of such scans
-    };
-    Kind kind = Kind::clocks_apart;
-    double value = 0.0;
-    Message what;    ///< what was found, with its number, and what it does to a map
-    Message remedy;  ///< what to do
-};
-
-/// The word of a kind, for programs: "scan-delay".
-std::string_view word_of(TourFinding::Kind kind);
 
 /// Takes what is read of a tour, in any order of scans and odometry, and doubts it at the end; what
 /// is not later than what was noted is left out, so that a tour may be read again in part. It
@@ -49,15 +22,22 @@ class TourExamination {
     void note(const Scan& scan);
     void note(const Odometria& odometry);
 
-    /// What there is to doubt, gravest first; empty where nothing is.
-    std::vector<TourFinding> findings() const;
+    /// What there is to doubt, gravest first; empty where nothing is. What the reader `told` counts
+    /// first: of one kind its finding stays. Stamps that differ from the times of receipt say
+    /// nothing where the scans fit the odometry as they are stamped.
+    std::vector<TourFinding> findings(std::vector<TourFinding> told = {}) const;
 
     /// What the odometry may be like in place of what the tour says.
     struct Hypothesis {
         double delay_s = 0.0;   ///< added to the scans' times
         double turn_rad = 0.0;  ///< of the laser on the robot, to the left
         bool mirrored = false;  ///< the rays go the other way round
-        std::size_t every = 1;  ///< asks every n-th pair only
+        double scale = 1.0;     ///< of the way
+        double near_m = 0.1;    ///< how far apart two points may be that are one
+        double near_per_range = 0.02;  ///< and for each metre of their range
+        double from = 0.0;             ///< asks the pairs from this share of all on,
+        double to = 1.0;               ///< up to this one,
+        std::size_t every = 1;         ///< every n-th of them
     };
     /// The mean share of a pair's points that lie on the earlier scan, 0 … 1; nothing where fewer
     /// than 10 pairs can be asked.
@@ -84,6 +64,12 @@ class TourExamination {
     void doubt_readings(std::vector<TourFinding>& found) const;
     void doubt_odometry(std::vector<TourFinding>& found) const;
     void doubt_fit(std::vector<TourFinding>& found) const;
+    void doubt_mounting(double told, double late, std::size_t every,
+                        std::vector<TourFinding>& found) const;
+    void doubt_scale(std::vector<TourFinding>& found) const;
+    void doubt_times(std::vector<TourFinding>& found) const;
+    void note_self(const Scan& scan);
+    bool contradicted(const TourFinding& stamps) const;
 
     std::vector<StampedPose> path_;  ///< by the odometry, thinned where it grows long
     std::size_t path_stride_ = 1;
@@ -104,6 +90,15 @@ class TourExamination {
     std::uint64_t scans_ = 0;
     std::uint64_t empty_scans_ = 0;
     std::uint64_t same_scans_ = 0;
+    std::uint64_t scans_of_one_time_ = 0;  ///< as the scan before
+    std::uint64_t last_scan_line_ = 0;
+    std::vector<std::uint32_t> same_rays_;  ///< how often each ended where it did before the turn
+    std::vector<float> near_ranges_;        ///< where each ended near the robot, else 0
+    std::uint64_t turns_ = 0;               ///< how often the robot turned between two scans
+    double turned_at_rad_ = 0.0;            ///< turned_rad_ where near_ranges_ are from
+    /// Of the way, by twice its direction on the robot, so that ahead and back are one [m].
+    double along_m_ = 0.0;
+    double across_m_ = 0.0;
     std::uint64_t moved_scans_ = 0;
     double scan_way_ = 0.0;
     double first_scan_s_ = 0.0;

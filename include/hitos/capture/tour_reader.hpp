@@ -12,6 +12,7 @@
 
 #include "hitos/base/message.hpp"
 #include "hitos/capture/scan.hpp"
+#include "hitos/capture/tour_finding.hpp"
 
 namespace hitos {
 
@@ -58,6 +59,22 @@ struct ReadOptions {
     /// Added to the scans' times [s], where the laser's clock is not the odometry's. Scans whose
     /// line carries odometry then go by their times like all others.
     double scan_delay_s = 0.0;
+    /// Where the laser sits on the robot, whatever the log says: "x,y,degrees", with
+    /// ",upside-down" behind it where it does. Empty: as the log says.
+    std::string laser_pose = {};
+    /// Frames of a ROS recording that are one: "base_footprint=base_link", several with commas
+    /// between them.
+    std::string same_frames = {};
+    /// Nearer readings are no points [m]: the robot's own parts.
+    double min_range_m = 0.0;
+    /// From one ray to the next [s]. 0: as the log says, else all rays are of one time.
+    double ray_time_s = 0.0;
+    /// By this the odometry's way is longer than it says.
+    double odometry_scale = 1.0;
+    /// Whether what is known to be wrong is mended: rays that were measured one after the other are
+    /// moved, by the odometry, to where they would lie had all been measured at the scan's time; a
+    /// leap of the odometry that no robot makes becomes a step like the one before it.
+    bool mend = true;
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 
@@ -103,6 +120,8 @@ class TourReader {
     virtual std::string name() const = 0;
     /// The word of the log's format, or kWorldFormat.
     virtual std::string format() const = 0;
+    /// What there is to doubt about how the tour is read, as far as it has been.
+    virtual std::vector<TourFinding> findings() const { return {}; }
     /// The truth, where the tour knows it: a simulated one does.
     virtual std::optional<Truth> truth() const { return std::nullopt; }
 };

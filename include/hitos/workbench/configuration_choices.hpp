@@ -23,10 +23,12 @@ struct ValueChoices {
 /// behind what source.world_set says already. All checked. Throws ConfigError.
 void choose_values(Configuracion& configuration, const ValueChoices& choices);
 
-/// --scan-topic and --odom-topic.
+/// --scan-topic, --odom-topic, --same-frames and --laser-pose.
 struct TopicChoices {
     std::string scan_topic = {};
     std::string odom_topic = {};
+    std::string same_frames = {};
+    std::string laser_pose = {};
 
     /// Over what the configuration says, where they are given.
     void choose(SourceParams& source) const;

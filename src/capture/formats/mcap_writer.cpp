@@ -98,6 +98,14 @@ float sound_range(double range_m, float max_range_m) {
     return std::max(range, std::numeric_limits<float>::min());
 }
 
+/// From one ray to the next, where the rays have times.
+double ray_time_of(const Scan& scan) {
+    if (scan.times_s.size() < 2 || scan.rays.size() != scan.times_s.size()) return 0.0;
+    const double rays = static_cast<double>(scan.rays.back()) - scan.rays.front();
+    const auto seconds = static_cast<double>(scan.times_s.back() - scan.times_s.front());
+    return rays == 0.0 ? 0.0 : seconds / rays;
+}
+
 TourWriter::Prepared LogWriterMcap::prepare(const Scan& scan) {
     const Sweep sweep = fitter_.sweep(scan);
     // Rays without a return: REP 117.
@@ -106,7 +114,12 @@ TourWriter::Prepared LogWriterMcap::prepare(const Scan& scan) {
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         if (sweep.ranges_m[i] > 0.0) ranges[i] = sound_range(sweep.ranges_m[i], max_range);
     }
-    Prepared prepared{sweep.fan, {}};
+    Prepared prepared{sweep.fan, {}, ray_time_of(scan)};
+    if (prepared.ray_time_s < 0.0) {  // messages say rays in the order in which they were measured
+        std::swap(prepared.fan.min_angle_rad, prepared.fan.max_angle_rad);
+        std::ranges::reverse(ranges);
+        prepared.ray_time_s = -prepared.ray_time_s;
+    }
     prepared.text.resize(ranges.size() * sizeof(float));
     std::memcpy(prepared.text.data(), ranges.data(), prepared.text.size());
     return prepared;
@@ -167,6 +180,7 @@ void LogWriterMcap::put_scan(std::string& out, const Prepared& scan, double time
     if (static_cast<float>(laser_.step_rad) == 0.0F) {
         laser_.step_rad = static_cast<double>(std::numeric_limits<float>::min());
     }
+    laser_.ray_time_s = scan.ray_time_s;
     laser_.max_range_m = scan.fan.max_range_m;
     laser_.ranges_m.resize(scan.fan.count);
     std::memcpy(laser_.ranges_m.data(), scan.text.data(), scan.text.size());

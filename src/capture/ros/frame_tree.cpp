@@ -43,6 +43,40 @@ void FrameTree::complete(const FrameTree& other) {
     for (const auto& [frame, link] : other.links_) links_.emplace(frame, link);
 }
 
+void FrameTree::join(const std::string& a, const std::string& b) {
+    if (!knows(a)) {
+        links_.emplace(a, Link{b, {}});
+    } else if (!knows(b)) {
+        links_.emplace(b, Link{a, {}});
+    }
+}
+
+bool FrameTree::differs(const FrameTree& other, std::string_view frame) const {
+    constexpr double kNear = 1e-3;
+    const auto here = links_.find(frame);
+    const auto there = other.links_.find(frame);
+    if (here == links_.end() || there == other.links_.end()) return false;
+    return here->second.parent != there->second.parent ||
+           apart(here->second.transform, there->second.transform) > kNear;
+}
+
+std::vector<std::string> FrameTree::above(std::string_view frame, std::string_view end) const {
+    std::vector<std::string> names;
+    for (auto& [name, transform] : upwards(frame)) {
+        if (name == end) break;
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+std::vector<std::pair<std::string, std::string>> FrameTree::below_odometry() const {
+    std::vector<std::pair<std::string, std::string>> found;
+    for (const auto& [frame, link] : links_) {
+        if (is_odometry_frame(link.parent)) found.emplace_back(frame, link.parent);
+    }
+    return found;
+}
+
 std::vector<std::pair<std::string, Transform>> FrameTree::upwards(std::string_view frame) const {
     std::vector<std::pair<std::string, Transform>> chain{{std::string(frame), Transform{}}};
     while (chain.size() < kLongestChain) {

@@ -21,6 +21,17 @@ class FrameTree {
     /// Takes over what the other tree knows of frames that are new here.
     void complete(const FrameTree& other);
 
+    /// Says that both names are one frame: the one that has no parent yet gets the other. Nothing
+    /// where both have one.
+    void join(const std::string& a, const std::string& b);
+    /// Whether both trees tell the frame's place and tell it differently, by more than 1 mm or
+    /// milliradian.
+    bool differs(const FrameTree& other, std::string_view frame) const;
+    /// The frame and those above it, as far as `end`, which is none of them.
+    std::vector<std::string> above(std::string_view frame, std::string_view end) const;
+    /// The frames whose parent is called odom, or ends so, with these.
+    std::vector<std::pair<std::string, std::string>> below_odometry() const;
+
     bool empty() const { return links_.empty(); }
     bool knows(std::string_view frame) const { return links_.find(frame) != links_.end(); }
     /// a_b: from frame b's coordinates to those of frame a; nothing where no chain joins them on

@@ -48,6 +48,11 @@ MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_la
             range = kNoReading;
         }
     }
+    if (scan.ray_time_s != 0.0) {
+        for (std::uint32_t i = 0; i < rays; ++i) {
+            mounted.ray_times_s.push_back(static_cast<float>(i * scan.ray_time_s));
+        }
+    }
     // Seen from above, a laser upside down turns the other way round.
     const double sense = upward > 0.0 ? 1.0 : -1.0;
     double first = sense * scan.min_angle_rad;
@@ -55,6 +60,7 @@ MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_la
     if (last < first) {
         std::swap(first, last);
         std::ranges::reverse(mounted.ranges_m);
+        std::ranges::reverse(mounted.ray_times_s);
     }
     mounted.fan.min_angle_rad = first;
     mounted.fan.max_angle_rad = last;
@@ -99,15 +105,64 @@ std::optional<MountedScan> merged(const MountedScan& a, const MountedScan& b) {
     both.fan.min_angle_rad = fan.min_angle_rad + low * step;
     both.fan.max_angle_rad = both.fan.min_angle_rad + (high - low - 1.0) * step;
     both.ranges_m.assign(both.fan.count, kNoReading);
-    const auto lay = [&](const std::vector<float>& ranges, double begin) {
-        auto at = both.ranges_m.begin() + static_cast<std::ptrdiff_t>(begin - low);
-        for (const float range : ranges) {
-            if (!(*at < range)) *at = std::isnan(range) ? *at : range;
-            ++at;
+    const bool timed = !a.ray_times_s.empty() || !b.ray_times_s.empty();
+    both.ray_times_s.assign(timed ? both.fan.count : 0, 0.0F);
+    const auto lay = [&](const MountedScan& scan, double begin) {
+        const auto first = static_cast<std::size_t>(begin - low);
+        for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+            float& range = both.ranges_m[first + i];
+            if (std::isnan(scan.ranges_m[i]) || range < scan.ranges_m[i]) continue;
+            range = scan.ranges_m[i];
+            if (!scan.ray_times_s.empty()) both.ray_times_s[first + i] = scan.ray_times_s[i];
         }
     };
-    lay(a.ranges_m, 0.0);
-    lay(b.ranges_m, nearest);
+    lay(a, 0.0);
+    lay(b, nearest);
+    return both;
+}
+
+std::optional<MountedScan> joined(const MountedScan& scan, const MountedScan& next) {
+    constexpr double kOffRayOfParts = 0.5;  // some drivers round the angles of each part
+    constexpr std::int64_t kLongestTurnNs = 1'000'000'000;
+    const double step = scan.fan.step_rad();
+    const double turn = 2.0 * kPi;
+    const std::int64_t later_ns = next.stamp_ns - scan.stamp_ns;
+    const bool alike = step > 0.0 && scan.fan.pose_robot_laser == next.fan.pose_robot_laser &&
+                       scan.fan.max_range_m == next.fan.max_range_m &&
+                       std::abs(next.fan.step_rad() - step) < kOffRay * step && later_ns > 0 &&
+                       later_ns < kLongestTurnNs &&
+                       (scan.fan.count + next.fan.count - 1) * step < turn;
+    if (!alike) return std::nullopt;
+    const auto meet = [&](const Fan& first, const Fan& second) {
+        return std::abs(wrap_angle(first.max_angle_rad + step - second.min_angle_rad)) <
+               kOffRayOfParts * step;
+    };
+    const bool behind = meet(scan.fan, next.fan);
+    if (!behind && !meet(next.fan, scan.fan)) return std::nullopt;
+    // Of parts that do not say it, the rays are measured at the pace at which the parts come.
+    const auto later_s = static_cast<float>(static_cast<double>(later_ns) * 1e-9);
+    const float pace_s = later_s / static_cast<float>(scan.fan.count);
+    const auto times_of = [&](const MountedScan& part, float begin_s) {
+        std::vector<float> times = part.ray_times_s;
+        const auto rays = static_cast<float>(part.ranges_m.size());
+        for (std::size_t i = 0; times.size() < part.ranges_m.size(); ++i) {
+            const auto place = static_cast<float>(i);
+            times.push_back(pace_s * (behind ? place : rays - 1.0F - place));
+        }
+        for (float& time : times) time += begin_s;
+        return times;
+    };
+    MountedScan both = scan;
+    both.ray_times_s = times_of(scan, 0.0F);
+    const auto put_in = [&](auto& all, const auto& more) {
+        all.insert(behind ? all.end() : all.begin(), more.begin(), more.end());
+    };
+    put_in(both.ranges_m, next.ranges_m);
+    put_in(both.ray_times_s, times_of(next, later_s));
+    both.number = next.number;
+    both.fan.count = static_cast<std::uint32_t>(both.ranges_m.size());
+    if (!behind) both.fan.min_angle_rad -= next.fan.count * step;
+    both.fan.max_angle_rad = both.fan.min_angle_rad + (both.fan.count - 1) * step;
     return both;
 }
 

@@ -18,6 +18,8 @@ struct MountedScan {
     const void* device = nullptr;  ///< tells one laser from another
     Fan fan;
     std::vector<float> ranges_m;  ///< NaN where the message holds no usable reading
+    /// Of each ray, from the stamp on [s]; empty where all are of one time.
+    std::vector<float> ray_times_s;
 };
 
 /// `robot_laser` is the mounting; it may be upside down. Throws FormatError where it is tilted out
@@ -28,5 +30,10 @@ MountedScan mounted_scan(const LaserScanMessage& message, const Transform& robot
 /// one's rays falling between or onto the other's, and do not reach round more than a circle. Of
 /// two readings on one ray the nearer counts. Nothing where they are no one fan.
 std::optional<MountedScan> merged(const MountedScan& a, const MountedScan& b);
+
+/// Both as one fan where `next` goes on where `scan` ends, or ends where it begins, and both
+/// together are no more than a turn: messages of one laser that hold parts of a turn, one after the
+/// other. Nothing where they are no such parts.
+std::optional<MountedScan> joined(const MountedScan& scan, const MountedScan& next);
 
 }  // namespace hitos

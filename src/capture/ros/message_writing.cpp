@@ -106,7 +106,7 @@ void encode(std::string& out, const LaserScanMessage& scan) {
     CdrOut cdr(out);
     cdr.header(scan.header).real(scan.min_angle_rad);
     cdr.real(scan.min_angle_rad + (rays - 1.0) * scan.step_rad).real(scan.step_rad);
-    cdr.real(0.0).real(0.0);  // from ray to ray and from scan to scan [s]: not known
+    cdr.real(scan.ray_time_s).real(0.0);  // from scan to scan [s]: not known
     cdr.real(scan.min_range_m).real(scan.max_range_m);
     cdr.floats(scan.ranges_m).count(0);
 }

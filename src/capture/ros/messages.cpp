@@ -1,6 +1,7 @@
 #include "ros/messages.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "fan_fit.hpp"
 #include "hitos/base/error.hpp"
@@ -87,7 +88,29 @@ bool is_transforms_type(std::string_view type) {
     return type == "tf2_msgs/TFMessage" || type == "tf/tfMessage";
 }
 
-LaserScanMessage decode_laser_scan(std::string_view raw, Encoding encoding) {
+namespace {
+
+/// The first echo of each ray, which is the nearest thing that sent one back.
+void take_first_echoes(MessageBytes& bytes, std::vector<float>& ranges) {
+    for (float& range : ranges) {
+        const std::uint32_t echoes = bytes.count(sizeof(float), "echoes");
+        range = echoes > 0 ? bytes.take<float>("echoes") : std::numeric_limits<float>::infinity();
+        if (echoes > 1) bytes.pass(echoes - 1, sizeof(float), "echoes");
+    }
+}
+
+void pass_intensities(MessageBytes& bytes, bool multi_echo) {
+    const std::size_t item = multi_echo ? sizeof(std::uint32_t) : sizeof(float);
+    const std::uint32_t intensities = bytes.count(item, "intensities");
+    if (!multi_echo) return bytes.pass(intensities, item, "intensities");
+    for (std::uint32_t i = 0; i < intensities; ++i) {
+        bytes.pass(bytes.count(sizeof(float), "intensities"), sizeof(float), "intensities");
+    }
+}
+
+}  // namespace
+
+LaserScanMessage decode_laser_scan(std::string_view raw, Encoding encoding, bool multi_echo) {
     MessageBytes bytes(raw, encoding);
     LaserScanMessage scan;
     scan.header = take_header(bytes);
@@ -97,11 +120,13 @@ LaserScanMessage decode_laser_scan(std::string_view raw, Encoding encoding) {
     scan.min_angle_rad = MessageBytes::checked(real("angle_min"), "angle_min");
     real("angle_max");  // by definition that of the last ray, which some drivers do not state
     scan.step_rad = MessageBytes::checked(real("angle_increment"), "angle_increment");
-    real("time_increment");
+    scan.ray_time_s = real("time_increment");
+    if (!std::isfinite(scan.ray_time_s)) scan.ray_time_s = 0.0;
     real("scan_time");
     scan.min_range_m = real("range_min");
     scan.max_range_m = real("range_max");
-    const std::uint32_t rays = bytes.count(sizeof(float), "ranges");
+    const std::uint32_t rays =
+        bytes.count(multi_echo ? sizeof(std::uint32_t) : sizeof(float), "ranges");
     if (rays == 0 || rays > kMostScannerRays) {
         throw FormatError(
             {}, 0,
@@ -109,9 +134,12 @@ LaserScanMessage decode_laser_scan(std::string_view raw, Encoding encoding) {
                     rays, kMostScannerRays));
     }
     scan.ranges_m.resize(rays);
-    for (float& range : scan.ranges_m) range = bytes.take<float>("ranges");
-    const std::uint32_t intensities = bytes.count(sizeof(float), "intensities");
-    bytes.pass(intensities, sizeof(float), "intensities");
+    if (multi_echo) {
+        take_first_echoes(bytes, scan.ranges_m);
+    } else {
+        for (float& range : scan.ranges_m) range = bytes.take<float>("ranges");
+    }
+    pass_intensities(bytes, multi_echo);
     bytes.expect_end();
     return scan;
 }
@@ -158,6 +186,11 @@ std::vector<StampedTransform> decode_transforms(std::string_view raw, Encoding e
     }
     bytes.expect_end();
     return transforms;
+}
+
+std::int64_t stamp_in(std::string_view raw, Encoding encoding) {
+    MessageBytes bytes(raw, encoding);
+    return take_header(bytes).stamp_ns;
 }
 
 double seconds_of(std::int64_t stamp_ns) {

@@ -18,6 +18,7 @@ namespace hitos {
 inline constexpr std::int64_t kSecondNs = 1'000'000'000;
 
 inline constexpr std::string_view kLaserScanType = "sensor_msgs/LaserScan";
+inline constexpr std::string_view kMultiEchoType = "sensor_msgs/MultiEchoLaserScan";
 inline constexpr std::string_view kOdometryType = "nav_msgs/Odometry";
 
 /// tf2_msgs/TFMessage and its forerunner.
@@ -29,11 +30,13 @@ struct MessageHeader {
     std::string frame;
 };
 
-/// sensor_msgs/LaserScan as far as it is used; angles [rad], ranges [m].
+/// sensor_msgs/LaserScan as far as it is used; angles [rad], ranges [m]. Of a
+/// sensor_msgs/MultiEchoLaserScan the first echo of each ray.
 struct LaserScanMessage {
     MessageHeader header;
     double min_angle_rad = 0.0;
     double step_rad = 0.0;
+    double ray_time_s = 0.0;  ///< from one ray to the next; 0 where it is not known
     double min_range_m = 0.0;
     double max_range_m = 0.0;
     std::vector<float> ranges_m;  ///< as logged, NaN and infinities included
@@ -59,10 +62,15 @@ struct StampedTransform {
 // quaternion without length, more than 1e6 rays. What can be read behind something wrong is kept:
 // one transform of several, or a pose without its twist, is left out and `told`.
 using Told = std::function<void(const Message& problem)>;
-LaserScanMessage decode_laser_scan(std::string_view bytes, Encoding encoding);
+LaserScanMessage decode_laser_scan(std::string_view bytes, Encoding encoding,
+                                   bool multi_echo = false);
 OdometryMessage decode_odometry(std::string_view bytes, Encoding encoding, const Told& told = {});
 std::vector<StampedTransform> decode_transforms(std::string_view bytes, Encoding encoding,
                                                 const Told& told = {});
+
+/// When a message that begins with a header was stamped, without decoding the rest. Throws
+/// FormatError.
+std::int64_t stamp_in(std::string_view bytes, Encoding encoding);
 
 /// Seconds since 1970; to 0.2 µs at the stamps of today.
 double seconds_of(std::int64_t stamp_ns);

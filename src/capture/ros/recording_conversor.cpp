@@ -34,14 +34,20 @@ class RecordingConversor final : public RangeConversor {
         // simulators say "no return" so.
         out.max_is_exact = head.fan.max_range_m > 0.0;
         const std::string_view ranges = line.text.substr(sizeof head);
-        if (ranges.size() != head.fan.count * sizeof(float)) {
+        const std::size_t rays = head.fan.count;
+        if (ranges.size() != (head.timed ? 2 : 1) * rays * sizeof(float)) {
             throw FormatError({}, line.number, message(HITOS_TEXT("Errors", "the data end early")));
         }
-        out.ranges_m.resize(head.fan.count);
-        for (std::uint32_t i = 0; i < head.fan.count; ++i) {
-            float range = 0.0F;
-            std::memcpy(&range, ranges.data() + i * sizeof range, sizeof range);
-            out.ranges_m[i] = static_cast<double>(range);
+        const auto number = [&ranges](std::size_t i) {
+            float value = 0.0F;
+            std::memcpy(&value, ranges.data() + i * sizeof value, sizeof value);
+            return value;
+        };
+        out.ranges_m.resize(rays);
+        for (std::size_t i = 0; i < rays; ++i) out.ranges_m[i] = static_cast<double>(number(i));
+        out.ray_times_s.resize(head.timed ? rays : 0);
+        for (std::size_t i = 0; i < out.ray_times_s.size(); ++i) {
+            out.ray_times_s[i] = number(rays + i);
         }
         return true;
     }
@@ -59,10 +65,15 @@ class RecordingConversor final : public RangeConversor {
 
 }  // namespace
 
-void put_line(std::string& text, const ScanLine& head, const std::vector<float>& ranges_m) {
-    text.resize(sizeof head + ranges_m.size() * sizeof(float));
-    std::memcpy(text.data(), &head, sizeof head);
-    std::memcpy(text.data() + sizeof head, ranges_m.data(), ranges_m.size() * sizeof(float));
+void put_line(std::string& text, const MountedScan& scan) {
+    const ScanLine head{seconds_of(scan.stamp_ns), scan.fan, !scan.ray_times_s.empty()};
+    const auto put = [&text](const void* from, std::size_t bytes) {
+        text.append(static_cast<const char*>(from), bytes);
+    };
+    text.clear();
+    put(&head, sizeof head);
+    put(scan.ranges_m.data(), scan.ranges_m.size() * sizeof(float));
+    put(scan.ray_times_s.data(), scan.ray_times_s.size() * sizeof(float));
 }
 
 void put_line(std::string& text, const OdometryLine& line) {

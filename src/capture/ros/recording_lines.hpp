@@ -8,10 +8,11 @@
 
 namespace hitos {
 
-/// Followed by the ranges as floats.
+/// Followed by the ranges as floats, and where `timed` by as many times of rays.
 struct ScanLine {
     double time_s = 0.0;
     Fan fan;
+    bool timed = false;
 };
 
 struct OdometryLine {
@@ -21,7 +22,7 @@ struct OdometryLine {
     bool has_twist = false;
 };
 
-void put_line(std::string& text, const ScanLine& head, const std::vector<float>& ranges_m);
+void put_line(std::string& text, const MountedScan& scan);
 void put_line(std::string& text, const OdometryLine& line);
 
 }  // namespace hitos

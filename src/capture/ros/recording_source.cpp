@@ -29,23 +29,26 @@ std::shared_ptr<const RecordingPlan> plan_recording(const std::filesystem::path&
                                                     const ReadOptions& options) {
     const RecordingSurvey survey = survey_recording(path, open);
     return std::make_shared<const RecordingPlan>(
-        RecordingPlan{path, format, open, choose_topics(survey, options, path), survey.frames,
-                      survey.frames.empty()});
+        RecordingPlan{path, format, open, choose_topics(survey, options, path),
+                      !options.laser_pose.empty()});
 }
 
 RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan)
     : plan_(std::move(plan)),
-      frames_(plan_->frames),
+      frames_(plan_->topics.frames),
       held_scans_(kScansHeld, kScanBytesHeld),
       held_readings_(kReadingsHeld, kScanBytesHeld) {
     const TourTopics& topics = plan_->topics;
-    const auto is_reading = [topics](const Topic& topic) {
+    const auto is_chosen = [topics](const Topic& topic) {
+        return is_transforms(topic) && std::ranges::count(topics.transforms, topic.name) > 0;
+    };
+    const auto is_reading = [topics, is_chosen](const Topic& topic) {
         if (!topics.odometry.empty()) return is_odometry(topic) && topic.name == topics.odometry;
-        return !topics.odometry_frame.empty() && is_transforms(topic);
+        return !topics.odometry_frame.empty() && is_chosen(topic);
     };
     // The scan cursor passes over odometry too, and so finds what is damaged in it.
-    const auto is_any = [topics, is_reading](const Topic& topic) {
-        return is_transforms(topic) || is_reading(topic) ||
+    const auto is_any = [topics, is_chosen, is_reading](const Topic& topic) {
+        return is_chosen(topic) || is_reading(topic) ||
                (is_laser(topic) && std::ranges::count(topics.scans, topic.name) > 0);
     };
     scans_ = std::make_unique<Cursor>(*plan_, is_any);
@@ -65,15 +68,16 @@ std::optional<double> RecordingSource::progress() const {
 std::optional<RawLine> RecordingSource::read_scan_line() {
     for (;;) {
         if (std::optional<MountedScan> scan = held_scans_.pop(scans_->ended)) {
-            // What other lasers saw at that time from that place belongs to it.
+            // What belongs to it: the other parts of its turn, and what other lasers saw at that
+            // time from that place.
             while (const MountedScan* next = held_scans_.earliest()) {
-                if (next->device == scan->device) break;
-                std::optional<MountedScan> both = merged(*scan, *next);
+                std::optional<MountedScan> both =
+                    next->device == scan->device ? joined(*scan, *next) : merged(*scan, *next);
                 if (!both) break;
                 held_scans_.pop(true);
                 scan = std::move(both);
             }
-            put_line(scan_text_, {seconds_of(scan->stamp_ns), scan->fan}, scan->ranges_m);
+            put_line(scan_text_, *scan);
             return RawLine{scan_text_, scan->number};
         }
         if (scans_->ended) return std::nullopt;
@@ -110,18 +114,20 @@ void RecordingSource::take_in_scans(const RecordedMessage& found) {
 }
 
 MountedScan RecordingSource::scan_of(const RecordedMessage& found) const {
-    const LaserScanMessage scan =
-        decode_laser_scan(found.bytes, encoding_of(found.topic->encoding));
+    const LaserScanMessage scan = decode_laser_scan(
+        found.bytes, encoding_of(found.topic->encoding), is_multi_echo(*found.topic));
     const std::string& robot = plan_->topics.robot_frame;
     std::optional<Transform> robot_laser = frames_.between(robot, scan.header.frame);
-    if (!robot_laser && plan_->no_frames) robot_laser = Transform{};
+    // Where the options say it, the converter puts it there; where nothing does, it is doubted.
+    if (plan_->mounted_by_options || plan_->topics.frames.empty()) robot_laser = Transform{};
     if (!robot_laser) {
         throw FormatError(
             {}, 0,
             message(HITOS_TEXT("Errors",
                                "no transform leads from the laser's frame \"%1\" to the robot's "
-                               "frame \"%2\", so where the laser sits is not known; record "
-                               "/tf_static too, or choose another laser (--scan-topic)"),
+                               "frame \"%2\", so where the laser sits is not known; say where "
+                               "(--laser-pose x,y,degrees), or which frames are one (--same-frames "
+                               "%2=NAME), or choose another laser (--scan-topic)"),
                     scan.header.frame, robot));
     }
     MountedScan mounted = mounted_scan(scan, *robot_laser);

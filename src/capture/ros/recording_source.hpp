@@ -25,8 +25,7 @@ struct RecordingPlan {
     const LogFormat& format;
     OpenRecording* open;
     TourTopics topics;
-    FrameTree frames;  ///< as they are at the beginning
-    bool no_frames = false;
+    bool mounted_by_options = false;  ///< whatever the transforms say
 };
 
 /// Surveys the recording and chooses its topics. Throws what survey_recording() and choose_topics()
@@ -41,6 +40,7 @@ std::shared_ptr<const RecordingPlan> plan_recording(const std::filesystem::path&
 /// that memory does not grow with it; what is damaged is told to the scan cursor's owner.
 ///
 /// * Scans come from one or more lasers; those of one place and time are one scan.
+/// * Messages of a laser that hold neighbouring parts of a turn are joined to turns.
 /// * Odometry comes from a topic, or from the transforms to the odometry's frame.
 /// * A laser that no transform mentions, in a recording without any, sits in the robot's origin.
 class RecordingSource final : public Fuente {
@@ -58,6 +58,7 @@ class RecordingSource final : public Fuente {
     std::optional<std::pair<std::uint64_t, Message>> take_damage() override {
         return damage_.take();
     }
+    std::vector<TourFinding> findings() const override { return plan_->topics.findings; }
     std::unique_ptr<Fuente> reopen() const override;
 
   private:

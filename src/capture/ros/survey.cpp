@@ -1,11 +1,17 @@
 #include "ros/survey.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "median.hpp"
 
 namespace hitos {
 namespace {
@@ -14,13 +20,14 @@ bool is_readable(const Topic& topic) {
     return encoding_of(topic.encoding) != Encoding::other;
 }
 
-/// "/scan (292), /rear (17)": names of topics and how many messages they have.
-std::string listed(const std::vector<const Topic*>& topics) {
+/// "/scan (292), /rear (17)": names of topics and how many messages they have; `typed`: and what
+/// messages those are.
+std::string listed(const std::vector<const Topic*>& topics, bool typed = false) {
     constexpr std::size_t kMost = 20;
     std::string list;
     for (std::size_t i = 0; i < std::min(kMost, topics.size()); ++i) {
         list += (list.empty() ? "" : ", ") + topics[i]->name + " (" +
-                std::to_string(topics[i]->messages) + ")";
+                (typed ? topics[i]->type + ", " : "") + std::to_string(topics[i]->messages) + ")";
     }
     return topics.size() > kMost ? list + ", …" : list;
 }
@@ -35,19 +42,6 @@ std::vector<const Topic*> with_messages(const RecordingSurvey& survey, bool (*is
 
 bool is_any(const Topic& /*topic*/) {
     return true;
-}
-
-/// Separated by commas.
-std::vector<std::string_view> names_in(std::string_view text) {
-    std::vector<std::string_view> names;
-    while (!text.empty()) {
-        const std::size_t comma = std::min(text.find(','), text.size());
-        if (const auto name = input::trimmed(text.substr(0, comma)); !name.empty()) {
-            names.push_back(name);
-        }
-        text.remove_prefix(std::min(comma + 1, text.size()));
-    }
-    return names;
 }
 
 /// With or without the slash that every topic begins with.
@@ -68,11 +62,29 @@ const Topic& named(const std::vector<const Topic*>& topics, std::string_view nam
                      name, path.string(), listed(topics)));
 }
 
+/// What can be done where there are no scans, but what scans can be made of.
+Message advice_for(const std::vector<const Topic*>& topics) {
+    const auto holds = [&](std::string_view type) {
+        return std::ranges::any_of(topics, [&](const Topic* topic) { return topic->type == type; });
+    };
+    if (holds("sensor_msgs/PointCloud2") || holds("sensor_msgs/PointCloud")) {
+        return marked(HITOS_TEXT("Errors",
+                                 "; point clouds can be played into pointcloud_to_laserscan and "
+                                 "its scans recorded"));
+    }
+    if (holds("sensor_msgs/Image")) {
+        return marked(HITOS_TEXT("Errors",
+                                 "; depth images can be played into depthimage_to_laserscan and "
+                                 "its scans recorded"));
+    }
+    return {};
+}
+
 void choose_scans(const RecordingSurvey& survey, const ReadOptions& options,
                   const std::filesystem::path& path, TourTopics& chosen) {
     const std::vector<const Topic*> lasers = with_messages(survey, is_laser);
     const std::vector<const Topic*> all_topics = with_messages(survey, is_any);
-    const std::string list = all_topics.empty() ? "-" : listed(all_topics);
+    const std::string list = all_topics.empty() ? "-" : listed(all_topics, true);
     if (lasers.empty() && !survey.first_problem.empty()) {
         throw FormatError(
             path.string(), 0,
@@ -86,10 +98,10 @@ void choose_scans(const RecordingSurvey& survey, const ReadOptions& options,
             path.string(), 0,
             message(HITOS_TEXT("Errors",
                                "holds no laser scans (messages sensor_msgs/LaserScan); its topics "
-                               "are: %1"),
-                    list));
+                               "are: %1%2"),
+                    list, advice_for(all_topics)));
     }
-    const std::vector<std::string_view> names = names_in(options.scan_topic);
+    const std::vector<std::string_view> names = input::listed(options.scan_topic);
     if (names.empty() && lasers.size() > 1) {
         throw ConfigError(
             kScanTopicKey,
@@ -113,7 +125,11 @@ void choose_scans(const RecordingSurvey& survey, const ReadOptions& options,
 }  // namespace
 
 bool is_laser(const Topic& topic) {
-    return topic.type == kLaserScanType && is_readable(topic);
+    return (topic.type == kLaserScanType || topic.type == kMultiEchoType) && is_readable(topic);
+}
+
+bool is_multi_echo(const Topic& topic) {
+    return topic.type == kMultiEchoType;
 }
 
 bool is_odometry(const Topic& topic) {
@@ -125,6 +141,7 @@ bool is_transforms(const Topic& topic) {
 }
 
 RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecording* open) {
+    constexpr std::size_t kLags = 256;  // of each topic: its clock is told by any of them
     RecordingSurvey survey;
     Topics topics([](const Topic& topic) {
         return is_laser(topic) || is_odometry(topic) || is_transforms(topic);
@@ -143,19 +160,28 @@ RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecordin
         try {
             if (is_transforms(topic)) {
                 FrameTree told;
-                told.hold(decode_transforms(found->bytes, encoding));
-                survey.frames.complete(told);
+                TopicFrames& frames = survey.frames[topic.name];
+                const auto transforms = decode_transforms(found->bytes, encoding);
+                told.hold(transforms);
+                frames.frames.complete(told);
+                for (const StampedTransform& one : transforms) frames.publishers.note(one);
                 continue;
             }
-            // Of the others the first sound message is enough.
+            std::vector<float>& lags = survey.lags_s[topic.name];
+            lags.push_back(static_cast<float>(
+                seconds_of(found->log_time_ns - stamp_in(found->bytes, encoding))));
+            // Of the rest the first sound message is enough.
             if (is_laser(topic)) {
-                survey.laser_frames.emplace(topic.name,
-                                            decode_laser_scan(found->bytes, encoding).header.frame);
-            } else {
+                if (!survey.laser_frames.contains(topic.name)) {
+                    survey.laser_frames.emplace(
+                        topic.name, decode_laser_scan(found->bytes, encoding, is_multi_echo(topic))
+                                        .header.frame);
+                }
+            } else if (!survey.robot_frames.contains(topic.name)) {
                 survey.robot_frames.emplace(topic.name,
                                             decode_odometry(found->bytes, encoding).child_frame);
             }
-            topic.wanted = false;
+            if (lags.size() >= kLags) topic.wanted = false;
         } catch (const FormatError&) {
             continue;  // counted when it is read in earnest
         }
@@ -164,20 +190,23 @@ RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecordin
     return survey;
 }
 
-TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& options,
-                         const std::filesystem::path& path) {
-    TourTopics chosen;
-    choose_scans(survey, options, path, chosen);
-    const auto laser = survey.laser_frames.find(chosen.scans.front());
-    const std::string laser_frame = laser == survey.laser_frames.end() ? "" : laser->second;
-    const auto [above, odometry_frame] = survey.frames.robot_above(laser_frame);
-    chosen.robot_frame = above;
-    chosen.odometry_frame = odometry_frame;
+namespace {
 
+/// Where the odometry comes from; of transforms the robot's frame too.
+void choose_odometry(const RecordingSurvey& survey, const ReadOptions& options,
+                     const std::filesystem::path& path, const std::string& laser_frame,
+                     TourTopics& chosen) {
     const std::vector<const Topic*> odometries = with_messages(survey, is_odometry);
     const std::string_view name = input::trimmed(options.odom_topic);
-    if (name == "tf" || name == "/tf") {
-        if (!odometry_frame.empty()) return chosen;
+    const auto below = chosen.frames.below_odometry();
+    const bool by_name = name == "tf" || name == "/tf";
+    if (chosen.odometry_frame.empty() && below.size() == 1 && (by_name || odometries.empty())) {
+        // The laser hangs on no robot, but a robot there is.
+        chosen.robot_frame = below.front().first;
+        chosen.odometry_frame = below.front().second;
+    }
+    if (by_name) {
+        if (!chosen.odometry_frame.empty()) return;
         throw ConfigError(
             kOdomTopicKey,
             message(HITOS_TEXT("Errors",
@@ -185,7 +214,7 @@ TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& optio
                                "\"odom\" to the laser's frame \"%3\""),
                     name, path.string(), laser_frame));
     }
-    if (name.empty() && odometries.empty()) return chosen;
+    if (name.empty() && odometries.empty()) return;
     if (name.empty() && odometries.size() > 1) {
         throw ConfigError(
             kOdomTopicKey,
@@ -194,14 +223,110 @@ TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& optio
                                "\"tf\" for the transforms"),
                     odometries.size(), path.string(), listed(odometries)));
     }
-    chosen.odometry =
-        (name.empty() ? *odometries.front() : named(odometries, name, kOdomTopicKey, path)).name;
+    const Topic& topic =
+        name.empty() ? *odometries.front() : named(odometries, name, kOdomTopicKey, path);
+    const auto robot = survey.robot_frames.find(topic.name);
+    if (name.empty() && robot == survey.robot_frames.end() && !chosen.odometry_frame.empty()) {
+        chosen.findings.push_back(
+            {TourFinding::Kind::unread_odometry, static_cast<double>(topic.messages),
+             message(HITOS_TEXT("Errors",
+                                "no message of the odometry %1 can be read, so that the "
+                                "transforms to \"%2\" are taken"),
+                     topic.name, chosen.odometry_frame),
+             message(HITOS_TEXT("Errors", "--odom-topic %1 says what is wrong with them"),
+                     topic.name)});
+        return;
+    }
+    chosen.odometry = topic.name;
     chosen.odometry_frame.clear();
-    const auto robot = survey.robot_frames.find(chosen.odometry);
     // Some drivers leave the name out; then it is what the transforms say.
     if (robot != survey.robot_frames.end() && !robot->second.empty()) {
         chosen.robot_frame = robot->second;
     }
+}
+
+/// Whether stamps of the scans are of another clock than those of the odometry.
+void doubt_stamps(const RecordingSurvey& survey, TourTopics& chosen) {
+    constexpr double kLeast = 1.0;  // networks hold messages up that long
+    const auto lag_of = [&](const std::string& topic) {
+        const auto lags = survey.lags_s.find(topic);
+        return lags == survey.lags_s.end() || lags->second.empty()
+                   ? std::optional<double>{}
+                   : static_cast<double>(median(lags->second));
+    };
+    const std::optional<double> scans = lag_of(chosen.scans.front());
+    const std::optional<double> odometry = lag_of(chosen.odometry);
+    if (!scans || !odometry || std::abs(*scans - *odometry) < kLeast) return;
+    const std::string delay = fmt::format("{:.2f}", *scans - *odometry);
+    chosen.findings.push_back(
+        {TourFinding::Kind::late_stamps, *scans - *odometry,
+         message(HITOS_TEXT("Errors",
+                            "%1 was received %2 s after its stamps and %3 %4 s after its own: the "
+                            "clocks of their computers differ"),
+                 chosen.scans.front(), fmt::format("{:.2f}", *scans), chosen.odometry,
+                 fmt::format("{:.2f}", *odometry)),
+         message(HITOS_TEXT("Errors", "add the difference to the scans' times: --scan-delay %1"),
+                 delay)});
+}
+
+/// Whether what the transforms say is known, and from one sender.
+void doubt_frames(const RecordingSurvey& survey, const ReadOptions& options,
+                  const std::string& laser_frame, const std::vector<std::string>& used,
+                  TourTopics& chosen) {
+    if (chosen.frames.empty() && options.laser_pose.empty() &&
+        laser_frame != chosen.robot_frame) {
+        chosen.findings.push_back(
+            {TourFinding::Kind::assumed_mounting, static_cast<double>(chosen.scans.size()),
+             message(HITOS_TEXT("Errors",
+                                "no transform says where the laser \"%1\" sits on the robot "
+                                "\"%2\"; it is taken to sit in its origin and look ahead, and "
+                                "where it does not, the map is bent where the robot turns"),
+                     laser_frame, chosen.robot_frame),
+             marked(HITOS_TEXT("Errors", "say where it sits: --laser-pose x,y,degrees"))});
+    }
+    for (const std::string& topic : chosen.transforms) {
+        for (const std::string& frame : used) {
+            const std::uint64_t returns = survey.frames.at(topic).publishers.returns(frame);
+            if (returns == 0) continue;
+            chosen.findings.push_back(
+                {TourFinding::Kind::two_publishers, static_cast<double>(returns),
+                 message(HITOS_TEXT("Errors",
+                                    "the frame \"%1\" goes to and fro between two places in %2, "
+                                    "%3 times: two programs say where it is"),
+                         frame, topic, returns),
+                 marked(HITOS_TEXT("Errors",
+                                   "take a topic for the odometry (--odom-topic), or say where "
+                                   "the laser sits (--laser-pose), or record with one of them "
+                                   "only"))});
+        }
+    }
+}
+
+}  // namespace
+
+TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& options,
+                         const std::filesystem::path& path) {
+    TourTopics chosen;
+    choose_scans(survey, options, path, chosen);
+    const auto laser = survey.laser_frames.find(chosen.scans.front());
+    const std::string laser_frame = laser == survey.laser_frames.end() ? "" : laser->second;
+    FrameChoice frames = choose_frames(survey.frames, chosen.scans.front(), options.same_frames);
+    chosen.transforms = frames.topics;
+    chosen.frames = frames.frames;
+    std::tie(chosen.robot_frame, chosen.odometry_frame) = frames.frames.robot_above(laser_frame);
+    choose_odometry(survey, options, path, laser_frame, chosen);
+    // What of the transforms matters: the laser's place on the robot, and the robot's path.
+    std::vector<std::string> used;
+    if (options.laser_pose.empty()) {
+        used = chosen.frames.above(laser_frame, chosen.robot_frame);
+    }
+    if (!chosen.odometry_frame.empty()) {
+        std::ranges::move(chosen.frames.above(chosen.robot_frame, chosen.odometry_frame),
+                          std::back_inserter(used));
+    }
+    check_agreement(survey.frames, frames, used, path.string());
+    doubt_stamps(survey, chosen);
+    doubt_frames(survey, options, laser_frame, used, chosen);
     return chosen;
 }
 

@@ -10,7 +10,7 @@
 
 #include "hitos/capture/tour_reader.hpp"
 #include "recordings/recording.hpp"
-#include "ros/frame_tree.hpp"
+#include "ros/frame_choice.hpp"
 
 namespace hitos {
 
@@ -18,10 +18,11 @@ using OpenRecording = std::unique_ptr<Recording>(const std::filesystem::path&, R
 
 struct RecordingSurvey {
     std::deque<Topic> topics;
-    /// Of each frame the first transform, which may come after the first scan.
-    FrameTree frames;
+    std::map<std::string, TopicFrames> frames;  ///< by topic
     std::map<std::string, std::string> laser_frames;  ///< of the first scan, by topic
     std::map<std::string, std::string> robot_frames;  ///< of the first odometry, by topic
+    /// By how much the first messages were received later than they are stamped, by topic [s].
+    std::map<std::string, std::vector<float>> lags_s;
     Message first_problem;  ///< why some of it could not be read; empty where all could
 };
 
@@ -35,15 +36,19 @@ struct TourTopics {
     std::string odometry;            ///< empty: from transforms, or none
     std::string robot_frame;         ///< scans are handed out in it
     std::string odometry_frame;      ///< with transforms to it; empty where there are none
+    std::vector<std::string> transforms;  ///< names: those that are the laser's
+    FrameTree frames;                     ///< as they are at the beginning
+    std::vector<TourFinding> findings;    ///< what there is to doubt about this choice
 };
 
 /// What the options say; else the only topic of its kind. Throws ConfigError, under the key of the
 /// parameter, where there are several or another one is named, and FormatError where there is no
-/// laser.
+/// laser or where the transforms of its place contradict each other.
 TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& options,
                          const std::filesystem::path& path);
 
 bool is_laser(const Topic& topic);
+bool is_multi_echo(const Topic& topic);
 bool is_odometry(const Topic& topic);
 bool is_transforms(const Topic& topic);
 

@@ -1,6 +1,7 @@
 // Rigid motions of space, as far as the mounting of a laser needs them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "hitos/base/geometry.hpp"
@@ -49,6 +50,13 @@ inline Transform compose(const Transform& a, const Transform& b) {
 inline Transform inverse(const Transform& a) {
     const Transform turned{0.0, 0.0, 0.0, -a.qx, -a.qy, -a.qz, a.qw};
     return compose(turned, {-a.x, -a.y, -a.z});
+}
+
+/// How far two places are from each other [m], a radian counted as a metre.
+inline double apart(const Transform& a, const Transform& b) {
+    const double dot = a.qx * b.qx + a.qy * b.qy + a.qz * b.qz + a.qw * b.qw;
+    const double angle = 2.0 * std::acos(std::min(1.0, std::abs(dot)));
+    return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) + angle;
 }
 
 }  // namespace hitos

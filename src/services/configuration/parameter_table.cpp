@@ -28,6 +28,60 @@ std::vector<ParameterChoice> format_choices() {
     return choices;
 }
 
+/// What of a log is wrong or not said, and is put right.
+void add_mended_source(Table& table) {
+    table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::laser_pose>(
+        {.key = "source.laser_pose",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Where the laser sits on the robot, whatever the log says: x,y,degrees (metres ahead, "
+             "metres to the left, turn to the left), with ,upside-down behind it where it does; "
+             "empty takes what the log says."),
+         .label = HITOS_TEXT("ParameterLabel", "Laser's place")}));
+    table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::same_frames>(
+        {.key = "source.same_frames",
+         .description =
+             HITOS_TEXT("Parameter",
+                        "Frames of a ROS recording that are one under two names, as "
+                        "base_footprint=base_link; several with commas between them."),
+         .label = HITOS_TEXT("ParameterLabel", "Frames that are one")}));
+    table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::min_range_m>(
+        {.key = "source.min_range",
+         .unit = "m",
+         .minimum = 0.0,
+         .maximum = 1000.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "Nearer readings are no points, so a higher value leaves out "
+                                   "more of what may be the robot itself."),
+         .label = HITOS_TEXT("ParameterLabel", "Minimum range")}));
+    table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::ray_time_s>(
+        {.key = "source.ray_time",
+         .unit = "s",
+         .minimum = -1.0,
+         .maximum = 1.0,
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Time from one ray of a scan to the next, by which rays are moved as the robot drives "
+             "on; a higher value moves them further; 0 takes what the log says."),
+         .label = HITOS_TEXT("ParameterLabel", "Time of a ray")}));
+    table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::odometry_scale>(
+        {.key = "source.odometry_scale",
+         .minimum = 0.001,
+         .maximum = 1000.0,
+         .description = HITOS_TEXT("Parameter",
+                                   "The odometry's way is taken that many times as long; a higher "
+                                   "value lengthens it."),
+         .label = HITOS_TEXT("ParameterLabel", "Odometry scale")}));
+    table.push_back(choice<&Config::source, &SourceParams::read, &ReadOptions::mend>(
+        {.key = "source.mend",
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Whether rays that the log says to be measured one after the other are moved by the "
+             "odometry to one time, and leaps of the odometry that no robot makes are bridged."),
+         .label = HITOS_TEXT("ParameterLabel", "Mend"),
+         .choices = off_on()}));
+}
+
 void add_source(Table& table) {
     table.push_back(text<&Config::source, &SourceParams::file>(
         {.key = "source.file",
@@ -95,6 +149,7 @@ void add_source(Table& table) {
              "hitos-cli check says by how much they differ. A higher value pairs scans with later "
              "odometry."),
          .label = HITOS_TEXT("ParameterLabel", "Scan delay")}));
+    add_mended_source(table);
     const ConfigParameter::Condition world{
         "source.file", "a world (.toml)",
         [](const Config& configuration) { return is_world_file(configuration.source.file); }};

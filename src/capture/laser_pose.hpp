@@ -1,0 +1,20 @@
+// Where a laser sits, as users say it.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "hitos/base/geometry.hpp"
+
+namespace hitos {
+
+struct LaserPose {
+    Pose pose_robot_laser;     ///< [m], [rad]
+    bool upside_down = false;  ///< its rays go the other way round
+};
+
+/// "x,y,degrees" or "x,y,degrees,upside-down"; nothing of an empty text. Throws ConfigError, under
+/// the parameter's key, for another one.
+std::optional<LaserPose> laser_pose_of(std::string_view text);
+
+}  // namespace hitos

@@ -1,0 +1,98 @@
+#include "ros/frame_choice.hpp"
+
+#include <algorithm>
+
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+#include "hitos/capture/archivo.hpp"
+
+namespace hitos {
+namespace {
+
+/// "/robot1/" of "/robot1/tf"
+std::string_view space_of(std::string_view topic) {
+    const std::size_t slash = topic.rfind('/');
+    return slash == std::string_view::npos ? std::string_view{} : topic.substr(0, slash + 1);
+}
+
+void join_frames(FrameTree& frames, std::string_view same) {
+    for (const std::string_view pair : input::listed(same)) {
+        const std::size_t equals = pair.find('=');
+        const std::string_view a = input::trimmed(pair.substr(0, std::min(equals, pair.size())));
+        const std::string_view b =
+            equals < pair.size() ? input::trimmed(pair.substr(equals + 1)) : std::string_view{};
+        if (a.empty() || b.empty() || a == b) {
+            throw ConfigError(
+                kSameFramesKey,
+                message(HITOS_TEXT("Errors",
+                                   "found \"%1\", expected two frames that are one, as "
+                                   "base_footprint=base_link"),
+                        pair));
+        }
+        frames.join(std::string(a), std::string(b));
+    }
+}
+
+}  // namespace
+
+void Publishers::note(const StampedTransform& told) {
+    constexpr double kJump = 0.01;   // what a robot at rest does not do between two messages
+    constexpr double kBetween = 0.5;  // of it: what it does while both senders say the same
+    Watch& watch = watches_[told.child_frame];
+    ++watch.messages;
+    if (watch.last) {
+        const bool other_parent = watch.last->parent != told.header.frame;
+        const double step = apart(watch.last->transform, told.transform);
+        const bool back = watch.before && watch.before->parent == told.header.frame &&
+                          apart(watch.before->transform, told.transform) < kBetween * step;
+        if (back && (other_parent || step > kJump)) ++watch.returns;
+    }
+    watch.before = std::move(watch.last);
+    watch.last = Told{told.header.frame, told.transform};
+}
+
+std::uint64_t Publishers::returns(const std::string& frame) const {
+    constexpr std::uint64_t kLeast = 10;
+    constexpr std::uint64_t kOneIn = 5;
+    const auto watch = watches_.find(frame);
+    if (watch == watches_.end()) return 0;
+    const std::uint64_t returns = watch->second.returns;
+    return returns >= kLeast && returns * kOneIn >= watch->second.messages ? returns : 0;
+}
+
+FrameChoice choose_frames(const std::map<std::string, TopicFrames>& said,
+                          std::string_view laser_topic, std::string_view same) {
+    FrameChoice choice;
+    for (const auto& [topic, frames] : said) {
+        if (laser_topic.starts_with(space_of(topic))) choice.topics.push_back(topic);
+    }
+    if (choice.topics.empty()) {
+        for (const auto& [topic, frames] : said) choice.topics.push_back(topic);
+    }
+    for (const std::string& topic : choice.topics) choice.frames.complete(said.at(topic).frames);
+    join_frames(choice.frames, same);
+    return choice;
+}
+
+void check_agreement(const std::map<std::string, TopicFrames>& said, const FrameChoice& choice,
+                     const std::vector<std::string>& frames, const std::string& path) {
+    for (const std::string& name : frames) {
+        const auto first = choice.topics.begin();
+        for (auto a = first; a != choice.topics.end(); ++a) {
+            const auto b = std::find_if(first, a, [&](const std::string& other) {
+                return said.at(*a).frames.differs(said.at(other).frames, name);
+            });
+            if (b == a) continue;
+            throw FormatError(
+                path, 0,
+                message(HITOS_TEXT("Errors",
+                                   "the place of the frame \"%1\" is told by %2 and by %3, "
+                                   "differently, so where the laser sits is not known; record "
+                                   "those of one robot only, or say where it sits (--laser-pose "
+                                   "x,y,degrees)"),
+                        name, *b, *a));
+        }
+    }
+}
+
+}  // namespace hitos

@@ -1,0 +1,60 @@
+// Whose transforms are those of a laser, and what there is to doubt about them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "hitos/capture/tour_reader.hpp"
+#include "ros/frame_tree.hpp"
+
+namespace hitos {
+
+/// Two senders who tell a frame in turns: its places go to and fro.
+class Publishers {
+  public:
+    void note(const StampedTransform& told);
+    /// How often the frame went back to where it was before the last message; 0 where that is no
+    /// more than chance.
+    std::uint64_t returns(const std::string& frame) const;
+
+  private:
+    struct Told {
+        std::string parent;
+        Transform transform;
+    };
+    struct Watch {
+        std::optional<Told> last;
+        std::optional<Told> before;
+        std::uint64_t messages = 0;
+        std::uint64_t returns = 0;
+    };
+    std::map<std::string, Watch> watches_;
+};
+
+/// What a topic of transforms says.
+struct TopicFrames {
+    FrameTree frames;  ///< of each frame the first transform, which may come after the first scan
+    Publishers publishers;
+};
+
+/// Topics of transforms, and what they say together.
+struct FrameChoice {
+    std::vector<std::string> topics;
+    FrameTree frames;
+};
+
+/// The topics of the namespace of the laser's topic and of those it lies in; where none is, all.
+/// Frames that `same` says are one ("a=b", several with commas between them) are joined. Throws
+/// ConfigError for words that are no such pair.
+FrameChoice choose_frames(const std::map<std::string, TopicFrames>& said,
+                          std::string_view laser_topic, std::string_view same);
+
+/// Throws FormatError where two of the chosen topics tell one of these frames differently.
+void check_agreement(const std::map<std::string, TopicFrames>& said, const FrameChoice& choice,
+                     const std::vector<std::string>& frames, const std::string& path);
+
+}  // namespace hitos
