@@ -113,9 +113,47 @@ void prepare_process() {
     }
 }
 
-StopByRequest::StopByRequest() {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds kLook(20);
+
+/// Of all threads of this process [s].
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Ends the process where it goes on for too long after it was asked to end.
+void watch_patience(const std::stop_token& end) {
+    constexpr double kPatience = 2.0;
+    constexpr double kLongest = 10.0;  // also where it waits, as for a network
+    while (!StopByRequest::wanted()) {
+        if (end.stop_requested()) return;
+        std::this_thread::sleep_for(kLook);
+    }
+    const Clock::time_point begin = Clock::now();
+    const double worked = processor_seconds();
+    while (!end.stop_requested()) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        if (seconds > kLongest ||
+            (seconds > kPatience && processor_seconds() - worked > kPatience)) {
+            std::fprintf(stderr,
+                         "%s: ended before all was written, as it was asked to; what is written is "
+                         "whole\n",
+                         program_name);
+            remove_temporary_files();
+            std::_Exit(StopByRequest::status());
+        }
+        std::this_thread::sleep_for(kLook);
+    }
+}
+
+}  // namespace
+
+StopByRequest::StopByRequest(Patience patience) {
     asked = 0;
     patient = 1;
+    if (patience == Patience::two_seconds) watch_ = std::jthread(watch_patience);
 }
 
 StopByRequest::~StopByRequest() {
@@ -132,7 +170,6 @@ int StopByRequest::status() {
 
 StopSource::StopSource()
     : watch_([this](const std::stop_token& end) {
-          constexpr std::chrono::milliseconds kLook(20);
           while (!end.stop_requested() && !stop_.stop_requested()) {
               if (StopByRequest::wanted()) stop_.request_stop();
               std::this_thread::sleep_for(kLook);

@@ -173,7 +173,8 @@ std::vector<TourFinding> Procesador::findings() const {
                                "map it with registration, which finds what is left of it: --preset "
                                "recorded"))});
     }
-    if (velocities_move_ && !poses_move_ && report_.odometry > 1 && !options_.logged_velocities) {
+    if (velocities_move_ && !poses_move_ && report_.odometry > 1 &&
+        options_.odometry == OdometryFrom::poses) {
         found.push_back(
             {TourFinding::Kind::still_odometry, 0.0,
              marked(HITOS_TEXT("Errors",
@@ -204,7 +205,7 @@ std::optional<Odometria> Procesador::next_odometry() {
         try {
             const std::optional<OdometryRecord> record = conversor_odometry_->odometry(*line);
             if (!record) continue;
-            const bool by_pose = record->pose_odom_robot && !options_.logged_velocities;
+            const bool by_pose = record->pose_odom_robot && options_.odometry != OdometryFrom::velocities;
             constexpr double kMoves = 1e-3;  // [m/s]; rounding does not
             velocities_move_ =
                 velocities_move_ || (record->velocity && std::abs(record->velocity->v) > kMoves);

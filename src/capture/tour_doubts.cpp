@@ -125,8 +125,7 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
                            "the scans change and the odometry says that the robot never moved; "
                            "all scans are put on one place")),
          marked(HITOS_TEXT("Errors",
-                           "if its messages hold velocities, take these: --set "
-                           "source.odometry=velocities"))});
+                           "take how it moved from the scans: --set source.odometry=scans"))});
 }
 
 /// Times that do not tell one scan from the next, rays that end on the robot, a robot that drives

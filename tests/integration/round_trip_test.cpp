@@ -129,7 +129,7 @@ TEST_P(ShippedThroughMcap, ComesBack) {
     expect_same_but_for_floats(log, through_mcap(log), GetParam());
     // The velocities that stand there are the twists: read as such they are those of the log.
     ReadOptions logged;
-    logged.logged_velocities = true;
+    logged.odometry = OdometryFrom::velocities;
     const Log again = through_mcap(log, logged);
     ASSERT_EQ(again.odometry.size(), log.odometry.size());
     for (std::size_t i = 0; i < log.odometry.size(); ++i) {

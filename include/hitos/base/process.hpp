@@ -1,6 +1,7 @@
 // What all programs share as processes: signals and streams.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <stop_token>
 #include <string>
@@ -14,10 +15,13 @@ namespace hitos {
 void prepare_process();
 
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP only asks: the command ends itself. A second
-/// one, a moment later, ends the process at once.
+/// one, a moment later, ends the process at once, and so does the first one where the command takes
+/// more than two seconds (of its own time too, so that a loaded machine cuts nothing short): what
+/// is written by then is whole.
 class StopByRequest {
   public:
-    StopByRequest();
+    enum class Patience : std::uint8_t { two_seconds, endless };
+    explicit StopByRequest(Patience patience = Patience::two_seconds);
     ~StopByRequest();
     StopByRequest(const StopByRequest&) = delete;
     StopByRequest& operator=(const StopByRequest&) = delete;
@@ -25,6 +29,9 @@ class StopByRequest {
     static bool wanted();
     /// The status of a program that was stopped, as shells know it: 128 and the signal's number.
     static int status();
+
+  private:
+    std::jthread watch_;
 };
 
 /// Hands such a request on to what is under way.

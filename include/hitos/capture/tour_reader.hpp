@@ -40,14 +40,20 @@ struct ReadReport {
     Message placed(const Skip& skip) const;
 };
 
+/// What becomes odometry readings.
+enum class OdometryFrom : std::uint8_t {
+    poses,       ///< the twists that reproduce the logged poses
+    velocities,  ///< the logged v and w, where there are some
+    scans        ///< what the scans say by themselves, whatever the log does
+};
+
 /// What a reader may be told beside where to read.
 struct ReadOptions {
     /// Readings at or beyond it are no points [m]. 0: what the log says; where it says nothing,
     /// the code for "no return" that its first scans repeat, less 0.1 m; else 49.9 (above it lie
     /// the codes of SICK scanners).
     double max_range_m = 0.0;
-    /// Use the logged v, w where there are some, instead of the twists that reproduce the poses.
-    bool logged_velocities = false;
+    OdometryFrom odometry = OdometryFrom::poses;
     /// Of a ROS recording with several lasers: the topic, topics with commas between them, or
     /// "all". Lasers that see from one place are one sensor.
     std::string scan_topic = {};

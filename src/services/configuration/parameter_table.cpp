@@ -105,15 +105,17 @@ void add_source(Table& table) {
                                    "Readings at or beyond this range are no points, so a higher "
                                    "value keeps more far readings; 0 takes what the log says."),
          .label = HITOS_TEXT("ParameterLabel", "Maximum range")}));
-    table.push_back(choice<&Config::source, &SourceParams::read, &ReadOptions::logged_velocities>(
+    table.push_back(choice<&Config::source, &SourceParams::read, &ReadOptions::odometry>(
         {.key = "source.odometry",
          .description = HITOS_TEXT("Parameter",
-                                   "Whether controls come from the differences of the logged poses "
-                                   "or are the logged v and omega."),
+                                   "Whether controls come from the differences of the logged poses, "
+                                   "are the logged v and omega, or come from the scans alone, as "
+                                   "where a log has no odometry."),
          .label = HITOS_TEXT("ParameterLabel", "Odometry from"),
          .card = "source",
          .choices = {{"poses", HITOS_TEXT("ParameterChoice", "Logged poses")},
-                     {"velocities", HITOS_TEXT("ParameterChoice", "Logged velocities")}}}));
+                     {"velocities", HITOS_TEXT("ParameterChoice", "Logged velocities")},
+                     {"scans", HITOS_TEXT("ParameterChoice", "Scans")}}}));
     table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::scan_topic>(
         {.key = "source.scan_topic",
          .description = HITOS_TEXT(

@@ -3,6 +3,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/procesador.hpp"
+#include "hitos/registration/scan_odometry.hpp"
 
 namespace hitos {
 
@@ -12,8 +13,13 @@ std::unique_ptr<TourReader> open_source(const SourceParams& source) {
             "source.file",
             message(HITOS_TEXT("Errors", "found no file name; expected the path of a log")));
     }
-    return std::make_unique<Procesador>(open_log(source.file, source.format, source.read),
-                                        source.read);
+    auto reader = std::make_unique<Procesador>(open_log(source.file, source.format, source.read),
+                                               source.read);
+    const bool from_scans =
+        source.read.odometry == OdometryFrom::scans ||
+        (source.read.mend && !reader->reopen()->next_odometry().has_value());
+    if (!from_scans) return reader;
+    return make_scan_odometry(std::move(reader));
 }
 
 }  // namespace hitos

@@ -1,5 +1,7 @@
 #include "hitos/services/run/results.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <memory>
@@ -142,6 +144,14 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
         summary.online_error = trajectory_error(run.online_trajectory(), *references.trajectory);
         summary.odometry_error =
             trajectory_error(run.odometry_trajectory(), *references.trajectory);
+        if (!summary.trajectory_error) {
+            summary.quality.warnings.push_back(
+                {HITOS_TEXT("Advice",
+                            "No pose of the reference trajectory is within %1 of a scan, so no "
+                            "error is told: are the clocks the same?"),
+                 fmt::format("{:g} s", kSameStamp),
+                 {}});
+        }
     }
     return summary;
 }

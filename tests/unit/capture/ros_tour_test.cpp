@@ -87,7 +87,7 @@ TEST_F(RosTour, IsTheSameFromEveryContainer) {
 
 TEST_F(RosTour, LoggedVelocitiesAreTheTwistsOfTheMessages) {
     ReadOptions options;
-    options.logged_velocities = true;
+    options.odometry = OdometryFrom::velocities;
     const Log log = read(test::small_tour(cdr()), options);
     ASSERT_EQ(log.odometry.size(), 5U);
     EXPECT_EQ(log.odometry.back().twist, (Twist{0.5, 0.0, 0.25}));
@@ -351,7 +351,7 @@ TEST_F(RosTour, TheGoodRestOfAMessageIsKept) {
     EXPECT_THAT(log.report.examples[1].reason.english(), HasSubstr("field \"stamp\""));
     EXPECT_THAT(log.report.examples[2].reason.english(), HasSubstr("/odom: field \"twist\""));
     ReadOptions logged;
-    logged.logged_velocities = true;
+    logged.odometry = OdometryFrom::velocities;
     EXPECT_EQ(read(all, logged).odometry.size(), 4U);
 }
 

@@ -106,7 +106,7 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
         window.show();
         if (!line.vary.empty()) prepare_study(window.open_study(), line);
         if (line.run) session.run();
-        const StopByRequest request;
+        const StopByRequest request(StopByRequest::Patience::endless);
         QTimer watch;
         QObject::connect(&watch, &QTimer::timeout, &window, [&window] {
             if (!StopByRequest::wanted()) return;

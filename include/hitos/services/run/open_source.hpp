@@ -8,7 +8,8 @@
 
 namespace hitos {
 
-/// Throws as open_log does, and ConfigError where no file is named.
+/// Where the log has no odometry, it is made from the scans (make_scan_odometry), as it is where
+/// that is asked for. Throws as open_log does, and ConfigError where no file is named.
 std::unique_ptr<TourReader> open_source(const SourceParams& source);
 
 }  // namespace hitos

@@ -41,7 +41,7 @@ TEST(SetParameter, SetsEveryType) {
     EXPECT_EQ(c.filter.particles, 500);
     EXPECT_EQ(c.filter.association.method, AssociationMethod::gated_nearest);
     EXPECT_EQ(c.source.file, "a = b.log");
-    EXPECT_TRUE(c.source.read.logged_velocities);
+    EXPECT_EQ(c.source.read.odometry, OdometryFrom::velocities);
 }
 
 TEST(SetParameter, TakesBothEndsOfEveryRangeAndRefusesWhatLiesBeyond) {

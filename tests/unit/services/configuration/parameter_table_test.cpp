@@ -230,7 +230,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.source.file = "a.log";
     c.source.format = "carmen";
     c.source.read.max_range_m = 12.5;
-    c.source.read.logged_velocities = true;
+    c.source.read.odometry = OdometryFrom::velocities;
     c.source.read.scan_topic = "/front,/rear";
     c.source.read.odom_topic = "tf";
     c.source.read.leave_out_early_scans = true;

@@ -1,0 +1,107 @@
+#include "hitos/registration/scan_odometry.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "hitos/registration/registration.hpp"
+
+namespace hitos {
+namespace {
+
+/// Below it a walking person turns further between two scans than a search from there finds.
+constexpr double kQuickEnough = 8.0;  // scans a second
+
+RegistrationParams without_odometry() {
+    RegistrationParams params;
+    params.loops = false;
+    params.final_passes = 0;
+    params.calibrate = false;     // nothing is driven
+    params.odometry_scale = 2.0;  // that the robot goes on as before is less sure than wheels
+    return params;
+}
+
+class ScanOdometry final : public TourReader {
+  public:
+    explicit ScanOdometry(std::unique_ptr<TourReader> tour)
+        : tour_(std::move(tour)), ahead_(tour_->reopen()), registration_(without_odometry()) {}
+
+    std::optional<Scan> next_scan() override { return tour_->next_scan(); }
+    std::optional<Odometria> next_odometry() override;
+    void restart() override { *this = ScanOdometry(tour_->reopen()); }
+    std::unique_ptr<TourReader> reopen() const override {
+        return std::make_unique<ScanOdometry>(tour_->reopen());
+    }
+    const ReadReport& report() const override { return tour_->report(); }
+    std::optional<double> progress() const override { return tour_->progress(); }
+    std::string name() const override { return tour_->name(); }
+    std::string format() const override { return tour_->format(); }
+    std::vector<TourFinding> findings() const override;
+
+  private:
+    std::unique_ptr<TourReader> tour_;
+    std::unique_ptr<TourReader> ahead_;  // whose scans are matched
+    Registration registration_;
+    std::optional<double> first_s_;
+    double last_s_ = 0.0;
+    Twist twist_;  // of the last step
+    std::uint64_t scans_ = 0;
+};
+
+std::optional<Odometria> ScanOdometry::next_odometry() {
+    for (;;) {
+        const std::optional<Scan> scan = ahead_->next_scan();
+        if (!scan) return std::nullopt;
+        if (first_s_ && !(scan->time_s > last_s_)) continue;  // no time to have moved in
+        const double seconds = first_s_ ? scan->time_s - last_s_ : 0.0;
+        // A robot that is said to stand is not matched, and would stand for ever.
+        constexpr double kAsGoodAsNone = 1e-9;
+        Control control{twist_, seconds};
+        if (control.twist == Twist{}) control.twist.v = kAsGoodAsNone;
+        const RegisteredStep step =
+            registration_.add(*scan, first_s_ ? std::span(&control, 1) : std::span<Control>());
+        if (!first_s_) first_s_ = scan->time_s;
+        last_s_ = scan->time_s;
+        ++scans_;
+        if (seconds > 0.0) twist_ = twist_between(between(step.before, step.pose), seconds);
+        return Odometria{scan->time_s, twist_, scan->line};
+    }
+}
+
+std::vector<TourFinding> ScanOdometry::findings() const {
+    std::vector<TourFinding> found = tour_->findings();
+    if (scans_ < 2) return found;
+    const double rate = static_cast<double>(scans_ - 1) / (last_s_ - *first_s_);
+    const double rounded = std::round(rate * 10.0) / 10.0;
+    const auto note = [&](Message what, Message remedy) {
+        found.push_back({TourFinding::Kind::no_odometry, static_cast<double>(scans_),
+                         std::move(what), std::move(remedy)});
+    };
+    if (rate > kQuickEnough) {
+        note(message(HITOS_TEXT("Errors",
+                                "there is no odometry; how the robot moved is taken from the scans "
+                                "(%1 a second), which cannot tell it where they see the same all "
+                                "along, as in a corridor"),
+                     rounded),
+             marked(HITOS_TEXT("Errors",
+                               "record it too where there is some: of ROS its topic, or /tf "
+                               "together with /tf_static")));
+    } else {
+        note(message(HITOS_TEXT("Errors",
+                                "there is no odometry; how the robot moved is taken from the scans, "
+                                "which at %1 a second lie so far apart that they may be matched "
+                                "wrongly"),
+                     rounded),
+             marked(HITOS_TEXT("Errors",
+                               "record 10 scans a second, or drive slowly, or record the odometry "
+                               "too: of ROS its topic, or /tf together with /tf_static")));
+    }
+    return found;
+}
+
+}  // namespace
+
+std::unique_ptr<TourReader> make_scan_odometry(std::unique_ptr<TourReader> tour) {
+    return std::make_unique<ScanOdometry>(std::move(tour));
+}
+
+}  // namespace hitos
