@@ -160,7 +160,7 @@ std::vector<TourFinding> Procesador::findings() const {
                                "say how long it takes from one ray to the next: --set "
                                "source.ray_time=SECONDS"))});
     }
-    if (leaps_.count > 0) {
+    if (leaps_.count > leaps_.in_a_row) {
         found.push_back(
             {TourFinding::Kind::leaping_odometry, leaps_.longest_m,
              message(HITOS_TEXT("Errors",
@@ -227,12 +227,15 @@ std::optional<Odometria> Procesador::from_pose(const OdometryRecord& record) {
     const Pose before = *last_odometry_->pose_odom_robot;
     if (record.time_s == last_odometry_->time_s && pose == before) return std::nullopt;
     double time_s = record.time_s;
-    if (!(time_s > clock_s_)) {
+    const bool advances = time_s > clock_s_;
+    if (!advances) {
         ++report_.stamps_backwards;
         time_s = clock_s_ + kRepairStep;
     }
     last_odometry_ = record;
-    const std::optional<Twist> bridge = bridged(record, before, time_s);
+    // What was driven in no time says nothing of how fast.
+    const std::optional<Twist> bridge =
+        advances ? bridged(record, before, time_s) : std::nullopt;
     last_twist_ = bridge ? *bridge : twist_between(between(before, pose), time_s - clock_s_);
     return hand_out(time_s, last_twist_, record.line);
 }
@@ -253,6 +256,7 @@ std::optional<Twist> Procesador::bridged(const OdometryRecord& record, const Pos
     const bool after_leap = leaps_.last;
     leaps_.last = is_leap(pose, before, time_s - clock_s_);
     // Where each step is one, all of the odometry is wrong, as where it is in millimetres.
+    if (leaps_.last && after_leap) ++leaps_.in_a_row;
     if (!options_.mend || !leaps_.last || after_leap) return std::nullopt;
     const double way = std::hypot(pose.x - before.x, pose.y - before.y);
     ++leaps_.count;

@@ -63,7 +63,8 @@ class Procesador final : public TourReader {
         std::uint64_t count = 0;
         double longest_m = 0.0;
         std::uint64_t longest_line = 0;
-        bool last = false;  ///< the last step was one
+        bool last = false;              ///< the last step was one
+        std::uint64_t in_a_row = 0;     ///< others, right behind another
     };
     void mend(Scan& scan);
     bool is_leap(const Pose& pose, const Pose& before, double seconds) const;

@@ -58,6 +58,7 @@ MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_la
     double first = sense * scan.min_angle_rad;
     double last = sense * (scan.min_angle_rad + (rays - 1) * scan.step_rad);
     if (last < first) {
+        mounted.clockwise = true;
         std::swap(first, last);
         std::ranges::reverse(mounted.ranges_m);
         std::ranges::reverse(mounted.ray_times_s);
@@ -133,12 +134,13 @@ std::optional<MountedScan> joined(const MountedScan& scan, const MountedScan& ne
                        later_ns < kLongestTurnNs &&
                        (scan.fan.count + next.fan.count - 1) * step < turn;
     if (!alike) return std::nullopt;
-    const auto meet = [&](const Fan& first, const Fan& second) {
-        return std::abs(wrap_angle(first.max_angle_rad + step - second.min_angle_rad)) <
-               kOffRayOfParts * step;
-    };
-    const bool behind = meet(scan.fan, next.fan);
-    if (!behind && !meet(next.fan, scan.fan)) return std::nullopt;
+    const bool behind = !scan.clockwise;
+    const Fan& lower = behind ? scan.fan : next.fan;
+    const Fan& upper = behind ? next.fan : scan.fan;
+    const double gap = wrap_angle(lower.max_angle_rad + step - upper.min_angle_rad);
+    if (next.clockwise != scan.clockwise || std::abs(gap) > kOffRayOfParts * step) {
+        return std::nullopt;
+    }
     // Of parts that do not say it, the rays are measured at the pace at which the parts come.
     const auto later_s = static_cast<float>(static_cast<double>(later_ns) * 1e-9);
     const float pace_s = later_s / static_cast<float>(scan.fan.count);

@@ -27,7 +27,7 @@ std::string listed(const std::vector<const Topic*>& topics, bool typed = false) 
     std::string list;
     for (std::size_t i = 0; i < std::min(kMost, topics.size()); ++i) {
         list += (list.empty() ? "" : ", ") + topics[i]->name + " (" +
-                (typed ? topics[i]->type + ", " : "") + std::to_string(topics[i]->messages) + ")";
+                (typed && !topics[i]->type.empty() ? topics[i]->type + ", " : "") + std::to_string(topics[i]->messages) + ")";
     }
     return topics.size() > kMost ? list + ", …" : list;
 }

@@ -36,7 +36,7 @@ TEST(ConversorNormalized, ReadsPointsAndVelocities) {
 }
 
 TEST(ConversorNormalized, MaxRangeOptionCutsPoints) {
-    const Log log = normalized("LASER 1 3 1 0 30 40 2 0\n", {50.0, false});
+    const Log log = normalized("LASER 1 3 1 0 30 40 2 0\n", {50.0});
     EXPECT_THAT(log.scans.at(0).points, ElementsAre(Point2{1, 0}, Point2{2, 0}));
     EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 1));
 }

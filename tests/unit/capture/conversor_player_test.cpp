@@ -99,9 +99,9 @@ TEST(ConversorPlayer, MaximumWithFourDecimalsMatchesReadingsWithThree) {
 TEST(ConversorPlayer, MaxRangeOptionOverrules) {
     const std::string text =
         "0.1" + kLaserHead + "001 001 0000 -1.0 +1.0 0.1 +8.0000 0003 1.0 1 5.0 1 8.0 0\n";
-    EXPECT_THAT(player(text, {5.0, false}).scans.at(0).rays, ElementsAre(0));
-    EXPECT_THAT(player(text, {20.0, false}).scans.at(0).rays, ElementsAre(0, 1, 2));
-    EXPECT_EQ(player(text, {5.0, false}).scans.at(0).fan.max_range_m, 5.0);
+    EXPECT_THAT(player(text, {5.0}).scans.at(0).rays, ElementsAre(0));
+    EXPECT_THAT(player(text, {20.0}).scans.at(0).rays, ElementsAre(0, 1, 2));
+    EXPECT_EQ(player(text, {5.0}).scans.at(0).fan.max_range_m, 5.0);
 }
 
 TEST(ConversorPlayer, ScanPoseAndScanAngle) {

@@ -95,8 +95,7 @@ TEST(ConversorRadish, AFarWallIsPoints) {
 TEST(ConversorRadish, WithoutACodeTheLimitIsAssumed) {
     const Log log = radish("laser 0 1 49.89 0 0 49.90 0.1 0 81.83 0.2 0 81.91 0.3 0\n");
     EXPECT_THAT(log.scans.at(0).rays, ElementsAre(0));
-    EXPECT_EQ(radish("laser 0 1 49.89 0 0 60 0.1 0\n", {100.0, false}).scans.at(0).points.size(),
-              2U);
+    EXPECT_EQ(radish("laser 0 1 49.89 0 0 60 0.1 0\n", {100.0}).scans.at(0).points.size(), 2U);
 }
 
 TEST(ConversorRadish, DamagedLines) {

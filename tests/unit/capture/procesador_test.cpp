@@ -74,7 +74,7 @@ TEST(Procesador, StampsThatDoNotAdvanceArePutAMillisecondLater) {
 TEST(Procesador, VelocitiesInsteadOfPoses) {
     const std::string text = position(1, 0, 9) + position(2, 1, 0.5) + position(2, 1, 0.5) +
                              position(1.5, 1, 0.7) + position(3, 2, 0.25);
-    const Log log = read_text("radish", text, {0.0, true});
+    const Log log = read_text("radish", text, {.odometry = OdometryFrom::velocities});
     ASSERT_EQ(log.odometry.size(), 3U);
     EXPECT_EQ(log.odometry[0].twist, Twist{});
     EXPECT_EQ(log.odometry[1].twist, (Twist{0.5, 0, 0}));
@@ -84,9 +84,80 @@ TEST(Procesador, VelocitiesInsteadOfPoses) {
     const Log carmen = read_text("carmen",
                                  "ODOM 0 0 0 0 0 0 1 h 1\nFLASER 1 1 0 0 0 1 0 0 1.5 h 1\n"
                                  "ODOM 2 0 0 3 0 0 2 h 2\n",
-                                 {0.0, true});
+                                 {.odometry = OdometryFrom::velocities});
     ASSERT_EQ(carmen.odometry.size(), 2U);
     EXPECT_EQ(carmen.odometry[1].twist, (Twist{3, 0, 0}));
+}
+
+/// Poses of a robot that drives a metre ahead a second; from `reset` on they begin anew at zero.
+std::string poses(int count, int reset, double scale = 1.0) {
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+        text += position(i, scale * (i < reset ? i : i - reset));
+    }
+    return text;
+}
+
+TEST(Procesador, ALeapOfTheOdometryIsBridgedAndTold) {
+    const Log log = read_text("radish", poses(40, 20));
+    EXPECT_NEAR(test::summed(log.odometry).back().x, 39.0, 1e-9);
+    ASSERT_EQ(log.findings.size(), 1U);
+    EXPECT_EQ(log.findings.front().kind, TourFinding::Kind::leaping_odometry);
+    EXPECT_EQ(log.findings.front().value, 19.0);
+    EXPECT_THAT(log.findings.front().what.english(), HasSubstr("19 m (line 21)"));
+    // As it is logged where nothing is to be mended.
+    const Log raw = read_text("radish", poses(40, 20), {.mend = false});
+    EXPECT_NEAR(test::summed(raw.odometry).back().x, 19.0, 1e-9);
+    EXPECT_TRUE(raw.findings.empty());
+    // Where every step is one, as of millimetres, units are wrong, which is told elsewhere.
+    const Log units = read_text("radish", poses(40, 100, 1000.0));
+    EXPECT_NEAR(test::summed(units.odometry).back().x, 38000.0, 1e-6);
+    EXPECT_TRUE(units.findings.empty());
+    EXPECT_TRUE(read_text("radish", poses(40, 100)).findings.empty());
+}
+
+TEST(Procesador, VelocitiesThatMoveWithoutPosesAreTold) {
+    std::string text;
+    for (int i = 0; i < 5; ++i) text += position(i, 0, 0.5);
+    const Log log = read_text("radish", text);
+    ASSERT_EQ(log.findings.size(), 1U);
+    EXPECT_EQ(log.findings.front().kind, TourFinding::Kind::still_odometry);
+    EXPECT_THAT(log.findings.front().remedy.english(), HasSubstr("source.odometry=velocities"));
+    EXPECT_TRUE(read_text("radish", text, {.odometry = OdometryFrom::velocities}).findings.empty());
+}
+
+TEST(Procesador, TheOdometrysWayIsScaled) {
+    const Log log = read_text("radish", poses(3, 9), {.odometry_scale = 1.5});
+    EXPECT_NEAR(test::summed(log.odometry).back().x, 3.0, 1e-12);
+}
+
+TEST(Procesador, TheLaserSitsWhereTheOptionsSay) {
+    const std::string text = "laser 0 2 1 0 0 2 0.1 0 3 1.0 0\n";
+    const Log log = read_text("radish", text, {.laser_pose = "0.5, 0.25, 90"});
+    const Log turned = read_text("radish", text, {.laser_pose = "0.5,0.25,90,upside-down"});
+    const Log plain = read_text("radish", text);
+    const Pose mount{0.5, 0.25, kPi / 2.0};
+    ASSERT_FALSE(plain.scans.at(0).points.empty());
+    test::expect_near(log.scans.at(0).fan.pose_robot_laser, mount, 1e-12);
+    for (std::size_t i = 0; i < plain.scans[0].points.size(); ++i) {
+        const Point2 seen =
+            transform(inverse(plain.scans[0].fan.pose_robot_laser), plain.scans[0].points[i]);
+        test::expect_near(log.scans[0].points[i], transform(mount, seen), 1e-12);
+        test::expect_near(turned.scans[0].points[i], transform(mount, {seen.x, -seen.y}), 1e-12);
+    }
+    for (const char* wrong :
+         {"1,2", "a,b,c", "1,2,3,4", "1,2,3,upsidedown", "1e9,0,0", "nan,0,0"}) {
+        EXPECT_THAT(test::message_of<ConfigError>(
+                        [&] { read_text("radish", text, {.laser_pose = wrong}); }),
+                    HasSubstr("source.laser_pose: found \"" + std::string(wrong)))
+            << wrong;
+    }
+}
+
+TEST(Procesador, NearReadingsAreNoPoints) {
+    const std::string text = "laser 0 1 1 0 0 0.3 0.1 0\n";
+    EXPECT_EQ(read_text("radish", text).scans.at(0).points.size(), 2U);
+    EXPECT_EQ(read_text("radish", text, {.min_range_m = 0.35}).scans.at(0).points.size(), 1U);
 }
 
 TEST(Procesador, DuplicateScansAreOne) {

@@ -80,18 +80,37 @@ struct LaserFields {
     double max_range = 8.0;
     std::vector<float> ranges = {1.0F, 2.0F, 3.0F};
     std::vector<float> intensities = {};
+    double ray_time = 0.0;
 };
 
 inline std::string laser_message(const LaserFields& laser, Bytes bytes = Bytes::ros1()) {
     put_header(bytes, laser.stamp, laser.frame);
     const auto steps = static_cast<double>(laser.ranges.size()) - 1.0;
     for (const double value : {laser.min_angle, laser.min_angle + steps * laser.step, laser.step,
-                               0.0, 0.1, laser.min_range, laser.max_range}) {
+                               laser.ray_time, 0.1, laser.min_range, laser.max_range}) {
         bytes.f32(value);
     }
     for (const std::vector<float>* values : {&laser.ranges, &laser.intensities}) {
         bytes.u32(values->size());
         for (const float value : *values) bytes.put(value);
+    }
+    return bytes.text();
+}
+
+/// sensor_msgs/MultiEchoLaserScan: of each ray the reading, and another echo one metre behind it.
+inline std::string multi_echo_message(const LaserFields& laser, Bytes bytes = Bytes::ros1()) {
+    put_header(bytes, laser.stamp, laser.frame);
+    const auto steps = static_cast<double>(laser.ranges.size()) - 1.0;
+    for (const double value : {laser.min_angle, laser.min_angle + steps * laser.step, laser.step,
+                               laser.ray_time, 0.1, laser.min_range, laser.max_range}) {
+        bytes.f32(value);
+    }
+    for (const float behind : {1.0F, 0.0F}) {
+        bytes.u32(laser.ranges.size());
+        for (const float value : laser.ranges) {
+            bytes.u32(std::isfinite(value) ? 2 : 0);
+            if (std::isfinite(value)) bytes.put(value).put(value + behind);
+        }
     }
     return bytes.text();
 }

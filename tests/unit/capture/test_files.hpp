@@ -38,6 +38,7 @@ struct Log {
     std::vector<Scan> scans;
     std::vector<Odometria> odometry;
     ReadReport report;
+    std::vector<TourFinding> findings = {};
 };
 
 inline Log read_all(TourReader& reader) {
@@ -47,6 +48,7 @@ inline Log read_all(TourReader& reader) {
         log.odometry.push_back(*reading);
     }
     log.report = reader.report();
+    log.findings = reader.findings();
     return log;
 }
 
