@@ -41,6 +41,15 @@ void PoseGraphSolver::sum(const std::vector<KeyPose>& keys, bool robust, std::si
     }
 }
 
+double PoseGraphSolver::greatest_step(std::size_t keys) const {
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < keys; ++i) {
+        const auto step = equations_.step(i);
+        greatest = std::max(greatest, std::abs(step(0)) + std::abs(step(1)));
+    }
+    return greatest;
+}
+
 double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& how,
                               std::size_t used) {
     // A key is held by 1/(0.1 mm)^2; the least information keeps the equations regular where
@@ -48,8 +57,9 @@ double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& h
     constexpr double kHeld = 1e8;
     constexpr double kRegular = 1e-6;
     constexpr double kStill = 1e-3;  // [m]
-    // Factorising takes most of the time. Steps lead to the same place without it as long as they
-    // shrink. After large ones robust weights are not what they were; nor, maybe, the turns.
+    // Factorising takes most of the time. Small steps lead to the same place without it as long as
+    // they shrink. After a large one neither the turns nor robust weights are what they were: with
+    // the last factor a step of metres comes back as one of hundreds.
     constexpr double kSmall = 0.1;  // [m]
     constexpr double kShrinks = 0.5;
     if (keys.size() < 2 || edges_.empty()) return 0.0;
@@ -57,7 +67,6 @@ double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& h
     const std::vector<KeyPose> before = keys;
     double greatest = 0.0;
     bool factored = true;
-    bool far = how.robust;
     for (int iteration = 0; iteration < how.iterations;) {
         if (factored) {
             ++iteration;
@@ -70,16 +79,16 @@ double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& h
         sum(keys, how.robust, used);
         if (!(factored ? equations_.solve() : equations_.solve_again())) break;
         const double last = greatest;
-        greatest = 0.0;
+        greatest = greatest_step(keys.size());
+        if (!factored && !(greatest < kShrinks * last)) {
+            factored = true;  // the same step again, with a factor of its own
+            continue;
+        }
         for (std::size_t i = 0; i < keys.size(); ++i) {
-            const auto step = equations_.step(i);
-            keys[i].pose = shifted(keys[i].pose, step);
-            greatest = std::max(greatest, std::abs(step(0)) + std::abs(step(1)));
+            keys[i].pose = shifted(keys[i].pose, equations_.step(i));
         }
         if (greatest < kStill) break;
-        const bool shrank = factored || greatest < kShrinks * last;
-        far = far || !shrank;
-        factored = !shrank || (far && greatest >= kSmall);
+        factored = greatest >= kSmall;
     }
     double moved = 0.0;
     for (std::size_t i = 0; i < keys.size(); ++i) {

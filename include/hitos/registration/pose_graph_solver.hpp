@@ -47,6 +47,7 @@ class PoseGraphSolver {
 
   private:
     void sum(const std::vector<KeyPose>& keys, bool robust, std::size_t used);
+    double greatest_step(std::size_t keys) const;
 
     std::span<const PoseEdge> edges_;
     NormalEquations equations_;
