@@ -233,6 +233,7 @@ void Registration::Impl::close_loop() {
     const std::span<const SurfacePoint> scan = graph_.scans[newest].points();
     const PosePrior prior{found->pose, 10.0 * Eigen::Matrix3d::Identity()};
     const Pose pose = matcher_.fit(scan, map, found->pose, prior);
+    const Pose seen = between(graph_.poses[found->key].pose, pose);
     by_source_.assign(found->sources.size(), {});
     matcher_.linearize(scan, map, pose, kFineStage, 1, &by_source_);
     const std::size_t first = graph_.edges.size();
@@ -261,7 +262,7 @@ void Registration::Impl::close_loop() {
     }
     solver.solve(graph_.poses, {6, true});
     const double moved = greatest_move(before, graph_.poses);
-    loops_.push_back({graph_.poses[newest].scan, graph_.poses[found->key].scan, moved});
+    loops_.push_back({graph_.poses[newest].scan, graph_.poses[found->key].scan, moved, seen});
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, moved);
     correct(before);
 }

@@ -81,8 +81,9 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
     if (!summary.distances.empty()) report.say("{}", distance_table(summary.distances));
     if (const auto& figures = summary.quality.registration; figures && figures->scans > 0) {
         report.say("{} of {} scans fitted, {} loop{} closed, largest correction {:.2f} m\n",
-                   figures->scans - figures->unmatched, figures->scans, summary.quality.loops,
-                   summary.quality.loops == 1 ? "" : "s", figures->largest_correction_m);
+                   figures->scans - figures->unmatched, figures->scans,
+                   summary.quality.loops.size(), summary.quality.loops.size() == 1 ? "" : "s",
+                   figures->largest_correction_m);
     }
     for (const TourFinding& finding : summary.quality.findings) report.warn(words_of(finding));
     for (const Advice& warning : summary.quality.warnings) {

@@ -19,6 +19,7 @@ struct ClosedLoop {
     std::uint64_t scan = 0;     ///< at which
     std::uint64_t earlier = 0;  ///< the scan of an earlier passage that it joins
     double move_m = 0.0;        ///< greatest correction of a key by it
+    Pose pose_earlier_scan;     ///< of the former, seen from the latter, as it was matched
 };
 
 /// What a run may be trusted for, without any truth.

@@ -207,7 +207,7 @@ RunQuality judge(const Algoritmo& run) {
     if (run.examination() != nullptr) quality.findings = run.examination()->findings(run.reader().findings());
     if (const Registration* registration = run.registration()) {
         quality.registration = registration->figures();
-        quality.loops = registration->loops().size();
+        quality.loops = registration->loops();
     }
     if (quality.cells_per_point > kBlurrier * quality.odometry_cells_per_point &&
         !follows_odometry(run)) {

@@ -55,6 +55,15 @@ ordered_json json_of(const MeasuredDistance& measured) {
     return json;
 }
 
+/// Scans count from 1 in files.
+ordered_json json_of(const ClosedLoop& loop) {
+    const Pose& seen = loop.pose_earlier_scan;
+    return {{"scan", loop.scan + 1},
+            {"earlier", loop.earlier + 1},
+            {"pose", {seen.x, seen.y, seen.theta}},
+            {"move_m", loop.move_m}};
+}
+
 ordered_json json_of(const RunQuality& quality) {
     ordered_json json{{"cells_per_point", quality.cells_per_point},
                       {"odometry_cells_per_point", quality.odometry_cells_per_point}};
@@ -65,7 +74,9 @@ ordered_json json_of(const RunQuality& quality) {
         json["scans_breaking"] = ordered_json::array();
         for (const std::uint64_t scan : figures->breaks) json["scans_breaking"].push_back(scan + 1);
         json["key_scans"] = figures->keys;
-        json["loops_closed"] = quality.loops;
+        json["loops_closed"] = quality.loops.size();
+        json["loops"] = ordered_json::array();
+        for (const ClosedLoop& loop : quality.loops) json["loops"].push_back(json_of(loop));
         json["loop_searches"] = figures->loop_searches;
         json["loops_refused"] = figures->loops_refused;
         json["largest_correction_m"] = figures->largest_correction_m;

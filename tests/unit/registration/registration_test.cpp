@@ -113,6 +113,12 @@ TEST(Registration, ClosesTheLoopOfARing) {
     EXPECT_GT(greatest_path_error(once.odometry, truth), 3.0);
     EXPECT_LT(greatest_path_error(once.online, truth), 0.4);
     EXPECT_GE(once.registration.loops().size(), 1U);
+    for (const ClosedLoop& loop : once.registration.loops()) {
+        const Pose true_pose = between(truth[loop.earlier], truth[loop.scan]);
+        EXPECT_NEAR(loop.pose_earlier_scan.x, true_pose.x, 0.1);
+        EXPECT_NEAR(loop.pose_earlier_scan.y, true_pose.y, 0.1);
+        EXPECT_NEAR(wrap_angle(loop.pose_earlier_scan.theta - true_pose.theta), 0.0, 0.02);
+    }
     once.registration.finish();
     EXPECT_LT(greatest_path_error(once.registration.path(), truth), 0.08);
     const RegistrationFigures figures = once.registration.figures();

@@ -15,7 +15,7 @@ struct RunQuality {
     double cells_per_point = 0.0;
     double odometry_cells_per_point = 0.0;
     std::optional<RegistrationFigures> registration;  ///< of a run that has one
-    std::uint64_t loops = 0;                          ///< that it closed
+    std::vector<ClosedLoop> loops;                    ///< likewise
     std::vector<Advice> warnings;                     ///< why the map should not be trusted
     std::vector<TourFinding> findings;                ///< what looks wrong in the tour itself
 };
