@@ -14,38 +14,108 @@ constexpr double kLeastWay = 15.0;        // [m] driven since; nearer is no loop
 constexpr double kGreatestWindow = 15.0;  // [m]
 constexpr double kGreatestTurn = 0.6;     // [rad]
 constexpr double kStretch = 5.0;          // [m] of travel, of the query and about the old key
+constexpr double kMemory = 12.0;          // [m] of travel, of what was found
 constexpr double kNearOutside = 3.0;      // [m] that a candidate may lie beyond the window
 
 /// Three standard deviations and a little.
+double unsure_m(const GraphReach& reach) {
+    return 0.5 + 3.0 * std::sqrt(reach.variance_m2);
+}
+
 double window_m(const GraphReach& reach) {
-    return std::min(kGreatestWindow, 0.5 + 3.0 * std::sqrt(reach.variance_m2));
+    return std::min(kGreatestWindow, unsure_m(reach));
 }
 
 double window_rad(const GraphReach& reach) {
     return std::min(kGreatestTurn, 0.06 + 3.0 * std::sqrt(reach.variance_rad2));
 }
 
+/// Whether a key lies far enough back to be another passage.
+bool passed(const KeyGraph& graph, std::span<const GraphReach> reached, std::size_t key) {
+    return graph.scans.back().travelled_m - graph.scans[key].travelled_m >= kLeastWay &&
+           reached[key].way_m >= kLeastWay;
+}
+
+double distance_m(const Pose& a, const Pose& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
 }  // namespace
 
-std::optional<std::uint32_t> LoopCloser::candidate(const KeyGraph& graph,
-                                                   std::span<const GraphReach> reached) const {
+std::optional<LoopCloser::Place> LoopCloser::likeliest(const KeyGraph& graph,
+                                                       std::span<const GraphReach> reached) const {
     const std::size_t newest = graph.size() - 1;
     const Pose& now = graph.poses[newest].pose;
-    std::optional<std::uint32_t> best;
+    std::optional<Place> best;
     double best_cost = GraphReach::kNever;
     for (std::size_t j = 0; j < newest; ++j) {
-        const double travelled = graph.scans[newest].travelled_m - graph.scans[j].travelled_m;
-        if (travelled < kLeastWay || reached[j].way_m < kLeastWay) continue;
+        if (!passed(graph, reached, j)) continue;
         const double window = window_m(reached[j]) + kNearOutside;
-        const Pose& then = graph.poses[j].pose;
-        const double distance = std::hypot(then.x - now.x, then.y - now.y);
+        const double distance = distance_m(graph.poses[j].pose, now);
         if (distance > window) continue;
         const double cost = distance / window + 0.02 * std::sqrt(reached[j].variance_m2);
         if (cost < best_cost) {
             best_cost = cost;
-            best = static_cast<std::uint32_t>(j);
+            best = {static_cast<std::uint32_t>(j),
+                    now,
+                    {window_m(reached[j]), window_rad(reached[j])},
+                    false};
         }
     }
+    return best;
+}
+
+/// Where the last find far off says that the newest key is.
+std::optional<LoopCloser::Place> LoopCloser::followed(const KeyGraph& graph,
+                                                      std::span<const GraphReach> reached) const {
+    constexpr SearchWindow kWindow{1.0, 0.1};
+    if (found_.empty() || !found_.back().far ||
+        graph.scans.back().travelled_m - found_.back().travelled_m >= kMemory) {
+        return std::nullopt;
+    }
+    const Pose there = compose(found_.back().move, graph.poses.back().pose);
+    std::optional<Place> best;
+    double nearest = kStretch;
+    for (std::size_t j = 0; j + 1 < graph.size(); ++j) {
+        if (!passed(graph, reached, j)) continue;
+        const double distance = distance_m(graph.poses[j].pose, there);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        best = {static_cast<std::uint32_t>(j), there, kWindow, true};
+    }
+    return best;
+}
+
+/// Of the stretches that the newest key may be on and no window would hold the one that was looked
+/// at longest ago, of several the nearest.
+std::optional<LoopCloser::Place> LoopCloser::far_off(const KeyGraph& graph,
+                                                     std::span<const GraphReach> reached) {
+    constexpr double kAbout = 8.0;  // [m], of the window: half the width of what the query sees
+    const Pose& now = graph.poses.back().pose;
+    const auto stretch = [&](std::size_t key) {
+        return static_cast<std::size_t>(graph.scans[key].travelled_m / kStretch);
+    };
+    looked_at_.resize(stretch(graph.size() - 1) + 1, 0);
+    std::optional<Place> best;
+    std::uint64_t longest_ago = ~std::uint64_t{0};
+    double best_cost = 0.0;
+    for (std::size_t j = 0; j + 1 < graph.size(); ++j) {
+        const double unsure = unsure_m(reached[j]);
+        if (unsure <= kGreatestWindow || !passed(graph, reached, j)) continue;
+        const Pose& then = graph.poses[j].pose;
+        const double cost = distance_m(then, now) / (unsure + kNearOutside);
+        const std::uint64_t last = looked_at_[stretch(j)];
+        if (cost > 1.0 || last > longest_ago || (last == longest_ago && cost >= best_cost)) {
+            continue;
+        }
+        longest_ago = last;
+        best_cost = cost;
+        best = {static_cast<std::uint32_t>(j),
+                {then.x, then.y, now.theta},
+                {kAbout, window_rad(reached[j])},
+                true};
+    }
+    if (best) looked_at_[stretch(best->key)] = ++far_looks_;
     return best;
 }
 
@@ -81,9 +151,10 @@ void LoopCloser::gather_query(const KeyGraph& graph) {
     }
 }
 
-bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m) {
-    constexpr double kMemory = 12.0;    // [m] of travel
+bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m, bool far) {
     constexpr double kLeastSpan = 1.5;  // [m] of travel between the first and the last
+    constexpr double kFarSpan = 4.0;    // [m]
+    constexpr int kMoreOfFar = 2;
     constexpr std::size_t kMostKept = 12;
     int agreeing = 1;
     double span = 0.0;
@@ -98,13 +169,15 @@ bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m) {
             span = std::max(span, ago);
         }
     }
-    found_.push_back({compose(then, inverse(now)), travelled_m});
+    found_.push_back({compose(then, inverse(now)), travelled_m, far});
     if (found_.size() > kMostKept) found_.pop_front();
+    if (far) return agreeing >= params_.loops_agree + kMoreOfFar && span > kFarSpan;
     return agreeing >= params_.loops_agree && (params_.loops_agree == 1 || span > kLeastSpan);
 }
 
 /// Places that look alike in what there is differ in what there is not: one passage looks through
-/// where the other saw a wall. True loops have up to 0.24 of it (doors, people), false ones 0.4.
+/// where the other saw a wall. True loops have up to 0.24 of it (doors, people), false ones 0.4;
+/// outdoors true ones may have more, and are found a few metres on.
 bool LoopCloser::contradicted(const KeyGraph& graph, const LoopFound& loop,
                               const PointMap& map) const {
     constexpr double kMuch = 0.3;
@@ -136,38 +209,34 @@ bool LoopCloser::contradicted(const KeyGraph& graph, const LoopFound& loop,
     return contradiction(points, views) > kMuch;
 }
 
-std::optional<LoopFound> LoopCloser::search(const KeyGraph& graph,
-                                            std::span<const GraphReach> reached) {
+std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::optional<Place>& at) {
     constexpr std::size_t kFewestPoints = 40;
     constexpr std::size_t kMostBefore = 15;
     constexpr std::size_t kMostKeys = 30;
     constexpr double kLeastScore = 0.5;
     constexpr double kLeastSpread = 0.03;  // of a corridor's matches along it
-    const auto found = candidate(graph, reached);
-    if (!found) return std::nullopt;
-    gather_query(graph);
+    if (!at) return std::nullopt;
+    if (query_.empty()) gather_query(graph);
     if (query_.size() < kFewestPoints) return std::nullopt;
     ++searches_;
-
-    const std::size_t newest = graph.size() - 1;
-    const double old_travelled = graph.scans[*found].travelled_m;
+    const Place& place = *at;
+    const double old_travelled = graph.scans[place.key].travelled_m;
     LoopFound loop;
-    loop.key = *found;
-    for (std::size_t j = *found + 1; j-- > 0 && loop.sources.size() < kMostBefore;) {
+    loop.key = place.key;
+    for (std::size_t j = place.key + 1; j-- > 0 && loop.sources.size() < kMostBefore;) {
         if (old_travelled - graph.scans[j].travelled_m >= kStretch) break;
         loop.sources.push_back(static_cast<std::uint32_t>(j));
     }
-    for (std::size_t j = *found + 1; j < newest && loop.sources.size() < kMostKeys; ++j) {
+    for (std::size_t j = place.key + 1; j + 1 < graph.size() && loop.sources.size() < kMostKeys;
+         ++j) {
         if (graph.scans[j].travelled_m - old_travelled >= kStretch) break;
         loop.sources.push_back(static_cast<std::uint32_t>(j));
     }
-    const SearchWindow window{window_m(reached[*found]), window_rad(reached[*found])};
-    const Pose& old = graph.poses[*found].pose;
     PointMap map;
-    build_map(graph, loop.sources, old, 40.0, map);
-    const CorrelationMap picture(map, 25.0 + 0.5 * window.position_m, 4);
-    const Pose now = graph.poses[newest].pose;
-    const auto correlated = correlate(query_, picture, now, window, params_.loop_score);
+    build_map(graph, loop.sources, graph.poses[place.key].pose, 40.0, map);
+    const CorrelationMap picture(map, 25.0 + 0.5 * place.window.position_m, 4);
+    const auto correlated =
+        correlate(query_, picture, place.centre, place.window, params_.loop_score);
     if (!correlated) return std::nullopt;
 
     const PosePrior hardly_any{correlated->pose, 1e-3 * Eigen::Matrix3d::Identity()};
@@ -180,7 +249,20 @@ std::optional<LoopFound> LoopCloser::search(const KeyGraph& graph,
         ++refused_;
         return std::nullopt;
     }
-    if (!agreed(now, loop.pose, graph.scans[newest].travelled_m)) return std::nullopt;
+    return loop;
+}
+
+std::optional<LoopFound> LoopCloser::search(const KeyGraph& graph,
+                                            std::span<const GraphReach> reached) {
+    query_.clear();
+    std::optional<Place> place = followed(graph, reached);
+    std::optional<LoopFound> loop = look(graph, place);
+    if (!loop) loop = look(graph, place = likeliest(graph, reached));
+    if (!loop) loop = look(graph, place = far_off(graph, reached));
+    if (!loop ||
+        !agreed(graph.poses.back().pose, loop->pose, graph.scans.back().travelled_m, place->far)) {
+        return std::nullopt;
+    }
     return loop;
 }
 

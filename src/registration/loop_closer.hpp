@@ -23,6 +23,10 @@ struct LoopFound {
 /// are correlated with an earlier stretch; the window is as wide as the graph is unsure; and only
 /// what three searches in a row say the same of is a loop: a single match is an accident of like
 /// places as often as not.
+///
+/// Where the graph is less sure than any window, after turns that no scan saw, the likeliest place
+/// is one of many. Then stretches all over what may be are looked at in turn, each about itself,
+/// and what is found is followed: the next search begins where it says that the robot is.
 class LoopCloser {
   public:
     LoopCloser(const RegistrationParams& params, const ScanMatcher& matcher)
@@ -42,20 +46,33 @@ class LoopCloser {
     struct Found {
         Pose move;
         double travelled_m;
+        bool far;  ///< not where the graph would have it
+    };
+    /// Where to look: which earlier key, and for the newest one's pose.
+    struct Place {
+        std::uint32_t key;
+        Pose centre;
+        SearchWindow window;
+        bool far;
     };
 
-    std::optional<std::uint32_t> candidate(const KeyGraph& graph,
-                                           std::span<const GraphReach> reached) const;
+    std::optional<Place> likeliest(const KeyGraph& graph,
+                                   std::span<const GraphReach> reached) const;
+    std::optional<Place> followed(const KeyGraph& graph, std::span<const GraphReach> reached) const;
+    std::optional<Place> far_off(const KeyGraph& graph, std::span<const GraphReach> reached);
+    std::optional<LoopFound> look(const KeyGraph& graph, const std::optional<Place>& at);
     void gather_query(const KeyGraph& graph);
     bool contradicted(const KeyGraph& graph, const LoopFound& loop, const PointMap& map) const;
-    bool agreed(const Pose& now, const Pose& then, double travelled_m);
+    bool agreed(const Pose& now, const Pose& then, double travelled_m, bool far);
 
     RegistrationParams params_;
     ScanMatcher matcher_;
     std::deque<Found> found_;
+    std::vector<std::uint64_t> looked_at_;  // by stretch of travel, when last; 0 for never
+    std::uint64_t far_looks_ = 0;
     std::uint64_t searches_ = 0;
     std::uint64_t refused_ = 0;
-    std::vector<SurfacePoint> query_;  // in the frame of the newest key
+    std::vector<SurfacePoint> query_;  // in the frame of the newest key; gathered when needed
     std::size_t query_keys_ = 0;       // that it is of
 };
 

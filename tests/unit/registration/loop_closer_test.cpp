@@ -47,15 +47,16 @@ std::vector<Pose> way(double metres, double step) {
 }
 
 /// Drives the way, seeing `walls` for 40 m and `later` from there on, while its path drifts to the
-/// left; searches at every second key of the second round.
+/// left; searches at every second key of the second round. After 30 m it is `lost`: moved by that,
+/// and as unsure.
 class Rounds {
   public:
-    Rounds(const Walls& walls, const Walls& later, double loop_score = 0.6)
+    Rounds(const Walls& walls, const Walls& later, double loop_score = 0.6, const Pose& lost = {})
         : params_{.loop_score = loop_score} {
         const double step = 0.5;
         Pose drifted;
         std::size_t k = 0;
-        for (const Pose& truth : way(58.0, step)) {
+        for (const Pose& truth : way(68.0, step)) {
             if (k == 0) drifted = truth;
             if (k > 0) {
                 const Pose moved = between(before_, truth);
@@ -68,6 +69,11 @@ class Rounds {
             key.travelled_m = travelled;
             key.variance_m2 = 4e-4;
             key.variance_rad2 = 4e-6;
+            if (travelled == 30.0) {
+                drifted = compose(lost, drifted);
+                key.variance_m2 += lost.x * lost.x + lost.y * lost.y;
+                key.variance_rad2 += lost.theta * lost.theta;
+            }
             graph_.add({drifted, k}, std::move(key));
             ++k;
             if (travelled < 40.0 || k % 2 == 1) continue;
@@ -116,6 +122,25 @@ TEST(LoopCloser, APlaceThatLooksAlikeButIsOpenIsNone) {
     // The second time the block is narrower by a metre on every side: the outer walls fit, and the
     // score asked for is so low that they suffice.
     const Rounds rounds(ring(kBlock), ring({{-5, -3}, {5, -3}, {5, 3}, {-5, 3}}), 0.3);
+    EXPECT_FALSE(rounds.loop);
+    EXPECT_GE(rounds.closer().refused(), 3U);
+}
+
+TEST(LoopCloser, FindsAPassageThatNoWindowHolds) {
+    const Walls walls = ring(kBlock);
+    const Rounds rounds(walls, walls, 0.6, {21.0, -14.0, 0.35});
+    ASSERT_TRUE(rounds.loop);
+    const Pose off{rounds.newest().x - rounds.truth_at_loop.x,
+                   rounds.newest().y - rounds.truth_at_loop.y, 0.0};
+    EXPECT_GT(std::hypot(off.x, off.y), 18.0);
+    EXPECT_NEAR(rounds.loop->pose.x, rounds.truth_at_loop.x, 0.15);
+    EXPECT_NEAR(rounds.loop->pose.y, rounds.truth_at_loop.y, 0.15);
+    EXPECT_NEAR(wrap_angle(rounds.loop->pose.theta - rounds.truth_at_loop.theta), 0.0, 0.02);
+}
+
+TEST(LoopCloser, FarOffAPlaceThatLooksAlikeButIsOpenIsNoneEither) {
+    const Rounds rounds(ring(kBlock), ring({{-5, -3}, {5, -3}, {5, 3}, {-5, 3}}), 0.3,
+                        {21.0, -14.0, 0.35});
     EXPECT_FALSE(rounds.loop);
     EXPECT_GE(rounds.closer().refused(), 3U);
 }
