@@ -16,11 +16,13 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/nameless_file.hpp"
 
 namespace hitos {
 namespace {
@@ -178,29 +180,8 @@ StopSource::StopSource()
 
 namespace {
 
-[[noreturn]] void fail_to_keep(const std::filesystem::path& folder) {
-    throw FileError("/dev/stdin",
-                    message(HITOS_TEXT("Errors",
-                                       "cannot be kept in %1 to be read more than once: %2; make "
-                                       "room there, or name another folder in TMPDIR"),
-                            folder.string(), system_message(errno)));
-}
-
-/// A file for reading and writing that has no name. Throws FileError.
-int nameless_file(const std::filesystem::path& folder) {
-    constexpr mode_t kOwn = 0600;
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has it no other way
-    const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kOwn);
-    if (file >= 0) return file;
-    std::string name = folder / "hitos-XXXXXX";  // where the file system knows no other way
-    const int named = ::mkstemp(name.data());
-    if (named < 0) fail_to_keep(folder);
-    ::unlink(name.c_str());
-    return named;
-}
-
 /// All bytes that come from standard input go into the file. Throws FileError.
-void keep_standard_input(int file, const std::filesystem::path& folder) {
+void keep_standard_input(NamelessFile& file) {
     std::vector<char> block(std::size_t{1} << 16);
     for (;;) {
         const ssize_t got = ::read(STDIN_FILENO, block.data(), block.size());
@@ -210,12 +191,7 @@ void keep_standard_input(int file, const std::filesystem::path& folder) {
             throw FileError("/dev/stdin", message(HITOS_TEXT("Errors", "cannot be read: %1"),
                                                   system_message(errno)));
         }
-        for (ssize_t put = 0; put < got;) {
-            const ssize_t now =
-                ::write(file, block.data() + put, static_cast<std::size_t>(got - put));
-            if (now < 0 && errno != EINTR) fail_to_keep(folder);
-            if (now > 0) put += now;
-        }
+        file.write(std::span(block).first(static_cast<std::size_t>(got)));
     }
 }
 
@@ -238,19 +214,16 @@ std::string input_named(const std::string& name, const std::string& what) {
                                            "is a terminal; expected a file or what another "
                                            "program writes: hitos-cli … - < FILE")));
     }
-    const char* named = std::getenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe)
-    const std::filesystem::path folder = named != nullptr && *named != '\0' ? named : "/tmp";
-    const int file = nameless_file(folder);
+    NamelessFile file(kStandardInput,
+                      HITOS_TEXT("Errors",
+                                 "cannot be kept in %1 to be read more than once: %2; make room "
+                                 "there, or name another folder in TMPDIR"));
+    keep_standard_input(file);
     // From here on standard input is that file, also for who asks again.
-    try {
-        keep_standard_input(file, folder);
-    } catch (...) {
-        ::close(file);
-        throw;
+    if (::dup2(file.descriptor(), STDIN_FILENO) < 0) {
+        throw FileError(kStandardInput,
+                        message(HITOS_TEXT("Errors", "cannot be read: %1"), system_message(errno)));
     }
-    const bool put = ::dup2(file, STDIN_FILENO) >= 0;
-    ::close(file);
-    if (!put) fail_to_keep(folder);
     return kStandardInput;
 }
 

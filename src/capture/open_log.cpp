@@ -12,7 +12,7 @@
 #include "hitos/capture/archivo.hpp"
 #include "line_reader.hpp"
 #include "recordings/recording.hpp"
-#include "regular_file.hpp"
+#include "recordings/unpack.hpp"
 
 namespace hitos {
 namespace {
@@ -160,11 +160,10 @@ Message problem_of(const Probe& found) {
 const LogFormat* recording_format(const std::filesystem::path& path) {
     std::error_code error;
     const bool folder = std::filesystem::is_directory(path, error);
-    std::array<char, 16> beginning{};
-    const std::size_t got = folder ? 0 : RegularFile(path).read(beginning);
+    const std::string beginning = folder ? "" : unpacked_beginning(path, 16);
     for (const LogFormat& format : log_formats().entries()) {
         if (format.open == nullptr) continue;
-        if (folder ? format.folders : format.begins({beginning.data(), got})) return &format;
+        if (folder ? format.folders : format.begins(beginning)) return &format;
     }
     return nullptr;
 }
@@ -194,7 +193,7 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
 bool is_recording(const std::filesystem::path& path) {
     try {
         return recording_format(path) != nullptr;
-    } catch (const FileError&) {
+    } catch (const Error&) {  // whoever opens it is told
         return false;
     }
 }

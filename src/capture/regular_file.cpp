@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <utility>
 
 #include "hitos/base/error.hpp"
 
@@ -36,8 +37,16 @@ RegularFile::RegularFile(const std::filesystem::path& path) : path_(path) {
     size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
+RegularFile::RegularFile(int descriptor, std::uint64_t size, std::filesystem::path path)
+    : path_(std::move(path)), descriptor_(descriptor), size_(size) {}
+
+RegularFile::RegularFile(RegularFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      size_(other.size_) {}
+
 RegularFile::~RegularFile() {
-    ::close(descriptor_);
+    if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 std::size_t RegularFile::read(std::span<char> out) {
@@ -48,6 +57,22 @@ std::size_t RegularFile::read(std::span<char> out) {
         throw FileError(path_.string(),
                         message(HITOS_TEXT("Errors", "reading fails: %1"), system_message(errno)));
     }
+}
+
+std::size_t RegularFile::read_at(std::uint64_t offset, std::span<char> out) const {
+    std::size_t done = 0;
+    while (done < out.size()) {
+        const ssize_t got = ::pread(descriptor_, out.data() + done, out.size() - done,
+                                    static_cast<off_t>(offset + done));
+        if (got == 0) break;
+        if (got > 0) {
+            done += static_cast<std::size_t>(got);
+        } else if (errno != EINTR) {
+            throw FileError(path_.string(), message(HITOS_TEXT("Errors", "reading fails: %1"),
+                                                    system_message(errno)));
+        }
+    }
+    return done;
 }
 
 void RegularFile::seek(std::uint64_t offset) {

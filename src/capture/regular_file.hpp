@@ -12,7 +12,10 @@ class RegularFile {
   public:
     /// Throws FileError where the path is missing, no regular file, or cannot be opened.
     explicit RegularFile(const std::filesystem::path& path);
+    /// One that is open already, to be told of by that path.
+    RegularFile(int descriptor, std::uint64_t size, std::filesystem::path path);
     ~RegularFile();
+    RegularFile(RegularFile&& other) noexcept;
     RegularFile(const RegularFile&) = delete;
     RegularFile& operator=(const RegularFile&) = delete;
 
@@ -20,6 +23,8 @@ class RegularFile {
     std::uint64_t size() const { return size_; }
     /// What the medium gives at once, 0 at the end. Throws FileError where it fails.
     std::size_t read(std::span<char> out);
+    /// What stands at that byte, wherever the next read() begins; less only at the end.
+    std::size_t read_at(std::uint64_t offset, std::span<char> out) const;
     /// The next read begins at that byte.
     void seek(std::uint64_t offset);
 

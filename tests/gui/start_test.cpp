@@ -71,14 +71,14 @@ void ConfigurationTest::a_bad_folder_of_a_recording_is_told_in_the_window() {
     Fixture f(false);
     QVERIFY(QDir(f.path("")).mkpath("tour"));
     f.write("tour/metadata.yaml",
-            "rosbag2_bagfile_information:\n  compression_mode: FILE\n  relative_file_paths:\n"
+            "rosbag2_bagfile_information:\n  compression_mode: MESSAGE\n  relative_file_paths:\n"
             "    - tour_0.mcap.zstd\n");
     CommandLine line;
     line.open = f.path("tour").toStdString();
     QCOMPARE(kind_of(f.path("tour")), FileKind::source);
     f.window->configuration_actions().start_or_warn(line);
     QTRY_COMPARE(f.prompts.warnings.size(), 1);
-    QVERIFY2(f.prompts.warnings.front().contains("compressed by FILE"),
+    QVERIFY2(f.prompts.warnings.front().contains("compressed by MESSAGE"),
              qPrintable(f.prompts.warnings.front()));
     QVERIFY(!f.session.has_source());
     // One that ends before it begins is none of results, either.

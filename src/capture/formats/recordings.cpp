@@ -59,13 +59,13 @@ LogFormat mcap_format() {
 LogFormat db3_format() {
     return recording<open_db3>({"db3", HITOS_TEXT("ParameterChoice", "ROS 2 SQLite"),
                                 "recordings of ROS 2 in SQLite files"},
-                               "*.db3", begins_db3);
+                               "*.db3 *.db3.zstd", begins_db3);
 }
 
 LogFormat rosbag2_format() {
     return recording<open_rosbag2_folder>(
         {"rosbag2", HITOS_TEXT("ParameterChoice", "ROS 2 folder"), "folders of ROS 2 recordings"},
-        "metadata.yaml", begins_metadata, true);
+        "metadata.yaml *.mcap.zstd", begins_metadata, true);
 }
 
 }  // namespace hitos

@@ -140,11 +140,11 @@ class Bag final : public ChunkedRecording {
     }
 
     Message problem_at_end() override {
-        if (index_begin_ > 0 && index_begin_ <= file_size()) return {};
+        if (index_begin_ > 0 && index_begin_ <= file().size()) return {};
         return message(HITOS_TEXT("Errors",
                                   "the bag was not closed or is cut off, as it has no index; all "
                                   "before byte %1 was read"),
-                       file_size());
+                       file().size());
     }
 
   private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "hitos/base/error.hpp"
 
@@ -29,7 +30,7 @@ std::uint64_t ByteSource::skip(std::uint64_t count) {
     return skipped;
 }
 
-FileBytes::FileBytes(const std::filesystem::path& path) : file_(path), buffer_(kBufferBytes) {}
+FileBytes::FileBytes(RegularFile file) : file_(std::move(file)), buffer_(kBufferBytes) {}
 
 std::size_t FileBytes::read(std::span<char> out) {
     std::size_t done = 0;

@@ -1,9 +1,9 @@
 // Bytes that are read once, from front to back, and parts of them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,13 +24,17 @@ class ByteSource {
 /// A file. What is passed over is not read from the disk.
 class FileBytes final : public ByteSource {
   public:
-    explicit FileBytes(const std::filesystem::path& path);
+    explicit FileBytes(RegularFile file);
 
     std::size_t read(std::span<char> out) override;
     std::uint64_t skip(std::uint64_t count) override;
     /// How many bytes were read or passed over.
     std::uint64_t position() const { return position_; }
     std::uint64_t size() const { return file_.size(); }
+    /// Its last bytes, wherever the next read() begins; fewer where it has fewer.
+    std::size_t read_end(std::span<char> out) const {
+        return file_.read_at(size() - std::min<std::uint64_t>(size(), out.size()), out);
+    }
 
   private:
     RegularFile file_;

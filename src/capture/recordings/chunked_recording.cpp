@@ -51,7 +51,7 @@ struct ChunkedRecording::Chunk {
 };
 
 ChunkedRecording::ChunkedRecording(const std::filesystem::path& path, RecordingUse use)
-    : use_(use), file_(path), records_(file_, file_.size()) {}
+    : use_(use), file_(open_unpacked(path)), records_(file_, file_.size()) {}
 
 ChunkedRecording::~ChunkedRecording() = default;
 

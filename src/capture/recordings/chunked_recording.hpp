@@ -39,7 +39,7 @@ class ChunkedRecording : public Recording {
     bool in_chunk() const { return chunk_ != nullptr; }
     Topics& topics() { return use_.topics; }
     Section& records() { return records_; }
-    std::uint64_t file_size() const { return file_.size(); }
+    const FileBytes& file() const { return file_; }
 
   private:
     struct Chunk;

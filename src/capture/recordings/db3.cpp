@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "recordings/db3_leaves.hpp"
+#include "recordings/db3_pages.hpp"
 #include "recordings/recording.hpp"
-#include "regular_file.hpp"
 
 namespace hitos {
 namespace {
@@ -28,29 +29,11 @@ struct CloseStatement {
 };
 using Statement = std::unique_ptr<sqlite3_stmt, CloseStatement>;
 
-/// The path as part of an URI.
-std::string escaped(const std::filesystem::path& path) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    std::string text;
-    for (const char c : path.string()) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
-                           (byte >= '0' && byte <= '9') || c == '/' || c == '.' || c == '_' ||
-                           c == '-';
-        if (plain) {
-            text += c;
-        } else {
-            text.append({'%', kDigits[byte >> 4], kDigits[byte & 0xfU]});
-        }
-    }
-    return text;
-}
-
 class Db3 final : public Recording {
   public:
-    Db3(const std::filesystem::path& path, RecordingUse use) : path_(path), use_(use) {
-        const RegularFile file(path);  // says what is wrong in words of Hitos
-        open(file.size());
+    Db3(const std::filesystem::path& path, RecordingUse use)
+        : path_(path), use_(use), pages_(path) {
+        open();
         require_table("topics");
         require_table("messages");
         read_topics();
@@ -69,17 +52,34 @@ class Db3 final : public Recording {
             const sqlite3_int64 id =
                 result == SQLITE_ROW ? sqlite3_column_int64(rows_.get(), 0) : 0;
             if (result != SQLITE_ROW || (any_ && id <= id_)) {
-                note(use_.topics.count_damage(),
-                     message(HITOS_TEXT("Errors", "behind the row %1: %2"), id_,
-                             result == SQLITE_ROW
-                                 ? message(HITOS_TEXT("Errors", "rows come out of order"))
-                                 : verbatim(sqlite3_errmsg(database_.get()))));
+                if (!pages_.cut()) {
+                    note(use_.topics.count_damage(),
+                         message(HITOS_TEXT("Errors", "behind the row %1: %2"), id_,
+                                 result == SQLITE_ROW
+                                     ? message(HITOS_TEXT("Errors", "rows come out of order"))
+                                     : verbatim(sqlite3_errmsg(database_.get()))));
+                }
                 rows_.reset();
+                leaves_.emplace(pages_);
                 break;
             }
             any_ = true;
             id_ = id;
             if (std::optional<RecordedMessage> found = message_of_row()) return found;
+        }
+        while (leaves_) {
+            const std::optional<Db3Leaves::Row> row = leaves_->next();
+            if (!row) {
+                leaves_.reset();
+                break;
+            }
+            if ((any_ && row->id <= id_) || !ids_.contains(row->topic)) continue;
+            any_ = true;
+            id_ = row->id;
+            if (std::optional<RecordedMessage> found = message_of_leaf(*row)) return found;
+        }
+        for (; told_ < pages_.problems().size(); ++told_) {
+            note(use_.topics.count_damage(), pages_.problems()[told_]);
         }
         return std::nullopt;
     }
@@ -90,30 +90,19 @@ class Db3 final : public Recording {
     }
 
   private:
-    void open(std::uint64_t size) {
-        sqlite3* raw = nullptr;
-        // Without a log of changes beside it the file is complete; saying so lets one be read where
-        // nothing may be written.
-        std::error_code error;
-        const std::uint64_t beside = std::filesystem::file_size(path_.string() + "-wal", error);
-        const bool complete = error || beside == 0;
-        if (!complete) size += beside;
-        const std::string uri =
-            "file:" + escaped(std::filesystem::absolute(path_)) + (complete ? "?immutable=1" : "");
-        const int result =
-            sqlite3_open_v2(uri.c_str(), &raw, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
+    void open() {
+        sqlite3* raw = pages_.open();
         database_.reset(raw);
-        if (result != SQLITE_OK) fail();
+        if (sqlite3_errcode(raw) != SQLITE_OK) fail();
         sqlite3_db_config(raw, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
         sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
         sqlite3_db_config(raw, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
         sqlite3_db_config(raw, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
         sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, static_cast<int>(kLargestMessage));
         // A row's cell is damaged where it says that it is larger than all the file.
-        sqlite3_exec(raw, "PRAGMA cell_size_check=ON; PRAGMA mmap_size=0", nullptr, nullptr,
-                     nullptr);
+        sqlite3_exec(raw, "PRAGMA cell_size_check=ON", nullptr, nullptr, nullptr);
         // More steps than a row for each byte have gone round in circles.
-        steps_left_ = size / kStepsAtOnce + kStepsAtOnce;
+        steps_left_ = pages_.last_page() * pages_.page_size() / kStepsAtOnce + kStepsAtOnce;
         sqlite3_progress_handler(raw, kStepsAtOnce, &count_steps, this);
     }
 
@@ -128,7 +117,8 @@ class Db3 final : public Recording {
         if (sqlite3_errcode(database_.get()) == SQLITE_NOMEM) throw std::bad_alloc();
         throw FormatError(path_.string(), 0,
                           message(HITOS_TEXT("Errors", "cannot be read as a recording: %1"),
-                                  sqlite3_errmsg(database_.get())));
+                                  pages_.cut() ? pages_.problems().front()
+                                               : verbatim(sqlite3_errmsg(database_.get()))));
     }
 
     Statement prepare(const char* sql) const {
@@ -198,31 +188,48 @@ class Db3 final : public Recording {
                          sqlite3_column_int64(rows_.get(), 1), id_));
             return std::nullopt;
         }
-        const std::uint64_t number = use_.topics.count(*topic->second);
-        if (!topic->second->wanted) return std::nullopt;
-        const auto length = static_cast<std::uint64_t>(
-            std::max<sqlite3_int64>(sqlite3_column_int64(rows_.get(), 4), 0));
+        const auto length = sqlite3_column_int64(rows_.get(), 4);
+        const auto content = [&]() -> std::optional<std::string_view> {
+            const void* data = sqlite3_column_blob(rows_.get(), 3);
+            const auto size = static_cast<std::size_t>(sqlite3_column_bytes(rows_.get(), 3));
+            return std::string_view(static_cast<const char*>(data), data == nullptr ? 0 : size);
+        };
+        return message_of(*topic->second, sqlite3_column_int64(rows_.get(), 2),
+                          static_cast<std::uint64_t>(std::max<sqlite3_int64>(length, 0)), content);
+    }
+
+    std::optional<RecordedMessage> message_of_leaf(const Db3Leaves::Row& row) {
+        return message_of(*ids_.at(row.topic), row.time_ns, row.length,
+                          [this] { return leaves_->data(); });
+    }
+
+    template <class Content>
+    std::optional<RecordedMessage> message_of(Topic& topic, std::int64_t log_time_ns,
+                                              std::uint64_t length, Content content) {
+        const std::uint64_t number = use_.topics.count(topic);
+        if (!topic.wanted) return std::nullopt;
         if (length > kLargestMessage) {
             note(number,
                  message(HITOS_TEXT("Errors", "found a message of %1 bytes, expected at most %2"),
                          length, kLargestMessage));
             return std::nullopt;
         }
-        const void* data = sqlite3_column_blob(rows_.get(), 3);
-        const auto size = static_cast<std::size_t>(sqlite3_column_bytes(rows_.get(), 3));
-        return RecordedMessage{
-            topic->second, number, sqlite3_column_int64(rows_.get(), 2),
-            std::string_view(static_cast<const char*>(data), data == nullptr ? 0 : size)};
+        const std::optional<std::string_view> bytes = content();
+        if (!bytes) return std::nullopt;
+        return RecordedMessage{&topic, number, log_time_ns, *bytes};
     }
 
     static constexpr int kStepsAtOnce = 1000;
 
     std::filesystem::path path_;
     RecordingUse use_;
+    Db3Pages pages_;
     std::uint64_t steps_left_ = 0;
     std::unique_ptr<sqlite3, CloseDatabase> database_;
     std::map<sqlite3_int64, Topic*> ids_;
     Statement rows_;
+    std::optional<Db3Leaves> leaves_;  ///< where the rows lead no further
+    std::size_t told_ = 0;             ///< of the pages' problems
     sqlite3_int64 id_ = 0;
     sqlite3_int64 last_id_ = 0;
     bool any_ = false;

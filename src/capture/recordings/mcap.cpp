@@ -30,10 +30,8 @@ class Mcap final : public ChunkedRecording {
             throw FormatError(path.string(), 0,
                               message(HITOS_TEXT("Errors", "does not begin as MCAP does")));
         }
-        FileBytes tail(path);
-        if (file_size() < 2 * kMcapMagic.size()) return;
-        tail.skip(file_size() - kMcapMagic.size());
-        const std::string_view last{magic.data(), tail.read(magic)};
+        if (file().size() < 2 * kMcapMagic.size()) return;
+        const std::string_view last{magic.data(), file().read_end(magic)};
         closed_ = last == kMcapMagic;
     }
 
@@ -78,7 +76,7 @@ class Mcap final : public ChunkedRecording {
         return message(HITOS_TEXT("Errors",
                                   "the recording was not closed or is cut off, as its last bytes "
                                   "are not MCAP's; all before byte %1 was read"),
-                       file_size());
+                       file().size());
     }
 
   private:

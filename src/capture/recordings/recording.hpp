@@ -121,8 +121,8 @@ inline constexpr const char* kRosbag2Metadata = "metadata.yaml";
 
 /// The files of a rosbag2 folder (or of that of its metadata.yaml) in their order: those that
 /// metadata.yaml lists; without it, as after a recording that was broken off, all *.mcap or *.db3
-/// by their numbers. Throws FileError where there are none, FormatError where they are not in the
-/// folder or compressed.
+/// by their numbers, and those of them that are compressed as a whole. Throws FileError where there
+/// are none, FormatError where they are not in the folder or compressed.
 std::vector<std::filesystem::path> rosbag2_files(const std::filesystem::path& path);
 
 /// Whether a recording's files are in the folder, be they damaged or of a kind that is not read.

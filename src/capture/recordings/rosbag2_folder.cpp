@@ -75,9 +75,16 @@ Metadata read_metadata(const fs::path& path) {
     return metadata;
 }
 
+/// The name of what is in the file, which rosbag2 may have compressed as a whole.
+fs::path unpacked_name(const fs::path& file) {
+    return file.extension() == ".zstd" || file.extension() == ".zst"
+               ? file.parent_path() / file.stem()
+               : file;
+}
+
 /// NAME_10.mcap comes behind NAME_9.mcap: by the number at the end, then by name.
 std::pair<std::uint64_t, std::string> order_of(const fs::path& file) {
-    const std::string stem = file.stem().string();
+    const std::string stem = unpacked_name(file).stem().string();
     const std::size_t digits = stem.find_last_not_of("0123456789") + 1;
     std::uint64_t number = 0;
     std::from_chars(stem.data() + digits, stem.data() + stem.size(), number);
@@ -90,7 +97,11 @@ std::vector<fs::path> files_found(const fs::path& folder) {
         std::error_code error;
         for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
              entry.increment(error)) {
-            if (entry->path().extension() == ending) files.push_back(entry->path());
+            const fs::path& file = entry->path();
+            const fs::path plain = unpacked_name(file);
+            // A recorder that is killed while it compresses a file leaves both.
+            const bool half = plain != file && fs::exists(plain, error);
+            if (plain.extension() == ending && !half) files.push_back(file);
         }
         if (error) {
             throw FileError(folder.string(),
@@ -111,6 +122,11 @@ fs::path file_in(const fs::path& folder, const std::string& name) {
     std::error_code error;
     if (!outside && fs::exists(folder / relative, error)) return folder / relative;
     if (!outside && fs::exists(alone, error)) return alone;
+    // Unpacked by hand, or compressed since.
+    for (const fs::path& other : {unpacked_name(alone), fs::path(alone.string() + ".zstd"),
+                                  fs::path(alone.string() + ".zst")}) {
+        if (!outside && fs::exists(other, error)) return other;
+    }
     throw FormatError(
         (folder / kMetadata).string(), 0,
         message(
@@ -160,7 +176,8 @@ class Rosbag2Folder final : public Recording {
 
     void open_next() {
         const fs::path& file = files_[opened_];
-        current_ = file.extension() == ".db3" ? open_db3(file, use_) : open_mcap(file, use_);
+        current_ = unpacked_name(file).extension() == ".db3" ? open_db3(file, use_)
+                                                             : open_mcap(file, use_);
         current_file_ = opened_++;
     }
 
@@ -184,7 +201,7 @@ std::vector<fs::path> rosbag2_files(const fs::path& path) {
         std::ranges::transform(mode, mode.begin(), [](unsigned char c) {
             return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
         });
-        if (!mode.empty() && mode != "none") {
+        if (!mode.empty() && mode != "none" && mode != "file") {
             throw FormatError(
                 (folder / kMetadata).string(), 0,
                 message(HITOS_TEXT("Errors",
@@ -201,11 +218,12 @@ std::vector<fs::path> rosbag2_files(const fs::path& path) {
     // A recorder that was killed leaves a metadata.yaml that says nothing, or none.
     if (files.empty()) files = files_found(folder);
     if (!files.empty()) return files;
-    throw FileError(
-        folder.string(),
-        message(HITOS_TEXT("Errors",
-                           "is a folder without a recording: found neither a metadata.yaml that "
-                           "names files nor files *.mcap or *.db3; choose a log file inside it")));
+    throw FileError(folder.string(),
+                    message(HITOS_TEXT(
+                        "Errors",
+                        "is a folder without a recording: found neither a metadata.yaml that "
+                        "names files nor files *.mcap or *.db3, plain or as *.zstd; choose a log "
+                        "file inside it")));
 }
 
 bool is_rosbag2_folder(const fs::path& folder) {

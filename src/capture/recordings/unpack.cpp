@@ -4,11 +4,14 @@
 #include <lz4frame.h>
 #include <zstd.h>
 
+#include <array>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "byte_stream.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/nameless_file.hpp"
 
 namespace hitos {
 namespace {
@@ -143,6 +146,13 @@ class Zstd final : public Unpacker {
     std::unique_ptr<ZSTD_DStream, Release> stream_;
 };
 
+bool begins_zstd(const RegularFile& file) {
+    constexpr std::string_view kMagic = "\x28\xb5\x2f\xfd";
+    std::array<char, kMagic.size()> found{};
+    return file.read_at(0, found) == found.size() &&
+           std::string_view(found.data(), found.size()) == kMagic;
+}
+
 }  // namespace
 
 std::unique_ptr<ByteSource> make_unpacker(std::string_view compression, ByteSource& packed) {
@@ -154,6 +164,43 @@ std::unique_ptr<ByteSource> make_unpacker(std::string_view compression, ByteSour
         message(
             HITOS_TEXT("Errors", "found the compression \"%1\", expected none, bz2, lz4 or zstd"),
             compression));
+}
+
+RegularFile open_unpacked(const std::filesystem::path& path) {
+    RegularFile file(path);
+    if (!begins_zstd(file)) return file;
+    FileBytes packed(std::move(file));
+    Zstd unpacker(packed);
+    NamelessFile unpacked(path.string(),
+                          HITOS_TEXT("Errors",
+                                     "cannot be unpacked in %1: %2; make room there, or name "
+                                     "another folder in TMPDIR"));
+    std::array<char, 4096> block{};
+    try {
+        while (const std::size_t got = unpacker.read(block)) {
+            unpacked.write(std::span(block).first(got));
+        }
+    } catch (const FormatError& error) {
+        // The recording in it is then cut off, and told to be.
+        if (unpacked.size() == 0) throw FormatError(path.string(), 0, error.problem());
+    }
+    const std::uint64_t size = unpacked.size();
+    RegularFile whole(unpacked.release(), size, path);
+    whole.seek(0);
+    return whole;
+}
+
+std::string unpacked_beginning(const std::filesystem::path& path, std::size_t most) {
+    RegularFile file(path);
+    const bool zstd = begins_zstd(file);
+    FileBytes bytes(std::move(file));
+    std::string beginning(most, '\0');
+    try {
+        beginning.resize(zstd ? Zstd(bytes).read(beginning) : bytes.read(beginning));
+    } catch (const FormatError& error) {
+        throw FormatError(path.string(), 0, error.problem());
+    }
+    return beginning;
 }
 
 }  // namespace hitos

@@ -6,63 +6,23 @@
 
 #include "hitos/base/error.hpp"
 #include "support.hpp"
+#include "unit/capture/recorded_messages.hpp"
 #include "unit/capture/ros_packings.hpp"
 
 namespace hitos {
 namespace {
 
+using test::expect_first;
+using test::messages;
+using test::Open;
+using test::Read;
+using test::read;
 using test::Said;
 using test::TempFolder;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-struct Read {
-    std::vector<Said> all;
-    std::vector<std::uint64_t> numbers;
-    std::vector<std::string> problems;
-};
-
-using Open = std::unique_ptr<Recording>(const std::filesystem::path&, RecordingUse);
-
-Read read(Open* open, const std::filesystem::path& path, const std::string& unwanted = "none") {
-    Read result;
-    Topics topics([&](const Topic& topic) { return topic.name != unwanted; });
-    const auto recording = open(path, {topics, true});
-    while (const auto found = recording->next()) {
-        result.all.push_back({found->topic->name, found->topic->type, std::string(found->bytes),
-                              static_cast<std::uint64_t>(found->log_time_ns)});
-        result.numbers.push_back(found->number);
-        EXPECT_GE(recording->progress(), 0.0);
-        EXPECT_LE(recording->progress(), 1.0);
-    }
-    while (const auto problem = recording->take_problem()) {
-        result.problems.push_back(problem->reason.english());
-    }
-    return result;
-}
-
-/// Messages of every length, an empty one among them.
-std::vector<Said> messages() {
-    std::vector<Said> all;
-    for (std::uint64_t i = 0; i < 10; ++i) {
-        all.push_back({i % 3 == 0 ? "/a" : "/b", i % 3 == 0 ? "x_msgs/A" : "x_msgs/B",
-                       std::string(i * 700, static_cast<char>('a' + i)), 5'000'000'000 + i});
-    }
-    return all;
-}
-
-void expect_first(const std::vector<Said>& found, std::size_t count) {
-    const std::vector<Said> all = messages();
-    ASSERT_EQ(found.size(), count);
-    for (std::size_t i = 0; i < count; ++i) {
-        EXPECT_EQ(found[i].topic, all[i].topic);
-        EXPECT_EQ(found[i].type, all[i].type);
-        EXPECT_EQ(found[i].bytes, all[i].bytes);
-        EXPECT_EQ(found[i].log_time_ns, all[i].log_time_ns);
-    }
-}
 
 struct ContainerKind {
     const char* name;
@@ -313,145 +273,6 @@ TEST(Mcap, GoesOnBehindADamagedChunk) {
     EXPECT_THAT(found.numbers, ElementsAre(1, 2, 3, 4, 6, 7));  // 5 is the damage
     EXPECT_EQ(found.all.back().bytes, messages().back().bytes);
     EXPECT_THAT(found.problems, ElementsAre(HasSubstr("the compressed data are damaged")));
-}
-
-TEST(Db3, GivesAllMessagesOrSaysWhatIsMissing) {
-    const TempFolder folder;
-    write_db3(folder / "a.db3", messages());
-    const Read found = read(open_db3, folder / "a.db3");
-    expect_first(found.all, messages().size());
-    EXPECT_THAT(read(open_db3, folder / "a.db3", "/b").numbers, ElementsAre(1, 4, 7, 10));
-
-    sqlite3* database = nullptr;
-    sqlite3_open((folder / "b.db3").c_str(), &database);
-    sqlite3_exec(database, "CREATE TABLE topics(id INTEGER PRIMARY KEY)", nullptr, nullptr,
-                 nullptr);
-    sqlite3_close(database);
-    EXPECT_THAT(test::message_of<FormatError>([&] { read(open_db3, folder / "b.db3"); }),
-                HasSubstr("without the table \"messages\""));
-    EXPECT_THAT(test::message_of<FormatError>([&] {
-                    read(open_db3, folder.put("c.db3", "SQLite format 3" + std::string(900, '\0')));
-                }),
-                HasSubstr("cannot be read as a recording"));
-}
-
-TEST(Db3, PassesOverWhatIsTooLargeAndWhatNobodyWants) {
-    const TempFolder folder;
-    std::vector<Said> all = messages();
-    const std::string large(static_cast<std::size_t>(kLargestMessage) + 1, 'x');
-    all[1].bytes = all[2].bytes = large;  // of "/b"
-    write_db3(folder / "a.db3", all);
-    const Read found = read(open_db3, folder / "a.db3", "/b");
-    EXPECT_THAT(found.numbers, ElementsAre(1, 4, 7, 10));
-    EXPECT_TRUE(found.problems.empty());
-    const Read both = read(open_db3, folder / "a.db3");
-    EXPECT_EQ(both.all.size(), messages().size() - 2);
-    ASSERT_EQ(both.problems.size(), 2U);
-    EXPECT_THAT(both.problems.front(), HasSubstr("expected at most 16777216"));
-}
-
-TEST(Db3, EndsWhateverIsChanged) {
-    const TempFolder folder;
-    write_db3(folder / "a.db3", messages());
-    const std::string whole = test::content(folder / "a.db3");
-    int refused = 0;
-    int told = 0;
-    for (std::size_t place = 16; place < whole.size(); place += 11) {
-        std::string bad = whole;
-        bad[place] = static_cast<char>(bad[place] + 77);
-        if (place % 7 == 0) bad.resize(place);
-        try {
-            const Read found = read(open_db3, folder.put("b.db3", bad));
-            EXPECT_LE(found.all.size(), 100U);
-            if (!found.problems.empty()) ++told;
-        } catch (const Error&) {
-            ++refused;
-        }
-    }
-    EXPECT_GT(refused, 0);
-    EXPECT_GT(told, 0);
-}
-
-class Rosbag2 : public ::testing::Test {
-  protected:
-    void put_mcap(const std::string& name, std::size_t begin, std::size_t end) const {
-        std::vector<Said> all = messages();
-        all.erase(all.begin() + static_cast<std::ptrdiff_t>(end), all.end());
-        all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(begin));
-        static_cast<void>(folder_.put(name, test::mcap_of(all)));
-    }
-    std::string refusal() const {
-        return test::message_of<Error>([&] { read(open_rosbag2_folder, folder_.path()); });
-    }
-    TempFolder folder_;
-};
-
-TEST_F(Rosbag2, ReadsItsFilesInTheOrderThatItSays) {
-    put_mcap("z_0.mcap", 0, 3);
-    put_mcap("a_1.mcap", 3, 10);
-    static_cast<void>(folder_.put("metadata.yaml",
-                                  "rosbag2_bagfile_information:\n  version: 5\n"
-                                  "  compression_mode: \"\"\n  relative_file_paths:\n"
-                                  "    - z_0.mcap\n    - 'old_name/a_1.mcap'\n  files: []\n"));
-    const Read found = read(open_rosbag2_folder, folder_.path());
-    expect_first(found.all, 10);
-    EXPECT_EQ(found.numbers.back(), 10U);
-    EXPECT_THAT(found.problems, IsEmpty());
-}
-
-TEST_F(Rosbag2, ReadsListsAsPeopleWriteThem) {
-    put_mcap("z_0.mcap", 0, 3);
-    put_mcap("a_1.mcap", 3, 10);
-    for (const char* list :
-         {"relative_file_paths:  # two\r\n\r\n  # the first\r\n    - \"z_0.mcap\"\r\n"
-          "\r\n    - a_1.mcap   # the second\r\n  files: []\r\n",
-          "  relative_file_paths: [z_0.mcap, 'a_1.mcap']\n  version: 5\n"}) {
-        static_cast<void>(folder_.put("metadata.yaml", list));
-        expect_first(read(open_rosbag2_folder, folder_.path()).all, 10);
-    }
-}
-
-TEST_F(Rosbag2, ReadsAFileOnceAndGoesWithoutAMetadataFileThatSaysNothing) {
-    put_mcap("r_0.mcap", 0, 3);
-    put_mcap("r_1.mcap", 3, 10);
-    for (const char* list :
-         {"  relative_file_paths: [r_0.mcap, r_1.mcap, r_0.mcap]\n", "", "rosbag2_bagfile_inf"}) {
-        static_cast<void>(folder_.put("metadata.yaml", list));
-        expect_first(read(open_rosbag2_folder, folder_.path()).all, 10);
-    }
-}
-
-TEST_F(Rosbag2, IsReadWithoutMetadataByTheNumbersOfItsFiles) {
-    put_mcap("r_10.mcap", 6, 10);
-    put_mcap("r_9.mcap", 3, 6);
-    put_mcap("r_0.mcap", 0, 3);
-    expect_first(read(open_rosbag2_folder, folder_.path()).all, 10);
-}
-
-TEST_F(Rosbag2, PassesOverALaterFileThatIsNone) {
-    put_mcap("r_0.mcap", 0, 3);
-    static_cast<void>(folder_.put("r_1.mcap", "nothing"));
-    put_mcap("r_2.mcap", 3, 10);
-    const Read found = read(open_rosbag2_folder, folder_.path());
-    expect_first(found.all, 10);
-    EXPECT_THAT(found.problems, ElementsAre("r_1.mcap: does not begin as MCAP does"));
-}
-
-TEST_F(Rosbag2, SaysWhatItCannotRead) {
-    EXPECT_THAT(refusal(), HasSubstr("is a folder without a recording"));
-    const auto metadata = [&](const std::string& text) {
-        static_cast<void>(folder_.put("metadata.yaml", text));
-        return refusal();
-    };
-    EXPECT_THAT(metadata(""), HasSubstr("is a folder without a recording"));
-    EXPECT_THAT(metadata("  relative_file_paths:\n  - a.mcap\n"),
-                HasSubstr("names the file \"a.mcap\", which is not in its folder"));
-    put_mcap("a.mcap", 0, 3);
-    EXPECT_THAT(metadata("  relative_file_paths:\n  - ../" + folder_.path().filename().string() +
-                         "/a.mcap\n"),
-                HasSubstr("which is not in its folder"));
-    EXPECT_THAT(metadata("  compression_mode: FILE\n  relative_file_paths:\n  - a.mcap\n"),
-                HasSubstr("compressed by FILE"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,9 +42,17 @@ inline std::string packed_zstd(const std::string& content) {
     return packed;
 }
 
+/// How an SQLite file is written.
+struct Db3Layout {
+    std::string encoding = "cdr";
+    std::string pragmas;
+    std::size_t in_transaction = 1'000'000;
+    std::function<void()> before_close = [] {};
+};
+
 /// As rosbag2 creates it, without what nobody reads.
 inline void write_db3(const std::filesystem::path& path, const std::vector<Said>& all,
-                      const std::string& encoding = "cdr") {
+                      const Db3Layout& layout = {}) {
     sqlite3* database = nullptr;
     sqlite3_open(path.c_str(), &database);
     const auto run = [&](const std::string& sql) {
@@ -51,6 +60,7 @@ inline void write_db3(const std::filesystem::path& path, const std::vector<Said>
             throw std::runtime_error(sqlite3_errmsg(database));
         }
     };
+    run(layout.pragmas);
     run("CREATE TABLE topics(id INTEGER PRIMARY KEY,name TEXT NOT NULL,type TEXT NOT NULL,"
         "serialization_format TEXT NOT NULL,offered_qos_profiles TEXT NOT NULL);"
         "CREATE TABLE messages(id INTEGER PRIMARY KEY,topic_id INTEGER NOT NULL,"
@@ -59,13 +69,15 @@ inline void write_db3(const std::filesystem::path& path, const std::vector<Said>
     sqlite3_stmt* insert = nullptr;
     sqlite3_prepare_v2(database, "INSERT INTO messages(topic_id,timestamp,data) VALUES(?1,?2,?3)",
                        -1, &insert, nullptr);
-    for (const Said& said : all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Said& said = all[i];
+        if (i > 0 && i % layout.in_transaction == 0) run("COMMIT; BEGIN");
         const auto known = std::find(topics.begin(), topics.end(), said.topic);
         const auto id = static_cast<int>(known - topics.begin()) + 1;
         if (known == topics.end()) {
             topics.push_back(said.topic);
             run("INSERT INTO topics VALUES(" + std::to_string(id) + ",'" + said.topic + "','" +
-                said.type + "','" + encoding + "','')");
+                said.type + "','" + layout.encoding + "','')");
         }
         sqlite3_bind_int(insert, 1, id);
         sqlite3_bind_int64(insert, 2, static_cast<sqlite3_int64>(said.log_time_ns));
@@ -76,6 +88,7 @@ inline void write_db3(const std::filesystem::path& path, const std::vector<Said>
     }
     sqlite3_finalize(insert);
     run("COMMIT");
+    layout.before_close();
     sqlite3_close(database);
 }
 
