@@ -117,6 +117,18 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
+bool has_decimal_comma(std::string_view word) {
+    const std::size_t comma = word.find(',');
+    const auto is_digit = [&](std::size_t at) {
+        return at < word.size() && word[at] >= '0' && word[at] <= '9';
+    };
+    if (comma == std::string_view::npos || comma == 0) return false;
+    if (!is_digit(comma - 1) || !is_digit(comma + 1)) return false;
+    std::string point(word);
+    point[comma] = '.';
+    return parse_number(point).has_value();
+}
+
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t kLongest = 60;
     std::size_t length = std::min(text.size(), kLongest);
@@ -141,6 +153,13 @@ std::string in_quotes(std::string_view text) {
 double finite_number(std::string_view word, std::string_view column, const Place& place) {
     const std::optional<double> value = parse_number(word);
     if (value && std::isfinite(*value)) return *value;
+    if (has_decimal_comma(word)) {
+        throw FormatError(place.file, place.line,
+                          message(HITOS_TEXT("Errors",
+                                             "%1 is %2, with a decimal comma; expected a decimal "
+                                             "point"),
+                                  column, in_quotes(word)));
+    }
     throw FormatError(place.file, place.line,
                       message(HITOS_TEXT("Errors", "%1 is %2; expected a finite number"), column,
                               in_quotes(word)));

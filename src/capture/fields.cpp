@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 
 namespace hitos {
 namespace {
@@ -67,8 +68,11 @@ void Fields::expect_end(const char* after) const {
 }
 
 void Fields::fail(const char* name, std::string_view found, const char* expected) const {
+    const char* wanted = input::has_decimal_comma(found)
+                             ? HITOS_TEXT("Errors", "a decimal point, not a comma")
+                             : expected;
     fail(message(HITOS_TEXT("Errors", "%1: found %2, expected %3"), marked(name), shown(found),
-                 marked(expected)));
+                 marked(wanted)));
 }
 
 void Fields::fail(const Message& problem) const {

@@ -9,6 +9,7 @@
 
 #include "formats/formats.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "line_reader.hpp"
 #include "recordings/recording.hpp"
@@ -30,6 +31,7 @@ struct Probe {
     std::uint64_t text = 0;            ///< lines of text that are no comments
     std::uint64_t no_text = 0;         ///< lines that are not text
     std::uint64_t too_long = 0;        ///< lines longer than kLongestLine
+    std::uint64_t commas = 0;          ///< lines of text with decimal commas
     std::uint64_t bytes = 0;
     std::string first_line;     ///< cut, for messages
     std::string raw_beginning;  ///< the first bytes of the file on disk or of what it unpacks to
@@ -48,6 +50,15 @@ std::optional<std::size_t> format_of_line(std::string_view text) {
         found = i;
     }
     return found;
+}
+
+/// More than one: a single field may be a list.
+bool has_decimal_commas(std::string_view text) {
+    int found = 0;
+    for (Fields fields(text); found < 2 && !fields.at_end();) {
+        if (input::has_decimal_comma(fields.take())) ++found;
+    }
+    return found == 2;
 }
 
 Probe probe(const std::filesystem::path& path) {
@@ -75,6 +86,7 @@ Probe probe(const std::filesystem::path& path) {
             ++lines;
             ++result.text;
             constexpr std::size_t kShown = 40;
+            if (has_decimal_commas(line->text)) ++result.commas;
             if (result.first_line.empty()) result.first_line = line->text.substr(0, kShown);
         }
         const std::optional<std::size_t> format = format_of_line(line->text);
@@ -145,6 +157,16 @@ Message problem_of(const Probe& found) {
                               problem_of(found), log_formats().either()));
 }
 
+[[noreturn]] void refuse_commas(const std::string& path, const Probe& found) {
+    throw FormatError(
+        path, 0,
+        message(HITOS_TEXT("Errors",
+                           "is written with decimal commas, as programs do under the settings of "
+                           "some languages; expected decimal points, as sed -E "
+                           "'s/([0-9]),([0-9])/\\1.\\2/g' makes of them; the first line is \"%1\""),
+                found.first_line));
+}
+
 [[noreturn]] void refuse_format(const std::string& path, std::string_view said,
                                 const LogFormat& likely) {
     throw FormatError(
@@ -178,6 +200,7 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
         return recording->open(path, *recording, options);
     }
     const Probe found = probe(path);
+    if (2 * found.commas > found.text) refuse_commas(path.string(), found);
     if (found.claimed == 0) refuse_unknown(path.string(), found);
     const std::vector<LogFormat>& formats = log_formats().entries();
     const auto most = std::ranges::max_element(found.votes) - found.votes.begin();

@@ -36,6 +36,10 @@ std::optional<std::string_view> next_line(std::string_view& rest);
 /// numbers beyond the range of a double.
 std::optional<double> parse_number(std::string_view text);
 
+/// Whether the word is a number but for a comma in the place of its point, as programs write it
+/// under the settings of many languages.
+bool has_decimal_comma(std::string_view word);
+
 /// What was found, for messages: in quotes, control characters escaped, long text cut.
 std::string in_quotes(std::string_view text);
 

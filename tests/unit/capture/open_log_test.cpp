@@ -100,6 +100,22 @@ TEST(OpenLog, TextOfNoFormat) {
                 AllOf(HasSubstr("rho: 1.0"), HasSubstr("expected a log (player")));
 }
 
+// Of every format, whether its lines are still known or not.
+TEST(OpenLog, DecimalCommasAreToldAsSuch) {
+    const TempDir folder;
+    for (const char* line : {kPlayer, kOldPlayer, kRadish, kNormalized, kCarmen}) {
+        std::string text(line);
+        std::ranges::replace(text, '.', ',');
+        text.insert(text.size() - 1, " 0,5 1,5");
+        EXPECT_THAT(error_of(folder.put("a.log", "# a log, of 1.5 m\n" + text)),
+                    AllOf(HasSubstr("is written with decimal commas"), HasSubstr("sed -E")));
+    }
+    // Some lines are damage, and each says why.
+    std::string text;
+    for (int i = 0; i < 5; ++i) text += kCarmen;
+    EXPECT_NE(open_log(folder.put("b.log", text + "ODOM 0,1 0,2 0 0 0 0 7.4 h 7.4\n")), nullptr);
+}
+
 TEST(OpenLog, WrongExplicitFormat) {
     const TempDir folder;
     const auto path = folder.put("a", kCarmen);

@@ -61,4 +61,21 @@ inline void expect_first(const std::vector<Said>& found, std::size_t count) {
     }
 }
 
+inline std::vector<Said> many_messages(std::size_t count) {
+    std::vector<Said> all;
+    for (std::size_t i = 0; i < count; ++i) {
+        all.push_back({i % 3 == 0 ? "/a" : "/b", i % 3 == 0 ? "x_msgs/A" : "x_msgs/B",
+                       std::string(i % 7 * 150, static_cast<char>('a' + i % 26)), i});
+    }
+    return all;
+}
+
+/// Whether these are the first of them, each whole.
+inline bool are_first(const std::vector<Said>& found, const std::vector<Said>& all) {
+    const auto same = [](const Said& a, const Said& b) {
+        return a.topic == b.topic && a.bytes == b.bytes && a.log_time_ns == b.log_time_ns;
+    };
+    return found.size() <= all.size() && std::equal(found.begin(), found.end(), all.begin(), same);
+}
+
 }  // namespace hitos::test

@@ -11,8 +11,10 @@
 namespace hitos {
 
 /// Reads plain or gzip TUM files, in the file's order; `#` comments and empty lines are passed
-/// over. The heading is the yaw of the quaternion; z is not used. Throws FileError or FormatError
-/// with the line; a file without any pose is an error.
+/// over. Commas or semicolons may stand between the fields, a first line may name the columns (qw
+/// before qx, more behind them), and stamps of a clock of today may be milliseconds, microseconds
+/// or nanoseconds. The heading is the yaw of the quaternion; z is not used. Throws FileError or
+/// FormatError with the line; a file without any pose is an error.
 Trajectory read_trajectory(const std::filesystem::path& path);
 
 /// As read_trajectory(), from text; `name` stands in messages.

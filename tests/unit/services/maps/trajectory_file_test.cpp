@@ -81,6 +81,59 @@ TEST(ParseTrajectory, NamesLineFoundAndExpected) {
               "t.tum: no pose in the file; expected 8 numbers, t x y z qx qy qz qw on each line");
 }
 
+TEST(ParseTrajectory, ReadsCommasNamesAndOtherStampsWhereThereIsNoDoubt) {
+    const Trajectory expected = {{1700000000.5, {1.0, -2.0, kPi / 2.0}},
+                                 {1700000001.0, {1.5, -2.5, 0.0}}};
+    const auto written = [](std::string_view names, std::string_view between,
+                            std::string_view stamp_ends, bool qw_first,
+                            std::string_view more = "") {
+        const std::string first =
+            qw_first ? "0.70710678 0 0 0.70710678" : "0 0 0.70710678 0.70710678";
+        const std::string second = qw_first ? "1 0 0 0" : "0 0 0 1";
+        const std::string rows =
+            fmt::format("17000000005{0} 1 -2 7 {1}{3}\r\n17000000010{0} 1.5 -2.5 7 {2}{3}\r\n",
+                        stamp_ends, first, second, more);
+        std::string text(names);
+        for (const char c : rows) c == ' ' ? text.append(between) : text.append(1, c);
+        return text;
+    };
+    const char* euroc =
+        "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],"
+        "q_RS_z [],v_x [m s^-1],b_x [rad s^-1]\n";
+    for (const std::string& text :
+         {written("", ",", "e-1", false), written("", ", ", "e-1", false),
+          written("", ";", "e-1", false), written("", " , ", "e-1", false),
+          written("timestamp,tx,ty,tz,qx,qy,qz,qw\n", ",", "e-1", false),
+          written("# t x y z qw qx qy qz\n", " ", "e-1", true),
+          written("\xef\xbb\xbf", " ", "00000000", false), written("", " ", "00", false),
+          written("", " ", "00000", false), written(euroc, ",", "00000000", true, " 3 4")}) {
+        const Trajectory found = parse_trajectory(text, "t");
+        ASSERT_EQ(found.size(), 2U) << text;
+        for (std::size_t i = 0; i < 2; ++i) {
+            EXPECT_NEAR(found[i].time_s, expected[i].time_s, 1e-6) << text;
+            EXPECT_EQ(found[i].pose.x, expected[i].pose.x) << text;
+            EXPECT_EQ(found[i].pose.y, expected[i].pose.y) << text;
+            EXPECT_NEAR(found[i].pose.theta, expected[i].pose.theta, 1e-7) << text;
+        }
+    }
+    // Of a simulation's clock, which says nothing by its size.
+    EXPECT_EQ(parse_trajectory("#t [ns],x,y,z,qx,qy,qz,qw\n5000000,0,0,0,0,0,0,1", "t")[0].time_s,
+              0.005);
+}
+
+TEST(ParseTrajectory, TellsWhatItDoubts) {
+    EXPECT_THAT(path_refusal("0,5 1,0 0,0 0 0 0 0 1\n"),
+                HasSubstr("t is \"0,5\", with a decimal comma"));
+    EXPECT_THAT(path_refusal("0,5;1,0;0,0;0;0;0;0;1\n"), HasSubstr("with a decimal comma"));
+    EXPECT_THAT(path_refusal("0 0 0 0 0 0 0 1\n60000000000 0 0 0 0 0 0 1"),
+                HasSubstr("go from 0 to 60000000000, which cannot be seconds"));
+    EXPECT_THAT(path_refusal("0 0 0 0 1 0 0 0\n1 0 0 0 0.8 0 0 0.6"),
+                HasSubstr("qw stands before qx"));
+    EXPECT_THAT(path_refusal("time,x,y,theta\n"), HasSubstr("found 4 fields; expected 8 numbers"));
+    // A laser that hangs upside down turns about other axes.
+    EXPECT_EQ(parse_trajectory("0 0 0 0 1 0 0 0\n1 0 0 0 0.8 0.6 0 0", "t").size(), 2U);
+}
+
 TEST(TrajectoryToText, HasFixedDecimalsAndTheShortestTime) {
     EXPECT_EQ(trajectory_to_text({{1234567890.125, {1.0, -2.5, 0.0}},
                                   {0.1, {-1e-12, 1.0 / 3.0, kPi}},
