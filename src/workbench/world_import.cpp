@@ -166,6 +166,41 @@ std::vector<Polyline> walls_of_picture(const OccupancyPicture& picture, double t
     return rounded(trace_walls(picture, options));
 }
 
+std::vector<Polyline> walls_of_map_server(const std::filesystem::path& file, double tolerance_m,
+                                          ImportReport* report) {
+    OccupancyPicture picture = read_map_server(file);
+    if (report != nullptr && !picture.note.empty()) report->notes.push_back(picture.note);
+    return walls_of_picture(picture, tolerance_m);
+}
+
+/// Stage's worlds name the picture of their walls and how large it is.
+void refuse_stage_world(const std::filesystem::path& file) {
+    const std::string text = input::read_text(file);
+    std::string_view rest = text;
+    std::string bitmap;
+    std::string size;
+    while (const auto line = input::next_line(rest)) {
+        const std::string_view content = input::trimmed(line->substr(0, line->find('#')));
+        if (bitmap.empty() && content.find('(') != std::string_view::npos) size.clear();
+        if (!bitmap.empty() && content.starts_with(')')) break;
+        const std::size_t blank = content.find_first_of(" \t\"[");
+        const std::string_view key = content.substr(0, blank);
+        if (blank == std::string_view::npos || (key != "bitmap" && key != "size")) continue;
+        std::string value(input::trimmed(content.substr(blank)));
+        if (key == "bitmap" && bitmap.empty()) bitmap = value;
+        if (key == "size") size = value;  // behind the name, or before it
+    }
+    if (bitmap.empty()) return;
+    throw FormatError(
+        file.string(), 0,
+        message(
+            HITOS_TEXT("Errors",
+                       "is a world of Stage, which Hitos does not read; give the picture of its "
+                       "walls, %1, with --resolution: its width in metres (size %2) divided by "
+                       "that in pixels"),
+            bitmap, size.empty() ? "?" : size));
+}
+
 OccupancyPicture picture_of(const std::filesystem::path& source, double resolution_m) {
     if (resolution_m != 0.0) return read_wall_picture(source, resolution_m);
     throw ConfigError("resolution",
@@ -209,10 +244,11 @@ std::vector<Polyline> import_walls(const std::filesystem::path& source,
             walls = walls_of_segments(segments_file(source));
             break;
         case WallSource::map:
+            refuse_stage_world(source);
             walls = walls_of_map(source, options.tolerance_m, report);
             break;
         case WallSource::map_server:
-            walls = walls_of_picture(read_map_server(source), options.tolerance_m);
+            walls = walls_of_map_server(source, options.tolerance_m, report);
             break;
         case WallSource::picture:
             walls = walls_of_picture(picture_of(source, options.resolution_m), options.tolerance_m);

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
@@ -18,6 +21,7 @@ namespace {
 
 constexpr double kLeastResolution = 1e-4;  // m
 constexpr double kGreatestResolution = 10.0;
+constexpr double kOpaque = 255.0;
 constexpr std::size_t kMostPixels = 100'000'000;
 
 struct Entry {
@@ -25,30 +29,67 @@ struct Entry {
     std::uint64_t line = 0;
 };
 
-/// The lines `key: value` that map_server's files are made of.
+std::string_view unquoted(std::string_view text) {
+    if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') &&
+        text.back() == text.front()) {
+        return text.substr(1, text.size() - 2);
+    }
+    return text;
+}
+
+/// A comment begins behind a blank, or with the line, and not in quotes.
+std::string_view without_comment(std::string_view line) {
+    char quote = '\0';
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        const char c = line[at];
+        if (quote != '\0') {
+            if (c == quote) quote = '\0';
+        } else if ((c == '"' || c == '\'') &&
+                   (at == 0 || std::string_view(" \t[{,:").find(line[at - 1]) < 6)) {
+            quote = c;
+        } else if (c == '#' && (at == 0 || line[at - 1] == ' ' || line[at - 1] == '\t')) {
+            line = line.substr(0, at);
+            break;
+        }
+    }
+    return input::trimmed(line);
+}
+
+/// The lines `key: value` that map_server's files are made of, also where a library wrote them:
+/// lists item by item, over several lines, or all in one pair of braces.
 class MapServerFile {
   public:
     explicit MapServerFile(const std::filesystem::path& path) : path_(path) {
+        constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
         const std::string text = input::read_text(path, input::kLargestSettings);
         std::string_view rest = text;
+        if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
         std::uint64_t number = 0;
+        Entry* last = nullptr;
         while (const auto line = input::next_line(rest)) {
             ++number;
             const std::string_view content = without_comment(*line);
-            if (content.empty() || content == "---" || content == "...") continue;
-            const std::size_t colon = content.find(':');
-            if (colon == std::string_view::npos) {
-                throw FormatError(
-                    path.string(), number,
-                    message(HITOS_TEXT("Errors",
-                                       "found %1, expected key: value, as in the YAML files of "
-                                       "map_server"),
-                            input::in_quotes(content)));
+            if (content.empty() || content == "---" || content == "..." || content[0] == '%') {
+                continue;
             }
-            entries_[std::string(input::trimmed(content.substr(0, colon)))] = {
-                std::string(input::trimmed(content.substr(colon + 1))), number};
+            if (last != nullptr && !last->value.empty() && last->value.front() == '[' &&
+                last->value.back() != ']') {
+                last->value.append(" ").append(content);
+            } else if (last != nullptr && content.starts_with("- ")) {
+                const bool first = last->value.empty();
+                if (!first) last->value.back() = ',';
+                last->value.append(first ? "[" : " ").append(input::trimmed(content.substr(2)));
+                last->value += ']';
+            } else if (content.front() == '{' && content.back() == '}') {
+                take_braces(content.substr(1, content.size() - 2), number);
+            } else {
+                last = &take_entry(content, number);
+            }
         }
     }
+
+    /// Where the image lies elsewhere than the file says.
+    Message note;
 
     const Entry* find(const std::string& key) const {
         const auto found = entries_.find(key);
@@ -74,7 +115,7 @@ class MapServerFile {
     double number(const std::string& key, double otherwise, double least, double greatest) const {
         const Entry* entry = find(key);
         if (entry == nullptr) return otherwise;
-        const auto value = input::parse_number(entry->value);
+        const auto value = input::parse_number(unquoted(entry->value));
         if (!value || !(*value >= least && *value <= greatest))
             refuse(key, *entry, fmt::format("{:g} to {:g}", least, greatest));
         return *value;
@@ -89,7 +130,7 @@ class MapServerFile {
         if (good) list = list.substr(1, list.size() - 2);
         for (std::size_t i = 0; good && i < values.size(); ++i) {
             const std::size_t comma = list.find(',');
-            const auto value = input::parse_number(input::trimmed(list.substr(0, comma)));
+            const auto value = input::parse_number(unquoted(input::trimmed(list.substr(0, comma))));
             good = value && std::abs(*value) <= kFarthest &&
                    (comma == std::string_view::npos) == (i + 1 == values.size());
             if (!good) break;
@@ -100,26 +141,64 @@ class MapServerFile {
         return {values[0], values[1], wrap_angle(values[2])};
     }
 
-    std::filesystem::path image() const {
+    bool flag(const std::string& key) const {
+        const Entry* entry = find(key);
+        if (entry == nullptr) return false;
+        std::string word(unquoted(entry->value));
+        std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+        if (word == "true" || word == "yes" || word == "on") return true;
+        if (word == "false" || word == "no" || word == "off") return false;
+        return number(key, 0, 0, 1) != 0.0;
+    }
+
+    std::filesystem::path image() {
         const Entry& entry = need("image", "PICTURE");
-        std::string_view name = entry.value;
-        if (name.size() >= 2 && (name.front() == '"' || name.front() == '\'') &&
-            name.back() == name.front())
-            name = name.substr(1, name.size() - 2);
+        const std::string name(unquoted(entry.value));
         if (name.empty()) refuse("image", entry, "the name of a picture");
-        return path_.parent_path() / name;
+        const std::filesystem::path said = path_.parent_path() / name;
+        // The machine that saved the map has other folders, and perhaps another system.
+        const std::size_t behind = name.find_last_of("/\\") + 1;
+        const std::filesystem::path beside = path_.parent_path() / name.substr(behind);
+        std::error_code error;
+        if (behind == 0 || std::filesystem::exists(said, error) ||
+            !std::filesystem::is_regular_file(beside, error)) {
+            return said;
+        }
+        note =
+            message(HITOS_TEXT("Errors",
+                               "the picture is the file of that name beside %1, as there is no %2"),
+                    path_.filename().string(), name);
+        return beside;
     }
 
   private:
-    static std::string_view without_comment(std::string_view line) {
-        for (std::size_t at = line.find('#'); at != std::string_view::npos;
-             at = line.find('#', at + 1)) {
-            if (at == 0 || line[at - 1] == ' ' || line[at - 1] == '\t') {
-                line = line.substr(0, at);
-                break;
-            }
+    Entry& take_entry(std::string_view content, std::uint64_t number) {
+        const std::size_t colon = content.find(':');
+        if (colon == std::string_view::npos) {
+            throw FormatError(
+                path_.string(), number,
+                message(HITOS_TEXT("Errors",
+                                   "found %1, expected key: value, as in the YAML files of "
+                                   "map_server"),
+                        input::in_quotes(content)));
         }
-        return input::trimmed(line);
+        const std::string_view key = unquoted(input::trimmed(content.substr(0, colon)));
+        Entry& entry = entries_[std::string(key)];
+        entry = {std::string(input::trimmed(content.substr(colon + 1))), number};
+        return entry;
+    }
+
+    void take_braces(std::string_view content, std::uint64_t number) {
+        int depth = 0;
+        std::size_t begin = 0;
+        for (std::size_t at = 0; at <= content.size(); ++at) {
+            const char c = at < content.size() ? content[at] : ',';
+            depth += (c == '[') - (c == ']');
+            if (c != ',' || (depth > 0 && at < content.size())) continue;
+            const auto entry = input::trimmed(content.substr(begin, at - begin));
+            if (!entry.empty()) take_entry(entry, number);
+            begin = at + 1;
+        }
     }
 
     std::filesystem::path path_;
@@ -127,45 +206,56 @@ class MapServerFile {
 };
 
 template <class Occupied>
-OccupancyPicture occupancy(const std::filesystem::path& file, const Grid::Picture& picture,
+OccupancyPicture occupancy(const std::filesystem::path& file, const MeanPicture& mean,
                            Occupied&& occupied) {
+    const Grid::Picture& picture = mean.grey;
     if (picture.grey.size() > kMostPixels) {
         throw FormatError(file.string(), 0,
                           message(HITOS_TEXT("Errors", "has %1 pixels; expected at most %2"),
                                   picture.grey.size(), kMostPixels));
     }
-    std::array<std::uint8_t, 256> of_grey{};
-    for (std::size_t grey = 0; grey < of_grey.size(); ++grey)
-        of_grey[grey] = occupied(static_cast<double>(grey)) ? 1 : 0;
     OccupancyPicture result;
     result.columns = picture.width;
     result.rows = picture.height;
     result.occupied.reserve(picture.grey.size());
-    for (const std::uint8_t grey : picture.grey) result.occupied.push_back(of_grey[grey]);
+    for (std::size_t i = 0; i < picture.grey.size(); ++i) {
+        const double alpha = mean.alpha.empty() ? kOpaque : mean.alpha[i];
+        const auto grey = static_cast<double>(picture.grey[i]);
+        // What nobody sees is no wall, whatever its colour.
+        result.occupied.push_back(alpha > 0.0 && occupied(grey, alpha) ? 1 : 0);
+    }
     return result;
 }
 
 }  // namespace
 
 OccupancyPicture read_map_server(const std::filesystem::path& yaml) {
-    const MapServerFile file(yaml);
+    MapServerFile file(yaml);
     file.need("resolution", "METRES");
     const double resolution = file.number("resolution", 0, kLeastResolution, kGreatestResolution);
     const Pose origin = file.origin();
-    const bool negate = file.number("negate", 0, 0, 1) != 0.0;
+    const bool negate = file.flag("negate");
     const double from = file.number("occupied_thresh", kOccupiedFrom, 0, 1);
     file.number("free_thresh", kFreeBelow, 0, 1);
-    bool raw = false;
-    if (const Entry* mode = file.find("mode")) {
-        raw = mode->value == "raw";
-        if (!raw && mode->value != "trinary" && mode->value != "scale")
-            file.refuse("mode", *mode, "trinary, scale or raw");
+    std::string mode = "trinary";
+    if (const Entry* said = file.find("mode")) {
+        mode = unquoted(said->value);
+        if (mode != "trinary" && mode != "scale" && mode != "raw") {
+            file.refuse("mode", *said, "trinary, scale or raw");
+        }
     }
     const std::filesystem::path image = file.image();
-    OccupancyPicture picture = occupancy(image, read_grey_picture(image), [&](double pixel) {
-        if (raw) return pixel <= 100.0 && pixel / 100.0 > from;
+    const MeanPicture mean = read_mean_picture(image);
+    const bool has_alpha = !mean.alpha.empty();
+    const auto is_wall = [&](double pixel, double alpha) {
+        if (mode == "raw") return pixel <= 100.0 && pixel / 100.0 > from;
+        // Any transparency says "unknown" in mode scale; else map_server takes it for a colour.
+        if (mode == "scale" && alpha < kOpaque) return false;
+        if (mode == "trinary" && has_alpha) pixel = (3.0 * pixel + alpha) / 4.0;
         return (negate ? pixel : 255.0 - pixel) / 255.0 > from;
-    });
+    };
+    OccupancyPicture picture = occupancy(image, mean, is_wall);
+    picture.note = file.note;
     picture.resolution_m = resolution;
     picture.origin = origin;
     return picture;
@@ -178,7 +268,7 @@ OccupancyPicture read_wall_picture(const std::filesystem::path& path, double res
             message(HITOS_TEXT("Errors", "found %1, expected %2"), resolution_m,
                     fmt::format("{:g} to {:g} m", kLeastResolution, kGreatestResolution)));
     }
-    OccupancyPicture picture = occupancy(path, read_grey_picture(path), [](double pixel) {
+    OccupancyPicture picture = occupancy(path, read_mean_picture(path), [](double pixel, double) {
         return (255.0 - pixel) / 255.0 > kOccupiedFrom;
     });
     picture.resolution_m = resolution_m;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -74,6 +75,24 @@ MapImage joined(MapImage large, int side) {
     return image;
 }
 
+cv::Mat decoded(const fs::path& path, int how) {
+    const std::string text = input::read_text(path);
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    cv::Mat image;
+    drawing::set_up_codecs();
+    try {
+        image = cv::imdecode(bytes, how);
+    } catch (const cv::Exception&) {
+        image.release();
+    }
+    if (image.empty()) {
+        throw FormatError(
+            path.string(), 0,
+            message(HITOS_TEXT("Errors", "is no picture; expected a PNG or JPG file")));
+    }
+    return image;
+}
+
 }  // namespace
 
 MapImage map_image(const Grid& grid) {
@@ -136,21 +155,28 @@ void write_picture(const Grid::Picture& picture, const fs::path& path) {
 }
 
 Grid::Picture read_grey_picture(const fs::path& path) {
-    const std::string text = input::read_text(path);
-    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-    cv::Mat image;
-    drawing::set_up_codecs();
-    try {
-        image = cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
-    } catch (const cv::Exception&) {
-        image.release();
-    }
-    if (image.empty()) {
-        throw FormatError(
-            path.string(), 0,
-            message(HITOS_TEXT("Errors", "is no picture; expected a PNG or JPG file")));
-    }
+    const cv::Mat image = decoded(path, cv::IMREAD_GRAYSCALE);
     return {image.cols, image.rows, {image.begin<std::uint8_t>(), image.end<std::uint8_t>()}};
+}
+
+MeanPicture read_mean_picture(const fs::path& path) {
+    cv::Mat image = decoded(path, cv::IMREAD_UNCHANGED);
+    if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257.0);
+    if (image.depth() != CV_8U) image = decoded(path, cv::IMREAD_COLOR);
+    const int channels = image.channels();
+    const int colours = channels % 2 == 0 ? channels - 1 : channels;  // the last is alpha
+    MeanPicture result;
+    result.grey = {image.cols, image.rows, {}};
+    result.grey.grey.reserve(image.total());
+    for (int row = 0; row < image.rows; ++row) {
+        const auto* at = image.ptr<std::uint8_t>(row);
+        for (int column = 0; column < image.cols; ++column, at += channels) {
+            const int sum = std::accumulate(at, at + colours, 0);
+            result.grey.grey.push_back(static_cast<std::uint8_t>((sum + colours / 2) / colours));
+            if (colours < channels) result.alpha.push_back(at[colours]);
+        }
+    }
+    return result;
 }
 
 }  // namespace hitos

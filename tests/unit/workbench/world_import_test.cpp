@@ -114,6 +114,36 @@ TEST(WorldImport, WhatShowsNoWallIsRefused) {
     message_of<FileError>([&] { import_walls(folder / "none.map", {}); });
 }
 
+TEST(WorldImport, OfAWorldOfStageItsPictureIsAskedFor) {
+    TempFolder folder;
+    for (const char* plan :
+         {"floorplan\n(\n  size [20 12 0.8]\n  bitmap \"plan.png\"\n)\n",
+          "floorplan (\n\tbitmap\t\"plan.png\" # walls\n\tsize [20 12 0.8]\n)\n"}) {
+        const auto file =
+            folder.put("tour.world", std::string("# ours\nresolution 0.02\nwindow\n(\n"
+                                                 "  size [600 400]\n)\n") +
+                                         plan + "robot\n(\n  size [1 1 1]\n)\n");
+        const std::string told = message_of<FormatError>([&] { import_walls(file, {}); });
+        EXPECT_NE(told.find("is a world of Stage"), std::string::npos) << told;
+        EXPECT_NE(told.find("\"plan.png\", with --resolution"), std::string::npos) << told;
+        EXPECT_NE(told.find("(size [20 12 0.8])"), std::string::npos) << told;
+    }
+}
+
+TEST(WorldImport, APictureThatIsNotWhereItsYamlSaysIsTold) {
+    const TempFolder folder;
+    drawn_grid(folder, "bigloop");
+    const auto yaml = folder.put("map.yaml",
+                                 "image: /home/robot/bigloop.png\nresolution: 0.05\n"
+                                 "origin:\n- 0\n- 0\n- 0\n");
+    ImportReport report;
+    EXPECT_FALSE(import_walls(yaml, {}, &report).empty());
+    ASSERT_EQ(report.notes.size(), 1U);
+    EXPECT_EQ(report.notes.front().english(),
+              "the picture is the file of that name beside map.yaml, as there is no "
+              "/home/robot/bigloop.png");
+}
+
 TEST(WorldImport, TheDrawingOfARunGivesItsSegments) {
     const TempFolder folder;
     LandmarkMap map;

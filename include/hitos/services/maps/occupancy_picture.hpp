@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
+#include "hitos/base/message.hpp"
 
 namespace hitos {
 
@@ -16,6 +17,7 @@ struct OccupancyPicture {
     std::vector<std::uint8_t> occupied;  ///< 0 or 1, row after row from the top (greatest y)
     double resolution_m = 0.05;          ///< of a cell
     Pose origin;                         ///< lower left corner of the lower left cell [m, rad]
+    Message note;                        ///< of a picture that is not where the YAML file says
 
     bool at(int column, int row) const {
         return column >= 0 && row >= 0 && column < columns && row < rows &&
@@ -33,8 +35,10 @@ struct OccupancyPicture {
 /// (PGM, PNG, JPG, BMP): `image`, `resolution` and `origin` must be there; `negate` (0),
 /// `occupied_thresh` (0.65), `free_thresh` (0.25) and `mode` (trinary) may be. A cell is occupied
 /// where its value is more than occupied_thresh: (255 - pixel) / 255, negated pixel / 255, in mode
-/// raw pixel / 100 up to 100. Throws FileError, or FormatError that names file, line and what was
-/// expected.
+/// raw pixel / 100 up to 100. Pixels are the mean of their colours, in mode trinary with alpha as
+/// one; what is wholly transparent, in mode scale at all, is not occupied. A picture that is not
+/// where the file says is looked for beside it. Throws FileError, or FormatError that names file,
+/// line and what was expected.
 OccupancyPicture read_map_server(const std::filesystem::path& yaml);
 
 /// A picture of walls darker than 35 % grey, a pixel so many metres, its lower left corner at the

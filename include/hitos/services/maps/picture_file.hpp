@@ -57,4 +57,12 @@ void write_picture(const Grid::Picture& picture, const std::filesystem::path& pa
 /// Reads a PNG or JPG as grey. Throws FileError or FormatError.
 Grid::Picture read_grey_picture(const std::filesystem::path& path);
 
+/// A picture's greys as map_server takes them: the mean of the colours.
+struct MeanPicture {
+    Grid::Picture grey;
+    std::vector<std::uint8_t> alpha;  ///< 255: not transparent at all; empty where it has none
+};
+/// Throws FileError or FormatError.
+MeanPicture read_mean_picture(const std::filesystem::path& path);
+
 }  // namespace hitos

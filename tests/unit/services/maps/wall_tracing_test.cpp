@@ -2,7 +2,10 @@
 #include "hitos/services/maps/wall_tracing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <random>
 
 #include "hitos/base/error.hpp"
@@ -224,6 +227,54 @@ TEST(OccupancyPicture, FollowsTheRulesOfMapServer) {
     const Point2 first = picture.world(0, 0);
     EXPECT_NEAR(first.x, 1 + 0.05 * std::cos(0.5) - 0.05 * std::sin(0.5), 1e-12);
     EXPECT_NEAR(first.y, 2 + 0.05 * std::sin(0.5) + 0.05 * std::cos(0.5), 1e-12);
+}
+
+TEST(OccupancyPicture, IsReadAsLibrariesAndPeopleWriteIt) {
+    TempFolder folder;
+    put_picture(folder);
+    for (const char* yaml :
+         {"image: room.png\nmode: trinary\nresolution: 0.1\norigin:\n- 1\n- 2\n- 0.5\nnegate: 0\n",
+          "image: room.png\nresolution: 0.1\norigin:\n  - 1.0  # x\n  - 2.0\n  - 0.5\n",
+          "\xef\xbb\xbf%YAML 1.2\r\n---\r\n\"image\": \"room.png\"\r\n'resolution': '0.1'\r\n"
+          "origin: [1,\r\n         2,  # y\r\n\r\n         0.5]\r\nnegate: false\r\n",
+          "{image: room.png, resolution: 0.1, origin: [1, 2, 0.5], negate: no}\n",
+          "image: /home/robot/maps/room.png\nresolution: 0.1\norigin: [1, 2, 0.5]\n",
+          "image: C:\\maps\\room.png\nresolution: 0.1\norigin: [1, 2, 0.5]\n"}) {
+        const OccupancyPicture picture = read_map_server(folder.put("room.yaml", yaml));
+        EXPECT_EQ(picture.occupied, (std::vector<std::uint8_t>{1, 1, 0, 0})) << yaml;
+        EXPECT_EQ(picture.resolution_m, 0.1);
+        EXPECT_EQ(picture.origin, (Pose{1, 2, 0.5}));
+        const bool elsewhere = std::string_view(yaml).find("maps") != std::string_view::npos;
+        EXPECT_EQ(picture.note.empty(), !elsewhere) << picture.note.english();
+    }
+    write_picture(Grid::Picture{1, 1, {0}}, folder / "it's #1.png");
+    const auto ones = read_map_server(folder.put(
+        "a.yaml", "image: \"it's #1.png\" # 'old'\nresolution: 0.1\norigin: [0, 0, 0]\n"));
+    EXPECT_EQ(ones.occupied, (std::vector<std::uint8_t>{1}));
+}
+
+// Black, white and grey of 80, each opaque, half transparent and wholly.
+TEST(OccupancyPicture, TransparencyIsWhatMapServerMakesOfItsModes) {
+    TempFolder folder;
+    cv::Mat image(3, 3, CV_8UC4);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            const int grey = std::array{0, 255, 80}[static_cast<std::size_t>(column)];
+            const int alpha = std::array{255, 128, 0}[static_cast<std::size_t>(row)];
+            image.at<cv::Vec4b>(row, column) =
+                cv::Vec4b(static_cast<unsigned char>(grey), static_cast<unsigned char>(grey),
+                          static_cast<unsigned char>(grey), static_cast<unsigned char>(alpha));
+        }
+    }
+    ASSERT_TRUE(cv::imwrite((folder / "room.png").string(), image));
+    const auto cells = [&](const std::string& yaml) {
+        return read_map_server(folder.put("room.yaml", yaml)).occupied;
+    };
+    using Cells = std::vector<std::uint8_t>;
+    EXPECT_EQ(cells(kYaml), (Cells{1, 0, 0, 1, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(cells(kYaml + "mode: scale\n"), (Cells{1, 0, 1, 0, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(read_wall_picture(folder / "room.png", 0.1).occupied,
+              (Cells{1, 0, 1, 1, 0, 1, 0, 0, 0}));
 }
 
 TEST(OccupancyPicture, WhatCannotBeIsToldWithFileAndLine) {
