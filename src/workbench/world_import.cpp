@@ -173,23 +173,33 @@ std::vector<Polyline> walls_of_map_server(const std::filesystem::path& file, dou
     return walls_of_picture(picture, tolerance_m);
 }
 
+/// What stands behind the word in the block of a world of Stage, in quotes or brackets; empty where
+/// nothing does.
+std::string stage_value(std::string_view block, std::string_view key) {
+    for (std::size_t at = block.find(key); at != std::string_view::npos;
+         at = block.find(key, at + 1)) {
+        const std::string_view behind = input::trimmed(block.substr(at + key.size()));
+        if (!behind.starts_with('"') && !behind.starts_with('[')) continue;
+        const std::size_t end = behind.find(behind[0] == '[' ? ']' : '"', 1);
+        return std::string(behind.substr(0, end == std::string_view::npos ? end : end + 1));
+    }
+    return {};
+}
+
 /// Stage's worlds name the picture of their walls and how large it is.
 void refuse_stage_world(const std::filesystem::path& file) {
     const std::string text = input::read_text(file);
+    std::string words;
     std::string_view rest = text;
-    std::string bitmap;
-    std::string size;
     while (const auto line = input::next_line(rest)) {
-        const std::string_view content = input::trimmed(line->substr(0, line->find('#')));
-        if (bitmap.empty() && content.find('(') != std::string_view::npos) size.clear();
-        if (!bitmap.empty() && content.starts_with(')')) break;
-        const std::size_t blank = content.find_first_of(" \t\"[");
-        const std::string_view key = content.substr(0, blank);
-        if (blank == std::string_view::npos || (key != "bitmap" && key != "size")) continue;
-        std::string value(input::trimmed(content.substr(blank)));
-        if (key == "bitmap" && bitmap.empty()) bitmap = value;
-        if (key == "size") size = value;  // behind the name, or before it
+        words.append(line->substr(0, line->find('#'))).append("\n");
     }
+    const std::size_t at = words.find("bitmap");
+    if (at == std::string::npos) return;
+    const std::size_t begin = words.rfind('(', at) + 1;  // 0 where there is none
+    const std::string block = words.substr(begin, words.find(')', at) - begin);
+    const std::string bitmap = stage_value(block, "bitmap");
+    const std::string size = stage_value(block, "size");
     if (bitmap.empty()) return;
     throw FormatError(
         file.string(), 0,

@@ -118,7 +118,8 @@ TEST(WorldImport, OfAWorldOfStageItsPictureIsAskedFor) {
     TempFolder folder;
     for (const char* plan :
          {"floorplan\n(\n  size [20 12 0.8]\n  bitmap \"plan.png\"\n)\n",
-          "floorplan (\n\tbitmap\t\"plan.png\" # walls\n\tsize [20 12 0.8]\n)\n"}) {
+          "floorplan (\n\tbitmap\t\"plan.png\" # walls\n\tsize [20 12 0.8]\n)\n",
+          "floorplan( name \"a\" bitmap \"plan.png\" size [20 12 0.8] ) # all of it\n"}) {
         const auto file =
             folder.put("tour.world", std::string("# ours\nresolution 0.02\nwindow\n(\n"
                                                  "  size [600 400]\n)\n") +

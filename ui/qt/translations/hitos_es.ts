@@ -1743,10 +1743,6 @@
         <translation>dice que la grabación está comprimida por %1, lo que Hitos no lee; conviértala con «ros2 bag convert»</translation>
     </message>
     <message>
-        <source>is a folder without a recording: found neither a metadata.yaml that names files nor files *.mcap or *.db3; choose a log file inside it</source>
-        <translation>es una carpeta sin grabación: no hay un metadata.yaml que nombre archivos ni archivos *.mcap o *.db3; elija un archivo de registro dentro de ella</translation>
-    </message>
-    <message>
         <source>found the compression &quot;%1&quot;, expected none, bz2, lz4 or zstd</source>
         <translation>se encontró la compresión «%1», se esperaba none, bz2, lz4 o zstd</translation>
     </message>
@@ -2285,6 +2281,58 @@
     <message>
         <source>the odometry leaps, by up to %1 m (line %2) and %3 in all, as where a driver begins anew; the map falls in pieces there</source>
         <translation>la odometría salta hasta %1 m (línea %2), %3 veces en total, como cuando un controlador empieza de nuevo; ahí el mapa se rompe en pedazos</translation>
+    </message>
+    <message>
+        <source>%1 is %2, with a decimal comma; expected a decimal point</source>
+        <translation>%1 es %2, con coma decimal; se esperaba un punto decimal</translation>
+    </message>
+    <message>
+        <source>a decimal point, not a comma</source>
+        <translation>un punto decimal, no una coma</translation>
+    </message>
+    <message>
+        <source>is written with decimal commas, as programs do under the settings of some languages; expected decimal points, as sed -E &apos;s/([0-9]),([0-9])/\1.\2/g&apos; makes of them; the first line is &quot;%1&quot;</source>
+        <translation>está escrito con comas decimales, como hacen los programas con los ajustes de algunos idiomas; se esperaban puntos decimales, como los que pone sed -E &apos;s/([0-9]),([0-9])/\1.\2/g&apos;; la primera línea es &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>its header is damaged</source>
+        <translation>su cabecera está dañada</translation>
+    </message>
+    <message>
+        <source>the recording is cut off at byte %1: %2 of the %3 pages that it says it has are missing; what the others hold was read</source>
+        <translation>la grabación está cortada en el byte %1: faltan %2 de las %3 páginas que dice tener; se ha leído lo que contienen las demás</translation>
+    </message>
+    <message>
+        <source>a recorder was broken off while it wrote, as %1 tells; what it wrote last may be in part</source>
+        <translation>se interrumpió un grabador mientras escribía, como indica %1; lo último que escribió puede estar incompleto</translation>
+    </message>
+    <message>
+        <source>%1 holds changes from byte %2 to byte %3 that were never finished, or are cut off or damaged; they are left out</source>
+        <translation>%1 contiene cambios del byte %2 al byte %3 que nunca se terminaron, o que están cortados o dañados; se dejan fuera</translation>
+    </message>
+    <message>
+        <source>is a folder without a recording: found neither a metadata.yaml that names files nor files *.mcap or *.db3, plain or as *.zstd; choose a log file inside it</source>
+        <translation>es una carpeta sin grabación: no hay un metadata.yaml que nombre archivos ni archivos *.mcap o *.db3, tal cual o como *.zstd; elija un archivo de registro dentro de ella</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked in %1: %2; make room there, or name another folder in TMPDIR</source>
+        <translation>no se puede descomprimir en %1: %2; haga sitio allí o indique otra carpeta en TMPDIR</translation>
+    </message>
+    <message>
+        <source>the picture is the file of that name beside %1, as there is no %2</source>
+        <translation>la imagen es el archivo de ese nombre junto a %1, pues no existe %2</translation>
+    </message>
+    <message>
+        <source>the stamps go from %1 to %2, which cannot be seconds; expected seconds (nanoseconds divided by 1e9)</source>
+        <translation>las marcas de tiempo van de %1 a %2, que no pueden ser segundos; se esperaban segundos (nanosegundos divididos por 1e9)</translation>
+    </message>
+    <message>
+        <source>the robot rolls about its x axis and turns about no other, as where qw stands before qx; expected t x y z qx qy qz qw, or a first line that names the columns</source>
+        <translation>el robot gira en torno a su eje x y a ningún otro, como cuando qw está antes de qx; se esperaba t x y z qx qy qz qw, o una primera línea que nombre las columnas</translation>
+    </message>
+    <message>
+        <source>is a world of Stage, which Hitos does not read; give the picture of its walls, %1, with --resolution: its width in metres (size %2) divided by that in pixels</source>
+        <translation>es un mundo de Stage, que Hitos no lee; dé la imagen de sus paredes, %1, con --resolution: su ancho en metros (size %2) dividido por el ancho en píxeles</translation>
     </message>
 </context>
 <context>
