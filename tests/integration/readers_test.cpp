@@ -114,7 +114,7 @@ TEST_P(EveryReader, ObeysTheGreatestRangeWithAndWithoutNoise) {
         return range;
     };
     constexpr double kGreatest = 2.5;
-    const ReadOptions near{kGreatest, false};
+    const ReadOptions near{kGreatest};
     EXPECT_GT(farthest(read_all(*open())), 5.0);
     const Log plain = read_all(*open(near));
     EXPECT_LT(farthest(plain), kGreatest);
@@ -148,7 +148,7 @@ TEST(ReadOptions, AGreaterLimitThanTheLogsKeepsMore) {
                    "PARAM robot_front_laser_max 5.0 1 h 1\nODOM 0 0 0 0 0 0 1 h 1\n"
                    "FLASER 4 1.0 2.0 6.0 7.0 0 0 0 0 0 0 1 h 1\nODOM 1 0 0 0 0 0 2 h 2\n");
     const auto points = [&](double greatest, double noise) {
-        SourceParams source{log.string(), "auto", {greatest, false}};
+        SourceParams source{log.string(), "auto", {greatest}};
         return make_noisy_reader(open_tour(source), noise, OdometryNoiseKind::variance, 1)
             ->next_scan()
             ->points.size();

@@ -162,7 +162,7 @@ TEST_P(OfWorld, APartOfTheRobotThatTheLaserSeesIsTold) {
             const double angle = scan.fan.angle_rad(scan.rays[i]);
             const double range = 0.301 + 0.0005 * left;
             scan.points[i] = transform(scan.fan.pose_robot_laser,
-                                       {range * std::cos(angle), range * std::sin(angle)});
+                                       Point2{range * std::cos(angle), range * std::sin(angle)});
         }
     }
     const auto found = own.of_kind(Kind::self_hits);
@@ -307,7 +307,8 @@ TEST(ScanOdometry, FollowsTheRobotByItsScansAlone) {
         ASSERT_EQ(path.size(), truth.path.size());
         double greatest = 0.0;
         for (std::size_t i = 0; i < path.size(); ++i) {
-            greatest = std::max(greatest, distance(path[i], truth.path[i].pose));
+            greatest = std::max(greatest, std::hypot(path[i].x - truth.path[i].pose.x,
+                                                     path[i].y - truth.path[i].pose.y));
         }
         EXPECT_LT(greatest, 0.15) << rate;
         ASSERT_EQ(tour->findings().size(), 1U);
