@@ -144,7 +144,7 @@ void TourExamination::doubt_times(std::vector<TourFinding>& found) const {
              marked(HITOS_TEXT("Errors",
                                "record times with milliseconds, as numbers of 64 bits"))});
     }
-    constexpr std::uint64_t kLeastTurns = 20;
+    constexpr std::uint64_t kLeastTurns = 10;
     constexpr double kAlways = 0.9;
     std::uint64_t own = 0;
     float farthest = 0.0F;

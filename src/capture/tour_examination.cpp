@@ -187,8 +187,12 @@ std::optional<Pose> TourExamination::pose_at(double time_s) const {
 std::optional<double> TourExamination::agreement(const Pair& pair,
                                                  const Hypothesis& hypothesis) const {
     constexpr int kLeastPoints = 10;
-    const std::optional<Pose> first = pose_at(pair.first.time_s + hypothesis.delay_s);
-    std::optional<Pose> second = pose_at(pair.second.time_s + hypothesis.delay_s);
+    const auto odometry_at = [&](double time_s) {
+        return pose_at(time_s + hypothesis.delay_s +
+                       hypothesis.gained * (time_s - first_scan_s_));
+    };
+    const std::optional<Pose> first = odometry_at(pair.first.time_s);
+    std::optional<Pose> second = odometry_at(pair.second.time_s);
     if (!first || !second) return {};
     if (hypothesis.scale != 1.0) {
         Pose step = between(*first, *second);
@@ -231,10 +235,7 @@ std::optional<double> TourExamination::agreement(const Hypothesis& hypothesis) c
     constexpr int kLeastPairs = 10;
     double sum = 0.0;
     int pairs = 0;
-    const auto count = static_cast<double>(pairs_.size());
-    const auto end = static_cast<std::size_t>(hypothesis.to * count);
-    for (auto i = static_cast<std::size_t>(hypothesis.from * count); i < end;
-         i += hypothesis.every) {
+    for (std::size_t i = 0; i < pairs_.size(); i += hypothesis.every) {
         const std::optional<double> one = agreement(pairs_[i], hypothesis);
         if (!one) continue;
         sum += *one;

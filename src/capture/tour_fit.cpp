@@ -80,28 +80,47 @@ Best best_delay(const TourExamination& examination, double begins, bool apart,
     return best;
 }
 
-/// Where the clocks run at different speeds, so that the delay of the tour's first half is not that
-/// of its second.
+/// Where the clocks run at different speeds, so that what is to be added grows over the tour.
 std::optional<TourFinding> clock_speed(const TourExamination& examination, double told,
-                                       const Best& late, double seconds) {
-    const Best first = best_delay(examination, 0.0, false, {.to = 0.5});
-    const Best second = best_delay(examination, 0.0, false, {.from = 0.5});
-    const double gained_s = second.hypothesis.delay_s - first.hypothesis.delay_s;
-    const double both = (first.agreement + second.agreement) / 2.0;
-    if (std::min(first.agreement, second.agreement) < kFits ||
-        both < std::max(told, late.agreement) + kClearly || std::abs(gained_s) < kShortestDelay) {
+                                       const Best& late, double seconds, std::size_t every) {
+    constexpr double kMostGained = 10.0;  // [s] over the tour
+    constexpr double kMostDelay = 5.0;    // at its beginning
+    constexpr double kStep = 0.5;
+    constexpr double kFitsWell = 0.85;  // better than that a clock cannot make it
+    if (told > kFitsWell || !(seconds > 0.0)) return std::nullopt;
+    Best best;
+    for (double gained = -kMostGained; gained <= kMostGained; gained += kStep) {
+        for (double delay = -kMostDelay; delay <= kMostDelay; delay += kStep) {
+            best.try_out(examination, {.delay_s = delay,
+                                       .gained = gained / seconds,
+                                       .every = 4 * every});
+        }
+    }
+    for (double step = kStep / 2.0; step > kStep / 32.0; step /= 2.0) {
+        const Hypothesis about = best.hypothesis;
+        best.agreement = 0.0;
+        for (const double gained : {-step, 0.0, step}) {
+            for (const double delay : {-step, 0.0, step}) {
+                best.try_out(examination, {.delay_s = about.delay_s + delay,
+                                           .gained = about.gained + gained / seconds,
+                                           .every = every});
+            }
+        }
+    }
+    const double gained_s = best.hypothesis.gained * seconds;
+    if (best.agreement < std::max(kFits, std::max(told, late.agreement) + kClearly) ||
+        std::abs(gained_s) < kShortestDelay) {
         return std::nullopt;
     }
-    // From the middle of one half to that of the other.
-    const double speed = gained_s / (seconds / 2.0);
     return TourFinding{
-        Kind::clock_speed, speed,
+        Kind::clock_speed, best.hypothesis.gained,
         message(HITOS_TEXT("Errors",
-                           "the scans' clock does not run as fast as the odometry's: they fit with "
-                           "%1 in the first half of the tour and %2 in the second (%3 % of their "
+                           "the scans' clock does not run as fast as the odometry's: they fit it "
+                           "where %1 are added at the beginning and %2 at the end (%3 % of their "
                            "points, against %4 % as they are stamped)"),
-                seconds_words(first.hypothesis.delay_s), seconds_words(second.hypothesis.delay_s),
-                std::lround(100.0 * both), std::lround(100.0 * told)),
+                seconds_words(best.hypothesis.delay_s),
+                seconds_words(best.hypothesis.delay_s + gained_s),
+                std::lround(100.0 * best.agreement), std::lround(100.0 * told)),
         marked(HITOS_TEXT("Errors",
                           "set the clocks of both computers alike, and record again; mapped in "
                           "parts, each with its --scan-delay, it is less wrong"))};
@@ -141,7 +160,7 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
         return;
     }
     const double seconds = last_scan_s_ - first_scan_s_;
-    if (std::optional<TourFinding> speed = clock_speed(*this, told, late, seconds)) {
+    if (std::optional<TourFinding> speed = clock_speed(*this, told, late, seconds, every)) {
         found.push_back(*std::move(speed));
         return;
     }

@@ -1,7 +1,9 @@
 #include "hitos/registration/scan_odometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "hitos/registration/registration.hpp"
 
@@ -11,19 +13,42 @@ namespace {
 /// Below it a walking person turns further between two scans than a search from there finds.
 constexpr double kQuickEnough = 8.0;  // scans a second
 
-RegistrationParams without_odometry() {
+/// Between the first scans, the median [s].
+double interval_of(const TourReader& tour) {
+    constexpr std::size_t kAsked = 20;
+    const std::unique_ptr<TourReader> reader = tour.reopen();
+    std::vector<double> intervals;
+    std::optional<double> last_s;
+    while (intervals.size() < kAsked) {
+        const std::optional<Scan> scan = reader->next_scan();
+        if (!scan) break;
+        if (last_s && scan->time_s > *last_s) intervals.push_back(scan->time_s - *last_s);
+        last_s = scan->time_s;
+    }
+    if (intervals.empty()) return 0.0;
+    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+    std::ranges::nth_element(intervals, middle);
+    return *middle;
+}
+
+/// That the robot goes on as before is wrong by what it speeds up and turns more meanwhile, which
+/// grows with the square of the interval: at ten scans a second by half of what wheels are.
+RegistrationParams without_odometry(double interval_s) {
+    constexpr double kPerSquareSecond = 50.0;
     RegistrationParams params;
     params.loops = false;
     params.final_passes = 0;
-    params.calibrate = false;     // nothing is driven
-    params.odometry_scale = 2.0;  // that the robot goes on as before is less sure than wheels
+    params.calibrate = false;  // nothing is driven
+    params.odometry_scale = std::clamp(kPerSquareSecond * interval_s * interval_s, 0.25, 3.0);
     return params;
 }
 
 class ScanOdometry final : public TourReader {
   public:
     explicit ScanOdometry(std::unique_ptr<TourReader> tour)
-        : tour_(std::move(tour)), ahead_(tour_->reopen()), registration_(without_odometry()) {}
+        : tour_(std::move(tour)),
+          ahead_(tour_->reopen()),
+          registration_(without_odometry(interval_of(*tour_))) {}
 
     std::optional<Scan> next_scan() override { return tour_->next_scan(); }
     std::optional<Odometria> next_odometry() override;
@@ -86,14 +111,15 @@ std::vector<TourFinding> ScanOdometry::findings() const {
                                "record it too where there is some: of ROS its topic, or /tf "
                                "together with /tf_static")));
     } else {
-        note(message(HITOS_TEXT("Errors",
-                                "there is no odometry; how the robot moved is taken from the scans, "
-                                "which at %1 a second lie so far apart that they may be matched "
-                                "wrongly"),
-                     rounded),
-             marked(HITOS_TEXT("Errors",
-                               "record 10 scans a second, or drive slowly, or record the odometry "
-                               "too: of ROS its topic, or /tf together with /tf_static")));
+        note(
+            message(HITOS_TEXT("Errors",
+                               "there is no odometry; how the robot moved is taken from the scans, "
+                               "which at %1 a second lie so far apart that they may be matched "
+                               "wrongly"),
+                    rounded),
+            marked(HITOS_TEXT("Errors",
+                              "record 10 scans a second, or drive slowly, or record the odometry "
+                              "too: of ROS its topic, or /tf together with /tf_static")));
     }
     return found;
 }

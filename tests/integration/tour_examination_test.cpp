@@ -157,12 +157,13 @@ TEST_P(OfWorld, APartOfTheRobotThatTheLaserSeesIsTold) {
         constexpr std::uint32_t kFirst = 40;
         constexpr std::uint32_t kRays = 6;
         left = -left;  // rounding to millimetres
-        for (std::size_t i = 0; i < scan.rays.size(); ++i) {
-            if (scan.rays[i] - kFirst >= kRays) continue;
-            const double angle = scan.fan.angle_rad(scan.rays[i]);
+        for (std::uint32_t ray = kFirst; ray < kFirst + kRays; ++ray) {
+            const double angle = scan.fan.angle_rad(ray);
             const double range = 0.301 + 0.0005 * left;
-            scan.points[i] = transform(scan.fan.pose_robot_laser,
-                                       Point2{range * std::cos(angle), range * std::sin(angle)});
+            scan.points.push_back(
+                transform(scan.fan.pose_robot_laser,
+                          Point2{range * std::cos(angle), range * std::sin(angle)}));
+            scan.rays.push_back(ray);
         }
     }
     const auto found = own.of_kind(Kind::self_hits);

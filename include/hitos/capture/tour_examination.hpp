@@ -30,14 +30,13 @@ class TourExamination {
     /// What the odometry may be like in place of what the tour says.
     struct Hypothesis {
         double delay_s = 0.0;   ///< added to the scans' times
+        double gained = 0.0;    ///< added besides, for each second since the first scan
         double turn_rad = 0.0;  ///< of the laser on the robot, to the left
         bool mirrored = false;  ///< the rays go the other way round
         double scale = 1.0;     ///< of the way
         double near_m = 0.1;    ///< how far apart two points may be that are one
         double near_per_range = 0.02;  ///< and for each metre of their range
-        double from = 0.0;             ///< asks the pairs from this share of all on,
-        double to = 1.0;               ///< up to this one,
-        std::size_t every = 1;         ///< every n-th of them
+        std::size_t every = 1;         ///< asks every n-th pair only
     };
     /// The mean share of a pair's points that lie on the earlier scan, 0 … 1; nothing where fewer
     /// than 10 pairs can be asked.
