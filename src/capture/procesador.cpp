@@ -1,5 +1,7 @@
 #include "hitos/capture/procesador.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -123,7 +125,8 @@ std::optional<Scan> Procesador::next_scan() {
 
 void Procesador::mend(Scan& scan) {
     // A sweep ends before the next one begins; what says otherwise is wrong.
-    constexpr double kLongest = 1.5;
+    constexpr double kLongest = 1.5;      // times that between two scans,
+    constexpr double kSlowestTurn = 2.0;  // and of any laser [s]
     const auto [first, last] = std::ranges::minmax(scan.times_s);
     const auto sweep_s = static_cast<double>(last - first);
     if (sweeps_.last_s) {
@@ -133,7 +136,7 @@ void Procesador::mend(Scan& scan) {
     sweeps_.last_s = scan.time_s;
     ++sweeps_.scans;
     const double period_s = std::ranges::max(sweeps_.periods_s);
-    if (period_s > 0.0 && sweep_s > kLongest * period_s) {
+    if (sweep_s > kSlowestTurn || (period_s > 0.0 && sweep_s > kLongest * period_s)) {
         ++sweeps_.too_long;
         sweeps_.longest_s = std::max(sweeps_.longest_s, sweep_s);
         scan.times_s.clear();
@@ -155,7 +158,7 @@ std::vector<TourFinding> Procesador::findings() const {
              message(HITOS_TEXT("Errors",
                                 "a scan's rays are said to take %1 s, more than from one scan to "
                                 "the next; they are taken to be of one time"),
-                     sweeps_.longest_s),
+                     fmt::format("{:.3g}", sweeps_.longest_s)),
              marked(HITOS_TEXT("Errors",
                                "say how long it takes from one ray to the next: --set "
                                "source.ray_time=SECONDS"))});
@@ -166,9 +169,8 @@ std::vector<TourFinding> Procesador::findings() const {
              message(HITOS_TEXT("Errors",
                                 "the odometry leaps, by up to %1 m (line %2) and %3 in all, as "
                                 "where a driver begins anew; the robot is taken to drive on there "
-                                "as before"),
-                     std::round(leaps_.longest_m * 10.0) / 10.0, leaps_.longest_line,
-                     leaps_.count),
+                                "as before, for a second"),
+                     std::round(leaps_.longest_m * 10.0) / 10.0, leaps_.longest_line, leaps_.count),
              marked(HITOS_TEXT("Errors",
                                "map it with registration, which finds what is left of it: --preset "
                                "recorded"))});
@@ -180,8 +182,8 @@ std::vector<TourFinding> Procesador::findings() const {
              marked(HITOS_TEXT("Errors",
                                "the odometry's poses never change although its velocities do; all "
                                "scans are put on one place")),
-             marked(HITOS_TEXT("Errors",
-                               "take the velocities: --set source.odometry=velocities"))});
+             marked(
+                 HITOS_TEXT("Errors", "take the velocities: --set source.odometry=velocities"))});
     }
     return found;
 }
@@ -205,7 +207,8 @@ std::optional<Odometria> Procesador::next_odometry() {
         try {
             const std::optional<OdometryRecord> record = conversor_odometry_->odometry(*line);
             if (!record) continue;
-            const bool by_pose = record->pose_odom_robot && options_.odometry != OdometryFrom::velocities;
+            const bool by_pose =
+                record->pose_odom_robot && options_.odometry != OdometryFrom::velocities;
             constexpr double kMoves = 1e-3;  // [m/s]; rounding does not
             velocities_move_ =
                 velocities_move_ || (record->velocity && std::abs(record->velocity->v) > kMoves);
@@ -234,37 +237,58 @@ std::optional<Odometria> Procesador::from_pose(const OdometryRecord& record) {
     }
     last_odometry_ = record;
     // What was driven in no time says nothing of how fast.
-    const std::optional<Twist> bridge =
-        advances ? bridged(record, before, time_s) : std::nullopt;
-    last_twist_ = bridge ? *bridge : twist_between(between(before, pose), time_s - clock_s_);
+    const double seconds = time_s - clock_s_;
+    const std::optional<Pose> bridge = advances ? bridged(record, before, seconds) : std::nullopt;
+    last_twist_ = twist_between(bridge ? *bridge : between(before, pose), seconds);
     return hand_out(time_s, last_twist_, record.line);
 }
 
-bool Procesador::is_leap(const Pose& pose, const Pose& before, double seconds) const {
+namespace {
+
+/// Whether no robot gets from one pose to the other in that time.
+bool is_leap(const Pose& before, const Pose& pose, double seconds) {
     constexpr double kLeap = 1.0;          // [m]
     constexpr double kGreatestSpeed = 15;  // [m/s], of the fastest robots of this kind
-    constexpr double kOrigin = 1e-3;
+    constexpr double kTurn = 0.5;          // [rad]
+    constexpr double kGreatestTurn = 6.0;  // [rad/s]
+    // Where a driver begins anew: at zero, or what is driven since then.
+    constexpr double kBegun = 0.3;  // [m], [rad]
+    constexpr double kBegunSpeed = 3.0;
     const double way = std::hypot(pose.x - before.x, pose.y - before.y);
-    const bool begins_anew =
-        std::hypot(pose.x, pose.y) < kOrigin && std::abs(wrap_angle(pose.theta)) < kOrigin;
-    return way > kLeap && (begins_anew || way > kGreatestSpeed * seconds);
+    const double turn = std::abs(wrap_angle(pose.theta - before.theta));
+    const bool begun = std::hypot(pose.x, pose.y) < kBegun &&
+                       std::abs(wrap_angle(pose.theta)) < kBegun && way > kBegunSpeed * seconds;
+    const bool anew = pose == Pose{} || begun;
+    return (way > kLeap && (anew || way > kGreatestSpeed * seconds)) ||
+           (turn > kTurn && turn > kGreatestTurn * seconds);
 }
 
-std::optional<Twist> Procesador::bridged(const OdometryRecord& record, const Pose& before,
-                                         double time_s) {
+}  // namespace
+
+std::optional<Pose> Procesador::bridged(const OdometryRecord& record, const Pose& before,
+                                        double seconds) {
+    constexpr double kGoesOn = 1.0;  // as before: longer, nobody knows
     const Pose& pose = *record.pose_odom_robot;
     const bool after_leap = leaps_.last;
-    leaps_.last = is_leap(pose, before, time_s - clock_s_);
-    // Where each step is one, all of the odometry is wrong, as where it is in millimetres.
-    if (leaps_.last && after_leap) ++leaps_.in_a_row;
-    if (!options_.mend || !leaps_.last || after_leap) return std::nullopt;
+    leaps_.last = is_leap(before, pose, seconds);
+    if (!options_.mend || !leaps_.last) return std::nullopt;
+    if (after_leap) {
+        // Back from a single wrong pose; or each step is a leap, as in millimetres.
+        const Pose back = between(compose(leaps_.from, leaps_.driven), pose);
+        leaps_.last = is_leap({}, back, seconds);
+        if (!leaps_.last) return back;
+        ++leaps_.in_a_row;
+        return std::nullopt;
+    }
     const double way = std::hypot(pose.x - before.x, pose.y - before.y);
     ++leaps_.count;
-    if (way > leaps_.longest_m) {
+    if (leaps_.count == 1 || way > leaps_.longest_m) {
         leaps_.longest_m = way;
         leaps_.longest_line = record.line;
     }
-    return last_twist_;
+    leaps_.from = before;
+    leaps_.driven = displacement(last_twist_, std::min(seconds, kGoesOn));
+    return leaps_.driven;
 }
 
 std::optional<Odometria> Procesador::from_velocity(const OdometryRecord& record) {

@@ -16,11 +16,11 @@ namespace {
 using Kind = TourFinding::Kind;
 
 constexpr std::array<std::string_view, 22> kWords{
-    "clocks-apart",     "scan-delay",        "late-stamps",    "ray-times",      "clock-speed",
-    "coarse-stamps",    "assumed-mounting",  "two-publishers", "mirrored-laser", "turned-laser",
-    "no-odometry",      "unread-odometry",   "still-odometry", "leaping-odometry",
-    "sideways-odometry", "odometry-scale",   "odometry-units", "laser-units",    "beyond-a-turn",
-    "blind-laser",      "self-hits",         "frozen-laser"};
+    "clocks-apart",   "scan-delay",       "late-stamps",    "ray-times",        "clock-speed",
+    "coarse-stamps",  "assumed-mounting", "two-publishers", "mirrored-laser",   "turned-laser",
+    "no-odometry",    "unread-odometry",  "still-odometry", "leaping-odometry", "sideways-odometry",
+    "odometry-scale", "odometry-units",   "laser-units",    "beyond-a-turn",    "blind-laser",
+    "self-hits",      "frozen-laser"};
 
 }  // namespace
 
@@ -70,8 +70,10 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
     }
     constexpr double kMostSame = 0.5;
     constexpr std::uint64_t kLeastMoved = 20;
-    if (moved_scans_ >= kLeastMoved &&
-        static_cast<double>(same_scans_) > kMostSame * static_cast<double>(moved_scans_)) {
+    constexpr std::uint64_t kHung = 10;  // in a row
+    if ((moved_scans_ >= kLeastMoved &&
+         static_cast<double>(same_scans_) > kMostSame * static_cast<double>(moved_scans_)) ||
+        longest_same_run_ >= kHung) {
         found.push_back(
             {Kind::frozen_laser,
              static_cast<double>(same_scans_) / static_cast<double>(moved_scans_),
@@ -141,8 +143,8 @@ void TourExamination::doubt_times(std::vector<TourFinding>& found) const {
                                 "too few digits, and how the robot moved between them is not "
                                 "known"),
                      scans_of_one_time_, scans_ + scans_of_one_time_),
-             marked(HITOS_TEXT("Errors",
-                               "record times with milliseconds, as numbers of 64 bits"))});
+             marked(
+                 HITOS_TEXT("Errors", "record times with milliseconds, as numbers of 64 bits"))});
     }
     constexpr std::uint64_t kLeastTurns = 10;
     constexpr double kAlways = 0.9;

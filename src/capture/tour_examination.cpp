@@ -109,7 +109,16 @@ void TourExamination::note(const Scan& scan) {
     if (scan.points.empty()) ++empty_scans_;
     if (scans_ > 0 && odometer > scan_way_) {
         ++moved_scans_;
-        if (!scan.points.empty() && scan.points == last_points_) ++same_scans_;
+        if (!scan.points.empty() && scan.points == last_points_) {
+            constexpr double kFarForOneView = 1.0;
+            ++same_scans_;
+            if (same_run_++ == 0) same_run_begin_ = scan_way_;
+            if (odometer - same_run_begin_ > kFarForOneView) {
+                longest_same_run_ = std::max(longest_same_run_, same_run_);
+            }
+        } else {
+            same_run_ = 0;
+        }
     }
     ++scans_;
     scan_way_ = odometer;
@@ -188,8 +197,7 @@ std::optional<double> TourExamination::agreement(const Pair& pair,
                                                  const Hypothesis& hypothesis) const {
     constexpr int kLeastPoints = 10;
     const auto odometry_at = [&](double time_s) {
-        return pose_at(time_s + hypothesis.delay_s +
-                       hypothesis.gained * (time_s - first_scan_s_));
+        return pose_at(time_s + hypothesis.delay_s + hypothesis.gained * (time_s - first_scan_s_));
     };
     const std::optional<Pose> first = odometry_at(pair.first.time_s);
     std::optional<Pose> second = odometry_at(pair.second.time_s);
@@ -232,17 +240,20 @@ std::optional<double> TourExamination::agreement(const Pair& pair,
 }
 
 std::optional<double> TourExamination::agreement(const Hypothesis& hypothesis) const {
-    constexpr int kLeastPairs = 10;
+    constexpr std::size_t kLeastPairs = 10;
     double sum = 0.0;
-    int pairs = 0;
+    std::size_t pairs = 0;
+    std::size_t asked = 0;
     for (std::size_t i = 0; i < pairs_.size(); i += hypothesis.every) {
+        ++asked;
         const std::optional<double> one = agreement(pairs_[i], hypothesis);
         if (!one) continue;
         sum += *one;
         ++pairs;
     }
-    if (pairs < kLeastPairs) return {};
-    return sum / pairs;
+    // Few of them fit anywhere, by chance.
+    if (pairs < std::max(kLeastPairs, asked / 2)) return {};
+    return sum / static_cast<double>(pairs);
 }
 
 }  // namespace hitos

@@ -91,9 +91,8 @@ std::optional<TourFinding> clock_speed(const TourExamination& examination, doubl
     Best best;
     for (double gained = -kMostGained; gained <= kMostGained; gained += kStep) {
         for (double delay = -kMostDelay; delay <= kMostDelay; delay += kStep) {
-            best.try_out(examination, {.delay_s = delay,
-                                       .gained = gained / seconds,
-                                       .every = 4 * every});
+            best.try_out(examination,
+                         {.delay_s = delay, .gained = gained / seconds, .every = 4 * every});
         }
     }
     for (double step = kStep / 2.0; step > kStep / 32.0; step /= 2.0) {
@@ -138,7 +137,8 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     constexpr std::size_t kAsked = 128;
     const std::size_t every = std::max<std::size_t>(pairs_.size() / kAsked, 1);
     const double told = agreement({.every = every}).value_or(0.0);
-    const Best late = best_delay(*this, path_.front().time_s - first_scan_s_, apart != 0.0, {.every = every});
+    const Best late =
+        best_delay(*this, path_.front().time_s - first_scan_s_, apart != 0.0, {.every = every});
     if (apart != 0.0) {
         Message when = message(
             HITOS_TEXT("Errors",
@@ -155,8 +155,9 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
                                        "times: --scan-delay %2"),
                             seconds_words(late.hypothesis.delay_s),
                             fmt::format("{:.2f}", late.hypothesis.delay_s))
-                  : marked(HITOS_TEXT(
-                        "Errors", "set the clocks of both computers alike, and record again"))});
+                  : marked(HITOS_TEXT("Errors",
+                                      "set the clocks of both computers alike, and record again")),
+             fits ? std::optional(late.hypothesis.delay_s) : std::nullopt});
         return;
     }
     const double seconds = last_scan_s_ - first_scan_s_;
@@ -178,7 +179,8 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
                      seconds_words(late.hypothesis.delay_s), std::lround(100.0 * late.agreement),
                      std::lround(100.0 * told)),
              message(HITOS_TEXT("Errors", "add that to their times: --scan-delay %1"),
-                     fmt::format("{:.2f}", late.hypothesis.delay_s))});
+                     fmt::format("{:.2f}", late.hypothesis.delay_s)),
+             late.hypothesis.delay_s});
         return;
     }
     doubt_scale(found);
@@ -258,7 +260,7 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
 bool TourExamination::contradicted(const TourFinding& stamps) const {
     const std::optional<double> stamped = agreement(Hypothesis{});
     const std::optional<double> received = agreement({.delay_s = stamps.value});
-    return stamped && received && *stamped > *received;
+    return !received || (stamped && *stamped > *received);
 }
 
 }  // namespace hitos

@@ -93,9 +93,8 @@ std::optional<LoopCloser::Place> LoopCloser::far_off(const KeyGraph& graph,
     constexpr double kAbout = 8.0;  // [m], of the window: half the width of what the query sees
     const Pose& now = graph.poses.back().pose;
     const auto stretch = [&](std::size_t key) {
-        return static_cast<std::size_t>(graph.scans[key].travelled_m / kStretch);
+        return static_cast<std::int64_t>(graph.scans[key].travelled_m / kStretch);
     };
-    looked_at_.resize(stretch(graph.size() - 1) + 1, 0);
     std::optional<Place> best;
     std::uint64_t longest_ago = ~std::uint64_t{0};
     double best_cost = 0.0;
@@ -104,7 +103,8 @@ std::optional<LoopCloser::Place> LoopCloser::far_off(const KeyGraph& graph,
         if (unsure <= kGreatestWindow || !passed(graph, reached, j)) continue;
         const Pose& then = graph.poses[j].pose;
         const double cost = distance_m(then, now) / (unsure + kNearOutside);
-        const std::uint64_t last = looked_at_[stretch(j)];
+        const auto looked = looked_at_.find(stretch(j));
+        const std::uint64_t last = looked == looked_at_.end() ? 0 : looked->second;
         if (cost > 1.0 || last > longest_ago || (last == longest_ago && cost >= best_cost)) {
             continue;
         }

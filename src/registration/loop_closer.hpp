@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -68,7 +69,7 @@ class LoopCloser {
     RegistrationParams params_;
     ScanMatcher matcher_;
     std::deque<Found> found_;
-    std::vector<std::uint64_t> looked_at_;  // by stretch of travel, when last; 0 for never
+    std::map<std::int64_t, std::uint64_t> looked_at_;  // by stretch of travel, when last
     std::uint64_t far_looks_ = 0;
     std::uint64_t searches_ = 0;
     std::uint64_t refused_ = 0;

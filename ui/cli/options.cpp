@@ -90,16 +90,15 @@ std::string slip_of(const CLI::App& program) {
 double found_delay(SourceParams source) {
     source.read.scan_delay_s = 0.0;
     const std::unique_ptr<TourReader> reader = open_source(source);
-    double delay_s = 0.0;
+    constexpr double kHundredths = 100.0;
     for (const TourFinding& finding : inspect_tour(*reader).findings) {
-        using Kind = TourFinding::Kind;
-        const bool delay = finding.kind == Kind::scan_delay || finding.kind == Kind::clocks_apart ||
-                           finding.kind == Kind::late_stamps;
-        constexpr double kHundredths = 100.0;
-        if (delay) delay_s = std::round(finding.value * kHundredths) / kHundredths;
+        if (!finding.scan_delay_s) continue;
+        const double delay_s = std::round(*finding.scan_delay_s * kHundredths) / kHundredths;
+        fmt::print(stderr, "scan delay found: {:.2f} s\n", delay_s);
+        return delay_s;
     }
-    fmt::print(stderr, "scan delay found: {:.2f} s\n", delay_s);
-    return delay_s;
+    fmt::print(stderr, "no scan delay found\n");
+    return 0.0;
 }
 
 }  // namespace
@@ -160,11 +159,12 @@ void SourceOptions::choose(SourceParams& source) const {
     topics.choose(source);
     if (scan_delay.empty()) return;
     constexpr const char* kAuto = "auto";
+    constexpr double kGreatest = 1e10;
     const std::optional<double> number = input::parse_number(scan_delay);
-    if (scan_delay != kAuto && (!number || !std::isfinite(*number))) {
-        throw ConfigError("--scan-delay",
-                          verbatim(fmt::format("found \"{}\", expected seconds or {}", scan_delay,
-                                               kAuto)));
+    if (scan_delay != kAuto && (!number || !(std::abs(*number) <= kGreatest))) {
+        throw ConfigError(
+            "--scan-delay",
+            verbatim(fmt::format("found \"{}\", expected seconds or {}", scan_delay, kAuto)));
     }
     source.read.scan_delay_s = number ? *number : found_delay(source);
 }

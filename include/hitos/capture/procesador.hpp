@@ -63,14 +63,15 @@ class Procesador final : public TourReader {
         std::uint64_t count = 0;
         double longest_m = 0.0;
         std::uint64_t longest_line = 0;
-        bool last = false;              ///< the last step was one
-        std::uint64_t in_a_row = 0;     ///< others, right behind another
+        bool last = false;           ///< the last step was one
+        std::uint64_t in_a_row = 0;  ///< others, right behind another
+        Pose from;                   ///< the last pose before the last one
+        Pose driven;                 ///< from there on, as it was bridged
     };
     void mend(Scan& scan);
-    bool is_leap(const Pose& pose, const Pose& before, double seconds) const;
-    /// The twist of a step that no robot makes; nothing of others, and where several follow on each
-    /// other.
-    std::optional<Twist> bridged(const OdometryRecord& record, const Pose& before, double time_s);
+    /// The step to take in place of one that no robot makes; nothing of others, and where several
+    /// follow on each other. A single pose that is wrong is passed over.
+    std::optional<Pose> bridged(const OdometryRecord& record, const Pose& before, double seconds);
     std::optional<Odometria> from_pose(const OdometryRecord& record);
     std::optional<Odometria> from_velocity(const OdometryRecord& record);
     Odometria hand_out(double time_s, Twist twist, std::uint64_t line);
@@ -87,7 +88,7 @@ class Procesador final : public TourReader {
     ReadReport report_;
     std::optional<Scan> last_scan_;
     std::optional<OdometryRecord> last_odometry_;
-    Twist last_twist_;  ///< as logged
+    Twist last_twist_;                      ///< as logged
     std::unique_ptr<OdometryTrack> track_;  ///< where scans are unwarped
     Sweeps sweeps_;
     Leaps leaps_;

@@ -29,17 +29,17 @@ class TourExamination {
 
     /// What the odometry may be like in place of what the tour says.
     struct Hypothesis {
-        double delay_s = 0.0;   ///< added to the scans' times
-        double gained = 0.0;    ///< added besides, for each second since the first scan
-        double turn_rad = 0.0;  ///< of the laser on the robot, to the left
-        bool mirrored = false;  ///< the rays go the other way round
-        double scale = 1.0;     ///< of the way
-        double near_m = 0.1;    ///< how far apart two points may be that are one
+        double delay_s = 0.0;          ///< added to the scans' times
+        double gained = 0.0;           ///< added besides, for each second since the first scan
+        double turn_rad = 0.0;         ///< of the laser on the robot, to the left
+        bool mirrored = false;         ///< the rays go the other way round
+        double scale = 1.0;            ///< of the way
+        double near_m = 0.1;           ///< how far apart two points may be that are one
         double near_per_range = 0.02;  ///< and for each metre of their range
         std::size_t every = 1;         ///< asks every n-th pair only
     };
     /// The mean share of a pair's points that lie on the earlier scan, 0 … 1; nothing where fewer
-    /// than 10 pairs can be asked.
+    /// than 10 pairs, or than half of those that are asked, lie in the odometry.
     std::optional<double> agreement(const Hypothesis& hypothesis) const;
 
   private:
@@ -89,6 +89,9 @@ class TourExamination {
     std::uint64_t scans_ = 0;
     std::uint64_t empty_scans_ = 0;
     std::uint64_t same_scans_ = 0;
+    std::uint64_t same_run_ = 0;           ///< the newest ones in a row,
+    double same_run_begin_ = 0.0;          ///< from where on the way
+    std::uint64_t longest_same_run_ = 0;   ///< of those that are long on the way too
     std::uint64_t scans_of_one_time_ = 0;  ///< as the scan before
     std::uint64_t last_scan_line_ = 0;
     std::vector<std::uint32_t> same_rays_;  ///< how often each ended where it did before the turn

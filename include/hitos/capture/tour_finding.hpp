@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "hitos/base/message.hpp"
@@ -15,30 +16,32 @@ struct TourFinding {
         scan_delay,    ///< the scans fit the odometry of another time; value: that less theirs [s]
         late_stamps,   ///< stamps differ from the times of receipt; value: to add to the scans' [s]
         ray_times,     ///< a sweep that takes longer than from scan to scan; value: its time [s]
-        clock_speed,   ///< the laser's clock runs at another speed; value: seconds it gains a second
-        coarse_stamps,     ///< several scans share a time; value: share of those
-        assumed_mounting,  ///< nothing says where the laser sits; value: the lasers
-        two_publishers,    ///< a frame goes to and fro between two places; value: how often
-        mirrored_laser,    ///< the scans turn against the odometry; value: 1
-        turned_laser,      ///< the scans move where the odometry does not; value: turn to the left
-                           ///< [rad]
-        no_odometry,       ///< there are scans and no odometry; value: the scans
-        unread_odometry,   ///< its messages cannot be read, the transforms are taken; value: those
-        still_odometry,    ///< the scans change and the odometry does not; value: 0
-        leaping_odometry,  ///< steps that no robot makes; value: the longest [m]
-        sideways_odometry, ///< always off where the robot looks; value: by that, to the left [rad]
-        odometry_scale,    ///< it counts too far or too short; value: the way by the scans over its own
-        odometry_units,    ///< all of it is too fast; value: median speed [m/s]
-        laser_units,       ///< readings of a distance that no such laser sees; value: median [m]
-        beyond_a_turn,     ///< rays over more than a turn; value: angle from first to last [rad]
-        blind_laser,       ///< hardly any scan has a point; value: share of those with none
-        self_hits,         ///< rays that always end on the robot; value: how many
-        frozen_laser       ///< the same ranges while the robot drives; value: share of such scans
+        clock_speed,  ///< the laser's clock runs at another speed; value: seconds it gains a second
+        coarse_stamps,      ///< several scans share a time; value: share of those
+        assumed_mounting,   ///< nothing says where the laser sits; value: the lasers
+        two_publishers,     ///< a frame goes to and fro between two places; value: how often
+        mirrored_laser,     ///< the scans turn against the odometry; value: 1
+        turned_laser,       ///< the scans move where the odometry does not; value: turn to the left
+                            ///< [rad]
+        no_odometry,        ///< there are scans and no odometry; value: the scans
+        unread_odometry,    ///< its messages cannot be read, the transforms are taken; value: those
+        still_odometry,     ///< the scans change and the odometry does not; value: 0
+        leaping_odometry,   ///< steps that no robot makes; value: the longest [m]
+        sideways_odometry,  ///< always off where the robot looks; value: by that, to the left [rad]
+        odometry_scale,  ///< it counts too far or too short; value: the way by the scans over its
+                         ///< own
+        odometry_units,  ///< all of it is too fast; value: median speed [m/s]
+        laser_units,     ///< readings of a distance that no such laser sees; value: median [m]
+        beyond_a_turn,   ///< rays over more than a turn; value: angle from first to last [rad]
+        blind_laser,     ///< hardly any scan has a point; value: share of those with none
+        self_hits,       ///< rays that always end on the robot; value: how many
+        frozen_laser     ///< the same ranges while the robot drives; value: share of such scans
     };
     Kind kind = Kind::clocks_apart;
     double value = 0.0;
     Message what;    ///< what was found, with its number, and what it does to a map
     Message remedy;  ///< what to do
+    std::optional<double> scan_delay_s = {};  ///< where --scan-delay mends it
 };
 
 /// The word of a kind, for programs: "scan-delay".

@@ -36,7 +36,7 @@ void join_frames(FrameTree& frames, std::string_view same) {
 }  // namespace
 
 void Publishers::note(const StampedTransform& told) {
-    constexpr double kJump = 0.01;   // what a robot at rest does not do between two messages
+    constexpr double kJump = 0.01;    // what a robot at rest does not do between two messages
     constexpr double kBetween = 0.5;  // of it: what it does while both senders say the same
     Watch& watch = watches_[told.child_frame];
     ++watch.messages;
@@ -79,10 +79,11 @@ void check_agreement(const std::map<std::string, TopicFrames>& said, const Frame
     for (const std::string& name : frames) {
         const auto first = choice.topics.begin();
         for (auto a = first; a != choice.topics.end(); ++a) {
-            const auto b = std::find_if(first, a, [&](const std::string& other) {
-                return said.at(*a).frames.differs(said.at(other).frames, name);
+            const auto b = std::find_if(first, a + 1, [&](const std::string& other) {
+                return other == *a ? said.at(*a).changed.contains(name)
+                                   : said.at(*a).frames.differs(said.at(other).frames, name);
             });
-            if (b == a) continue;
+            if (b == a + 1) continue;
             throw FormatError(
                 path, 0,
                 message(HITOS_TEXT("Errors",

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,6 +40,7 @@ class Publishers {
 struct TopicFrames {
     FrameTree frames;  ///< of each frame the first transform, which may come after the first scan
     Publishers publishers;
+    std::set<std::string> changed;  ///< frames of fixed transforms that were told differently later
 };
 
 /// Topics of transforms, and what they say together.

@@ -131,14 +131,20 @@ std::optional<MountedScan> joined(const MountedScan& scan, const MountedScan& ne
     const bool alike = step > 0.0 && scan.fan.pose_robot_laser == next.fan.pose_robot_laser &&
                        scan.fan.max_range_m == next.fan.max_range_m &&
                        std::abs(next.fan.step_rad() - step) < kOffRay * step && later_ns > 0 &&
-                       later_ns < kLongestTurnNs &&
-                       (scan.fan.count + next.fan.count - 1) * step < turn;
+                       later_ns < kLongestTurnNs;
     if (!alike) return std::nullopt;
     const bool behind = !scan.clockwise;
     const Fan& lower = behind ? scan.fan : next.fan;
     const Fan& upper = behind ? next.fan : scan.fan;
-    const double gap = wrap_angle(lower.max_angle_rad + step - upper.min_angle_rad);
-    if (next.clockwise != scan.clockwise || std::abs(gap) > kOffRayOfParts * step) {
+    const double off = wrap_angle(upper.min_angle_rad - lower.max_angle_rad) / step - 1.0;
+    const double missing =
+        std::round(off);               // rays between the parts; less than 0: that are in both
+    constexpr double kMostRays = 3.0;  // drivers cut turns so roughly
+    const double all = scan.fan.count + missing + next.fan.count;
+    const double surplus = std::max(0.0, all - std::round(turn / step));  // beyond the whole turn
+    if (next.clockwise != scan.clockwise || std::abs(off - missing) > kOffRayOfParts ||
+        std::abs(missing) > kMostRays || surplus > kMostRays ||
+        next.fan.count <= surplus - std::min(missing, 0.0)) {
         return std::nullopt;
     }
     // Of parts that do not say it, the rays are measured at the pace at which the parts come.
@@ -156,14 +162,28 @@ std::optional<MountedScan> joined(const MountedScan& scan, const MountedScan& ne
     };
     MountedScan both = scan;
     both.ray_times_s = times_of(scan, 0.0F);
-    const auto put_in = [&](auto& all, const auto& more) {
+    // Where parts overlap the one before has the rays; where they do not meet, rays have no
+    // reading.
+    const auto between_parts = static_cast<std::ptrdiff_t>(missing);
+    const auto put_in = [&](std::vector<float>& all, std::vector<float> more, float none) {
+        const auto last = static_cast<std::ptrdiff_t>(surplus);
+        behind ? more.erase(more.end() - last, more.end())
+               : more.erase(more.begin(), more.begin() + last);
+        const auto inner = behind ? more.begin() : more.end();
+        if (between_parts > 0) {
+            more.insert(inner, static_cast<std::size_t>(between_parts), none);
+        } else if (behind) {
+            more.erase(inner, inner - between_parts);
+        } else {
+            more.erase(inner + between_parts, inner);
+        }
         all.insert(behind ? all.end() : all.begin(), more.begin(), more.end());
     };
-    put_in(both.ranges_m, next.ranges_m);
-    put_in(both.ray_times_s, times_of(next, later_s));
+    put_in(both.ranges_m, next.ranges_m, kNoReading);
+    put_in(both.ray_times_s, times_of(next, later_s), later_s);
     both.number = next.number;
     both.fan.count = static_cast<std::uint32_t>(both.ranges_m.size());
-    if (!behind) both.fan.min_angle_rad -= next.fan.count * step;
+    if (!behind) both.fan.min_angle_rad -= (both.fan.count - scan.fan.count) * step;
     both.fan.max_angle_rad = both.fan.min_angle_rad + (both.fan.count - 1) * step;
     return both;
 }

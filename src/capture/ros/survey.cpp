@@ -11,7 +11,6 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
-#include "median.hpp"
 
 namespace hitos {
 namespace {
@@ -27,7 +26,8 @@ std::string listed(const std::vector<const Topic*>& topics, bool typed = false) 
     std::string list;
     for (std::size_t i = 0; i < std::min(kMost, topics.size()); ++i) {
         list += (list.empty() ? "" : ", ") + topics[i]->name + " (" +
-                (typed && !topics[i]->type.empty() ? topics[i]->type + ", " : "") + std::to_string(topics[i]->messages) + ")";
+                (typed && !topics[i]->type.empty() ? topics[i]->type + ", " : "") +
+                std::to_string(topics[i]->messages) + ")";
     }
     return topics.size() > kMost ? list + ", …" : list;
 }
@@ -141,7 +141,7 @@ bool is_transforms(const Topic& topic) {
 }
 
 RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecording* open) {
-    constexpr std::size_t kLags = 256;  // of each topic: its clock is told by any of them
+    constexpr std::size_t kReceipts = 256;  // of each topic: its clock is told by any of them
     RecordingSurvey survey;
     Topics topics([](const Topic& topic) {
         return is_laser(topic) || is_odometry(topic) || is_transforms(topic);
@@ -163,13 +163,19 @@ RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecordin
                 TopicFrames& frames = survey.frames[topic.name];
                 const auto transforms = decode_transforms(found->bytes, encoding);
                 told.hold(transforms);
+                for (const StampedTransform& one : transforms) {
+                    const bool fixed = topic.name.ends_with("tf_static");
+                    if (fixed && told.differs(frames.frames, one.child_frame)) {
+                        frames.changed.insert(one.child_frame);
+                    }
+                }
                 frames.frames.complete(told);
                 for (const StampedTransform& one : transforms) frames.publishers.note(one);
                 continue;
             }
-            std::vector<float>& lags = survey.lags_s[topic.name];
-            lags.push_back(static_cast<float>(
-                seconds_of(found->log_time_ns - stamp_in(found->bytes, encoding))));
+            std::vector<RecordingSurvey::Receipt>& receipts = survey.receipts[topic.name];
+            const std::int64_t stamp_ns = stamp_in(found->bytes, encoding);
+            receipts.push_back({found->log_time_ns, found->log_time_ns - stamp_ns});
             // Of the rest the first sound message is enough.
             if (is_laser(topic)) {
                 if (!survey.laser_frames.contains(topic.name)) {
@@ -181,7 +187,7 @@ RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecordin
                 survey.robot_frames.emplace(topic.name,
                                             decode_odometry(found->bytes, encoding).child_frame);
             }
-            if (lags.size() >= kLags) topic.wanted = false;
+            if (receipts.size() >= kReceipts) topic.wanted = false;
         } catch (const FormatError&) {
             continue;  // counted when it is read in earnest
         }
@@ -248,14 +254,29 @@ void choose_odometry(const RecordingSurvey& survey, const ReadOptions& options,
 /// Whether stamps of the scans are of another clock than those of the odometry.
 void doubt_stamps(const RecordingSurvey& survey, TourTopics& chosen) {
     constexpr double kLeast = 1.0;  // networks hold messages up that long
-    const auto lag_of = [&](const std::string& topic) {
-        const auto lags = survey.lags_s.find(topic);
-        return lags == survey.lags_s.end() || lags->second.empty()
-                   ? std::optional<double>{}
-                   : static_cast<double>(median(lags->second));
+    const auto scan_receipts = survey.receipts.find(chosen.scans.front());
+    const auto odometry_receipts = survey.receipts.find(chosen.odometry);
+    if (scan_receipts == survey.receipts.end() || odometry_receipts == survey.receipts.end())
+        return;
+    // Clocks may be set while they are recorded: only what was received at one time is compared.
+    const auto& a = scan_receipts->second;
+    const auto& b = odometry_receipts->second;
+    const auto received = [](const RecordingSurvey::Receipt& one) { return one.received_ns; };
+    const std::int64_t begin = std::max(a.front().received_ns, b.front().received_ns);
+    const std::int64_t end = std::min(std::ranges::max(a, {}, received).received_ns,
+                                      std::ranges::max(b, {}, received).received_ns);
+    const auto lag_of = [&](const std::vector<RecordingSurvey::Receipt>& receipts) {
+        std::vector<std::int64_t> lags;
+        for (const auto& one : receipts) {
+            if (one.received_ns >= begin && one.received_ns <= end) lags.push_back(one.lag_ns);
+        }
+        if (lags.empty()) return std::optional<double>{};
+        const auto middle = lags.begin() + static_cast<std::ptrdiff_t>(lags.size() / 2);
+        std::ranges::nth_element(lags, middle);
+        return std::optional(seconds_of(*middle));
     };
-    const std::optional<double> scans = lag_of(chosen.scans.front());
-    const std::optional<double> odometry = lag_of(chosen.odometry);
+    const std::optional<double> scans = lag_of(a);
+    const std::optional<double> odometry = lag_of(b);
     if (!scans || !odometry || std::abs(*scans - *odometry) < kLeast) return;
     const std::string delay = fmt::format("{:.2f}", *scans - *odometry);
     chosen.findings.push_back(
@@ -266,15 +287,15 @@ void doubt_stamps(const RecordingSurvey& survey, TourTopics& chosen) {
                  chosen.scans.front(), fmt::format("{:.2f}", *scans), chosen.odometry,
                  fmt::format("{:.2f}", *odometry)),
          message(HITOS_TEXT("Errors", "add the difference to the scans' times: --scan-delay %1"),
-                 delay)});
+                 delay),
+         *scans - *odometry});
 }
 
 /// Whether what the transforms say is known, and from one sender.
 void doubt_frames(const RecordingSurvey& survey, const ReadOptions& options,
                   const std::string& laser_frame, const std::vector<std::string>& used,
                   TourTopics& chosen) {
-    if (chosen.frames.empty() && options.laser_pose.empty() &&
-        laser_frame != chosen.robot_frame) {
+    if (chosen.frames.empty() && options.laser_pose.empty() && laser_frame != chosen.robot_frame) {
         chosen.findings.push_back(
             {TourFinding::Kind::assumed_mounting, static_cast<double>(chosen.scans.size()),
              message(HITOS_TEXT("Errors",
@@ -325,6 +346,13 @@ TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& optio
                           std::back_inserter(used));
     }
     check_agreement(survey.frames, frames, used, path.string());
+    if (!options.laser_pose.empty() && chosen.scans.size() > 1) {
+        throw ConfigError(kLaserPoseKey,
+                          message(HITOS_TEXT("Errors",
+                                             "found one place for %1 lasers; choose one of them "
+                                             "(--scan-topic)"),
+                                  chosen.scans.size()));
+    }
     doubt_stamps(survey, chosen);
     doubt_frames(survey, options, laser_frame, used, chosen);
     return chosen;

@@ -18,11 +18,14 @@ using OpenRecording = std::unique_ptr<Recording>(const std::filesystem::path&, R
 
 struct RecordingSurvey {
     std::deque<Topic> topics;
-    std::map<std::string, TopicFrames> frames;  ///< by topic
+    std::map<std::string, TopicFrames> frames;        ///< by topic
     std::map<std::string, std::string> laser_frames;  ///< of the first scan, by topic
     std::map<std::string, std::string> robot_frames;  ///< of the first odometry, by topic
-    /// By how much the first messages were received later than they are stamped, by topic [s].
-    std::map<std::string, std::vector<float>> lags_s;
+    struct Receipt {
+        std::int64_t received_ns = 0;
+        std::int64_t lag_ns = 0;  ///< by which it was received later than it is stamped
+    };
+    std::map<std::string, std::vector<Receipt>> receipts;  ///< of the first messages, by topic
     Message first_problem;  ///< why some of it could not be read; empty where all could
 };
 
@@ -32,10 +35,10 @@ RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecordin
 
 /// The topics of a tour.
 struct TourTopics {
-    std::vector<std::string> scans;  ///< names, in the order of the recording
-    std::string odometry;            ///< empty: from transforms, or none
-    std::string robot_frame;         ///< scans are handed out in it
-    std::string odometry_frame;      ///< with transforms to it; empty where there are none
+    std::vector<std::string> scans;       ///< names, in the order of the recording
+    std::string odometry;                 ///< empty: from transforms, or none
+    std::string robot_frame;              ///< scans are handed out in it
+    std::string odometry_frame;           ///< with transforms to it; empty where there are none
     std::vector<std::string> transforms;  ///< names: those that are the laser's
     FrameTree frames;                     ///< as they are at the beginning
     std::vector<TourFinding> findings;    ///< what there is to doubt about this choice

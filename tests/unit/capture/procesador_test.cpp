@@ -41,7 +41,7 @@ TEST(Procesador, SumOfTwistsReproducesRandomPoses) {
         const double theta = i % 5 == 0 ? turn(engine) : i % 3 == 0 ? 1e-7 : 0.0;
         pose = compose(pose, {step(engine), step(engine), theta});
     }
-    const Log log = read_text("radish", text);
+    const Log log = read_text("radish", text, {.mend = false});
     ASSERT_EQ(log.odometry.size(), poses.size());
     const std::vector<Pose> sums = test::summed(log.odometry, poses.front());
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -114,6 +114,38 @@ TEST(Procesador, ALeapOfTheOdometryIsBridgedAndTold) {
     EXPECT_NEAR(test::summed(units.odometry).back().x, 38000.0, 1e-6);
     EXPECT_TRUE(units.findings.empty());
     EXPECT_TRUE(read_text("radish", poses(40, 100)).findings.empty());
+}
+
+TEST(Procesador, ASinglePoseThatIsWrongIsPassedOver) {
+    std::string text;
+    for (int i = 0; i < 40; ++i) text += position(0.2 * i, i % 10 == 5 ? 40.0 : 0.1 * i);
+    const Log log = read_text("radish", text);
+    const std::vector<Pose> sums = test::summed(log.odometry);
+    ASSERT_EQ(sums.size(), 40U);
+    for (int i = 0; i < 40; ++i) {
+        EXPECT_NEAR(sums[static_cast<std::size_t>(i)].x, 0.1 * i, 1e-9) << i;
+    }
+    ASSERT_EQ(log.findings.size(), 1U);
+    EXPECT_EQ(log.findings.front().kind, TourFinding::Kind::leaping_odometry);
+}
+
+TEST(Procesador, AHeadingThatJumpsIsALeapAndAPauseIsNotDrivenThrough) {
+    std::string text;
+    for (int i = 0; i < 40; ++i) {
+        const double turned = i < 20 ? 0.0 : 2.5;
+        text +=
+            "position 0 " + std::to_string(0.2 * i) + " " +
+            std::to_string(0.1 * std::min(i, 19) + 0.1 * std::cos(turned) * std::max(i - 19, 0)) +
+            " " + std::to_string(0.1 * std::sin(turned) * std::max(i - 19, 0)) + " " +
+            std::to_string(turned) + " 0 0 0\n";
+    }
+    expect_near(test::summed(read_text("radish", text).odometry).back(), {3.9, 0.0, 0.0}, 2e-5);
+    // Nobody knows what was driven in a minute without odometry: no more than a second of it.
+    text.clear();
+    for (int i = 0; i < 40; ++i) {
+        text += position(i < 20 ? i : i + 60, i < 20 ? 10.0 + 0.5 * i : 0.5 * (i - 20));
+    }
+    EXPECT_NEAR(test::summed(read_text("radish", text).odometry).back().x, 9.5 + 0.5 + 9.5, 0.02);
 }
 
 TEST(Procesador, VelocitiesThatMoveWithoutPosesAreTold) {

@@ -36,8 +36,9 @@ double range_at(const Pose& at, double direction) {
 }
 
 /// The tour of a robot that drives in a circle; its laser turns once in kTurnSeconds and says it in
-/// `parts` messages, with the time of a ray where `timed`.
-std::vector<Said> tour(int parts, bool timed, double sense = 1.0) {
+/// `parts` messages, with the time of a ray where `timed` and so many rays `more` than its part
+/// has.
+std::vector<Said> tour(int parts, bool timed, double sense = 1.0, int more = 0) {
     std::vector<Said> all{test::said_transforms(
         {{{kBegin, 0}, "base_link", "laser", {0.1, 0.0, 0.1}}}, Bytes::cdr(), "/tf_static")};
     const double ray_s = kTurnSeconds / kRaysOfATurn;
@@ -56,7 +57,7 @@ std::vector<Said> tour(int parts, bool timed, double sense = 1.0) {
             laser.max_range = 30.0;
             laser.ray_time = timed ? ray_s : 0.0;
             laser.ranges.clear();
-            for (int i = 0; i < rays; ++i) {
+            for (int i = 0; i < rays + more; ++i) {
                 const double time = turn * kTurnSeconds + (part * rays + i) * ray_s;
                 const Pose at = compose(displacement(kDriven, time), {0.1, 0.0, 0.0});
                 laser.ranges.push_back(
@@ -120,6 +121,20 @@ TEST(RayTimes, PartsOfATurnAreJoined) {
                 // The pace of the parts tells the times of the rays where they do not.
                 EXPECT_LT(off_the_walls(log), timed ? 1e-3 : 3e-3) << parts << sense;
             }
+        }
+    }
+}
+
+TEST(RayTimes, PartsThatOverlapOrMissARayAreJoinedToo) {
+    for (const int more : {-2, -1, 1, 2}) {
+        for (const double sense : {1.0, -1.0}) {
+            const Log log = read(tour(6, true, sense, more));
+            ASSERT_EQ(log.scans.size(), 10U) << more;
+            const Scan& scan = log.scans[4];
+            EXPECT_LE(scan.fan.count, 362U);
+            EXPECT_NEAR(static_cast<double>(scan.points.size()), 360.0 + 6.0 * std::min(more, 0),
+                        2.0);
+            EXPECT_LT(off_the_walls(log), 1e-3) << more << sense;
         }
     }
 }

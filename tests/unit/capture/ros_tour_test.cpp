@@ -264,7 +264,8 @@ TEST_F(RosTour, OneOfSeveralOdometriesIsChosen) {
 TEST_F(RosTour, WithoutLaserItSaysWhatThereIs) {
     EXPECT_THAT(
         refusal<FormatError>({test::said_odometry({1, 0}, {}, cdr()), {"/events", "", "{}", 0}}),
-        AllOf(HasSubstr("holds no laser scans"), HasSubstr("/odom (nav_msgs/Odometry, 1), /events (1)")));
+        AllOf(HasSubstr("holds no laser scans"),
+              HasSubstr("/odom (nav_msgs/Odometry, 1), /events (1)")));
     EXPECT_THAT(refusal<FormatError>({}), HasSubstr("holds no laser scans"));
 }
 
