@@ -1,4 +1,4 @@
-#include "odometry_track.hpp"
+#include "hitos/capture/odometry_track.hpp"
 
 #include <algorithm>
 #include <cmath>

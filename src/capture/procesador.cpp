@@ -8,7 +8,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/log_format.hpp"
-#include "odometry_track.hpp"
+#include "hitos/capture/odometry_track.hpp"
 
 namespace hitos {
 namespace {

@@ -1,7 +1,7 @@
 // Rays that are measured one after the other while the robot drives on.
 #include <gmock/gmock.h>
 
-#include "odometry_track.hpp"
+#include "hitos/capture/odometry_track.hpp"
 #include "unit/capture/ros_packings.hpp"
 #include "unit/capture/ros_tours.hpp"
 #include "unit/capture/test_files.hpp"
