@@ -29,6 +29,10 @@ void Surroundings::cast(const Pose& pose_world_robot, std::vector<RayHit>& out) 
     }
 }
 
+RayHit Surroundings::hit(const Pose& pose_world_robot, std::uint32_t ray) const {
+    return raster_ ? raster_->hit(pose_world_robot, ray) : laser_->hit(pose_world_robot, ray);
+}
+
 ConditionTrack::ConditionTrack(const World& world) : open_(world.doors.size(), false) {
     Conditions first;
     first.surroundings = surroundings(world);
@@ -117,7 +121,7 @@ Point2 place_of(const Walker& walker, double time_s) {
 }
 
 void cast_walkers(const std::vector<Walker>& walkers, double time_s, const Pose& pose_world_laser,
-                  const std::vector<Point2>& directions, std::vector<RayHit>& out) {
+                  std::span<const Point2> directions, std::span<RayHit> out) {
     const Pose pose_laser_world = inverse(pose_world_laser);
     for (const Walker& walker : walkers) {
         const Point2 middle = transform(pose_laser_world, place_of(walker, time_s));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "hitos/simulation/simulated_laser.hpp"
@@ -20,6 +21,8 @@ class Surroundings {
     const std::vector<WallSegment>& walls() const { return walls_; }
     /// As SimulatedLaser::cast().
     void cast(const Pose& pose_world_robot, std::vector<RayHit>& out) const;
+    /// Of one ray.
+    RayHit hit(const Pose& pose_world_robot, std::uint32_t ray) const;
 
   private:
     std::vector<WallSegment> walls_;
@@ -64,6 +67,6 @@ Point2 place_of(const Walker& walker, double time_s);
 
 /// Lets every ray end at the circles that it meets from outside.
 void cast_walkers(const std::vector<Walker>& walkers, double time_s, const Pose& pose_world_laser,
-                  const std::vector<Point2>& directions, std::vector<RayHit>& out);
+                  std::span<const Point2> directions, std::span<RayHit> out);
 
 }  // namespace hitos

@@ -232,23 +232,25 @@ WallRaster::WallRaster(const std::vector<WallSegment>& walls, const RasterParams
     }
 }
 
-void RasterLaser::cast(const Pose& pose_world_robot, std::vector<RayHit>& out) const {
-    out.assign(fan_.count, RayHit{});
+RayHit RasterLaser::hit(const Pose& pose_world_robot, std::uint32_t ray) const {
     const Pose laser = compose(pose_world_robot, fan_.pose_robot_laser);
     const double cell_m = raster_.cell_m();
     const double step = fan_.count > 1 ? fan_.step_rad() : 1.0;
-    Ray ray;
-    ray.from = {laser.x / cell_m, laser.y / cell_m};
-    ray.reach = fan_.max_range_m / cell_m;
-    for (std::uint32_t k = 0; k < fan_.count; ++k) {
-        const double angle = laser.theta + fan_.min_angle_rad + k * step;
-        ray.cosine = std::cos(angle);
-        ray.sine = std::sin(angle);
-        const double cells = ranges_ == RasterRanges::exact ? exact_range(raster_, ray)
-                                                            : whole_cell_range(raster_, ray);
-        const double range = cells * cell_m;
-        if (range <= fan_.max_range_m) out[k].range_m = range;
-    }
+    const double angle = laser.theta + fan_.min_angle_rad + ray * step;
+    Ray walk;
+    walk.from = {laser.x / cell_m, laser.y / cell_m};
+    walk.reach = fan_.max_range_m / cell_m;
+    walk.cosine = std::cos(angle);
+    walk.sine = std::sin(angle);
+    const double cells = ranges_ == RasterRanges::exact ? exact_range(raster_, walk)
+                                                        : whole_cell_range(raster_, walk);
+    const double range = cells * cell_m;
+    return range <= fan_.max_range_m ? RayHit{range, -1} : RayHit{};
+}
+
+void RasterLaser::cast(const Pose& pose_world_robot, std::vector<RayHit>& out) const {
+    out.resize(fan_.count);
+    for (std::uint32_t ray = 0; ray < fan_.count; ++ray) out[ray] = hit(pose_world_robot, ray);
 }
 
 }  // namespace hitos

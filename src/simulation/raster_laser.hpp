@@ -46,6 +46,8 @@ class RasterLaser {
 
     /// Replaces `out` with one hit for each ray; cells belong to no wall, so `segment` stays -1.
     void cast(const Pose& pose_world_robot, std::vector<RayHit>& out) const;
+    /// Of one ray.
+    RayHit hit(const Pose& pose_world_robot, std::uint32_t ray) const;
 
   private:
     WallRaster raster_;

@@ -93,6 +93,19 @@ void SimulatedLaser::cast(const Pose& pose_world_robot, std::vector<RayHit>& out
     }
 }
 
+RayHit SimulatedLaser::hit(const Pose& pose_world_robot, std::uint32_t ray) const {
+    const Pose pose_laser_world = inverse(compose(pose_world_robot, fan_.pose_robot_laser));
+    const Point2& direction = directions_[ray];
+    RayHit hit;
+    for (std::size_t i = 0; i < walls_.size(); ++i) {
+        const Point2 a = transform(pose_laser_world, walls_[i].a);
+        const Point2 b = transform(pose_laser_world, walls_[i].b);
+        const double range = range_to(a, b, direction.x, direction.y);
+        if (range < hit.range_m && range <= fan_.max_range_m) hit = {range, static_cast<int>(i)};
+    }
+    return hit;
+}
+
 std::vector<Point2> ray_directions(const Fan& fan, double turned_rad, double step_rad) {
     std::vector<Point2> directions;
     directions.reserve(fan.count);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "drive.hpp"
@@ -38,6 +39,9 @@ SimulatedTour::SimulatedTour(World world)
       fan_(fan_of(world_.laser)),
       directions_(ray_directions(fan_, fan_.pose_robot_laser.theta, fan_.step_rad())),
       laser_directions_(ray_directions(fan_, 0.0, fan_.step_rad())),
+      ray_step_s_(world_.laser.sweep
+                      ? std::abs(fan_.step_rad()) / (2.0 * kPi * world_.laser.rate_hz)
+                      : 0.0),
       motion_(std::make_unique<RobotMotion>(driven(world_))) {}
 
 SimulatedTour::~SimulatedTour() = default;
@@ -155,12 +159,20 @@ double SimulatedTour::settled_s() const {
     return (static_cast<double>(motion_->steps()) - 1.0) / world_.robot.control_rate_hz;
 }
 
+/// As a scan says it, after its own.
+double SimulatedTour::ray_time_s(std::uint32_t ray) const {
+    return static_cast<double>(static_cast<float>(ray * ray_step_s_));
+}
+
 std::uint64_t SimulatedTour::scans() const {
+    // A sweep ends before what is known does, by more than times are rounded.
+    constexpr double kRounding = 1e-6;
+    const double sweep_s = ray_step_s_ > 0.0 ? ray_time_s(fan_.count - 1) + kRounding : 0.0;
     const std::lock_guard lock(mutex_);
     const double settled = settled_s();
-    if (!live_) return samples(settled, world_.laser.rate_hz);
+    if (!live_) return samples(settled - sweep_s, world_.laser.rate_hz);
     const std::uint64_t known = samples(settled, world_.odometry.rate_hz);
-    return known == 0 ? 0 : samples(reading_time(known - 1), world_.laser.rate_hz);
+    return known == 0 ? 0 : samples(reading_time(known - 1) - sweep_s, world_.laser.rate_hz);
 }
 
 std::uint64_t SimulatedTour::readings() const {
@@ -174,33 +186,51 @@ Pose SimulatedTour::true_pose(std::uint64_t k) const {
 }
 
 Scan SimulatedTour::scan(std::uint64_t k) const {
-    const double time_s = scan_time(k);
-    Pose pose;
-    Conditions now;
+    struct Moment {
+        double time_s;
+        Pose pose;
+        Conditions now;
+    };
+    const bool sweeps = ray_step_s_ > 0.0;
+    std::vector<Moment> moments;  // of every ray where they differ
     {
         const std::lock_guard lock(mutex_);
-        pose = motion_->path().pose_at(time_s);
-        now = motion_->conditions().at(time_s);
+        for (std::uint32_t ray = 0; ray < (sweeps ? fan_.count : 1); ++ray) {
+            const double time_s = scan_time(k) + ray_time_s(ray);
+            moments.push_back(
+                {time_s, motion_->path().pose_at(time_s), motion_->conditions().at(time_s)});
+        }
     }
     const Pose& mount = fan_.pose_robot_laser;
     std::vector<RayHit> hits;
-    now.surroundings->cast(pose, hits);
-    cast_walkers(world_.walkers, time_s, compose(pose, mount), laser_directions_, hits);
+    if (sweeps) {
+        for (std::uint32_t ray = 0; ray < fan_.count; ++ray) {
+            const auto& [time_s, pose, now] = moments[ray];
+            hits.push_back(now.surroundings->hit(pose, ray));
+            cast_walkers(world_.walkers, time_s, compose(pose, mount),
+                         std::span(laser_directions_).subspan(ray, 1), std::span(hits).last(1));
+        }
+    } else {
+        const auto& [time_s, pose, now] = moments.front();
+        now.surroundings->cast(pose, hits);
+        cast_walkers(world_.walkers, time_s, compose(pose, mount), laser_directions_, hits);
+    }
 
     Scan scan;
-    scan.time_s = time_s;
+    scan.time_s = scan_time(k);
     scan.fan = fan_;
-    if (time_s < now.blind_until_s) return scan;
     RandomStream random(world_.seed, RandomPurpose::laser_noise, k, 0);
     std::array<double, 2> normals{};
     bool run_open = false;
     for (std::uint32_t ray = 0; ray < fan_.count; ++ray) {
         // Every ray has its draw, whether it hits or not.
         if (ray % 2 == 0) normals = random.normal_pair();
+        const auto& [time_s, pose, now] = moments[sweeps ? ray : 0];
         double range = hits[ray].range_m + now.laser_sigma_m * normals[ray % 2];
-        if (world_.laser.no_return == NoReturn::max_range && range >= fan_.max_range_m) {
+        const bool blind = time_s < now.blind_until_s;
+        if (!blind && world_.laser.no_return == NoReturn::max_range && range >= fan_.max_range_m) {
             range = fan_.max_range_m;
-        } else if (!(range > 0.0 && range < fan_.max_range_m)) {
+        } else if (blind || !(range > 0.0 && range < fan_.max_range_m)) {
             run_open = false;
             continue;
         }
@@ -209,6 +239,7 @@ Scan SimulatedTour::scan(std::uint64_t k) const {
         const Point2& direction = directions_[ray];
         scan.points.push_back({mount.x + range * direction.x, mount.y + range * direction.y});
         scan.rays.push_back(ray);
+        if (sweeps) scan.times_s.push_back(static_cast<float>(ray_time_s(ray)));
     }
     return scan;
 }

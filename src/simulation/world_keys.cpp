@@ -114,6 +114,13 @@ std::vector<WorldKey> make_keys() {
         real<&W::laser, &Laser::rate_hz>({"laser.rate", "Hz", 0.01, 1000,
                                           HITOS_TEXT("Parameter", "scans per second"),
                                           HITOS_TEXT("ParameterLabel", "Scans")}),
+        choice<&W::laser, &Laser::sweep>(
+            {.key = "laser.sweep",
+             .description = HITOS_TEXT("Parameter",
+                                       "the rays of a scan are measured one after the other while "
+                                       "the robot drives on, a whole turn from scan to scan"),
+             .label = HITOS_TEXT("ParameterLabel", "Rays one by one"),
+             .choices = off_on()}),
         real<&W::laser, &Laser::mount_x_m>(
             {"laser.mount_x", "m", -10, 10,
              HITOS_TEXT("Parameter", "the laser's place, ahead of the robot's centre"),

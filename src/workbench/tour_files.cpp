@@ -20,7 +20,8 @@ void write_tour_files(const std::shared_ptr<const SimulatedTour>& tour, const To
                       std::span<const fs::path> inputs,
                       const std::function<void(const TourReader&)>& told) {
     const std::string format = checked_target_format(files.format, files.log.string());
-    SimulatedTourReader reader(tour);
+    // As the robot would have recorded it: whoever reads the log unwarps it.
+    SimulatedTourReader reader(tour, ReadOptions{.mend = false});
     // The log comes last: it is what all the others belong to.
     std::vector<fs::path> outputs;
     for (const fs::path& file : {files.picture, files.truth, files.reference, files.log}) {

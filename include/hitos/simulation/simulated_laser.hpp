@@ -1,6 +1,7 @@
 // What a laser scanner measures among straight walls, exactly.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -24,6 +25,8 @@ class SimulatedLaser {
     const Fan& fan() const { return fan_; }
     /// Replaces `out` with one hit for each ray. Thread-safe.
     void cast(const Pose& pose_world_robot, std::vector<RayHit>& out) const;
+    /// Of one ray. Thread-safe.
+    RayHit hit(const Pose& pose_world_robot, std::uint32_t ray) const;
 
   private:
     std::vector<WallSegment> walls_;

@@ -68,9 +68,11 @@ class SimulatedTour {
     double scan_time(std::uint64_t k) const {
         return static_cast<double>(k) / world_.laser.rate_hz;
     }
-    /// The true pose of the robot at a scan, in the frame of the start: (0, 0, 0) at the first.
+    /// The true pose of the robot at a scan's time, in the frame of the start: (0, 0, 0) at the
+    /// first.
     Pose true_pose(std::uint64_t k) const;
-    /// The scan with the laser's noise.
+    /// The scan with the laser's noise; where the laser sweeps, as it was measured, with the times
+    /// of its points.
     Scan scan(std::uint64_t k) const;
 
     std::uint64_t readings() const;
@@ -90,11 +92,13 @@ class SimulatedTour {
         std::uint64_t periods = 0;
     };
     double settled_s() const;
+    double ray_time_s(std::uint32_t ray) const;
 
     World world_;
     Fan fan_;
     std::vector<Point2> directions_;        // of the rays, in the robot's frame
     std::vector<Point2> laser_directions_;  // and in the laser's
+    double ray_step_s_;                     // from one ray to the next; 0: all are of one time
     mutable std::mutex mutex_;
     std::unique_ptr<RobotMotion> motion_;  // guarded by it
     bool live_ = false;                    // likewise, and what is below

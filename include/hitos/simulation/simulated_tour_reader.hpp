@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "hitos/capture/odometry_track.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/simulation/odometry_noise.hpp"
 #include "hitos/simulation/simulated_tour.hpp"
@@ -11,9 +12,11 @@
 namespace hitos {
 
 /// Makes scans and odometry, noise and all, as they are asked for; the numbers of their lines are
-/// those that a log of the tour would have. Copies and reopened readers share the driven tour.
+/// those that a log of the tour would have. Reopened readers share the driven tour. Scans of a
+/// laser that sweeps are unwarped by this odometry, as Procesador does.
 class SimulatedTourReader final : public TourReader {
   public:
+    /// Throws ConfigError where the options say where the laser sits: the world does.
     explicit SimulatedTourReader(std::shared_ptr<const SimulatedTour> tour,
                                  ReadOptions options = {});
 
@@ -33,8 +36,10 @@ class SimulatedTourReader final : public TourReader {
     ReadOptions options_;
     OdometryNoise noise_;
     ReadReport report_;
-    std::uint64_t readings_before_ = 0;  // readings that stand before the next scan's line
-    std::uint64_t scans_before_ = 0;     // scans that stand before the next reading's line
+    std::uint64_t taken_ = 0;               // scans, handed out or left out
+    std::unique_ptr<OdometryTrack> track_;  // where scans are unwarped
+    std::uint64_t readings_before_ = 0;     // readings that stand before the next scan's line
+    std::uint64_t scans_before_ = 0;        // scans that stand before the next reading's line
 };
 
 }  // namespace hitos

@@ -83,6 +83,7 @@ struct LaserParams {
     double max_range_m = 8.0;
     double sigma_m = 0.01;  ///< standard deviation of a range
     double rate_hz = 5.0;
+    bool sweep = false;      ///< the rays are measured one after the other, a turn in 1 / rate_hz
     double mount_x_m = 0.0;  ///< of the laser in the robot frame
     double mount_y_m = 0.0;
     double mount_heading_deg = 0.0;

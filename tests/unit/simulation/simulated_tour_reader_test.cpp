@@ -1,5 +1,8 @@
 #include "hitos/simulation/simulated_tour_reader.hpp"
 
+#include <gmock/gmock.h>
+
+#include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/log_writer.hpp"
 #include "hitos/capture/procesador.hpp"
@@ -90,7 +93,7 @@ TEST(SimulatedTourReader, SeesNoFurtherThanAsked) {
     const auto tour = tour_of(world);
     constexpr double kGreatest = 1.5;
     const Log all = read_all(*SimulatedTourReader(tour).reopen());
-    const Log near = read_all(*SimulatedTourReader(tour, {kGreatest, false}).reopen());
+    const Log near = read_all(*SimulatedTourReader(tour, {.max_range_m = kGreatest}).reopen());
     ASSERT_EQ(near.scans.size(), all.scans.size());
     std::size_t left_out = 0;
     for (std::size_t k = 0; k < all.scans.size(); ++k) {
@@ -120,7 +123,158 @@ TEST(SimulatedTourReader, SeesNoFurtherThanAsked) {
     }
     EXPECT_GT(left_out, 0U);
     // A laser of 8 m sees no further because more is asked.
-    EXPECT_EQ(read_all(*SimulatedTourReader(tour, {100.0, false}).reopen()).scans, all.scans);
+    EXPECT_EQ(read_all(*SimulatedTourReader(tour, {.max_range_m = 100.0}).reopen()).scans,
+              all.scans);
+}
+
+TEST(SimulatedTourReader, LeavesOutWhatIsNearerThanAsked) {
+    const auto tour = tour_of(small_world());
+    constexpr double kLeast = 2.5;
+    ReadOptions options;
+    options.min_range_m = kLeast;
+    const Log all = read_all(*SimulatedTourReader(tour).reopen());
+    const Log far = read_all(*SimulatedTourReader(tour, options).reopen());
+    ASSERT_EQ(far.scans.size(), all.scans.size());
+    for (std::size_t k = 0; k < all.scans.size(); ++k) {
+        EXPECT_EQ(far.scans[k].fan, all.scans[k].fan);
+        std::vector<Point2> expected = all.scans[k].points;
+        std::erase_if(expected, [](const Point2& p) { return std::hypot(p.x, p.y) <= kLeast; });
+        EXPECT_EQ(far.scans[k].points, expected);
+    }
+    EXPECT_LT(far.scans.front().points.size(), all.scans.front().points.size());
+}
+
+TEST(SimulatedTourReader, ScansAreAsLateAsAsked) {
+    const auto tour = tour_of(small_world());
+    ReadOptions options;
+    options.scan_delay_s = -0.3;
+    SimulatedTourReader reader(tour, options);
+    const Log log = read_all(reader);
+    ASSERT_EQ(log.scans.size(), tour->scans());
+    EXPECT_EQ(reader.report().early_scans, 2U) << "at 0 and 0.2 s, said to be before the odometry";
+    const Trajectory truth = reader.truth()->path;
+    for (std::uint64_t k = 0; k < tour->scans(); ++k) {
+        EXPECT_EQ(log.scans[k].time_s, tour->scan_time(k) - 0.3);
+        EXPECT_EQ(log.scans[k].points, tour->scan(k).points);
+        EXPECT_EQ(truth[k].time_s, log.scans[k].time_s);
+        EXPECT_EQ(truth[k].pose, tour->true_pose(k));
+    }
+    options.leave_out_early_scans = true;
+    SimulatedTourReader later(tour, options);
+    EXPECT_EQ(read_all(later).scans.front(), log.scans[2]);
+    EXPECT_EQ(later.report().early_scans_left_out, 2U);
+    EXPECT_EQ(later.progress(), 1.0);
+}
+
+TEST(SimulatedTourReader, AWorldSaysItselfWhereItsLaserSits) {
+    ReadOptions options;
+    options.laser_pose = "0.1,0,0";
+    try {
+        SimulatedTourReader reader(tour_of(small_world()), options);
+        FAIL() << "nothing refused it";
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(error.key(), "source.laser_pose");
+        EXPECT_THAT(error.what(), testing::HasSubstr("laser.mount_x"));
+    }
+}
+
+/// Turns while it drives, with a laser that turns all round in 0.2 s.
+World sweeping_world() {
+    World world = small_world();
+    for (const char* value :
+         {"laser.sweep=on", "laser.rays=360", "laser.field_of_view=359", "laser.max_range=30",
+          "laser.sigma=0", "laser.mount_x=0.2", "laser.mount_heading=20", "odometry.noise=0"}) {
+        set_world_value(world, value);
+    }
+    return world;
+}
+
+/// How far the points lie from the walls, at the most, where the truth is at the scans' stamps.
+double off_the_walls(const World& world, const Log& log, const Trajectory& truth) {
+    double greatest = 0.0;
+    for (std::size_t k = 0; k < log.scans.size(); ++k) {
+        EXPECT_EQ(truth[k].time_s, log.scans[k].time_s);
+        for (const Point2& point : log.scans[k].points) {
+            const Point2 there = transform(compose(world.tour.start, truth[k].pose), point);
+            double nearest = 1e9;
+            for (const WallSegment& wall : world.walls)
+                nearest = std::min(nearest, distance(wall, there));
+            greatest = std::max(greatest, nearest);
+        }
+    }
+    return greatest;
+}
+
+TEST(SimulatedTourReader, UnwarpsWhatASweepingLaserMeasured) {
+    for (const char* value : {"laser.clockwise=false", "laser.clockwise=true", "raster.cell=0.01",
+                              "laser.rate=7.3", "laser.no_return=max-range"}) {
+        World world = sweeping_world();
+        set_world_value(world, value);
+        const auto tour = tour_of(world);
+        SimulatedTourReader reader(tour);
+        const Log log = read_all(reader);
+        ASSERT_EQ(log.scans.size(), tour->scans());
+        const double cells = 2.0 * world.raster.cell_m;
+        EXPECT_LT(off_the_walls(world, log, reader.truth()->path), 1e-3 + cells) << value;
+        for (std::size_t k = 0; k < log.scans.size(); ++k) {
+            EXPECT_TRUE(log.scans[k].times_s.empty());
+            EXPECT_EQ(log.scans[k].points.size(), 360U);
+            EXPECT_EQ(log.scans[k].time_s, tour->scan_time(k));
+            EXPECT_EQ(reader.truth()->path[k].pose, tour->true_pose(k));
+        }
+        ReadOptions as_measured;
+        as_measured.mend = false;
+        SimulatedTourReader raw(tour, as_measured);
+        const Log measured = read_all(raw);
+        EXPECT_GT(off_the_walls(world, measured, raw.truth()->path), 0.2) << value;
+        const Scan& scan = measured.scans[20];
+        ASSERT_EQ(scan.times_s.size(), scan.points.size());
+        EXPECT_EQ(scan.times_s.front(), 0.0F);
+        EXPECT_NEAR(scan.times_s.back(), 359.0 / 360.0 / world.laser.rate_hz, 1e-6);
+    }
+}
+
+TEST(SimulatedTourReader, AWrittenLogOfASweepIsReadAsTheTour) {
+    const TempFolder folder;
+    const auto tour = tour_of(sweeping_world());
+    ReadOptions as_measured;
+    as_measured.mend = false;
+    SimulatedTourReader raw(tour, as_measured);
+    const auto writer = make_log_writer("mcap", folder / "tour.mcap");
+    write_tour(raw, *writer);
+    writer->finish();
+    const Log read = test::read_log(folder / "tour.mcap");
+    const Log mended = read_all(*SimulatedTourReader(tour).reopen());
+    ASSERT_EQ(read.scans.size(), mended.scans.size());
+    for (std::size_t k = 0; k < read.scans.size(); ++k) {
+        ASSERT_EQ(read.scans[k].points.size(), mended.scans[k].points.size());
+        for (std::size_t i = 0; i < read.scans[k].points.size(); ++i)
+            test::expect_near(read.scans[k].points[i], mended.scans[k].points[i], 1e-3);
+    }
+}
+
+TEST(SimulatedTourReader, ASweepOfARobotAtRestIsAScanOfOneTime) {
+    World world = sweeping_world();
+    set_world_value(world, "laser.sigma=0.01");
+    const Scan swept = *SimulatedTourReader(tour_of(world)).next_scan();
+    set_world_value(world, "laser.sweep=off");
+    EXPECT_EQ(swept, *SimulatedTourReader(tour_of(world)).next_scan());
+}
+
+TEST(SimulatedTourReader, ASweepIsThereWhenAllOfItIsKnown) {
+    World world = sweeping_world();
+    const auto tour = SimulatedTour::live(world);
+    SimulatedTourReader reader(tour);
+    Log live;
+    for (int period = 0; period < 60; ++period) {
+        tour->drive_on(0.4, 0.5);
+        while (const std::optional<Scan> scan = reader.next_scan()) live.scans.push_back(*scan);
+    }
+    tour->end();
+    while (const std::optional<Scan> scan = reader.next_scan()) live.scans.push_back(*scan);
+    const auto again = tour_of(tour->recorded());
+    EXPECT_EQ(live.scans, read_all(*SimulatedTourReader(again).reopen()).scans);
+    EXPECT_GT(live.scans.size(), 25U);
 }
 
 TEST(SimulatedTourReader, KnowsTheTruthInTheFrameOfTheStart) {

@@ -1479,6 +1479,10 @@
         <translation>se encontró «%1» para el mundo %2, se esperaba auto: no es un registro</translation>
     </message>
     <message>
+        <source>found &quot;%1&quot; for the world %2, expected nothing: a world says itself where its laser sits, by laser.mount_x, laser.mount_y and laser.mount_heading</source>
+        <translation>se encontró «%1» para el mundo %2, no se esperaba nada: un mundo dice él mismo dónde está su láser, con laser.mount_x, laser.mount_y y laser.mount_heading</translation>
+    </message>
+    <message>
         <source>found &apos;%1&apos;, expected one of %2</source>
         <translation>se encontró «%1», se esperaba uno de %2</translation>
     </message>
@@ -2871,6 +2875,10 @@
         <translation>los rayos se siguen unos a otros hacia la derecha</translation>
     </message>
     <message>
+        <source>the rays of a scan are measured one after the other while the robot drives on, a whole turn from scan to scan</source>
+        <translation>los rayos de un barrido se miden uno tras otro mientras el robot sigue su camino, una vuelta entera de un barrido al siguiente</translation>
+    </message>
+    <message>
         <source>walls further away give no reading</source>
         <translation>las paredes más lejanas no dan lectura</translation>
     </message>
@@ -3634,6 +3642,10 @@
     <message>
         <source>Fan turned</source>
         <translation>Abanico girado</translation>
+    </message>
+    <message>
+        <source>Rays one by one</source>
+        <translation>Rayos uno a uno</translation>
     </message>
     <message>
         <source>Clockwise</source>
