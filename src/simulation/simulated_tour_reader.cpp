@@ -78,9 +78,9 @@ std::optional<Scan> SimulatedTourReader::next_scan() {
         }
         ++report_.scans;
         if (options_.max_range_m > 0.0 || options_.min_range_m > 0.0) {
-            constexpr double kAll = std::numeric_limits<double>::infinity();
-            scan = limited(scan, options_.min_range_m,
-                           options_.max_range_m > 0.0 ? options_.max_range_m : kAll);
+            double farthest = options_.max_range_m;
+            if (!(farthest > 0.0)) farthest = std::numeric_limits<double>::infinity();
+            scan = limited(scan, options_.min_range_m, farthest);
         }
         if (options_.mend && !scan.times_s.empty()) {
             if (!track_) {
