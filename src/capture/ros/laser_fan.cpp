@@ -140,8 +140,9 @@ std::optional<MountedScan> joined(const MountedScan& scan, const MountedScan& ne
     const double missing =
         std::round(off);               // rays between the parts; less than 0: that are in both
     constexpr double kMostRays = 3.0;  // drivers cut turns so roughly
-    const double all = scan.fan.count + missing + next.fan.count;
-    const double surplus = std::max(0.0, all - std::round(turn / step));  // beyond the whole turn
+    const double all_rays = scan.fan.count + missing + next.fan.count;
+    const double surplus =
+        std::max(0.0, all_rays - std::round(turn / step));  // beyond the whole turn
     if (next.clockwise != scan.clockwise || std::abs(off - missing) > kOffRayOfParts ||
         std::abs(missing) > kMostRays || surplus > kMostRays ||
         next.fan.count <= surplus - std::min(missing, 0.0)) {

@@ -59,6 +59,10 @@
         <source>%1 scans lie before the first odometry reading, and the robot is taken to have stood still until then: if it moved, leave them out (source.early_scans).</source>
         <translation>%1 barridos son anteriores a la primera lectura de odometría, y se supone que hasta ella el robot estuvo parado: si se movía, omítalos (source.early_scans).</translation>
     </message>
+    <message>
+        <source>No pose of the reference trajectory is within %1 of a scan, so no error is told: are the clocks the same?</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -1803,10 +1807,6 @@
         <translation>se encontró «%1», se esperaba uno de los temas de %2: %3</translation>
     </message>
     <message>
-        <source>holds no laser scans (messages sensor_msgs/LaserScan); its topics are: %1</source>
-        <translation>no contiene barridos láser (mensajes sensor_msgs/LaserScan); sus temas son: %1</translation>
-    </message>
-    <message>
         <source>found %1 laser topics in %2: %3; choose one (--scan-topic), several with commas between them, or &quot;all&quot;</source>
         <translation>se encontraron %1 temas de láser en %2: %3; elija uno (--scan-topic), varios separados por comas, o «all»</translation>
     </message>
@@ -1869,10 +1869,6 @@
     <message>
         <source>the message is compressed by itself (rosbag2&apos;s compression_mode MESSAGE), which Hitos does not read; convert the recording with &quot;ros2 bag convert&quot;</source>
         <translation>el mensaje está comprimido por sí mismo (compression_mode MESSAGE de rosbag2), lo que Hitos no lee; convierta la grabación con «ros2 bag convert»</translation>
-    </message>
-    <message>
-        <source>no transform leads from the laser&apos;s frame &quot;%1&quot; to the robot&apos;s frame &quot;%2&quot;, so where the laser sits is not known; record /tf_static too, or choose another laser (--scan-topic)</source>
-        <translation>ninguna transformación lleva del marco del láser «%1» al del robot «%2», así que no se sabe dónde va montado el láser; grabe también /tf_static o elija otro láser (--scan-topic)</translation>
     </message>
     <message>
         <source>the graph has a number that is not finite and cannot be written</source>
@@ -2243,10 +2239,6 @@
         <translation>los barridos cambian y la odometría dice que el robot no se movió nunca; todos los barridos se ponen en un mismo lugar</translation>
     </message>
     <message>
-        <source>if its messages hold velocities, take these: --set source.odometry=velocities</source>
-        <translation>si sus mensajes contienen velocidades, úselas: --set source.odometry=velocities</translation>
-    </message>
-    <message>
         <source>scans are stamped from %1 to %2 s and the odometry from %3 to %4 s: they share no time, so that the robot stands still in the map</source>
         <translation>los barridos están fechados de %1 a %2 s y la odometría de %3 a %4 s: no tienen ningún tiempo en común, así que en el mapa el robot está parado</translation>
     </message>
@@ -2337,6 +2329,154 @@
     <message>
         <source>is a world of Stage, which Hitos does not read; give the picture of its walls, %1, with --resolution: its width in metres (size %2) divided by that in pixels</source>
         <translation>es un mundo de Stage, que Hitos no lee; dé la imagen de sus paredes, %1, con --resolution: su ancho en metros (size %2) dividido por el ancho en píxeles</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected where the laser sits on the robot as &quot;x,y,degrees&quot; (metres ahead, metres to the left, turn to the left) or &quot;x,y,degrees,upside-down&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a scan&apos;s rays are said to take %1 s, more than from one scan to the next; they are taken to be of one time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>say how long it takes from one ray to the next: --set source.ray_time=SECONDS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the odometry leaps, by up to %1 m (line %2) and %3 in all, as where a driver begins anew; the robot is taken to drive on there as before, for a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>map it with registration, which finds what is left of it: --preset recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the odometry&apos;s poses never change although its velocities do; all scans are put on one place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take the velocities: --set source.odometry=velocities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected two frames that are one, as base_footprint=base_link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the place of the frame &quot;%1&quot; is told by %2 and by %3, differently, so where the laser sits is not known; record those of one robot only, or say where it sits (--laser-pose x,y,degrees)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no transform leads from the laser&apos;s frame &quot;%1&quot; to the robot&apos;s frame &quot;%2&quot;, so where the laser sits is not known; say where (--laser-pose x,y,degrees), or which frames are one (--same-frames %2=NAME), or choose another laser (--scan-topic)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; point clouds can be played into pointcloud_to_laserscan and its scans recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; depth images can be played into depthimage_to_laserscan and its scans recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds no laser scans (messages sensor_msgs/LaserScan); its topics are: %1%2</source>
+        <translation type="unfinished">no contiene barridos láser (mensajes sensor_msgs/LaserScan); sus temas son: %1%2</translation>
+    </message>
+    <message>
+        <source>no message of the odometry %1 can be read, so that the transforms to &quot;%2&quot; are taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--odom-topic %1 says what is wrong with them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was received %2 s after its stamps and %3 %4 s after its own: the clocks of their computers differ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add the difference to the scans&apos; times: --scan-delay %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no transform says where the laser &quot;%1&quot; sits on the robot &quot;%2&quot;; it is taken to sit in its origin and look ahead, and where it does not, the map is bent where the robot turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>say where it sits: --laser-pose x,y,degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the frame &quot;%1&quot; goes to and fro between two places in %2, %3 times: two programs say where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take a topic for the odometry (--odom-topic), or say where the laser sits (--laser-pose), or record with one of them only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found one place for %1 lasers; choose one of them (--scan-topic)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take how it moved from the scans: --set source.odometry=scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans have the time of the one before: their stamps have too few digits, and how the robot moved between them is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record times with milliseconds, as numbers of 64 bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rays always end at the same distance, however the robot turns: on the robot itself; they draw its path as walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave out what is so near: --set source.min_range=%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the odometry the robot always drives %1 degrees off where it looks, which no robot on wheels does: its headings are off by that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mend the odometry&apos;s heading; or, where the scans are to be turned with it: --laser-pose 0,0,%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scans&apos; clock does not run as fast as the odometry&apos;s: they fit it where %1 are added at the beginning and %2 at the end (%3 % of their points, against %4 % as they are stamped)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set the clocks of both computers alike, and record again; mapped in parts, each with its --scan-delay, it is less wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the scans the robot drives %1 times as far as by the odometry (%2 % of their points fit so, %3 % as it is told)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>registration finds it (--preset recorded); else --set source.odometry_scale=%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no odometry; how the robot moved is taken from the scans (%1 a second), which cannot tell it where they see the same all along, as in a corridor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record it too where there is some: of ROS its topic, or /tf together with /tf_static</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no odometry; how the robot moved is taken from the scans, which at %1 a second lie so far apart that they may be matched wrongly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record 10 scans a second, or drive slowly, or record the odometry too: of ROS its topic, or /tf together with /tf_static</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2437,10 +2577,6 @@
     <message>
         <source>Readings at or beyond this range are no points, so a higher value keeps more far readings; 0 takes what the log says.</source>
         <translation>Las lecturas a esta distancia o más lejos no son puntos: un valor mayor conserva más lecturas lejanas; 0 toma lo que dice el registro.</translation>
-    </message>
-    <message>
-        <source>Whether controls come from the differences of the logged poses or are the logged v and omega.</source>
-        <translation>Si los controles salen de las diferencias entre las poses registradas o son la v y la omega registradas.</translation>
     </message>
     <message>
         <source>Number of particles M; more of them follow more hypotheses, and time and memory grow in proportion.</source>
@@ -2938,6 +3074,34 @@
         <source>Added to the times of the scans, where the laser&apos;s clock is not the odometry&apos;s; hitos-cli check says by how much they differ. A higher value pairs scans with later odometry.</source>
         <translation>Se suma a los tiempos de los barridos cuando el reloj del láser no es el de la odometría; hitos-cli check dice cuánto difieren. Un valor mayor empareja los barridos con odometría posterior.</translation>
     </message>
+    <message>
+        <source>Where the laser sits on the robot, whatever the log says: x,y,degrees (metres ahead, metres to the left, turn to the left), with ,upside-down behind it where it does; empty takes what the log says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames of a ROS recording that are one under two names, as base_footprint=base_link; several with commas between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearer readings are no points, so a higher value leaves out more of what may be the robot itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time from one ray of a scan to the next, by which rays are moved as the robot drives on; a higher value moves them further; 0 takes what the log says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The odometry&apos;s way is taken that many times as long; a higher value lengthens it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether rays that the log says to be measured one after the other are moved by the odometry to one time, and leaps of the odometry that no robot makes are bridged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether controls come from the differences of the logged poses, are the logged v and omega, or come from the scans alone, as where a log has no odometry.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -3180,6 +3344,10 @@
     <message>
         <source>in whole cells</source>
         <translation>en celdas enteras</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation type="unfinished">Barridos</translation>
     </message>
 </context>
 <context>
@@ -3702,6 +3870,30 @@
     <message>
         <source>Scan delay</source>
         <translation>Retraso de barridos</translation>
+    </message>
+    <message>
+        <source>Laser&apos;s place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames that are one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of a ray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Odometry scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mend</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
