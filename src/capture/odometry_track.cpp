@@ -16,8 +16,7 @@ void OdometryTrack::read_to(double time_s) {
         Knot knot{reading->time_s, {}, reading->twist};
         if (!knots_.empty()) {
             const Knot& last = knots_.back();
-            knot.pose =
-                compose(last.pose, displacement(knot.twist, knot.time_s - last.time_s));
+            knot.pose = compose(last.pose, displacement(knot.twist, knot.time_s - last.time_s));
         }
         knots_.push_back(knot);
     }
@@ -33,9 +32,8 @@ Pose OdometryTrack::at(double time_s) {
     const Knot& before = *(after - 1);
     const bool beyond = after == knots_.end();
     const double seconds = time_s - before.time_s;
-    return compose(before.pose,
-                   displacement(beyond ? before.twist : after->twist,
-                                beyond ? std::min(seconds, kGoesOn) : seconds));
+    return compose(before.pose, displacement(beyond ? before.twist : after->twist,
+                                             beyond ? std::min(seconds, kGoesOn) : seconds));
 }
 
 namespace {

@@ -114,7 +114,7 @@ std::optional<Scan> Procesador::next_scan() {
                 }
                 ++report_.early_scans;
             }
-            if (options_.mend && !scan->times_s.empty()) mend(*scan);
+            if (options_.mend != Mend::nothing && !scan->times_s.empty()) mend(*scan);
             ++report_.scans;
             return scan;
         } catch (const FormatError& error) {
@@ -271,7 +271,7 @@ std::optional<Pose> Procesador::bridged(const OdometryRecord& record, const Pose
     const Pose& pose = *record.pose_odom_robot;
     const bool after_leap = leaps_.last;
     leaps_.last = is_leap(before, pose, seconds);
-    if (!options_.mend || !leaps_.last) return std::nullopt;
+    if (options_.mend != Mend::all || !leaps_.last) return std::nullopt;
     if (after_leap) {
         // Back from a single wrong pose; or each step is a leap, as in millimetres.
         const Pose back = between(compose(leaps_.from, leaps_.driven), pose);

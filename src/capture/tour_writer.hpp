@@ -24,8 +24,8 @@ class TourWriter : public LogWriter {
   protected:
     /// A scan's part that does not depend on the pose, ready to be written.
     struct Prepared {
-        Fan fan;           ///< as said in the file
-        std::string text;  ///< of the readings
+        Fan fan;                  ///< as said in the file
+        std::string text;         ///< of the readings
         double ray_time_s = 0.0;  ///< from one ray to the next
     };
 

@@ -82,7 +82,7 @@ std::optional<Scan> SimulatedTourReader::next_scan() {
             if (!(farthest > 0.0)) farthest = std::numeric_limits<double>::infinity();
             scan = limited(scan, options_.min_range_m, farthest);
         }
-        if (options_.mend && !scan.times_s.empty()) {
+        if (options_.mend != Mend::nothing && !scan.times_s.empty()) {
             if (!track_) {
                 // By a reader of its own: this one's odometry sequence is whoever's reads it.
                 track_ = std::make_unique<OdometryTrack>(

@@ -21,7 +21,7 @@ void write_tour_files(const std::shared_ptr<const SimulatedTour>& tour, const To
                       const std::function<void(const TourReader&)>& told) {
     const std::string format = checked_target_format(files.format, files.log.string());
     // As the robot would have recorded it: whoever reads the log unwarps it.
-    SimulatedTourReader reader(tour, ReadOptions{.mend = false});
+    SimulatedTourReader reader(tour, ReadOptions{.mend = Mend::nothing});
     // The log comes last: it is what all the others belong to.
     std::vector<fs::path> outputs;
     for (const fs::path& file : {files.picture, files.truth, files.reference, files.log}) {

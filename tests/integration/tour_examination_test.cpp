@@ -301,7 +301,8 @@ TEST(ScanOdometry, FollowsTheRobotByItsScansAlone) {
     for (const char* rate : {"10", "20"}) {
         SourceParams params;
         params.file = source_named("recinto");
-        params.world_set = std::string("laser.rate=") + rate + " laser.sigma=0.01";
+        params.world_set = std::string("laser.rate=") + rate +
+                           " laser.field_of_view=360 laser.rays=360 laser.max_range=30";
         const auto tour = make_scan_odometry(open_tour(params));
         const std::vector<Pose> path = path_of(*tour);
         const Truth truth = open_tour(params)->truth().value();

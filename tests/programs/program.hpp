@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 inline const std::string kSource = HITOS_SOURCE_DIR;
 inline const std::string kBin = HITOS_BIN_DIR;
 
-/// Runs a line of shell.
+/// Runs a line of shell. A program that is asked to stop has the time that a loaded machine takes.
 inline Outcome shell(const std::string& line) {
-    return run_command("{ " + line + "\n}");
+    return run_command(": ${HITOS_STOP_SECONDS:=60}; export HITOS_STOP_SECONDS; { " + line + "\n}");
 }
 
 /// A new empty folder for each test.

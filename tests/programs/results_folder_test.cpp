@@ -116,6 +116,18 @@ TEST_F(ResultsFolder, IsWholeAfterASecondRequest) {
     EXPECT_EQ(shell(verify()).status, 0);
 }
 
+TEST_F(ResultsFolder, IsWholeWhereARequestTakesTooLong) {
+    ASSERT_EQ(shell(run(1)).status, 0);
+    // No step of so many particles is done within a hundredth of a second.
+    const Outcome ended = shell(fmt::format(
+        "HITOS_STOP_SECONDS=0.01 {} --set filter.particles=200000 & sleep 0.7; kill -TERM $!; wait "
+        "$!; echo status $?",
+        run(2)));
+    EXPECT_NE(ended.output.find("status 143"), std::string::npos) << ended.output;
+    EXPECT_EQ(shell(verify()).status, 0);
+    EXPECT_EQ(seed_there(), 1);
+}
+
 TEST_F(ResultsFolder, ALogThatCannotBeReadLeavesNoFolder) {
     const Outcome outcome = shell(cli_ + " run nosuch.log --out " + path("out"));
     EXPECT_EQ(outcome.status, 1);

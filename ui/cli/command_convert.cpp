@@ -40,7 +40,8 @@ void convert(const ConvertOptions& options) {
     SourceParams source;
     source.file = input_named(options.log, "log");
     options.source.choose(source);
-    source.read.mend = false;  // what is written is mended by who reads it
+    // What is written is mended by who reads it, where the format can say what is needed for it.
+    source.read.mend = log_formats().find(target).ray_times ? Mend::nothing : Mend::rays;
     const std::filesystem::path out = options.out;
     check_apart({&out, 1}, log_files(source.file));
     const std::unique_ptr<TourReader> reader = make_noisy_reader(

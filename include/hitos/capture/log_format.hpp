@@ -55,7 +55,8 @@ struct LogFormat : RegistryEntry {
     Open* open = nullptr;
     /// Of recordings: what they hold; takes a pass over all of it.
     Topics* topics = nullptr;
-    bool folders = false;  ///< of recordings: whether folders are some too
+    bool folders = false;    ///< of recordings: whether folders are some too
+    bool ray_times = false;  ///< whether its writer says when each ray was measured
 };
 
 /// The formats that this program knows; `source.format` chooses one, or "auto".

@@ -46,10 +46,10 @@ struct Scan {
     std::vector<Point2> points;             ///< robot frame, ray order
     std::vector<std::uint32_t> run_starts;  ///< index of the first point of each run of neighbours
     std::vector<std::uint32_t> rays;        ///< ray number of each point; empty: unknown
-    std::vector<float> times_s;  ///< of each point, from time_s on; empty: all of one time
-    Fan fan;                                ///< count == 0: unknown (normalised logs)
-    std::uint64_t line = 0;                 ///< 1-based line of the log
-    bool carries_odometry = false;          ///< the same line is an odometry reading too
+    std::vector<float> times_s;     ///< of each point, from time_s on; empty: all of one time
+    Fan fan;                        ///< count == 0: unknown (normalised logs)
+    std::uint64_t line = 0;         ///< 1-based line of the log
+    bool carries_odometry = false;  ///< the same line is an odometry reading too
 
     /// Index behind the last point of a run.
     std::uint32_t run_end(std::size_t run) const {

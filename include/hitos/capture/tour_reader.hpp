@@ -47,6 +47,15 @@ enum class OdometryFrom : std::uint8_t {
     scans        ///< what the scans say by themselves, whatever the log does
 };
 
+/// What is known to be wrong and is mended.
+enum class Mend : std::uint8_t {
+    nothing,
+    rays,  ///< those measured one after the other are moved, by the odometry, to where they would
+           ///< lie had all been measured at the scan's time
+    all    ///< besides, a leap of the odometry that no robot makes becomes a step like the one
+           ///< before it, and where there is no odometry at all the scans say how the robot moved
+};
+
 /// What a reader may be told beside where to read.
 struct ReadOptions {
     /// Readings at or beyond it are no points [m]. 0: what the log says; where it says nothing,
@@ -77,10 +86,7 @@ struct ReadOptions {
     double ray_time_s = 0.0;
     /// By this the odometry's way is longer than it says.
     double odometry_scale = 1.0;
-    /// Whether what is known to be wrong is mended: rays that were measured one after the other are
-    /// moved, by the odometry, to where they would lie had all been measured at the scan's time; a
-    /// leap of the odometry that no robot makes becomes a step like the one before it.
-    bool mend = true;
+    Mend mend = Mend::all;
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 

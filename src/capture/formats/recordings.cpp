@@ -53,6 +53,7 @@ LogFormat mcap_format() {
         recording<open_mcap>({"mcap", HITOS_TEXT("ParameterChoice", "MCAP"), "recordings of ROS"},
                              "*.mcap", begins_mcap);
     format.make_writer = make_mcap_writer;
+    format.ray_times = true;
     return format;
 }
 

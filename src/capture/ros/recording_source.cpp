@@ -28,9 +28,8 @@ std::shared_ptr<const RecordingPlan> plan_recording(const std::filesystem::path&
                                                     const LogFormat& format, OpenRecording* open,
                                                     const ReadOptions& options) {
     const RecordingSurvey survey = survey_recording(path, open);
-    return std::make_shared<const RecordingPlan>(
-        RecordingPlan{path, format, open, choose_topics(survey, options, path),
-                      !options.laser_pose.empty()});
+    return std::make_shared<const RecordingPlan>(RecordingPlan{
+        path, format, open, choose_topics(survey, options, path), !options.laser_pose.empty()});
 }
 
 RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan)
@@ -114,8 +113,8 @@ void RecordingSource::take_in_scans(const RecordedMessage& found) {
 }
 
 MountedScan RecordingSource::scan_of(const RecordedMessage& found) const {
-    const LaserScanMessage scan = decode_laser_scan(
-        found.bytes, encoding_of(found.topic->encoding), is_multi_echo(*found.topic));
+    const LaserScanMessage scan = decode_laser_scan(found.bytes, encoding_of(found.topic->encoding),
+                                                    is_multi_echo(*found.topic));
     const std::string& robot = plan_->topics.robot_frame;
     std::optional<Transform> robot_laser = frames_.between(robot, scan.header.frame);
     // Where the options say it, the converter puts it there; where nothing does, it is doubted.

@@ -40,10 +40,9 @@ void add_mended_source(Table& table) {
          .label = HITOS_TEXT("ParameterLabel", "Laser's place")}));
     table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::same_frames>(
         {.key = "source.same_frames",
-         .description =
-             HITOS_TEXT("Parameter",
-                        "Frames of a ROS recording that are one under two names, as "
-                        "base_footprint=base_link; several with commas between them."),
+         .description = HITOS_TEXT("Parameter",
+                                   "Frames of a ROS recording that are one under two names, as "
+                                   "base_footprint=base_link; several with commas between them."),
          .label = HITOS_TEXT("ParameterLabel", "Frames that are one")}));
     table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::min_range_m>(
         {.key = "source.min_range",
@@ -76,10 +75,14 @@ void add_mended_source(Table& table) {
         {.key = "source.mend",
          .description = HITOS_TEXT(
              "Parameter",
-             "Whether rays that the log says to be measured one after the other are moved by the "
-             "odometry to one time, and leaps of the odometry that no robot makes are bridged."),
+             "Whether what is known to be wrong is mended: rays that were measured one after the "
+             "other are moved by the odometry to one time (rays); besides, leaps of the odometry "
+             "that no robot makes are bridged, and where there is no odometry the scans say how "
+             "the robot moved (on)."),
          .label = HITOS_TEXT("ParameterLabel", "Mend"),
-         .choices = off_on()}));
+         .choices = {{"off", HITOS_TEXT("ParameterChoice", "Off")},
+                     {"rays", HITOS_TEXT("ParameterChoice", "Rays only")},
+                     {"on", HITOS_TEXT("ParameterChoice", "On")}}}));
 }
 
 void add_source(Table& table) {
@@ -107,10 +110,11 @@ void add_source(Table& table) {
          .label = HITOS_TEXT("ParameterLabel", "Maximum range")}));
     table.push_back(choice<&Config::source, &SourceParams::read, &ReadOptions::odometry>(
         {.key = "source.odometry",
-         .description = HITOS_TEXT("Parameter",
-                                   "Whether controls come from the differences of the logged poses, "
-                                   "are the logged v and omega, or come from the scans alone, as "
-                                   "where a log has no odometry."),
+         .description =
+             HITOS_TEXT("Parameter",
+                        "Whether controls come from the differences of the logged poses, "
+                        "are the logged v and omega, or come from the scans alone, as "
+                        "where a log has no odometry."),
          .label = HITOS_TEXT("ParameterLabel", "Odometry from"),
          .card = "source",
          .choices = {{"poses", HITOS_TEXT("ParameterChoice", "Logged poses")},

@@ -105,13 +105,15 @@ MapImage shrunk(MapImage image, int longest_side) {
 }
 
 MapImage fitted(MapImage image, std::string_view kind) {
+    // Square kilometres at 5 cm take their cells two by two, and a few seconds to write.
+    constexpr std::int64_t kMostOfMap = std::int64_t{1} << 27;
     const std::int64_t width = image.picture.width;
     const std::int64_t height = image.picture.height;
     const auto fits = [&](std::int64_t side) {
         const std::int64_t columns = (width + side - 1) / side;
         const std::int64_t rows = (height + side - 1) / side;
         return std::max(columns, rows) <= drawing::longest_side(kind) &&
-               columns * rows <= drawing::kMostPixels;
+               columns * rows <= kMostOfMap;
     };
     int side = 1;
     while (!fits(side)) ++side;

@@ -17,7 +17,7 @@ std::unique_ptr<TourReader> open_source(const SourceParams& source) {
                                                source.read);
     const bool from_scans =
         source.read.odometry == OdometryFrom::scans ||
-        (source.read.mend && !reader->reopen()->next_odometry().has_value());
+        (source.read.mend == Mend::all && !reader->reopen()->next_odometry().has_value());
     if (!from_scans) return reader;
     return make_scan_odometry(std::move(reader));
 }

@@ -204,7 +204,8 @@ RunQuality judge(const Algoritmo& run) {
     RunQuality quality;
     measure_crispness(run, quality);
     quality.warnings = warnings(run);
-    if (run.examination() != nullptr) quality.findings = run.examination()->findings(run.reader().findings());
+    if (run.examination() != nullptr)
+        quality.findings = run.examination()->findings(run.reader().findings());
     if (const Registration* registration = run.registration()) {
         quality.registration = registration->figures();
         quality.loops = registration->loops();

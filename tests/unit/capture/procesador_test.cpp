@@ -41,7 +41,7 @@ TEST(Procesador, SumOfTwistsReproducesRandomPoses) {
         const double theta = i % 5 == 0 ? turn(engine) : i % 3 == 0 ? 1e-7 : 0.0;
         pose = compose(pose, {step(engine), step(engine), theta});
     }
-    const Log log = read_text("radish", text, {.mend = false});
+    const Log log = read_text("radish", text, {.mend = Mend::rays});
     ASSERT_EQ(log.odometry.size(), poses.size());
     const std::vector<Pose> sums = test::summed(log.odometry, poses.front());
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -106,7 +106,7 @@ TEST(Procesador, ALeapOfTheOdometryIsBridgedAndTold) {
     EXPECT_EQ(log.findings.front().value, 19.0);
     EXPECT_THAT(log.findings.front().what.english(), HasSubstr("19 m (line 21)"));
     // As it is logged where nothing is to be mended.
-    const Log raw = read_text("radish", poses(40, 20), {.mend = false});
+    const Log raw = read_text("radish", poses(40, 20), {.mend = Mend::rays});
     EXPECT_NEAR(test::summed(raw.odometry).back().x, 19.0, 1e-9);
     EXPECT_TRUE(raw.findings.empty());
     // Where every step is one, as of millimetres, units are wrong, which is told elsewhere.

@@ -99,7 +99,7 @@ TEST(RayTimes, RaysLieOnTheWallsWhereTheirTimesAreKnown) {
         EXPECT_EQ(log.scans[3].points.size(), static_cast<std::size_t>(kRaysOfATurn));
         EXPECT_GT(off_the_walls(read(tour(1, false, sense))), 0.3);
         ReadOptions as_measured;
-        as_measured.mend = false;
+        as_measured.mend = Mend::nothing;
         EXPECT_GT(off_the_walls(read(tour(1, true, sense), as_measured)), 0.3);
         ReadOptions said;
         said.ray_time_s = sense * kTurnSeconds / kRaysOfATurn;

@@ -223,7 +223,7 @@ TEST(SimulatedTourReader, UnwarpsWhatASweepingLaserMeasured) {
             EXPECT_EQ(reader.truth()->path[k].pose, tour->true_pose(k));
         }
         ReadOptions as_measured;
-        as_measured.mend = false;
+        as_measured.mend = Mend::nothing;
         SimulatedTourReader raw(tour, as_measured);
         const Log measured = read_all(raw);
         EXPECT_GT(off_the_walls(world, measured, raw.truth()->path), 0.2) << value;
@@ -238,7 +238,7 @@ TEST(SimulatedTourReader, AWrittenLogOfASweepIsReadAsTheTour) {
     const TempFolder folder;
     const auto tour = tour_of(sweeping_world());
     ReadOptions as_measured;
-    as_measured.mend = false;
+    as_measured.mend = Mend::nothing;
     SimulatedTourReader raw(tour, as_measured);
     const auto writer = make_log_writer("mcap", folder / "tour.mcap");
     write_tour(raw, *writer);

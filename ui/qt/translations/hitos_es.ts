@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>No pose of the reference trajectory is within %1 of a scan, so no error is told: are the clocks the same?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna pose de la trayectoria de referencia está a menos de %1 de un barrido, así que no se da ningún error: ¿son los mismos los relojes?</translation>
     </message>
 </context>
 <context>
@@ -2332,151 +2332,151 @@
     </message>
     <message>
         <source>found &quot;%1&quot;, expected where the laser sits on the robot as &quot;x,y,degrees&quot; (metres ahead, metres to the left, turn to the left) or &quot;x,y,degrees,upside-down&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>se encontró «%1», se esperaba dónde va el láser en el robot, como «x,y,grados» (metros hacia delante, metros a la izquierda, giro a la izquierda) o «x,y,grados,upside-down»</translation>
     </message>
     <message>
         <source>a scan&apos;s rays are said to take %1 s, more than from one scan to the next; they are taken to be of one time</source>
-        <translation type="unfinished"></translation>
+        <translation>se dice que los rayos de un barrido tardan %1 s, más que de un barrido al siguiente; se toman como de un mismo instante</translation>
     </message>
     <message>
         <source>say how long it takes from one ray to the next: --set source.ray_time=SECONDS</source>
-        <translation type="unfinished"></translation>
+        <translation>diga cuánto pasa de un rayo al siguiente: --set source.ray_time=SEGUNDOS</translation>
     </message>
     <message>
         <source>the odometry leaps, by up to %1 m (line %2) and %3 in all, as where a driver begins anew; the robot is taken to drive on there as before, for a second</source>
-        <translation type="unfinished"></translation>
+        <translation>la odometría salta, hasta %1 m (línea %2) y %3 en total, como donde un controlador empieza de nuevo; se supone que el robot sigue ahí como antes, durante un segundo</translation>
     </message>
     <message>
         <source>map it with registration, which finds what is left of it: --preset recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>haga el mapa con registro de barridos, que encuentra lo que quede: --preset recorded</translation>
     </message>
     <message>
         <source>the odometry&apos;s poses never change although its velocities do; all scans are put on one place</source>
-        <translation type="unfinished"></translation>
+        <translation>las poses de la odometría nunca cambian aunque sus velocidades sí; todos los barridos se ponen en un mismo lugar</translation>
     </message>
     <message>
         <source>take the velocities: --set source.odometry=velocities</source>
-        <translation type="unfinished"></translation>
+        <translation>tome las velocidades: --set source.odometry=velocities</translation>
     </message>
     <message>
         <source>found &quot;%1&quot;, expected two frames that are one, as base_footprint=base_link</source>
-        <translation type="unfinished"></translation>
+        <translation>se encontró «%1», se esperaban dos marcos que son uno, como base_footprint=base_link</translation>
     </message>
     <message>
         <source>the place of the frame &quot;%1&quot; is told by %2 and by %3, differently, so where the laser sits is not known; record those of one robot only, or say where it sits (--laser-pose x,y,degrees)</source>
-        <translation type="unfinished"></translation>
+        <translation>el lugar del marco «%1» lo dicen %2 y %3 de forma distinta, así que no se sabe dónde va el láser; grabe solo los de un robot, o diga dónde va (--laser-pose x,y,grados)</translation>
     </message>
     <message>
         <source>no transform leads from the laser&apos;s frame &quot;%1&quot; to the robot&apos;s frame &quot;%2&quot;, so where the laser sits is not known; say where (--laser-pose x,y,degrees), or which frames are one (--same-frames %2=NAME), or choose another laser (--scan-topic)</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna transformación lleva del marco del láser «%1» al del robot «%2», así que no se sabe dónde va el láser; diga dónde (--laser-pose x,y,grados), o qué marcos son uno (--same-frames %2=NOMBRE), o elija otro láser (--scan-topic)</translation>
     </message>
     <message>
         <source>; point clouds can be played into pointcloud_to_laserscan and its scans recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>; las nubes de puntos se pueden pasar por pointcloud_to_laserscan y grabar sus barridos</translation>
     </message>
     <message>
         <source>; depth images can be played into depthimage_to_laserscan and its scans recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>; las imágenes de profundidad se pueden pasar por depthimage_to_laserscan y grabar sus barridos</translation>
     </message>
     <message>
         <source>holds no laser scans (messages sensor_msgs/LaserScan); its topics are: %1%2</source>
-        <translation type="unfinished">no contiene barridos láser (mensajes sensor_msgs/LaserScan); sus temas son: %1%2</translation>
+        <translation>no contiene barridos láser (mensajes sensor_msgs/LaserScan); sus temas son: %1%2</translation>
     </message>
     <message>
         <source>no message of the odometry %1 can be read, so that the transforms to &quot;%2&quot; are taken</source>
-        <translation type="unfinished"></translation>
+        <translation>no se puede leer ningún mensaje de la odometría %1, así que se toman las transformaciones a «%2»</translation>
     </message>
     <message>
         <source>--odom-topic %1 says what is wrong with them</source>
-        <translation type="unfinished"></translation>
+        <translation>--odom-topic %1 dice qué les pasa</translation>
     </message>
     <message>
         <source>%1 was received %2 s after its stamps and %3 %4 s after its own: the clocks of their computers differ</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se recibió %2 s después de sus sellos de tiempo y %3 %4 s después de los suyos: los relojes de sus ordenadores difieren</translation>
     </message>
     <message>
         <source>add the difference to the scans&apos; times: --scan-delay %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sume la diferencia a los tiempos de los barridos: --scan-delay %1</translation>
     </message>
     <message>
         <source>no transform says where the laser &quot;%1&quot; sits on the robot &quot;%2&quot;; it is taken to sit in its origin and look ahead, and where it does not, the map is bent where the robot turns</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna transformación dice dónde va el láser «%1» en el robot «%2»; se supone que va en su origen y mira hacia delante, y si no es así, el mapa se tuerce donde el robot gira</translation>
     </message>
     <message>
         <source>say where it sits: --laser-pose x,y,degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>diga dónde va: --laser-pose x,y,grados</translation>
     </message>
     <message>
         <source>the frame &quot;%1&quot; goes to and fro between two places in %2, %3 times: two programs say where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>el marco «%1» va y viene entre dos lugares en %2, %3 veces: dos programas dicen dónde está</translation>
     </message>
     <message>
         <source>take a topic for the odometry (--odom-topic), or say where the laser sits (--laser-pose), or record with one of them only</source>
-        <translation type="unfinished"></translation>
+        <translation>tome un tema para la odometría (--odom-topic), o diga dónde va el láser (--laser-pose), o grabe con uno solo de ellos</translation>
     </message>
     <message>
         <source>found one place for %1 lasers; choose one of them (--scan-topic)</source>
-        <translation type="unfinished"></translation>
+        <translation>se encontró un lugar para %1 láseres; elija uno de ellos (--scan-topic)</translation>
     </message>
     <message>
         <source>take how it moved from the scans: --set source.odometry=scans</source>
-        <translation type="unfinished"></translation>
+        <translation>tome de los barridos cómo se movió: --set source.odometry=scans</translation>
     </message>
     <message>
         <source>%1 of %2 scans have the time of the one before: their stamps have too few digits, and how the robot moved between them is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 barridos tienen el tiempo del anterior: sus sellos tienen muy pocas cifras, y no se sabe cómo se movió el robot entre ellos</translation>
     </message>
     <message>
         <source>record times with milliseconds, as numbers of 64 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>grabe los tiempos con milisegundos, como números de 64 bits</translation>
     </message>
     <message>
         <source>%1 rays always end at the same distance, however the robot turns: on the robot itself; they draw its path as walls</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 rayos acaban siempre a la misma distancia, gire como gire el robot: en el robot mismo; dibujan su camino como paredes</translation>
     </message>
     <message>
         <source>leave out what is so near: --set source.min_range=%1</source>
-        <translation type="unfinished"></translation>
+        <translation>omita lo que está tan cerca: --set source.min_range=%1</translation>
     </message>
     <message>
         <source>by the odometry the robot always drives %1 degrees off where it looks, which no robot on wheels does: its headings are off by that</source>
-        <translation type="unfinished"></translation>
+        <translation>según la odometría el robot avanza siempre a %1 grados de hacia donde mira, lo que no hace ningún robot con ruedas: sus orientaciones están desviadas en eso</translation>
     </message>
     <message>
         <source>mend the odometry&apos;s heading; or, where the scans are to be turned with it: --laser-pose 0,0,%1</source>
-        <translation type="unfinished"></translation>
+        <translation>corrija la orientación de la odometría; o, si los barridos han de girar con ella: --laser-pose 0,0,%1</translation>
     </message>
     <message>
         <source>the scans&apos; clock does not run as fast as the odometry&apos;s: they fit it where %1 are added at the beginning and %2 at the end (%3 % of their points, against %4 % as they are stamped)</source>
-        <translation type="unfinished"></translation>
+        <translation>el reloj de los barridos no va tan deprisa como el de la odometría: encajan si se suman %1 al principio y %2 al final (%3 % de sus puntos, frente a %4 % como están sellados)</translation>
     </message>
     <message>
         <source>set the clocks of both computers alike, and record again; mapped in parts, each with its --scan-delay, it is less wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>ponga igual los relojes de ambos ordenadores y grabe de nuevo; por partes, cada una con su --scan-delay, el mapa es menos falso</translation>
     </message>
     <message>
         <source>by the scans the robot drives %1 times as far as by the odometry (%2 % of their points fit so, %3 % as it is told)</source>
-        <translation type="unfinished"></translation>
+        <translation>según los barridos el robot recorre %1 veces lo que dice la odometría (así encaja el %2 % de sus puntos, el %3 % como está dicho)</translation>
     </message>
     <message>
         <source>registration finds it (--preset recorded); else --set source.odometry_scale=%1</source>
-        <translation type="unfinished"></translation>
+        <translation>el registro de barridos lo encuentra (--preset recorded); si no, --set source.odometry_scale=%1</translation>
     </message>
     <message>
         <source>there is no odometry; how the robot moved is taken from the scans (%1 a second), which cannot tell it where they see the same all along, as in a corridor</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay odometría; cómo se movió el robot se toma de los barridos (%1 por segundo), que no pueden decirlo donde ven siempre lo mismo, como en un pasillo</translation>
     </message>
     <message>
         <source>record it too where there is some: of ROS its topic, or /tf together with /tf_static</source>
-        <translation type="unfinished"></translation>
+        <translation>grábela también si la hay: de ROS su tema, o /tf junto con /tf_static</translation>
     </message>
     <message>
         <source>there is no odometry; how the robot moved is taken from the scans, which at %1 a second lie so far apart that they may be matched wrongly</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay odometría; cómo se movió el robot se toma de los barridos, que a %1 por segundo quedan tan lejos unos de otros que pueden casarse mal</translation>
     </message>
     <message>
         <source>record 10 scans a second, or drive slowly, or record the odometry too: of ROS its topic, or /tf together with /tf_static</source>
-        <translation type="unfinished"></translation>
+        <translation>grabe 10 barridos por segundo, o conduzca despacio, o grabe también la odometría: de ROS su tema, o /tf junto con /tf_static</translation>
     </message>
 </context>
 <context>
@@ -3076,31 +3076,31 @@
     </message>
     <message>
         <source>Where the laser sits on the robot, whatever the log says: x,y,degrees (metres ahead, metres to the left, turn to the left), with ,upside-down behind it where it does; empty takes what the log says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde va el láser en el robot, diga lo que diga el registro: x,y,grados (metros hacia delante, metros a la izquierda, giro a la izquierda), seguido de ,upside-down si va boca abajo; vacío toma lo que dice el registro.</translation>
     </message>
     <message>
         <source>Frames of a ROS recording that are one under two names, as base_footprint=base_link; several with commas between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marcos de una grabación de ROS que son uno con dos nombres, como base_footprint=base_link; varios, separados por comas.</translation>
     </message>
     <message>
         <source>Nearer readings are no points, so a higher value leaves out more of what may be the robot itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las lecturas más cercanas no son puntos, así que un valor mayor omite más de lo que puede ser el propio robot.</translation>
     </message>
     <message>
         <source>Time from one ray of a scan to the next, by which rays are moved as the robot drives on; a higher value moves them further; 0 takes what the log says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo de un rayo de un barrido al siguiente, según el cual se mueven los rayos mientras el robot avanza; un valor mayor los mueve más; 0 toma lo que dice el registro.</translation>
     </message>
     <message>
         <source>The odometry&apos;s way is taken that many times as long; a higher value lengthens it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whether rays that the log says to be measured one after the other are moved by the odometry to one time, and leaps of the odometry that no robot makes are bridged.</source>
-        <translation type="unfinished"></translation>
+        <translation>El camino de la odometría se toma tantas veces más largo; un valor mayor lo alarga.</translation>
     </message>
     <message>
         <source>Whether controls come from the differences of the logged poses, are the logged v and omega, or come from the scans alone, as where a log has no odometry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si los controles salen de las diferencias de las poses registradas, son la v y la omega registradas, o salen solo de los barridos, como donde un registro no tiene odometría.</translation>
+    </message>
+    <message>
+        <source>Whether what is known to be wrong is mended: rays that were measured one after the other are moved by the odometry to one time (rays); besides, leaps of the odometry that no robot makes are bridged, and where there is no odometry the scans say how the robot moved (on).</source>
+        <translation>Si se corrige lo que se sabe falso: los rayos medidos uno tras otro se llevan con la odometría a un mismo instante (rays); además se salvan los saltos de la odometría que no da ningún robot, y donde no hay odometría los barridos dicen cómo se movió (on).</translation>
     </message>
 </context>
 <context>
@@ -3347,7 +3347,11 @@
     </message>
     <message>
         <source>Scans</source>
-        <translation type="unfinished">Barridos</translation>
+        <translation>Barridos</translation>
+    </message>
+    <message>
+        <source>Rays only</source>
+        <translation>Solo los rayos</translation>
     </message>
 </context>
 <context>
@@ -3873,27 +3877,27 @@
     </message>
     <message>
         <source>Laser&apos;s place</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar del láser</translation>
     </message>
     <message>
         <source>Frames that are one</source>
-        <translation type="unfinished"></translation>
+        <translation>Marcos que son uno</translation>
     </message>
     <message>
         <source>Minimum range</source>
-        <translation type="unfinished"></translation>
+        <translation>Alcance mínimo</translation>
     </message>
     <message>
         <source>Time of a ray</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo de un rayo</translation>
     </message>
     <message>
         <source>Odometry scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Escala de la odometría</translation>
     </message>
     <message>
         <source>Mend</source>
-        <translation type="unfinished"></translation>
+        <translation>Corregir</translation>
     </message>
 </context>
 <context>

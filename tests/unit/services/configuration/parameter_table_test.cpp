@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 93U);
+    EXPECT_EQ(keys.size(), 99U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -235,6 +235,12 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.source.read.odom_topic = "tf";
     c.source.read.leave_out_early_scans = true;
     c.source.read.scan_delay_s = -0.25;
+    c.source.read.laser_pose = "0.1,0.2,30";
+    c.source.read.same_frames = "a=b";
+    c.source.read.min_range_m = 0.27;
+    c.source.read.ray_time_s = 0.28;
+    c.source.read.odometry_scale = 1.29;
+    c.source.read.mend = Mend::rays;
     c.source.tour_seed = 43;
     c.source.world_set = "laser.sigma=0.003";
     c.run = {42, 3};
@@ -278,6 +284,12 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"source.odom_topic", "tf"},
         {"source.early_scans", "leave_out"},
         {"source.scan_delay", "-0.25"},
+        {"source.laser_pose", "0.1,0.2,30"},
+        {"source.same_frames", "a=b"},
+        {"source.min_range", "0.27"},
+        {"source.ray_time", "0.28"},
+        {"source.odometry_scale", "1.29"},
+        {"source.mend", "rays"},
         {"source.tour_seed", "43"},
         {"source.world_set", "laser.sigma=0.003"},
         {"run.seed", "42"},
