@@ -66,10 +66,10 @@ class RecordingTest : public test::ProgramTest {
     }
 
     /// The block `quality` of the run's summary.
-    json quality_of(const std::string& log) const {
-        const test::Outcome run =
-            test::shell(cli_ + " run " + log +
-                        " --preset recorded --set filter.particles=5 --out " + path("out"));
+    json quality_of(const std::string& log, const std::string& options = "") const {
+        const test::Outcome run = test::shell(cli_ + " run " + log +
+                                              " --preset recorded --set filter.particles=5 --out " +
+                                              path("out") + options);
         EXPECT_EQ(run.status, 0) << run.output;
         return json::parse(test::content(folder_ / "out" / "summary.json"))["quality"];
     }
@@ -109,15 +109,22 @@ TEST_F(RecordingTest, OdometryThatNeverMovesIsTold) {
 }
 
 TEST_F(RecordingTest, AJumpOfTheOdometryIsTold) {
-    const json quality = quality_of(recording([](std::vector<Reading>& readings) {
+    const std::string log = recording([](std::vector<Reading>& readings) {
         for (std::size_t i = 300; i < readings.size(); ++i) {
             Pose pose = readings[i].odometry();
             pose.x += 40.0;
             readings[i].place_at(pose);
         }
-    }));
-    ASSERT_GE(quality["warnings"].size(), 1U);
-    EXPECT_THAT(quality["warnings"][0].get<std::string>(), HasSubstr("(300 → 301, 40 m)"));
+    });
+    const json as_logged = quality_of(log, " --set source.mend=rays");
+    ASSERT_GE(as_logged["warnings"].size(), 1U);
+    EXPECT_THAT(as_logged["warnings"][0].get<std::string>(), HasSubstr("(300 → 301, 40 m)"));
+    const json quality = quality_of(log);
+    // It is bridged, so that the map does not fall in pieces there.
+    EXPECT_TRUE(quality["warnings"].empty()) << quality["warnings"];
+    ASSERT_EQ(quality["findings"].size(), 1U);
+    EXPECT_EQ(quality["findings"][0]["kind"], "leaping-odometry");
+    EXPECT_NEAR(quality["findings"][0]["value"].get<double>(), 40.0, 1.0);
 }
 
 TEST_F(RecordingTest, ALaserThatSeesNothingCostsThePicturesOnly) {
