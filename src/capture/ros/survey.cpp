@@ -173,9 +173,10 @@ RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecordin
                 for (const StampedTransform& one : transforms) frames.publishers.note(one);
                 continue;
             }
+            // As numbers of 64 bits any two times of a damaged file may be too far apart.
+            const double stamp_s = seconds_of(stamp_in(found->bytes, encoding));
             std::vector<RecordingSurvey::Receipt>& receipts = survey.receipts[topic.name];
-            const std::int64_t stamp_ns = stamp_in(found->bytes, encoding);
-            receipts.push_back({found->log_time_ns, found->log_time_ns - stamp_ns});
+            receipts.push_back({found->log_time_ns, seconds_of(found->log_time_ns) - stamp_s});
             // Of the rest the first sound message is enough.
             if (is_laser(topic)) {
                 if (!survey.laser_frames.contains(topic.name)) {
@@ -266,14 +267,14 @@ void doubt_stamps(const RecordingSurvey& survey, TourTopics& chosen) {
     const std::int64_t end = std::min(std::ranges::max(a, {}, received).received_ns,
                                       std::ranges::max(b, {}, received).received_ns);
     const auto lag_of = [&](const std::vector<RecordingSurvey::Receipt>& receipts) {
-        std::vector<std::int64_t> lags;
+        std::vector<double> lags;
         for (const auto& one : receipts) {
-            if (one.received_ns >= begin && one.received_ns <= end) lags.push_back(one.lag_ns);
+            if (one.received_ns >= begin && one.received_ns <= end) lags.push_back(one.lag_s);
         }
         if (lags.empty()) return std::optional<double>{};
         const auto middle = lags.begin() + static_cast<std::ptrdiff_t>(lags.size() / 2);
         std::ranges::nth_element(lags, middle);
-        return std::optional(seconds_of(*middle));
+        return std::optional(*middle);
     };
     const std::optional<double> scans = lag_of(a);
     const std::optional<double> odometry = lag_of(b);

@@ -23,9 +23,9 @@ struct RecordingSurvey {
     std::map<std::string, std::string> robot_frames;  ///< of the first odometry, by topic
     struct Receipt {
         std::int64_t received_ns = 0;
-        std::int64_t lag_ns = 0;  ///< by which it was received later than it is stamped
+        double lag_s = 0.0;  ///< by which it was received later than it is stamped
     };
-    std::map<std::string, std::vector<Receipt>> receipts;  ///< of the first messages, by topic
+    std::map<std::string, std::vector<Receipt>> receipts;  ///< of the first sound ones, by topic
     Message first_problem;  ///< why some of it could not be read; empty where all could
 };
 
