@@ -90,7 +90,8 @@ sqlite3_io_methods file_methods() {
     methods.xSync = [](sqlite3_file*, int) { return SQLITE_OK; };
     methods.xFileSize = [](sqlite3_file* file, sqlite3_int64* size) {
         const Db3Pages& pages = *reinterpret_cast<OpenFile*>(file)->pages;
-        *size = static_cast<sqlite3_int64>(pages.pages() * pages.page_size());
+        *size = static_cast<sqlite3_int64>(pages.pages()) *
+                static_cast<sqlite3_int64>(pages.page_size());
         return SQLITE_OK;
     };
     methods.xLock = [](sqlite3_file*, int) { return SQLITE_OK; };

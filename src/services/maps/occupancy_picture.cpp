@@ -155,10 +155,10 @@ class MapServerFile {
         const Entry& entry = need("image", "PICTURE");
         const std::string name(unquoted(entry.value));
         if (name.empty()) refuse("image", entry, "the name of a picture");
-        const std::filesystem::path said = path_.parent_path() / name;
+        std::filesystem::path said = path_.parent_path() / name;
         // The machine that saved the map has other folders, and perhaps another system.
         const std::size_t behind = name.find_last_of("/\\") + 1;
-        const std::filesystem::path beside = path_.parent_path() / name.substr(behind);
+        std::filesystem::path beside = path_.parent_path() / name.substr(behind);
         std::error_code error;
         if (behind == 0 || std::filesystem::exists(said, error) ||
             !std::filesystem::is_regular_file(beside, error)) {

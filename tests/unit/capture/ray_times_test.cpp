@@ -1,6 +1,8 @@
 // Rays that are measured one after the other while the robot drives on.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "hitos/capture/odometry_track.hpp"
 #include "unit/capture/ros_packings.hpp"
 #include "unit/capture/ros_tours.hpp"
@@ -21,7 +23,7 @@ constexpr double kTurnSeconds = 0.2;  // a turn of the laser [s]
 constexpr Twist kDriven{0.5, 0.0, 1.0};
 
 Stamp stamp_of(double seconds) {
-    const auto ns = static_cast<std::uint64_t>(seconds * 1e9 + 0.5);
+    const auto ns = static_cast<std::uint64_t>(std::llround(seconds * 1e9));
     return {kBegin + static_cast<std::uint32_t>(ns / 1'000'000'000),
             static_cast<std::uint32_t>(ns % 1'000'000'000)};
 }

@@ -232,11 +232,13 @@ TEST(OccupancyPicture, FollowsTheRulesOfMapServer) {
 TEST(OccupancyPicture, IsReadAsLibrariesAndPeopleWriteIt) {
     TempFolder folder;
     put_picture(folder);
+    const std::string of_windows =
+        "\xef\xbb\xbf%YAML 1.2\r\n---\r\n\"image\": \"room.png\"\r\n'resolution': '0.1'\r\n"
+        "origin: [1,\r\n         2,  # y\r\n\r\n         0.5]\r\nnegate: false\r\n";
     for (const char* yaml :
          {"image: room.png\nmode: trinary\nresolution: 0.1\norigin:\n- 1\n- 2\n- 0.5\nnegate: 0\n",
           "image: room.png\nresolution: 0.1\norigin:\n  - 1.0  # x\n  - 2.0\n  - 0.5\n",
-          "\xef\xbb\xbf%YAML 1.2\r\n---\r\n\"image\": \"room.png\"\r\n'resolution': '0.1'\r\n"
-          "origin: [1,\r\n         2,  # y\r\n\r\n         0.5]\r\nnegate: false\r\n",
+          of_windows.c_str(),
           "{image: room.png, resolution: 0.1, origin: [1, 2, 0.5], negate: no}\n",
           "image: /home/robot/maps/room.png\nresolution: 0.1\norigin: [1, 2, 0.5]\n",
           "image: C:\\maps\\room.png\nresolution: 0.1\norigin: [1, 2, 0.5]\n"}) {
