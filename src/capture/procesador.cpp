@@ -188,15 +188,23 @@ std::vector<TourFinding> Procesador::findings() const {
     return found;
 }
 
+void Procesador::look_ahead() {
+    if (looked_ahead_) return;
+    // By a reader of its own: what this one's odometry sequence loses belongs to that sequence.
+    Procesador ahead(fuente_->reopen(), without_look_ahead(options_));
+    const std::optional<Odometria> first = ahead.next_odometry();
+    if (first) odometry_begin_s_ = first->time_s;
+    looked_ahead_ = true;
+}
+
+bool Procesador::has_odometry() {
+    look_ahead();
+    return odometry_begin_s_.has_value();
+}
+
 bool Procesador::is_early(const Scan& scan) {
     if (scan.carries_odometry) return false;
-    if (!looked_ahead_) {
-        // By a reader of its own: what this one's odometry sequence loses belongs to that sequence.
-        Procesador ahead(fuente_->reopen(), without_look_ahead(options_));
-        const std::optional<Odometria> first = ahead.next_odometry();
-        if (first) odometry_begin_s_ = first->time_s;
-        looked_ahead_ = true;
-    }
+    look_ahead();
     return odometry_begin_s_ && scan.time_s < *odometry_begin_s_;
 }
 

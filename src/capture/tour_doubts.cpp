@@ -7,8 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "hitos/base/median.hpp"
 #include "hitos/capture/tour_examination.hpp"
-#include "median.hpp"
 
 namespace hitos {
 namespace {
@@ -43,7 +43,7 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                                "look whether the range limits of the recording are swapped or "
                                "tiny; source.max_range sets the greatest range"))});
     }
-    const double typical = median(medians_);
+    const auto typical = static_cast<double>(median(medians_));
     constexpr double kFarthest = 200.0;
     if (typical > kFarthest) {
         found.push_back(
@@ -98,7 +98,7 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
         return;
     }
     constexpr double kNoRobot = 20.0;
-    const double speed = median(speeds_);
+    const auto speed = static_cast<double>(median(speeds_));
     if (speed > kNoRobot) {
         found.push_back(
             {Kind::odometry_units, speed,

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "median.hpp"
+#include "hitos/base/median.hpp"
 
 namespace hitos {
 namespace {
@@ -129,7 +129,7 @@ void TourExamination::note(const Scan& scan) {
             const Point2 mounting{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
             ranges.push_back(static_cast<float>(distance(mounting, point)));
         }
-        medians_.push_back(static_cast<float>(median(std::move(ranges))));
+        medians_.push_back(median(std::move(ranges)));
     }
     keep(scan);
 }

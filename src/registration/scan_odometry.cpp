@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "hitos/base/median.hpp"
 #include "hitos/registration/registration.hpp"
 
 namespace hitos {
@@ -25,10 +26,7 @@ double interval_of(const TourReader& tour) {
         if (last_s && scan->time_s > *last_s) intervals.push_back(scan->time_s - *last_s);
         last_s = scan->time_s;
     }
-    if (intervals.empty()) return 0.0;
-    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-    std::ranges::nth_element(intervals, middle);
-    return *middle;
+    return median(std::move(intervals));
 }
 
 /// That the robot goes on as before is wrong by what it speeds up and turns more meanwhile, which

@@ -49,6 +49,9 @@ class Procesador final : public TourReader {
     std::string name() const override { return fuente_->name(); }
     std::string format() const override;
     std::vector<TourFinding> findings() const override;
+    /// Whether there is any odometry; looked for once, also for all that are reopened from this
+    /// one.
+    bool has_odometry();
 
   private:
     /// How long the scans' sweeps are said to take, against the time from scan to scan.
@@ -75,6 +78,7 @@ class Procesador final : public TourReader {
     std::optional<Odometria> from_pose(const OdometryRecord& record);
     std::optional<Odometria> from_velocity(const OdometryRecord& record);
     Odometria hand_out(double time_s, Twist twist, std::uint64_t line);
+    void look_ahead();
     /// Whether it was taken before the first odometry reading.
     bool is_early(const Scan& scan);
     void begin_report();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/median.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
 
@@ -271,10 +272,7 @@ void doubt_stamps(const RecordingSurvey& survey, TourTopics& chosen) {
         for (const auto& one : receipts) {
             if (one.received_ns >= begin && one.received_ns <= end) lags.push_back(one.lag_s);
         }
-        if (lags.empty()) return std::optional<double>{};
-        const auto middle = lags.begin() + static_cast<std::ptrdiff_t>(lags.size() / 2);
-        std::ranges::nth_element(lags, middle);
-        return std::optional(*middle);
+        return lags.empty() ? std::optional<double>{} : median(std::move(lags));
     };
     const std::optional<double> scans = lag_of(a);
     const std::optional<double> odometry = lag_of(b);

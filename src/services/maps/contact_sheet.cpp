@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/median.hpp"
 #include "hitos/services/maps/scale_bar.hpp"
 #include "picture_drawing.hpp"
 
@@ -29,12 +30,6 @@ struct Window {
     double width() const { return high.x - low.x; }
     double height() const { return high.y - low.y; }
 };
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// All maps, but no further than most of them reach by a third of their size.
 Window window_of(const std::vector<SheetTile>& tiles) {

@@ -15,9 +15,8 @@ std::unique_ptr<TourReader> open_source(const SourceParams& source) {
     }
     auto reader = std::make_unique<Procesador>(open_log(source.file, source.format, source.read),
                                                source.read);
-    const bool from_scans =
-        source.read.odometry == OdometryFrom::scans ||
-        (source.read.mend == Mend::all && !reader->reopen()->next_odometry().has_value());
+    const bool from_scans = source.read.odometry == OdometryFrom::scans ||
+                            (source.read.mend == Mend::all && !reader->has_odometry());
     if (!from_scans) return reader;
     return make_scan_odometry(std::move(reader));
 }

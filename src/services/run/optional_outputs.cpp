@@ -51,10 +51,7 @@ std::vector<std::string> chosen_outputs(std::string_view list, const std::string
     const auto choose = [&chosen](const OptionalOutput& output) {
         if (std::ranges::count(chosen, output.word) == 0) chosen.push_back(output.word);
     };
-    while (!list.empty()) {
-        const std::string_view name = input::trimmed(list.substr(0, list.find(',')));
-        list.remove_prefix(std::min(list.find(','), list.size() - 1) + 1);
-        if (name.empty()) continue;
+    for (const std::string_view name : input::listed(list)) {
         if (name == kAll) {
             std::ranges::for_each(outputs, choose);
             continue;
