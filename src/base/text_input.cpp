@@ -87,6 +87,12 @@ std::vector<std::string_view> fields(std::string_view text) {
     return words;
 }
 
+std::string_view unquoted(std::string_view text) {
+    const bool quoted = text.size() >= 2 && (text.front() == '"' || text.front() == '\'') &&
+                        text.back() == text.front();
+    return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
 std::vector<std::string_view> listed(std::string_view text) {
     std::vector<std::string_view> words;
     while (!text.empty()) {

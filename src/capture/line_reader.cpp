@@ -50,8 +50,9 @@ LineReader::Line LineReader::make_line(std::string_view raw) {
                 message(HITOS_TEXT("Errors", "the line is not text (it holds control characters)")),
                 false};
     }
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-    if (number_ == 1 && raw.starts_with(kByteOrderMark)) raw.remove_prefix(kByteOrderMark.size());
+    if (number_ == 1 && raw.starts_with(input::kByteOrderMark)) {
+        raw.remove_prefix(input::kByteOrderMark.size());
+    }
     return {input::trimmed(raw), number_, {}, false};
 }
 

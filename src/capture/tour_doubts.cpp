@@ -130,9 +130,8 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
                            "take how it moved from the scans: --set source.odometry=scans"))});
 }
 
-/// Times that do not tell one scan from the next, rays that end on the robot, a robot that drives
-/// sideways.
-void TourExamination::doubt_times(std::vector<TourFinding>& found) const {
+/// Times that do not tell one scan from the next.
+void TourExamination::doubt_stamps(std::vector<TourFinding>& found) const {
     constexpr double kMostOfOneTime = 0.2;
     const auto scans = static_cast<double>(scans_ + scans_of_one_time_);
     if (static_cast<double>(scans_of_one_time_) > kMostOfOneTime * scans) {
@@ -146,6 +145,10 @@ void TourExamination::doubt_times(std::vector<TourFinding>& found) const {
              marked(
                  HITOS_TEXT("Errors", "record times with milliseconds, as numbers of 64 bits"))});
     }
+}
+
+/// Rays that end on the robot.
+void TourExamination::doubt_self_hits(std::vector<TourFinding>& found) const {
     constexpr std::uint64_t kLeastTurns = 10;
     constexpr double kAlways = 0.9;
     std::uint64_t own = 0;
@@ -167,6 +170,10 @@ void TourExamination::doubt_times(std::vector<TourFinding>& found) const {
              message(HITOS_TEXT("Errors", "leave out what is so near: --set source.min_range=%1"),
                      fmt::format("{:.2f}", least))});
     }
+}
+
+/// A robot that drives sideways.
+void TourExamination::doubt_heading(std::vector<TourFinding>& found) const {
     constexpr double kLeastWay = 3.0;
     constexpr double kOneDirection = 0.9;
     constexpr double kOff = 20.0 * kRadiansPerDegree;
@@ -192,7 +199,9 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     doubt_readings(own);
     if (own.empty()) doubt_fit(own);
     doubt_odometry(own);
-    doubt_times(own);
+    doubt_stamps(own);
+    doubt_self_hits(own);
+    doubt_heading(own);
     const auto holds = [](const std::vector<TourFinding>& all, Kind kind) {
         return std::ranges::count(all, kind, &TourFinding::kind) > 0;
     };

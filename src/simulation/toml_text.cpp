@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "hitos/base/text_input.hpp"
+
 namespace hitos {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 /// Entries that have headers of their own: [[people]].
 bool has_headers(const toml::node& node, const TomlPlaces& places) {
@@ -212,7 +212,7 @@ class KeyEdit {
 
     void append(const std::string& lines) {
         const std::string& text = places_.text();
-        const bool blank = text.empty() || text == kByteOrderMark;
+        const bool blank = text.empty() || text == input::kByteOrderMark;
         const std::string& newline = places_.newline();
         std::string gap = blank ? "" : newline;
         if (!blank && text.back() != '\n') gap += newline;
@@ -249,7 +249,7 @@ class KeyEdit {
 }  // namespace
 
 TomlPlaces::TomlPlaces(const std::string& text) : text_(text), newline_("\n") {
-    lines_.push_back(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+    lines_.push_back(text.starts_with(input::kByteOrderMark) ? input::kByteOrderMark.size() : 0);
     for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
         lines_.push_back(at + 1);
     if (const std::size_t first = text.find('\n');

@@ -23,6 +23,12 @@ std::string read_text(const std::filesystem::path& path, std::size_t largest = k
 /// The text without white space at both ends.
 std::string_view trimmed(std::string_view text);
 
+/// The text without a pair of quotes, double or single, around it.
+std::string_view unquoted(std::string_view text);
+
+/// What some editors write before the first line.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 /// The words between white space.
 std::vector<std::string_view> fields(std::string_view text);
 

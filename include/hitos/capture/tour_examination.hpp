@@ -66,7 +66,9 @@ class TourExamination {
     void doubt_mounting(double told, double late, std::size_t every,
                         std::vector<TourFinding>& found) const;
     void doubt_scale(std::vector<TourFinding>& found) const;
-    void doubt_times(std::vector<TourFinding>& found) const;
+    void doubt_stamps(std::vector<TourFinding>& found) const;
+    void doubt_self_hits(std::vector<TourFinding>& found) const;
+    void doubt_heading(std::vector<TourFinding>& found) const;
     void note_self(const Scan& scan);
     bool contradicted(const TourFinding& stamps) const;
 

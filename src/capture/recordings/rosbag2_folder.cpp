@@ -16,16 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kMetadata = kRosbag2Metadata;
 
-std::string_view unquoted(std::string_view text) {
-    text = input::trimmed(text);
-    for (const char quote : {'"', '\''}) {
-        if (text.size() >= 2 && text.front() == quote && text.back() == quote) {
-            return text.substr(1, text.size() - 2);
-        }
-    }
-    return text;
-}
-
 /// A comment begins behind a blank, or with the line.
 std::string_view without_comment(std::string_view words) {
     if (words.starts_with('#')) return {};
@@ -39,7 +29,7 @@ void take_list(std::string_view words, std::vector<std::string>& out) {
     words = words.substr(1, words.size() - 2);
     while (!input::trimmed(words).empty()) {
         const std::size_t comma = std::min(words.find(','), words.size());
-        out.emplace_back(unquoted(input::trimmed(words.substr(0, comma))));
+        out.emplace_back(input::unquoted(input::trimmed(words.substr(0, comma))));
         words.remove_prefix(std::min(comma + 1, words.size()));
     }
 }
@@ -60,7 +50,7 @@ Metadata read_metadata(const fs::path& path) {
         const std::string_view words = without_comment(input::trimmed(*line));
         if (words.empty()) continue;
         if (in_files && words.starts_with("- ")) {
-            metadata.files.emplace_back(unquoted(words.substr(2)));
+            metadata.files.emplace_back(input::unquoted(input::trimmed(words.substr(2))));
             continue;
         }
         in_files = words == kFiles;
@@ -69,7 +59,8 @@ Metadata read_metadata(const fs::path& path) {
         }
         constexpr std::string_view kCompression = "compression_mode:";
         if (words.starts_with(kCompression)) {
-            metadata.compression = unquoted(words.substr(kCompression.size()));
+            metadata.compression =
+                input::unquoted(input::trimmed(words.substr(kCompression.size())));
         }
     }
     return metadata;

@@ -15,7 +15,7 @@
 #include "hitos/capture/tour_reader.hpp"
 #include "ros/laser_fan.hpp"
 #include "ros/stamp_queue.hpp"
-#include "ros/survey.hpp"
+#include "ros/topic_choice.hpp"
 
 namespace hitos {
 

@@ -1,14 +1,13 @@
-// What a recording holds for a tour, and what of it is read.
+// What a recording holds for a tour.
 #pragma once
 
 #include <deque>
-#include <functional>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "hitos/capture/tour_reader.hpp"
 #include "recordings/recording.hpp"
 #include "ros/frame_choice.hpp"
 
@@ -32,23 +31,6 @@ struct RecordingSurvey {
 /// Reads through the recording once. What is damaged is left out; who reads the tour is told all of
 /// it.
 RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecording* open);
-
-/// The topics of a tour.
-struct TourTopics {
-    std::vector<std::string> scans;       ///< names, in the order of the recording
-    std::string odometry;                 ///< empty: from transforms, or none
-    std::string robot_frame;              ///< scans are handed out in it
-    std::string odometry_frame;           ///< with transforms to it; empty where there are none
-    std::vector<std::string> transforms;  ///< names: those that are the laser's
-    FrameTree frames;                     ///< as they are at the beginning
-    std::vector<TourFinding> findings;    ///< what there is to doubt about this choice
-};
-
-/// What the options say; else the only topic of its kind. Throws ConfigError, under the key of the
-/// parameter, where there are several or another one is named, and FormatError where there is no
-/// laser or where the transforms of its place contradict each other.
-TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& options,
-                         const std::filesystem::path& path);
 
 bool is_laser(const Topic& topic);
 bool is_multi_echo(const Topic& topic);

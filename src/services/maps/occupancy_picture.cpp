@@ -29,14 +29,6 @@ struct Entry {
     std::uint64_t line = 0;
 };
 
-std::string_view unquoted(std::string_view text) {
-    if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') &&
-        text.back() == text.front()) {
-        return text.substr(1, text.size() - 2);
-    }
-    return text;
-}
-
 /// A comment begins behind a blank, or with the line, and not in quotes.
 std::string_view without_comment(std::string_view line) {
     char quote = '\0';
@@ -60,10 +52,10 @@ std::string_view without_comment(std::string_view line) {
 class MapServerFile {
   public:
     explicit MapServerFile(const std::filesystem::path& path) : path_(path) {
-        constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
         const std::string text = input::read_text(path, input::kLargestSettings);
         std::string_view rest = text;
-        if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
+        if (rest.starts_with(input::kByteOrderMark))
+            rest.remove_prefix(input::kByteOrderMark.size());
         std::uint64_t number = 0;
         Entry* last = nullptr;
         while (const auto line = input::next_line(rest)) {
@@ -115,7 +107,7 @@ class MapServerFile {
     double number(const std::string& key, double otherwise, double least, double greatest) const {
         const Entry* entry = find(key);
         if (entry == nullptr) return otherwise;
-        const auto value = input::parse_number(unquoted(entry->value));
+        const auto value = input::parse_number(input::unquoted(entry->value));
         if (!value || !(*value >= least && *value <= greatest))
             refuse(key, *entry, fmt::format("{:g} to {:g}", least, greatest));
         return *value;
@@ -130,7 +122,8 @@ class MapServerFile {
         if (good) list = list.substr(1, list.size() - 2);
         for (std::size_t i = 0; good && i < values.size(); ++i) {
             const std::size_t comma = list.find(',');
-            const auto value = input::parse_number(unquoted(input::trimmed(list.substr(0, comma))));
+            const auto value =
+                input::parse_number(input::unquoted(input::trimmed(list.substr(0, comma))));
             good = value && std::abs(*value) <= kFarthest &&
                    (comma == std::string_view::npos) == (i + 1 == values.size());
             if (!good) break;
@@ -144,7 +137,7 @@ class MapServerFile {
     bool flag(const std::string& key) const {
         const Entry* entry = find(key);
         if (entry == nullptr) return false;
-        std::string word(unquoted(entry->value));
+        std::string word(input::unquoted(entry->value));
         std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
         if (word == "true" || word == "yes" || word == "on") return true;
         if (word == "false" || word == "no" || word == "off") return false;
@@ -153,7 +146,7 @@ class MapServerFile {
 
     std::filesystem::path image() {
         const Entry& entry = need("image", "PICTURE");
-        const std::string name(unquoted(entry.value));
+        const std::string name(input::unquoted(entry.value));
         if (name.empty()) refuse("image", entry, "the name of a picture");
         std::filesystem::path said = path_.parent_path() / name;
         // The machine that saved the map has other folders, and perhaps another system.
@@ -182,7 +175,7 @@ class MapServerFile {
                                    "map_server"),
                         input::in_quotes(content)));
         }
-        const std::string_view key = unquoted(input::trimmed(content.substr(0, colon)));
+        const std::string_view key = input::unquoted(input::trimmed(content.substr(0, colon)));
         Entry& entry = entries_[std::string(key)];
         entry = {std::string(input::trimmed(content.substr(colon + 1))), number};
         return entry;
@@ -239,7 +232,7 @@ OccupancyPicture read_map_server(const std::filesystem::path& yaml) {
     file.number("free_thresh", kFreeBelow, 0, 1);
     std::string mode = "trinary";
     if (const Entry* said = file.find("mode")) {
-        mode = unquoted(said->value);
+        mode = input::unquoted(said->value);
         if (mode != "trinary" && mode != "scale" && mode != "raw") {
             file.refuse("mode", *said, "trinary, scale or raw");
         }

@@ -131,8 +131,7 @@ Trajectory read_trajectory(const std::filesystem::path& path) {
 }
 
 Trajectory parse_trajectory(std::string_view text, const std::string& name) {
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    if (text.starts_with(input::kByteOrderMark)) text.remove_prefix(input::kByteOrderMark.size());
     Trajectory trajectory;
     Columns columns;
     Turns turns;
