@@ -58,6 +58,7 @@ class ScanOdometry final : public TourReader {
     std::optional<double> progress() const override { return tour_->progress(); }
     std::string name() const override { return tour_->name(); }
     std::string format() const override { return tour_->format(); }
+    std::optional<Truth> truth() const override { return tour_->truth(); }
     std::vector<TourFinding> findings() const override;
 
   private:
@@ -101,23 +102,22 @@ std::vector<TourFinding> ScanOdometry::findings() const {
     };
     if (rate > kQuickEnough) {
         note(message(HITOS_TEXT("Errors",
-                                "there is no odometry; how the robot moved is taken from the scans "
-                                "(%1 a second), which cannot tell it where they see the same all "
+                                "how the robot moved is taken from the scans alone (%1 a second), "
+                                "which cannot tell it where they see the same all "
                                 "along, as in a corridor"),
                      rounded),
              marked(HITOS_TEXT("Errors",
-                               "record it too where there is some: of ROS its topic, or /tf "
-                               "together with /tf_static")));
+                               "record the odometry too where there is some: of ROS its topic, "
+                               "or /tf together with /tf_static")));
     } else {
-        note(
-            message(HITOS_TEXT("Errors",
-                               "there is no odometry; how the robot moved is taken from the scans, "
-                               "which at %1 a second lie so far apart that they may be matched "
-                               "wrongly"),
-                    rounded),
-            marked(HITOS_TEXT("Errors",
-                              "record 10 scans a second, or drive slowly, or record the odometry "
-                              "too: of ROS its topic, or /tf together with /tf_static")));
+        note(message(HITOS_TEXT("Errors",
+                                "how the robot moved is taken from the scans alone, which at "
+                                "%1 a second lie so far apart that they may be matched "
+                                "wrongly"),
+                     rounded),
+             marked(HITOS_TEXT("Errors",
+                               "record 10 scans a second, or drive slowly, or record the odometry "
+                               "too: of ROS its topic, or /tf together with /tf_static")));
     }
     return found;
 }

@@ -101,6 +101,8 @@ std::optional<Odometria> SimulatedTourReader::next_odometry() {
     if (report_.odometry >= tour_->readings()) return std::nullopt;
     Odometria reading =
         noise_(tour_->true_reading(report_.odometry), tour_->odometry_noise(report_.odometry));
+    reading.twist.v *= options_.odometry_scale;
+    reading.twist.v_lateral *= options_.odometry_scale;
     while (scans_before_ < tour_->scans() && tour_->scan_time(scans_before_) < reading.time_s) {
         ++scans_before_;
     }
@@ -120,6 +122,18 @@ std::optional<double> SimulatedTourReader::progress() const {
     if (tour_->is_live()) return std::nullopt;  // nobody knows how long it will be
     const std::uint64_t scans = tour_->scans();
     return scans == 0 ? 1.0 : static_cast<double>(taken_) / static_cast<double>(scans);
+}
+
+std::vector<TourFinding> SimulatedTourReader::findings() const {
+    std::vector<TourFinding> found;
+    for (const Message& warning : tour_->world().drawing_warnings) {
+        found.push_back({TourFinding::Kind::unsure_drawing, static_cast<double>(found.size() + 1),
+                         warning,
+                         marked(HITOS_TEXT("Errors",
+                                           "look at the world's walls, in the window or by "
+                                           "hitos-cli world, and correct the drawing"))});
+    }
+    return found;
 }
 
 std::optional<Truth> SimulatedTourReader::truth() const {

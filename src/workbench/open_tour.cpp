@@ -6,6 +6,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "hitos/registration/scan_odometry.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/simulation/simulated_tour_reader.hpp"
 
@@ -32,8 +33,10 @@ std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t 
                 HITOS_TEXT("Errors", "found \"%1\" for the world %2, expected auto: it is no log"),
                 source.format, source.file));
     }
-    return std::make_unique<SimulatedTourReader>(
+    auto reader = std::make_unique<SimulatedTourReader>(
         std::make_shared<const SimulatedTour>(open_world(source, run_seed)), source.read);
+    if (source.read.odometry != OdometryFrom::scans) return reader;
+    return make_scan_odometry(std::move(reader));
 }
 
 std::unique_ptr<TourReader> open_tour(const Configuracion& configuration) {

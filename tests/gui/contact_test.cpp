@@ -69,6 +69,32 @@ void ContactTest::a_log_that_does_not_suit_is_told_with_one_button() {
     QVERIFY(hint->isHidden());
 }
 
+void ContactTest::a_recording_that_looks_wrong_is_told_before_it_is_run() {
+    Fixture f;
+    auto* hint = f.window->findChild<HintBar*>("hint");
+    auto* words = f.window->findChild<QLabel*>("hint_text");
+    auto* state = f.window->findChild<QLabel*>("status_state");
+    Configuracion wrong = Fixture::tour(5);
+    wrong.source.read.scan_delay_s = 5.0;
+    f.session.set_configuration(wrong);
+    QTRY_VERIFY(hint->isVisible());
+    QVERIFY2(words->text().contains("--scan-delay") && words->text().contains("wrong"),
+             qPrintable(words->text()));
+    QVERIFY(f.window->findChild<QPushButton*>("hint_use")->isHidden());
+    QVERIFY(state->text().contains(QString::fromUtf8("⚠")));
+    QVERIFY2(state->toolTip().contains("--scan-delay"), qPrintable(state->toolTip()));
+    // What was read is not told again of the same recording.
+    f.window->findChild<QPushButton*>("hint_close")->click();
+    QVERIFY(hint->isHidden());
+    wrong.filter.particles = 6;
+    f.session.set_configuration(wrong);
+    QVERIFY(hint->isHidden());
+    // Mended, there is nothing to tell.
+    f.session.set_configuration(Fixture::tour(5));
+    QVERIFY(hint->isHidden());
+    QVERIFY2(!state->toolTip().contains("--scan-delay"), qPrintable(state->toolTip()));
+}
+
 void ContactTest::what_cannot_be_opened_is_told_as_what_it_is() {
     for (const char* named : {"/nonexistent.log", "nonexistent"}) {
         Fixture f(false);

@@ -35,7 +35,8 @@ struct TourFinding {
         beyond_a_turn,   ///< rays over more than a turn; value: angle from first to last [rad]
         blind_laser,     ///< hardly any scan has a point; value: share of those with none
         self_hits,       ///< rays that always end on the robot; value: how many
-        frozen_laser     ///< the same ranges while the robot drives; value: share of such scans
+        frozen_laser,    ///< the same ranges while the robot drives; value: share of such scans
+        unsure_drawing   ///< a world's drawing may have other walls; value: its place of those
     };
     Kind kind = Kind::clocks_apart;
     double value = 0.0;

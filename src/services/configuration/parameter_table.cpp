@@ -28,6 +28,10 @@ std::vector<ParameterChoice> format_choices() {
     return choices;
 }
 
+ConfigParameter& at(Table& table, std::string_view key) {
+    return *std::ranges::find(table, key, &ConfigParameter::key);
+}
+
 /// What of a log is wrong or not said, and is put right.
 void add_mended_source(Table& table) {
     table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::laser_pose>(
@@ -159,6 +163,13 @@ void add_source(Table& table) {
     const ConfigParameter::Condition world{
         "source.file", "a world (.toml)",
         [](const Config& configuration) { return is_world_file(configuration.source.file); }};
+    const ConfigParameter::Condition log{
+        "source.file", "a log or ROS recording, no world",
+        [](const Config& configuration) { return !is_world_file(configuration.source.file); }};
+    for (const char* key : {"source.scan_topic", "source.odom_topic", "source.laser_pose",
+                            "source.same_frames", "source.ray_time"}) {
+        at(table, key).conditions.push_back(log);
+    }
     table.push_back(used(integer<&Config::source, &SourceParams::tour_seed>(
                              {.key = "source.tour_seed",
                               .minimum = 0.0,
@@ -204,10 +215,6 @@ void add_run(Table& table) {
 template <class Part>
 void add_lifted(Table& table, std::span<const Parameter<Part>> parameters, Part Config::*part) {
     for (const Parameter<Part>& parameter : parameters) table.push_back(lifted(parameter, part));
-}
-
-ConfigParameter& at(Table& table, std::string_view key) {
-    return *std::ranges::find(table, key, &ConfigParameter::key);
 }
 
 /// Where a parameter of one layer decides about those of another.

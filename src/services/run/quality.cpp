@@ -115,6 +115,17 @@ std::string counted(const std::vector<std::uint64_t>& scans) {
     return names;
 }
 
+/// The breaks that no loop from before them to behind them has joined.
+std::vector<std::uint64_t> not_joined(std::vector<std::uint64_t> breaks,
+                                      const std::vector<ClosedLoop>& loops) {
+    std::erase_if(breaks, [&](std::uint64_t scan) {
+        return std::ranges::any_of(loops, [scan](const ClosedLoop& loop) {
+            return loop.earlier < scan && scan <= loop.scan;
+        });
+    });
+    return breaks;
+}
+
 /// The ways from key scan to key scan [m], where what trembles between them does not count.
 struct DrivenBy {
     double path_m = 0.0;
@@ -155,14 +166,15 @@ void warn_of_registration(const Algoritmo& run, const Registration& registration
                         "%1 of the scans fitted nothing that was seen before: the robot may have "
                         "been carried, or its laser blind; the map may be in pieces."),
              fmt::format("{:.0f} %", 100.0 * unmatched));
-    } else if (!figures.breaks.empty()) {
+    } else if (const auto breaks = not_joined(figures.breaks, registration.loops());
+               !breaks.empty()) {
         warn(warnings,
              HITOS_TEXT(
                  "Advice",
                  "What was seen does not follow on what was seen just before (scan %1): the "
                  "robot may have been carried there, the log have a gap, or scans lie too far "
                  "apart for this odometry. The map may be in pieces."),
-             counted(figures.breaks));
+             counted(breaks));
     }
     if (figures.unmatched < figures.scans && figures.mean_score < kPoorScore) {
         warn(warnings,

@@ -166,6 +166,32 @@ TEST(SimulatedTourReader, ScansAreAsLateAsAsked) {
     EXPECT_EQ(later.progress(), 1.0);
 }
 
+TEST(SimulatedTourReader, OdometryCountsTooFarWhereAsked) {
+    const auto tour = tour_of(small_world());
+    const Log log = read_all(*SimulatedTourReader(tour).reopen());
+    ReadOptions options;
+    options.odometry_scale = 1.25;
+    const Log scaled = read_all(*SimulatedTourReader(tour, options).reopen());
+    EXPECT_EQ(scaled.scans, log.scans);
+    ASSERT_EQ(scaled.odometry.size(), log.odometry.size());
+    for (std::size_t i = 0; i < log.odometry.size(); ++i) {
+        EXPECT_EQ(scaled.odometry[i].twist.v, 1.25 * log.odometry[i].twist.v);
+        EXPECT_EQ(scaled.odometry[i].twist.w, log.odometry[i].twist.w);
+    }
+}
+
+TEST(SimulatedTourReader, WhatIsUnsureOfADrawingIsSaidOfTheTour) {
+    World world = small_world();
+    EXPECT_TRUE(SimulatedTourReader(tour_of(world)).findings().empty());
+    world.drawing_warnings = {verbatim("no unit"), verbatim("2 blocks")};
+    const std::vector<TourFinding> found = SimulatedTourReader(tour_of(world)).findings();
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(word_of(found[1].kind), "unsure-drawing");
+    EXPECT_EQ(found[1].what.english(), "2 blocks");
+    EXPECT_EQ(found[1].value, 2.0);
+    EXPECT_FALSE(found[1].remedy.empty());
+}
+
 TEST(SimulatedTourReader, AWorldSaysItselfWhereItsLaserSits) {
     ReadOptions options;
     options.laser_pose = "0.1,0,0";

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "hitos/base/error.hpp"
@@ -39,6 +41,27 @@ TEST(OpenTour, RefusesAWorldInAnotherFormat) {
     source.file = "missing.TOML";
     source.format = kAutoFormat;
     EXPECT_THROW(open_tour(source), FileError);
+}
+
+TEST(OpenTour, OdometryOfAWorldIsMadeOfItsScansWhereAsked) {
+    SourceParams source;
+    source.file = (kSourceDir / "data/worlds/bigloop.toml").string();
+    source.world_set = "laser.field_of_view=360 laser.max_range=30 odometry.noise=0.5";
+    source.read.odometry = OdometryFrom::scans;
+    const auto reader = open_tour(source, 1);
+    const std::optional<Truth> truth = reader->truth();
+    ASSERT_TRUE(truth);
+    Pose pose;
+    double time_s = 0.0;
+    for (std::size_t i = 0; i < 50; ++i) {
+        const std::optional<Odometria> step = reader->next_odometry();
+        ASSERT_TRUE(step);
+        pose = compose(pose, displacement(step->twist, step->time_s - time_s));
+        time_s = step->time_s;
+        EXPECT_EQ(time_s, truth->path[i].time_s);
+        const Pose off = between(truth->path[i].pose, pose);
+        EXPECT_LT(std::hypot(off.x, off.y), 0.03) << i;
+    }
 }
 
 /// The first readings that a world gives: laser and odometry of its noise.

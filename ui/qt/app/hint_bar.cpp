@@ -7,6 +7,7 @@
 
 #include "dialogs/parameter_text.hpp"
 #include "hitos/workbench/presets.hpp"
+#include "words_of.hpp"
 
 namespace hitos::window {
 
@@ -29,15 +30,15 @@ HintBar::HintBar(QWidget* parent) : QFrame(parent) {
     for (QPushButton* button : {use_, close}) button->setFocusPolicy(Qt::TabFocus);
     connect(use_, &QPushButton::clicked, this, [this] { emit preset_wanted(preset_); });
     connect(close, &QPushButton::clicked, this, [this] {
-        closed_ = text_->text();
-        hide();
+        (text_->text() == doubt_ ? closed_doubt_ : closed_advice_) = text_->text();
+        refresh();
     });
     hide();
 }
 
 void HintBar::set_session(Session& session) {
     connect(&session, &Session::configuration_changed, this, [this, &session] {
-        closed_.clear();
+        closed_advice_.clear();
         look(session);
     });
     connect(&session, &Session::snapshot_changed, this, [this, &session] {
@@ -48,7 +49,8 @@ void HintBar::set_session(Session& session) {
 
 /// What can be said before the first scan.
 void HintBar::look(const Session& session) {
-    hide();
+    advice_.clear();
+    refresh();
     if (!session.has_source()) return;
     // The run is new and at rest: the answer comes at once.
     show_advice(
@@ -59,13 +61,30 @@ void HintBar::show_advice(const std::vector<Advice>& advice) {
     const auto mends =
         std::ranges::find_if(advice, [](const Advice& reason) { return !reason.preset.empty(); });
     if (mends == advice.end()) return;
-    const QString words =
-        translated("Advice", mends->text).arg(QString::fromStdString(mends->figure));
-    if (words == closed_) return;
+    advice_ = translated("Advice", mends->text).arg(QString::fromStdString(mends->figure));
     preset_ = mends->preset;
-    text_->setText(words);
-    use_->setText(tr("Use “%1”").arg(translated("Preset", find_preset(preset_).label)));
-    show();
+    refresh();
+}
+
+void HintBar::show_doubts(const std::vector<TourFinding>& findings) {
+    doubt_.clear();
+    closed_doubt_.clear();
+    if (!findings.empty()) {
+        doubt_ = tr("This recording looks wrong: %1").arg(words_of(findings.front()));
+        if (findings.size() > 1) doubt_ += ' ' + tr("(and %1 more)").arg(findings.size() - 1);
+    }
+    refresh();
+}
+
+void HintBar::refresh() {
+    const bool doubts = doubt_ != closed_doubt_;
+    setVisible(doubts || advice_ != closed_advice_);
+    if (isHidden()) return;
+    text_->setText(doubts ? doubt_ : advice_);
+    use_->setVisible(!doubts);
+    if (!doubts) {
+        use_->setText(tr("Use “%1”").arg(translated("Preset", find_preset(preset_).label)));
+    }
 }
 
 }  // namespace hitos::window

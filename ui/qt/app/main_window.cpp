@@ -85,6 +85,8 @@ void MainWindow::make_parts() {
     counter_ = new LogCounter(session_, this);
     connect(counter_, &LogCounter::counted, ui_->controls, &RunControls::set_total);
     connect(counter_, &LogCounter::counted, status_, &StatusLine::set_total);
+    connect(counter_, &LogCounter::doubted, status_, &StatusLine::show_doubts);
+    connect(counter_, &LogCounter::doubted, ui_->hint, &HintBar::show_doubts);
     plots_ = new Plots(session_, *meter_);
     keep_keys_off_tabs(*this);
     dock_ = new QDockWidget(tr("Plots"), this);

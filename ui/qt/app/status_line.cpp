@@ -7,6 +7,7 @@
 #include "dialogs/parameter_text.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "views/canvas_view.hpp"
+#include "words_of.hpp"
 
 namespace hitos::window {
 namespace {
@@ -108,6 +109,13 @@ void StatusLine::notice(const QString& text) {
     bar_->showMessage(text, kNoticeMs);
 }
 
+void StatusLine::show_doubts(const std::vector<TourFinding>& findings) {
+    QStringList sentences;
+    for (const TourFinding& finding : findings) sentences << words_of(finding);
+    doubts_ = sentences.join('\n');
+    refresh();
+}
+
 /// The reasons are long, and stand in the tool tip of the state.
 void StatusLine::show_advice() {
     const std::shared_ptr<const Snapshot> snapshot = session_.snapshot();
@@ -141,8 +149,9 @@ void StatusLine::refresh() {
         p.stopped_by != StopReason::none) {
         notice(status_words(p));
     }
-    if (!advice_.isEmpty()) state_->setText(state_->text() + QString::fromUtf8(" ⚠"));
-    state_->setToolTip(advice_);
+    const QString warnings = QStringList{doubts_, advice_}.join('\n').trimmed();
+    if (!warnings.isEmpty()) state_->setText(state_->text() + QString::fromUtf8(" ⚠"));
+    state_->setToolTip(warnings);
     state_->setProperty("role", p.state == State::failed ? "error" : "value");
     scan_->setText(total_ ? tr("Scan %1 of %2").arg(p.steps).arg(*total_)
                           : tr("Scan %1").arg(p.steps));

@@ -3,7 +3,9 @@
 
 #include <QWidget>
 #include <optional>
+#include <vector>
 
+#include "hitos/capture/tour_finding.hpp"
 #include "session.hpp"
 
 class QLabel;
@@ -19,6 +21,9 @@ class StatusLine final : public QObject {
 
     /// The number of scans of the whole log, where it is known.
     void set_total(std::optional<quint64> scans);
+
+    /// What there is to doubt about the log.
+    void show_doubts(const std::vector<TourFinding>& findings);
 
     void show_place(QPointF world_m);
     void clear_place();
@@ -38,6 +43,7 @@ class StatusLine final : public QObject {
     QStatusBar* bar_;
     std::optional<quint64> total_;
     QString advice_;  ///< shown with the state; empty: none
+    QString doubts_;  ///< likewise
     StopReason stopped_by_ = StopReason::none;
     QLabel* state_;
     QLabel* scan_;

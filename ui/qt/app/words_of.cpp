@@ -17,6 +17,10 @@ QString words_of(const std::exception& error) {
     return words_of(message_of(error));
 }
 
+QString words_of(const TourFinding& finding) {
+    return words_of(finding.what) + "; " + words_of(finding.remedy);
+}
+
 QString metre_words(double metres) {
     return QString("%1 m").arg(metres, 0, 'f', 3);
 }

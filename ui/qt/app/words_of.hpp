@@ -5,12 +5,15 @@
 #include <exception>
 
 #include "hitos/base/message.hpp"
+#include "hitos/capture/tour_finding.hpp"
 
 namespace hitos::window {
 
 /// In the context "Errors"; what has no translation is said in English. Any thread may ask.
 QString words_of(const Message& message);
 QString words_of(const std::exception& error);
+/// What was found, and what to do.
+QString words_of(const TourFinding& finding);
 
 /// "1.234 m", as tables show a length [m].
 QString metre_words(double metres);

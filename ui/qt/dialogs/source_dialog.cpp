@@ -229,7 +229,7 @@ QString SourceDialog::words_of(const TourSummary& summary) const {
                            'f', 0);
     }
     for (const TourFinding& finding : summary.findings) {
-        words += '\n' + window::words_of(finding.what) + "; " + window::words_of(finding.remedy);
+        words += '\n' + window::words_of(finding);
     }
     const ReadReport& report = summary.report;
     if (report.early_scans > 0) {

@@ -2463,20 +2463,24 @@
         <translation>el registro de barridos lo encuentra (--preset recorded); si no, --set source.odometry_scale=%1</translation>
     </message>
     <message>
-        <source>there is no odometry; how the robot moved is taken from the scans (%1 a second), which cannot tell it where they see the same all along, as in a corridor</source>
-        <translation>no hay odometría; cómo se movió el robot se toma de los barridos (%1 por segundo), que no pueden decirlo donde ven siempre lo mismo, como en un pasillo</translation>
+        <source>how the robot moved is taken from the scans alone (%1 a second), which cannot tell it where they see the same all along, as in a corridor</source>
+        <translation>cómo se movió el robot se toma solo de los barridos (%1 por segundo), que no pueden decirlo donde ven siempre lo mismo, como en un pasillo</translation>
     </message>
     <message>
-        <source>record it too where there is some: of ROS its topic, or /tf together with /tf_static</source>
-        <translation>grábela también si la hay: de ROS su tema, o /tf junto con /tf_static</translation>
+        <source>record the odometry too where there is some: of ROS its topic, or /tf together with /tf_static</source>
+        <translation>grabe también la odometría si la hay: de ROS su tema, o /tf junto con /tf_static</translation>
     </message>
     <message>
-        <source>there is no odometry; how the robot moved is taken from the scans, which at %1 a second lie so far apart that they may be matched wrongly</source>
-        <translation>no hay odometría; cómo se movió el robot se toma de los barridos, que a %1 por segundo quedan tan lejos unos de otros que pueden casarse mal</translation>
+        <source>how the robot moved is taken from the scans alone, which at %1 a second lie so far apart that they may be matched wrongly</source>
+        <translation>cómo se movió el robot se toma solo de los barridos, que a %1 por segundo quedan tan lejos unos de otros que pueden casarse mal</translation>
     </message>
     <message>
         <source>record 10 scans a second, or drive slowly, or record the odometry too: of ROS its topic, or /tf together with /tf_static</source>
         <translation>grabe 10 barridos por segundo, o conduzca despacio, o grabe también la odometría: de ROS su tema, o /tf junto con /tf_static</translation>
+    </message>
+    <message>
+        <source>look at the world&apos;s walls, in the window or by hitos-cli world, and correct the drawing</source>
+        <translation>mire las paredes del mundo, en la ventana o con hitos-cli world, y corrija el plano</translation>
     </message>
 </context>
 <context>
@@ -4739,6 +4743,14 @@
     <message>
         <source>Use “%1”</source>
         <translation>Usar «%1»</translation>
+    </message>
+    <message>
+        <source>This recording looks wrong: %1</source>
+        <translation>Esta grabación parece errónea: %1</translation>
+    </message>
+    <message>
+        <source>(and %1 more)</source>
+        <translation>(y %1 más)</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "log_counter.hpp"
 
 #include <exception>
+#include <utility>
 
 #include "background.hpp"
 #include "hitos/workbench/source_inspection.hpp"
@@ -21,26 +22,27 @@ LogCounter::~LogCounter() {
 void LogCounter::begin() {
     const SourceParams& wanted = session_.configuration().source;
     const bool live = session_.live_tour() != nullptr;
-    if (!live && wanted.file == source_.file && wanted.format == source_.format) return;
+    if (!live && wanted == source_) return;
     source_ = live ? SourceParams{} : wanted;  // nobody knows how long it will be
     if (stop_) *stop_ = true;
     emit counted(std::nullopt);
+    emit doubted({});
     if (source_.file.empty()) return;
     stop_ = std::make_shared<std::atomic<bool>>(false);
     pool_.start([this, wanted, stop = stop_] {
         begin_background_work();
-        std::optional<quint64> scans;
+        TourSummary summary;
         try {
-            const TourSummary summary =
-                inspect_source(wanted, [&](double) { return !stop->load(); }).tour;
-            if (summary.complete) scans = summary.report.scans;
+            summary = inspect_source(wanted, [&](double) { return !stop->load(); }).tour;
         } catch (const std::exception&) {
-            scans.reset();  // the run itself tells what is wrong with the log
+            summary = {};  // the run itself tells what is wrong with the log
         }
         QMetaObject::invokeMethod(
             this,
-            [this, stop, scans] {
-                if (stop == stop_ && !*stop) emit counted(scans);
+            [this, stop, summary = std::move(summary)] {
+                if (stop != stop_ || *stop || !summary.complete) return;
+                emit counted(summary.report.scans);
+                emit doubted(summary.findings);
             },
             Qt::QueuedConnection);
     });

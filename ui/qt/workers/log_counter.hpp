@@ -1,4 +1,5 @@
-// How many scans the log in use holds, counted beside everything else.
+// How many scans the log in use holds and what there is to doubt about it, found beside everything
+// else.
 #pragma once
 
 #include <QObject>
@@ -6,8 +7,10 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/session.hpp"
+#include "hitos/capture/tour_finding.hpp"
 
 namespace hitos::window {
 
@@ -21,6 +24,8 @@ class LogCounter final : public QObject {
   signals:
     /// Nothing while the count is not known.
     void counted(std::optional<quint64> scans);
+    /// What would make its map wrong, gravest first; empty while that is not known.
+    void doubted(const std::vector<TourFinding>& findings);
 
   private:
     void begin();

@@ -151,7 +151,10 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
         with(idle, {"features.corner_distance", "features.corner_angle", "features.corner_lines"},
              {}));
     EXPECT_EQ(idle_with({"source.file=a.toml"}),
-              with(idle, {}, {"source.tour_seed", "source.world_set"}));
+              with(idle,
+                   {"source.scan_topic", "source.odom_topic", "source.laser_pose",
+                    "source.same_frames", "source.ray_time"},
+                   {"source.tour_seed", "source.world_set"}));
     EXPECT_EQ(idle_with({"features.detect=corners"}), idle);
     EXPECT_EQ(idle_with({"association.method=gnn"}),
               with(idle, {}, {"association.gate_probability"}));
