@@ -131,6 +131,7 @@ void FolderLock::sign() const {
 FolderLock::FolderLock(const fs::path& folder) : file_(hidden_beside(folder, "lock")) {
     if (!take(folder, F_WRLCK)) refuse(folder);
     sign();
+    at_early_end_.emplace([this] { remove(); });
 }
 
 FolderLock::FolderLock(const fs::path& folder, Shared) : file_(hidden_beside(folder, "lock")) {
@@ -147,6 +148,7 @@ FolderLock::FolderLock(const fs::path& folder, Shared) : file_(hidden_beside(fol
         alone_ = take(folder, F_WRLCK);
     }
     sign();
+    at_early_end_.emplace([this] { remove(); });
 }
 
 void FolderLock::share() {
@@ -154,9 +156,14 @@ void FolderLock::share() {
     hold(F_RDLCK);
 }
 
-FolderLock::~FolderLock() {
-    // The last one takes the file along, and nobody else's.
+/// The last one takes the file along, and nobody else's.
+void FolderLock::remove() const {
     if (hold(F_WRLCK)) ::unlink(file_.c_str());
+}
+
+FolderLock::~FolderLock() {
+    at_early_end_.reset();
+    remove();
     ::close(descriptor_);
 }
 

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "hitos/base/atomic_file.hpp"
+#include "hitos/base/early_end.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/nameless_file.hpp"
 
@@ -31,6 +32,8 @@ namespace {
 volatile std::sig_atomic_t patient = 0;
 volatile std::sig_atomic_t asked = 0;
 
+volatile std::sig_atomic_t watched = 0;  // there is a thread that ends the process,
+volatile std::sig_atomic_t hurry = 0;    // and has to at once
 volatile std::sig_atomic_t asked_at_ms = 0;
 
 std::sig_atomic_t now_ms() {
@@ -82,6 +85,10 @@ void end_or_ask(int signal) {
         return;
     }
     if (patient != 0 && now_ms() - asked_at_ms < kOneRequestMs) return;
+    if (watched != 0) {
+        hurry = 1;
+        return;
+    }
     remove_temporary_files();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
@@ -138,13 +145,12 @@ void watch_patience(const std::stop_token& end) {
     const Clock::time_point begin = Clock::now();
     while (!end.stop_requested()) {
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-        if (seconds > patience) {
+        if (seconds > patience || hurry != 0) {
             std::fprintf(stderr,
                          "%s: ended before all was written, as it was asked to; what is written is "
                          "whole\n",
                          program_name);
-            remove_temporary_files();
-            std::_Exit(StopByRequest::status());
+            end_early(StopByRequest::status());
         }
         std::this_thread::sleep_for(kLook);
     }
@@ -154,12 +160,17 @@ void watch_patience(const std::stop_token& end) {
 
 StopByRequest::StopByRequest(Patience patience) {
     asked = 0;
+    hurry = 0;
+    if (patience == Patience::two_seconds) {
+        watch_ = std::jthread(watch_patience);
+        watched = 1;
+    }
     patient = 1;
-    if (patience == Patience::two_seconds) watch_ = std::jthread(watch_patience);
 }
 
 StopByRequest::~StopByRequest() {
     patient = 0;
+    watched = 0;
 }
 
 bool StopByRequest::wanted() {
@@ -238,9 +249,11 @@ int run_program(const char* program, const std::function<int()>& run) {
     } catch (const std::bad_alloc&) {
         tell_of_memory(program);
     } catch (const std::exception& error) {
+        wait_for_early_end();
         cut_short = std::ferror(stdout) != 0;  // and that is the error
         if (!cut_short) std::fprintf(stderr, "%s: %s\n", program, error.what());
     }
+    wait_for_early_end();
     const int earlier = errno;
     errno = 0;
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;

@@ -38,7 +38,8 @@ StagedFiles::File::File(fs::path file)
     : given(std::move(file)),
       place(checked_place(given)),
       lock(place),
-      staging(hidden_beside(place, "new")) {
+      staging(hidden_beside(place, "new")),
+      at_early_end([this] { remove_under_way(staging); }) {
     std::error_code error;
     fs::remove_all(staging, error);  // whoever left it is no more: the lock was free
     if (!fs::create_directory(staging, error)) {
@@ -52,6 +53,7 @@ StagedFiles::File::File(fs::path file)
 }
 
 StagedFiles::File::~File() {
+    at_early_end.forget();
     try {
         std::error_code ignored;
         fs::remove_all(staging, ignored);
@@ -85,6 +87,7 @@ fs::path StagedFiles::staged(const fs::path& file) const {
 
 void StagedFiles::commit() {
     if (files_.empty()) return;
+    for (const auto& file : files_) file->at_early_end.forget();
     for (const auto& file : files_) {
         check_no_folder(file->place);
         take_mode(file->place, file->staged());

@@ -111,7 +111,11 @@ StagedFolder::StagedFolder(fs::path folder, Owned owned, std::string seal)
       owned_(std::move(owned)),
       seal_(std::move(seal)),
       lock_(target_),
-      staging_(hidden_beside(target_, "new")) {
+      staging_(hidden_beside(target_, "new")),
+      at_early_end_([this] {
+          remove_under_way(staging_);
+          if (made_) ::rmdir(target_.c_str());
+      }) {
     clear();  // whoever left it is no more: the lock was free
     std::error_code error;
     if (is_there(staging_)) {
@@ -133,6 +137,7 @@ StagedFolder::StagedFolder(fs::path folder, Owned owned, std::string seal)
 }
 
 StagedFolder::~StagedFolder() {
+    at_early_end_.forget();
     try {
         clear();
     } catch (const std::exception&) {
@@ -216,6 +221,7 @@ bool StagedFolder::is_former(const fs::directory_entry& entry) const {
 }
 
 void StagedFolder::commit() {
+    at_early_end_.forget();
     for (const fs::directory_entry& entry : all_entries(staging_, target_)) {
         if (is_unfinished(entry.path().filename().string())) {
             std::error_code ignored;  // it then comes along, and goes with the next results

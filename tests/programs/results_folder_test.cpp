@@ -21,6 +21,14 @@ class ResultsFolder : public test::ProgramTest {
                            cli_, log_, config_, seed, path("out"));
     }
     std::string verify() const { return cli_ + " verify " + path("out"); }
+    /// What is in the test's folder beside the results, hidden or not.
+    std::vector<std::string> left() const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(path(""))) {
+            if (entry.path().filename() != "out") names.push_back(entry.path().filename());
+        }
+        return names;
+    }
     int seed_there() const {
         return nlohmann::json::parse(content(path("out/summary.json")))["seed"];
     }
@@ -113,6 +121,7 @@ TEST_F(ResultsFolder, IsWholeAfterASecondRequest) {
         "wait $!; echo status $?",
         run(2)));
     EXPECT_NE(ended.output.find("status 143"), std::string::npos) << ended.output;
+    EXPECT_EQ(left(), std::vector<std::string>());
     EXPECT_EQ(shell(verify()).status, 0);
 }
 
@@ -124,8 +133,16 @@ TEST_F(ResultsFolder, IsWholeWhereARequestTakesTooLong) {
         "$!; echo status $?",
         run(2)));
     EXPECT_NE(ended.output.find("status 143"), std::string::npos) << ended.output;
+    EXPECT_EQ(left(), std::vector<std::string>());
     EXPECT_EQ(shell(verify()).status, 0);
     EXPECT_EQ(seed_there(), 1);
+    // What was made for it goes too.
+    const Outcome fresh = shell(fmt::format(
+        "HITOS_STOP_SECONDS=0.01 {} run {} --set filter.particles=200000 --out {} & sleep 0.7; "
+        "kill -TERM $!; wait $!; echo status $?",
+        cli_, log_, path("fresh")));
+    EXPECT_NE(fresh.output.find("status 143"), std::string::npos) << fresh.output;
+    EXPECT_EQ(left(), std::vector<std::string>());
 }
 
 TEST_F(ResultsFolder, ALogThatCannotBeReadLeavesNoFolder) {

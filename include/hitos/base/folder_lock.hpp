@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "hitos/base/early_end.hpp"
 
 namespace hitos {
 
@@ -39,9 +42,12 @@ class FolderLock {
     void sign() const;
     [[noreturn]] void refuse(const std::filesystem::path& folder) const;
 
+    void remove() const;
+
     std::filesystem::path file_;
     int descriptor_ = -1;
     bool alone_ = true;
+    std::optional<AtEarlyEnd> at_early_end_;
 };
 
 }  // namespace hitos

@@ -17,7 +17,7 @@ void prepare_process();
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP only asks: the command ends itself. A second
 /// one, a moment later, ends the process at once, and so does the first one where the command takes
 /// near two seconds (or what the environment's HITOS_STOP_SECONDS says): what is written by then is
-/// whole.
+/// whole, and what is under way is cleared (AtEarlyEnd).
 class StopByRequest {
   public:
     enum class Patience : std::uint8_t { two_seconds, endless };

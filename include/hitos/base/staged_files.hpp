@@ -41,6 +41,7 @@ class StagedFiles {
         std::filesystem::path place;  ///< links followed
         FolderLock lock;
         std::filesystem::path staging;
+        AtEarlyEnd at_early_end;
 
         std::filesystem::path staged() const { return staging / place.filename(); }
     };

@@ -15,7 +15,8 @@ std::filesystem::path made_output_folder(std::filesystem::path folder);
 /// A folder's new content, written beside it. Until commit() the folder is what it was; after it,
 /// it has the new files and none that an earlier content left, beside everything of other people's.
 /// Destroyed without commit it leaves nothing behind, nor the folder if it has made it; what a
-/// killed process left is cleared by the next one. It holds the folder's lock for as long as it
+/// killed process left is cleared by the next one. A process that is ended early clears it too, but
+/// for a commit under way. It holds the folder's lock for as long as it
 /// lives.
 class StagedFolder {
   public:
@@ -58,6 +59,7 @@ class StagedFolder {
     std::string seal_;
     FolderLock lock_;
     std::filesystem::path staging_;
+    AtEarlyEnd at_early_end_;
 };
 
 }  // namespace hitos
