@@ -51,10 +51,9 @@ void Procesador::restart() {
     begin_report();
     last_scan_.reset();
     last_odometry_.reset();
-    last_twist_ = {};
     track_.reset();
     sweeps_ = {};
-    leaps_ = {};
+    steps_ = {};
     poses_move_ = velocities_move_ = false;
     clock_s_ = 0.0;
 }
@@ -163,18 +162,7 @@ std::vector<TourFinding> Procesador::findings() const {
                                "say how long it takes from one ray to the next: --set "
                                "source.ray_time=SECONDS"))});
     }
-    if (leaps_.count > leaps_.in_a_row) {
-        found.push_back(
-            {TourFinding::Kind::leaping_odometry, leaps_.longest_m,
-             message(HITOS_TEXT("Errors",
-                                "the odometry leaps, by up to %1 m (line %2) and %3 in all, as "
-                                "where a driver begins anew; the robot is taken to drive on there "
-                                "as before, for a second"),
-                     std::round(leaps_.longest_m * 10.0) / 10.0, leaps_.longest_line, leaps_.count),
-             marked(HITOS_TEXT("Errors",
-                               "map it with registration, which finds what is left of it: --preset "
-                               "recorded"))});
-    }
+    steps_.tell(found);
     if (velocities_move_ && !poses_move_ && report_.odometry > 1 &&
         options_.odometry == OdometryFrom::poses) {
         found.push_back(
@@ -238,65 +226,14 @@ std::optional<Odometria> Procesador::from_pose(const OdometryRecord& record) {
     const Pose before = *last_odometry_->pose_odom_robot;
     if (record.time_s == last_odometry_->time_s && pose == before) return std::nullopt;
     double time_s = record.time_s;
-    const bool advances = time_s > clock_s_;
-    if (!advances) {
+    if (!(time_s > clock_s_)) {
         ++report_.stamps_backwards;
         time_s = clock_s_ + kRepairStep;
     }
+    const Pose step =
+        options_.mend == Mend::all ? steps_.taken(*last_odometry_, record) : between(before, pose);
     last_odometry_ = record;
-    // What was driven in no time says nothing of how fast.
-    const double seconds = time_s - clock_s_;
-    const std::optional<Pose> bridge = advances ? bridged(record, before, seconds) : std::nullopt;
-    last_twist_ = twist_between(bridge ? *bridge : between(before, pose), seconds);
-    return hand_out(time_s, last_twist_, record.line);
-}
-
-namespace {
-
-/// Whether no robot gets from one pose to the other in that time.
-bool is_leap(const Pose& before, const Pose& pose, double seconds) {
-    constexpr double kLeap = 1.0;          // [m]
-    constexpr double kGreatestSpeed = 15;  // [m/s], of the fastest robots of this kind
-    constexpr double kTurn = 0.5;          // [rad]
-    constexpr double kGreatestTurn = 6.0;  // [rad/s]
-    // Where a driver begins anew: at zero, or what is driven since then.
-    constexpr double kBegun = 0.3;  // [m], [rad]
-    constexpr double kBegunSpeed = 3.0;
-    const double way = std::hypot(pose.x - before.x, pose.y - before.y);
-    const double turn = std::abs(wrap_angle(pose.theta - before.theta));
-    const bool begun = std::hypot(pose.x, pose.y) < kBegun &&
-                       std::abs(wrap_angle(pose.theta)) < kBegun && way > kBegunSpeed * seconds;
-    const bool anew = pose == Pose{} || begun;
-    return (way > kLeap && (anew || way > kGreatestSpeed * seconds)) ||
-           (turn > kTurn && turn > kGreatestTurn * seconds);
-}
-
-}  // namespace
-
-std::optional<Pose> Procesador::bridged(const OdometryRecord& record, const Pose& before,
-                                        double seconds) {
-    constexpr double kGoesOn = 1.0;  // as before: longer, nobody knows
-    const Pose& pose = *record.pose_odom_robot;
-    const bool after_leap = leaps_.last;
-    leaps_.last = is_leap(before, pose, seconds);
-    if (options_.mend != Mend::all || !leaps_.last) return std::nullopt;
-    if (after_leap) {
-        // Back from a single wrong pose; or each step is a leap, as in millimetres.
-        const Pose back = between(compose(leaps_.from, leaps_.driven), pose);
-        leaps_.last = is_leap({}, back, seconds);
-        if (!leaps_.last) return back;
-        ++leaps_.in_a_row;
-        return std::nullopt;
-    }
-    const double way = std::hypot(pose.x - before.x, pose.y - before.y);
-    ++leaps_.count;
-    if (leaps_.count == 1 || way > leaps_.longest_m) {
-        leaps_.longest_m = way;
-        leaps_.longest_line = record.line;
-    }
-    leaps_.from = before;
-    leaps_.driven = displacement(last_twist_, std::min(seconds, kGoesOn));
-    return leaps_.driven;
+    return hand_out(time_s, twist_between(step, time_s - clock_s_), record.line);
 }
 
 std::optional<Odometria> Procesador::from_velocity(const OdometryRecord& record) {

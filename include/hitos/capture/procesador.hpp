@@ -11,6 +11,7 @@
 #include "hitos/base/message.hpp"
 #include "hitos/capture/conversor.hpp"
 #include "hitos/capture/fuente.hpp"
+#include "hitos/capture/odometry_steps.hpp"
 #include "hitos/capture/scan.hpp"
 
 namespace hitos {
@@ -29,7 +30,7 @@ class OdometryTrack;
 ///   Without any odometry there is no scan before it.
 /// * Where the options let it mend: rays of several times are moved to where they would lie had all
 ///   been measured at the scan's time, unless a scan is said to take longer than from one to the
-///   next; a step that no robot makes, alone among others, is taken to be as the one before it.
+///   next; steps that no robot makes go by OdometrySteps.
 /// * Damaged lines are left out, counted and reported with their number. A line that is scan and
 ///   odometry at once (CARMEN's FLASER) counts when the scan sequence passes over it.
 class Procesador final : public TourReader {
@@ -62,19 +63,7 @@ class Procesador final : public TourReader {
         std::array<double, 4> periods_s{};  ///< newest times from scan to scan
         std::optional<double> last_s;
     };
-    struct Leaps {
-        std::uint64_t count = 0;
-        double longest_m = 0.0;
-        std::uint64_t longest_line = 0;
-        bool last = false;           ///< the last step was one
-        std::uint64_t in_a_row = 0;  ///< others, right behind another
-        Pose from;                   ///< the last pose before the last one
-        Pose driven;                 ///< from there on, as it was bridged
-    };
     void mend(Scan& scan);
-    /// The step to take in place of one that no robot makes; nothing of others, and where several
-    /// follow on each other. A single pose that is wrong is passed over.
-    std::optional<Pose> bridged(const OdometryRecord& record, const Pose& before, double seconds);
     std::optional<Odometria> from_pose(const OdometryRecord& record);
     std::optional<Odometria> from_velocity(const OdometryRecord& record);
     Odometria hand_out(double time_s, Twist twist, std::uint64_t line);
@@ -92,10 +81,9 @@ class Procesador final : public TourReader {
     ReadReport report_;
     std::optional<Scan> last_scan_;
     std::optional<OdometryRecord> last_odometry_;
-    Twist last_twist_;                      ///< as logged
     std::unique_ptr<OdometryTrack> track_;  ///< where scans are unwarped
     Sweeps sweeps_;
-    Leaps leaps_;
+    OdometrySteps steps_;
     bool poses_move_ = false;
     bool velocities_move_ = false;
     double clock_s_ = 0.0;  ///< time of the last odometry reading handed out

@@ -26,7 +26,7 @@ struct TourFinding {
         no_odometry,        ///< there are scans and no odometry; value: the scans
         unread_odometry,    ///< its messages cannot be read, the transforms are taken; value: those
         still_odometry,     ///< the scans change and the odometry does not; value: 0
-        leaping_odometry,   ///< steps that no robot makes; value: the longest [m]
+        leaping_odometry,   ///< steps that no robot makes in their time; value: the longest [m]
         sideways_odometry,  ///< always off where the robot looks; value: by that, to the left [rad]
         odometry_scale,  ///< it counts too far or too short; value: the way by the scans over its
                          ///< own

@@ -1,0 +1,54 @@
+// Which steps of a logged path a robot drives.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "hitos/capture/conversor.hpp"
+#include "hitos/capture/tour_finding.hpp"
+
+namespace hitos {
+
+/// Mends the steps from pose to pose that no robot makes: alone among others, such a step is taken
+/// to be as the one before it, and a single pose that is wrong is passed over. A step that makes up
+/// for a time in which the odometry hung is one that the robot drove. Times are those that are
+/// logged, which may stand still or go back.
+class OdometrySteps {
+  public:
+    /// The step between two readings as it is to be taken. Every reading is asked once, in order.
+    Pose taken(const OdometryRecord& before, const OdometryRecord& record);
+    void tell(std::vector<TourFinding>& found) const;
+
+  private:
+    struct Told {
+        std::uint64_t count = 0;
+        double longest_m = 0.0;
+        std::uint64_t line = 0;  ///< of the longest
+        void note(double way_m, std::uint64_t at_line);
+    };
+    /// What was driven when the pose last changed: how a robot was under way when its
+    /// odometry stops.
+    struct UnderWay {
+        std::optional<double> begin_s;  ///< when it changed
+        Pose step;
+        Twist twist;
+        double before = 0.0;  ///< motion a second, a radian counted as a metre, of the step before
+        std::uint64_t still = 0;  ///< readings since then that repeat the pose
+    };
+    bool makes_up(const OdometryRecord& record, const Pose& step) const;
+    Pose bridged(const OdometryRecord& before, const OdometryRecord& record, double seconds);
+    void learn(const OdometryRecord& before, const OdometryRecord& record, const Pose& step);
+
+    Twist twist_;  ///< of the last step that took time
+    UnderWay under_way_;
+    Told leaps_;
+    std::uint64_t in_a_row_ = 0;  ///< other leaps, right behind another
+    Told made_up_;
+    double longest_halt_s_ = 0.0;
+    bool after_leap_ = false;
+    Pose from_;    ///< the last pose before the last leap
+    Pose driven_;  ///< from there on, as it was bridged
+};
+
+}  // namespace hitos

@@ -1,0 +1,156 @@
+#include "hitos/capture/odometry_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hitos {
+namespace {
+
+double way_of(const Pose& step) {
+    return std::hypot(step.x, step.y);
+}
+
+/// Where a driver begins anew: at zero, or at what is driven since then.
+bool begins_anew(const Pose& pose, double way, double seconds) {
+    constexpr double kBegun = 0.3;  // [m], [rad]
+    constexpr double kSpeed = 3.0;
+    return pose == Pose{} || (std::hypot(pose.x, pose.y) < kBegun &&
+                              std::abs(wrap_angle(pose.theta)) < kBegun && way > kSpeed * seconds);
+}
+
+/// Whether no robot makes that step to `pose` in that time.
+bool is_leap(const Pose& step, const Pose& pose, double seconds) {
+    constexpr double kLeap = 1.0;          // [m]
+    constexpr double kGreatestSpeed = 15;  // [m/s], of the fastest robots of this kind
+    constexpr double kTurn = 0.5;          // [rad]
+    constexpr double kTurnInNoTime = 1.0;  // stamps of whole seconds stand still meanwhile
+    constexpr double kGreatestTurn = 6.0;  // [rad/s]
+    const double way = way_of(step);
+    const double turn = std::abs(wrap_angle(step.theta));
+    return (way > kLeap && (begins_anew(pose, way, seconds) || way > kGreatestSpeed * seconds)) ||
+           (turn > (seconds > 0.0 ? kTurn : kTurnInNoTime) && turn > kGreatestTurn * seconds);
+}
+
+double motion_of(const Twist& twist) {
+    return std::hypot(twist.v, twist.v_lateral) + std::abs(twist.w);
+}
+
+}  // namespace
+
+void OdometrySteps::Told::note(double way_m, std::uint64_t at_line) {
+    if (++count > 1 && way_m <= longest_m) return;
+    longest_m = way_m;
+    line = at_line;
+}
+
+Pose OdometrySteps::taken(const OdometryRecord& before, const OdometryRecord& record) {
+    const double seconds = std::max(0.0, record.time_s - before.time_s);
+    const Pose logged = between(*before.pose_odom_robot, *record.pose_odom_robot);
+    if (makes_up(record, logged)) {
+        made_up_.note(way_of(logged), record.line);
+        longest_halt_s_ = std::max(longest_halt_s_, record.time_s - *under_way_.begin_s);
+        after_leap_ = false;
+        under_way_.begin_s = record.time_s;
+        under_way_.still = 0;
+        return logged;
+    }
+    const Pose step = bridged(before, record, seconds);
+    learn(before, record, step);
+    return step;
+}
+
+/// Whether the odometry stopped dead while the robot drove, and this is what it drove meanwhile.
+bool OdometrySteps::makes_up(const OdometryRecord& record, const Pose& step) const {
+    constexpr double kLeast = 0.5;     // [m], [rad]: less is no leap either
+    constexpr double kTimes = 3.0;     // so many times the step before; some log one pose of many
+    constexpr double kShortest = 0.5;  // [s]
+    constexpr double kLongest = 30.0;
+    constexpr double kDrives = 0.05;  // [m/s]
+    constexpr double kDead = 0.5;     // of the motion before; who brakes comes below that
+    constexpr double kRounding = 0.3;
+    constexpr double kTurns = 1.0;  // [rad/s], of those that drove straight on before
+    const UnderWay& known = under_way_;
+    if (known.still == 0) return false;
+    const double halt_s = record.time_s - *known.begin_s;
+    const double speed = std::hypot(known.twist.v, known.twist.v_lateral);
+    const double way = way_of(step);
+    const double turn = std::abs(wrap_angle(step.theta));
+    const double known_turn = std::abs(wrap_angle(known.step.theta));
+    const bool long_step = (way > kLeast && way > kTimes * way_of(known.step)) ||
+                           (turn > kLeast && turn > kTimes * known_turn);
+    const bool stopped_dead = motion_of(known.twist) >= std::max(kDrives, kDead * known.before);
+    return long_step && stopped_dead && halt_s >= kShortest && halt_s <= kLongest &&
+           way <= 2.0 * speed * halt_s + kRounding &&
+           turn <= std::max(2.0 * std::abs(known.twist.w), kTurns) * halt_s + kRounding &&
+           !begins_anew(*record.pose_odom_robot, way, halt_s);
+}
+
+Pose OdometrySteps::bridged(const OdometryRecord& before, const OdometryRecord& record,
+                            double seconds) {
+    constexpr double kGoesOn = 1.0;  // as before: longer, nobody knows
+    const Pose& pose = *record.pose_odom_robot;
+    const Pose logged = between(*before.pose_odom_robot, pose);
+    const bool after_leap = after_leap_;
+    after_leap_ = is_leap(logged, pose, seconds);
+    if (!after_leap_) return logged;
+    if (after_leap) {
+        // Back from a single wrong pose; or each step is a leap, as in millimetres.
+        const Pose back = between(compose(from_, driven_), pose);
+        after_leap_ = is_leap(back, back, seconds);
+        if (!after_leap_) return back;
+        ++in_a_row_;
+        return logged;
+    }
+    leaps_.note(way_of(logged), record.line);
+    from_ = *before.pose_odom_robot;
+    driven_ = displacement(twist_, std::min(seconds, kGoesOn));
+    return driven_;
+}
+
+void OdometrySteps::learn(const OdometryRecord& before, const OdometryRecord& record,
+                          const Pose& step) {
+    // What was driven in no time says nothing of how fast.
+    const double seconds = record.time_s - before.time_s;
+    if (seconds > 0.0) twist_ = twist_between(step, seconds);
+    UnderWay& known = under_way_;
+    if (!known.begin_s) known.begin_s = before.time_s;
+    if (*before.pose_odom_robot == *record.pose_odom_robot) {
+        ++known.still;
+        return;
+    }
+    const double since_s = record.time_s - *known.begin_s;
+    known = {record.time_s, step, since_s > 0.0 ? twist_between(step, since_s) : Twist{},
+             motion_of(known.twist), 0};
+}
+
+void OdometrySteps::tell(std::vector<TourFinding>& found) const {
+    using Kind = TourFinding::Kind;
+    const auto tenths = [](double value) { return std::round(value * 10.0) / 10.0; };
+    if (leaps_.count > in_a_row_) {
+        found.push_back(
+            {Kind::leaping_odometry, leaps_.longest_m,
+             message(HITOS_TEXT("Errors",
+                                "the odometry leaps, by up to %1 m (line %2) and %3 in all, as "
+                                "where a driver begins anew; the robot is taken to drive on there "
+                                "as before, for a second"),
+                     tenths(leaps_.longest_m), leaps_.line, leaps_.count),
+             marked(HITOS_TEXT("Errors",
+                               "map it with registration, which finds what is left of it: --preset "
+                               "recorded"))});
+    }
+    if (made_up_.count > 0) {
+        found.push_back(
+            {Kind::leaping_odometry, made_up_.longest_m,
+             message(HITOS_TEXT("Errors",
+                                "the odometry stands still while the robot drives, for up to %1 s, "
+                                "and makes up for it in one step, of up to %2 m (line %3), %4 in "
+                                "all; scans of that time lie on one place"),
+                     tenths(longest_halt_s_), tenths(made_up_.longest_m), made_up_.line,
+                     made_up_.count),
+             marked(HITOS_TEXT("Errors",
+                               "map it with registration, which finds where they were: --preset "
+                               "recorded"))});
+    }
+}
+
+}  // namespace hitos

@@ -1,0 +1,108 @@
+// Steps of a logged path that no robot drives, and those that only look so.
+#include "hitos/capture/odometry_steps.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "test_files.hpp"
+
+namespace hitos {
+namespace {
+
+using test::expect_near;
+using test::Log;
+using test::read_text;
+using ::testing::HasSubstr;
+
+std::string reading(double time, const Pose& pose) {
+    return "position 0 " + std::to_string(time) + " " + std::to_string(pose.x) + " " +
+           std::to_string(pose.y) + " " + std::to_string(pose.theta) + " 0 0 0\n";
+}
+
+Pose end_of(const std::string& text) {
+    return test::summed(read_text("radish", text).odometry).back();
+}
+
+/// Of a robot that drives at 0.5 m/s, 20 readings a second; from `begin` on the odometry hangs at
+/// what it was, for that long.
+std::string hung(double begin, double seconds) {
+    std::string text;
+    for (int i = 0; i < 400; ++i) {
+        const double time = 0.05 * i;
+        const bool hangs = time > begin && time < begin + seconds;
+        text += reading(time, {0.5 * (hangs ? begin : time), 0, 0});
+    }
+    return text;
+}
+
+TEST(OdometrySteps, WhatMakesUpForAHaltOfTheOdometryIsNoLeap) {
+    const Log log = read_text("radish", hung(10.0, 3.0));
+    EXPECT_NEAR(test::summed(log.odometry).back().x, 0.5 * 19.95, 1e-6);
+    ASSERT_EQ(log.findings.size(), 1U);
+    EXPECT_EQ(log.findings.front().kind, TourFinding::Kind::leaping_odometry);
+    EXPECT_NEAR(log.findings.front().value, 1.5, 1e-6);
+    EXPECT_THAT(log.findings.front().what.english(), HasSubstr("for up to 3 s"));
+    EXPECT_THAT(log.findings.front().what.english(), HasSubstr("1.5 m (line 261), 1 in all"));
+    EXPECT_THAT(log.findings.front().remedy.english(), HasSubstr("--preset recorded"));
+    EXPECT_TRUE(read_text("radish", hung(10.0, 0.2)).findings.empty());
+}
+
+TEST(OdometrySteps, ATurnIsMadeUpForToo) {
+    std::string text;
+    for (int i = 0; i < 200; ++i) {
+        const double time = 0.05 * i;
+        text += reading(time, {1, 2, 0.5 * (time > 4.0 && time < 6.0 ? 4.0 : time)});
+    }
+    EXPECT_NEAR(end_of(text).theta, wrap_angle(0.5 * 9.95), 1e-5);
+    EXPECT_EQ(read_text("radish", text).findings.size(), 1U);
+}
+
+TEST(OdometrySteps, ALeapAfterAHaltStaysALeap) {
+    // Further than it may have driven meanwhile.
+    std::string text = hung(10.0, 100.0);
+    text += reading(20.0, {25, 0, 0});
+    EXPECT_NEAR(end_of(text).x, 5.0, 1e-6);
+    // A robot that braked before it stood still.
+    text.clear();
+    double x = 5.0;
+    for (int i = 0; i < 200; ++i) {
+        const double speed = std::max(0.0, 0.5 - 0.05 * std::max(0, i - 100));
+        x += 0.05 * speed;
+        text += reading(0.05 * i, {x, 0, 0});
+    }
+    text += reading(10.0, {x + 4.0, 0, 0});
+    EXPECT_NEAR(end_of(text).x, x - 5.025, 1e-6);
+    EXPECT_THAT(read_text("radish", text).findings.at(0).what.english(), HasSubstr("leaps"));
+    // Where it begins anew, however near.
+    text = hung(3.0, 100.0);
+    text += reading(20.0, {});
+    EXPECT_NEAR(end_of(text).x, 1.5, 1e-6);
+}
+
+TEST(OdometrySteps, ALeapWhoseTimeDoesNotAdvanceIsBridged) {
+    for (const double stamp : {1.9, 0.0, -100.0}) {
+        std::string text;
+        for (int i = 0; i < 20; ++i) text += reading(0.1 * i, {20 + 0.1 * i, 0, 0});
+        for (int i = 0; i < 20; ++i) text += reading(stamp + 0.1 * i, {0.1 * i, 0, 0});
+        expect_near(end_of(text), {3.8, 0, 0}, 1e-6, std::to_string(stamp));
+        EXPECT_EQ(read_text("radish", text).findings.size(), 1U) << stamp;
+    }
+}
+
+TEST(OdometrySteps, StepsInNoTimeSayNothingOfTheSpeed) {
+    // One reading has the stamp of the one before; then a driver begins anew.
+    std::string text;
+    for (int i = 0; i < 20; ++i) text += reading(0.1 * (i == 19 ? 18 : i), {20 + 0.1 * i, 0, 0});
+    for (int i = 0; i < 20; ++i) text += reading(2.0 + 0.1 * i, {0.1 * i, 0, 0});
+    EXPECT_NEAR(end_of(text).x, 1.9 + 0.2 + 1.9, 1e-6);
+    // A clock that is set back says how fast it goes by its own stamps.
+    text.clear();
+    for (int i = 0; i < 20; ++i) text += reading(100 + i, {20 + 0.5 * i, 0, 0});
+    for (int i = 20; i < 40; ++i)
+        text += reading(i + (i >= 30 ? 4 : 0), {20 + 0.5 * i + (i >= 30 ? 1.5 : 0), 0, 0});
+    EXPECT_NEAR(end_of(text).x, 0.5 * 39 + 1.5, 1e-6);
+    EXPECT_TRUE(read_text("radish", text).findings.empty());
+}
+
+}  // namespace
+}  // namespace hitos
