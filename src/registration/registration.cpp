@@ -1,5 +1,3 @@
-#include "hitos/registration/registration.hpp"
-
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "key_graph.hpp"
 #include "loop_closer.hpp"
 #include "path_break.hpp"
+#include "registration_impl.hpp"
 #include "scan_matcher.hpp"
 #include "step_matcher.hpp"
 #include "surface_points.hpp"
@@ -35,71 +34,6 @@ double greatest_move(std::span<const KeyPose> before, std::span<const KeyPose> a
 }
 
 }  // namespace
-
-class Registration::Impl {
-  public:
-    explicit Impl(const RegistrationParams& params)
-        : params_(params),
-          matcher_(params.point_sigma_m),
-          step_matcher_(params, matcher_),
-          closer_(params, matcher_) {}
-
-    RegisteredStep add(const Scan& scan, std::span<const Control> controls);
-    void finish();
-    std::vector<Pose> path() const;
-
-    const KeyGraph& graph() const { return graph_; }
-    const std::vector<ClosedLoop>& loops() const { return loops_; }
-    RegistrationFigures figures() const;
-    std::optional<PathCorrection> correction() const {
-        if (corrections_.empty()) return std::nullopt;
-        return PathCorrection{corrections_, graph_.poses, graph_.edges};
-    }
-
-  private:
-    /// A scan hangs on the newest key of its time.
-    struct Placed {
-        std::uint32_t key;
-        Pose pose_key_scan;
-    };
-
-    void step(const DrivenWay& way, RegisteredStep& out);
-    void learn(const DrivenWay& way, const Pose& corrected, const Eigen::Vector3d& variances,
-               const Pose& before, const MatchedStep& matched);
-    void refresh_map(const Pose& about);
-    bool key_due() const;
-    void add_key(std::uint64_t scan);
-    void close_loop();
-    double tension(std::span<const PoseEdge> edges) const;
-    void correct(const std::vector<KeyPose>& keys_before);
-    void register_anew(bool first);
-
-    RegistrationParams params_;
-    ScanMatcher matcher_;
-    StepMatcher step_matcher_;
-    LoopCloser closer_;
-    LateralCalibration calibration_;
-    KeyGraph graph_;
-    std::vector<Placed> placed_;  // by scan
-    Pose now_;
-    // Since the last key.
-    Pose odometry_;
-    Eigen::Vector3d odometry_variances_ = Eigen::Vector3d::Zero();
-    double variance_m2_ = 0.0;
-    double variance_rad2_ = 0.0;
-    double travelled_m_ = 0.0;
-
-    PointMap map_;
-    std::vector<std::uint32_t> map_keys_;
-    bool map_stale_ = true;
-    std::vector<GraphReach> reached_;
-    std::vector<SurfacePoint> points_;
-    std::vector<Linearization> by_source_;
-
-    std::vector<Pose> corrections_;  // by scan, of the last add() or finish()
-    std::vector<ClosedLoop> loops_;
-    RegistrationFigures figures_;
-};
 
 RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control> controls) {
     corrections_.clear();
@@ -128,19 +62,42 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     return out;
 }
 
+Registration::Impl::Guess Registration::Impl::placed_by(const Pose& step,
+                                                        const Eigen::Vector3d& variances) const {
+    const PosePrior prior{compose(now_, step),
+                          step_information(variances, now_.theta + 0.5 * step.theta),
+                          params_.robust_prior};
+    const Eigen::Vector2d sigmas(std::sqrt(std::max(variances(0), variances(1))),
+                                 std::sqrt(variances(2)));
+    return {step, variances, prior.information, step_matcher_.match(points_, map_, prior, sigmas)};
+}
+
+/// Where the odometry began anew while the robot stood: it fits where it was.
+std::optional<Registration::Impl::Guess> Registration::Impl::stood(const Pose& raw) const {
+    constexpr double kLeap = 1.0;  // [m], [rad]: no more was driven unseen
+    constexpr double kFits = 0.7;
+    if (std::hypot(raw.x, raw.y) + std::abs(raw.theta) < kLeap) return std::nullopt;
+    const Pose little{0.5, 0.0, 0.3};
+    Guess guess = placed_by({}, odometry_variances(little, params_.odometry_scale));
+    const bool fits = guess.matched.score > kFits && !breaks_path(points_, guess.matched, graph_);
+    return fits ? std::optional(std::move(guess)) : std::nullopt;
+}
+
 void Registration::Impl::step(const DrivenWay& way, RegisteredStep& out) {
     const Pose before = now_;
     const Pose raw = way.pose_start_end;
-    const Pose corrected = params_.calibrate ? calibration_.corrected(raw) : raw;
-    const Eigen::Vector3d variances = odometry_variances(raw, params_.odometry_scale);
-    const Eigen::Matrix3d information =
-        step_information(variances, before.theta + 0.5 * corrected.theta);
     refresh_map(before);
-    const PosePrior prior{compose(before, corrected), information, params_.robust_prior};
-    const Eigen::Vector2d sigmas(std::sqrt(std::max(variances(0), variances(1))),
-                                 std::sqrt(variances(2)));
-    const MatchedStep matched = step_matcher_.match(points_, map_, prior, sigmas);
-    Eigen::Matrix3d posterior = information;
+    Guess guess = placed_by(params_.calibrate ? calibration_.corrected(raw) : raw,
+                            odometry_variances(raw, params_.odometry_scale));
+    if (breaks_path(points_, guess.matched, graph_)) {
+        if (std::optional<Guess> other = stood(raw)) {
+            guess = *std::move(other);
+        } else {
+            figures_.breaks.push_back(placed_.size());
+        }
+    }
+    const MatchedStep& matched = guess.matched;
+    Eigen::Matrix3d posterior = guess.information;
     if (matched.matched) posterior += matcher_.information() * matched.fine.h;
     out.covariance = turned(posterior.inverse(), -before.theta);
     out.matched = matched.matched;
@@ -148,31 +105,30 @@ void Registration::Impl::step(const DrivenWay& way, RegisteredStep& out) {
     ++figures_.scans;
     if (matched.matched) {
         figures_.mean_score += out.score;
-        if (params_.calibrate) learn(way, corrected, variances, before, matched);
+        if (params_.calibrate) learn(way, guess, before);
     } else {
         ++figures_.unmatched;
     }
-    if (breaks_path(points_, matched, graph_)) figures_.breaks.push_back(placed_.size());
     now_ = matched.pose;
     const Pose moved = between(before, now_);
     travelled_m_ += std::hypot(moved.x, moved.y);
-    odometry_ = compose(odometry_, corrected);
-    odometry_variances_ += odometry_variances(corrected, params_.odometry_scale);
+    odometry_ = compose(odometry_, guess.step);
+    odometry_variances_ += odometry_variances(guess.step, params_.odometry_scale);
     variance_m2_ += 0.5 * (out.covariance(0, 0) + out.covariance(1, 1));
     variance_rad2_ += out.covariance(2, 2);
 }
 
 /// Of the scan alone, without the odometry, where it says more of the way across than the odometry.
-void Registration::Impl::learn(const DrivenWay& way, const Pose& corrected,
-                               const Eigen::Vector3d& variances, const Pose& before,
-                               const MatchedStep& matched) {
+void Registration::Impl::learn(const DrivenWay& way, const Guess& guess, const Pose& before) {
+    const MatchedStep& matched = guess.matched;
+    const Eigen::Vector3d& variances = guess.variances;
     const Eigen::Matrix3d information =
         matcher_.information() * matched.fine.h + 1e-3 * Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d covariance = information.inverse();
     if (turned(covariance, -before.theta)(1, 1) >= 0.5 * variances(1)) return;
     const Eigen::Vector3d step = -covariance * (matcher_.information() * matched.fine.b);
     const Pose alone = shifted(matched.pose, step);
-    calibration_.learn(way.pose_start_end, between(before, alone).y - corrected.y, variances(1));
+    calibration_.learn(way.pose_start_end, between(before, alone).y - guess.step.y, variances(1));
 }
 
 void Registration::Impl::refresh_map(const Pose& about) {

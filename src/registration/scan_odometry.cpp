@@ -77,9 +77,11 @@ std::optional<Odometria> ScanOdometry::next_odometry() {
         if (!scan) return std::nullopt;
         if (first_s_ && !(scan->time_s > last_s_)) continue;  // no time to have moved in
         const double seconds = first_s_ ? scan->time_s - last_s_ : 0.0;
-        // A robot that is said to stand is not matched, and would stand for ever.
+        // A robot that is said to stand is not matched, and would stand for ever. Through a pause
+        // it does not go on as before.
         constexpr double kAsGoodAsNone = 1e-9;
-        Control control{twist_, seconds};
+        constexpr double kGoesOn = 1.0;  // [s]
+        Control control{twist_, std::min(seconds, kGoesOn)};
         if (control.twist == Twist{}) control.twist.v = kAsGoodAsNone;
         const RegisteredStep step =
             registration_.add(*scan, first_s_ ? std::span(&control, 1) : std::span<Control>());

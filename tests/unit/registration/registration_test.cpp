@@ -226,6 +226,30 @@ TEST(Registration, SaysThatARobotWasCarried) {
     EXPECT_EQ(registration.figures().breaks.front(), carried);
 }
 
+TEST(Registration, OdometryThatBeginsAnewWhileTheRobotStandsIsPassedOver) {
+    const std::vector<Pose> truth = round_tour(kRing, 1);
+    Registration registration{RegistrationParams{}};
+    std::mt19937 engine(9);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        std::vector<Control> controls;
+        if (i > 0) {
+            Pose step = between(truth[i - 1], truth[i]);
+            if (i == 60) step = {4.0, -3.0, 1.5};
+            controls.push_back({twist_between(step, 1.0), 1.0});
+        }
+        // At the leap it stands where it stood.
+        const Pose& at = truth[i == 60 ? 59 : i];
+        registration.add(test::drawn_scan(ring_walls(), at, 0.005, &engine), controls);
+        if (i == 60) {
+            const Pose there = compose(truth.front(), registration.path().back());
+            EXPECT_LT(std::hypot(there.x - at.x, there.y - at.y), 0.05);
+        }
+    }
+    EXPECT_TRUE(registration.figures().breaks.empty());
+    registration.finish();
+    EXPECT_LT(greatest_path_error(registration.path(), truth), 0.4);
+}
+
 TEST(Registration, ScansWithoutAPointAndStandingStillAreNothingSpecial) {
     Registration registration{RegistrationParams{}};
     const Scan empty;

@@ -1,0 +1,93 @@
+// What a registration holds: the path, its graph and the local map.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hitos/registration/odometry_step.hpp"
+#include "hitos/registration/registration.hpp"
+#include "key_graph.hpp"
+#include "loop_closer.hpp"
+#include "point_map.hpp"
+#include "scan_matcher.hpp"
+#include "step_matcher.hpp"
+
+namespace hitos {
+
+class Registration::Impl {
+  public:
+    explicit Impl(const RegistrationParams& params)
+        : params_(params),
+          matcher_(params.point_sigma_m),
+          step_matcher_(params, matcher_),
+          closer_(params, matcher_) {}
+
+    RegisteredStep add(const Scan& scan, std::span<const Control> controls);
+    void finish();
+    std::vector<Pose> path() const;
+
+    const KeyGraph& graph() const { return graph_; }
+    const std::vector<ClosedLoop>& loops() const { return loops_; }
+    RegistrationFigures figures() const;
+    std::optional<PathCorrection> correction() const {
+        if (corrections_.empty()) return std::nullopt;
+        return PathCorrection{corrections_, graph_.poses, graph_.edges};
+    }
+
+  private:
+    /// A scan hangs on the newest key of its time.
+    struct Placed {
+        std::uint32_t key;
+        Pose pose_key_scan;
+    };
+
+    /// Where a scan was placed, from what the robot may have driven.
+    struct Guess {
+        Pose step;
+        Eigen::Vector3d variances;
+        Eigen::Matrix3d information;
+        MatchedStep matched;
+    };
+
+    void step(const DrivenWay& way, RegisteredStep& out);
+    Guess placed_by(const Pose& step, const Eigen::Vector3d& variances) const;
+    std::optional<Guess> stood(const Pose& raw) const;
+    void learn(const DrivenWay& way, const Guess& guess, const Pose& before);
+    void refresh_map(const Pose& about);
+    bool key_due() const;
+    void add_key(std::uint64_t scan);
+    void close_loop();
+    double tension(std::span<const PoseEdge> edges) const;
+    void correct(const std::vector<KeyPose>& keys_before);
+    void register_anew(bool first);
+
+    RegistrationParams params_;
+    ScanMatcher matcher_;
+    StepMatcher step_matcher_;
+    LoopCloser closer_;
+    LateralCalibration calibration_;
+    KeyGraph graph_;
+    std::vector<Placed> placed_;  // by scan
+    Pose now_;
+    // Since the last key.
+    Pose odometry_;
+    Eigen::Vector3d odometry_variances_ = Eigen::Vector3d::Zero();
+    double variance_m2_ = 0.0;
+    double variance_rad2_ = 0.0;
+    double travelled_m_ = 0.0;
+
+    PointMap map_;
+    std::vector<std::uint32_t> map_keys_;
+    bool map_stale_ = true;
+    std::vector<GraphReach> reached_;
+    std::vector<SurfacePoint> points_;
+    std::vector<Linearization> by_source_;
+
+    std::vector<Pose> corrections_;  // by scan, of the last add() or finish()
+    std::vector<ClosedLoop> loops_;
+    RegistrationFigures figures_;
+};
+
+}  // namespace hitos
