@@ -211,6 +211,8 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
                 holds(own, Kind::clocks_apart));
     });
     std::erase_if(own, [&](const TourFinding& finding) { return holds(told, finding.kind); });
+    // What the reader told of leaps does not hold for these.
+    if (own.empty()) doubt_pauses(own);
     std::ranges::move(own, std::back_inserter(told));
     std::ranges::stable_sort(told, {}, &TourFinding::kind);
     return told;

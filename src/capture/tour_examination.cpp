@@ -99,6 +99,7 @@ void TourExamination::note(const Scan& scan) {
         return;
     }
     last_scan_line_ = scan.line;
+    note_pause(scan);
     note_self(scan);
     const double odometer = way_m_ + turned_rad_;
     if (scans_ == 0) {
@@ -123,6 +124,7 @@ void TourExamination::note(const Scan& scan) {
     ++scans_;
     scan_way_ = odometer;
     last_points_ = scan.points;
+    last_fan_ = scan.fan;
     if (!scan.points.empty() && medians_.size() < kMostSamples) {
         std::vector<float> ranges;
         for (const Point2& point : scan.points) {
@@ -195,27 +197,29 @@ std::optional<Pose> TourExamination::pose_at(double time_s) const {
 
 std::optional<double> TourExamination::agreement(const Pair& pair,
                                                  const Hypothesis& hypothesis) const {
-    constexpr int kLeastPoints = 10;
     const auto odometry_at = [&](double time_s) {
         return pose_at(time_s + hypothesis.delay_s + hypothesis.gained * (time_s - first_scan_s_));
     };
     const std::optional<Pose> first = odometry_at(pair.first.time_s);
-    std::optional<Pose> second = odometry_at(pair.second.time_s);
+    const std::optional<Pose> second = odometry_at(pair.second.time_s);
     if (!first || !second) return {};
-    if (hypothesis.scale != 1.0) {
-        Pose step = between(*first, *second);
-        step.x *= hypothesis.scale;
-        step.y *= hypothesis.scale;
-        second = compose(*first, step);
-    }
+    Pose step = between(*first, *second);
+    step.x *= hypothesis.scale;
+    step.y *= hypothesis.scale;
+    return agreement(pair, step, hypothesis);
+}
+
+std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& step,
+                                                 const Hypothesis& hypothesis) {
+    constexpr int kLeastPoints = 10;
     const double sign = hypothesis.mirrored ? -1.0 : 1.0;
     const auto mounted = [&](Pose laser) {
         laser.theta += hypothesis.turn_rad;
         return laser;
     };
     // Points of the later scan in the earlier one's laser's frame.
-    const Pose lasers = between(compose(*first, mounted(pair.first.pose_robot_laser)),
-                                compose(*second, mounted(pair.second.pose_robot_laser)));
+    const Pose lasers = between(mounted(pair.first.pose_robot_laser),
+                                compose(step, mounted(pair.second.pose_robot_laser)));
     const std::vector<float>& ranges = pair.first.ranges;
     const auto bins = static_cast<double>(ranges.size());
     int asked = 0;

@@ -16,7 +16,9 @@ namespace hitos {
 /// keeps some hundred pairs of neighbouring scans, each pair from where the odometry moved by about
 /// half a metre, and asks how well the later scan of each lies on the earlier one where the
 /// odometry puts it; then whether it would lie better if the scans were of another time, or the
-/// laser were mounted otherwise. It takes some megabytes at the most, however long the tour is.
+/// laser were mounted otherwise. Of the longest pauses too it keeps the scans before and after:
+/// those of one place, where the odometry says another, tell of a driver that began anew meanwhile.
+/// It takes some megabytes at the most, however long the tour is.
 class TourExamination {
   public:
     void note(const Scan& scan);
@@ -58,6 +60,9 @@ class TourExamination {
 
     View view_of(const Scan& scan) const;
     std::optional<double> agreement(const Pair& pair, const Hypothesis& hypothesis) const;
+    /// Where the robot made `step` between the two scans.
+    static std::optional<double> agreement(const Pair& pair, const Pose& step,
+                                           const Hypothesis& hypothesis);
     std::optional<Pose> pose_at(double time_s) const;
     void keep(const Scan& scan);
     void doubt_readings(std::vector<TourFinding>& found) const;
@@ -69,7 +74,9 @@ class TourExamination {
     void doubt_stamps(std::vector<TourFinding>& found) const;
     void doubt_self_hits(std::vector<TourFinding>& found) const;
     void doubt_heading(std::vector<TourFinding>& found) const;
+    void doubt_pauses(std::vector<TourFinding>& found) const;
     void note_self(const Scan& scan);
+    void note_pause(const Scan& scan);
     bool contradicted(const TourFinding& stamps) const;
 
     std::vector<StampedPose> path_;  ///< by the odometry, thinned where it grows long
@@ -108,6 +115,14 @@ class TourExamination {
     double first_scan_s_ = 0.0;
     double last_scan_s_ = 0.0;
     std::vector<Point2> last_points_;
+    Fan last_fan_;
+    /// The scans round a pause.
+    struct Pause {
+        Pair scans;
+        std::uint64_t line = 0;  ///< of the later one
+        double seconds() const { return scans.second.time_s - scans.first.time_s; }
+    };
+    std::vector<Pause> pauses_;  ///< the longest ones
     Fan fan_;
     std::vector<float> medians_;  ///< of the ranges of a sample of scans
 };

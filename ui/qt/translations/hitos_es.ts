@@ -2482,6 +2482,10 @@
         <source>look at the world&apos;s walls, in the window or by hitos-cli world, and correct the drawing</source>
         <translation>mire las paredes del mundo, en la ventana o con hitos-cli world, y corrija el plano</translation>
     </message>
+    <message>
+        <source>after a pause of %1 s the odometry is %2 m and %3 degrees off (line %4), as where a driver begins anew: the scans before and after it are of one place (%5 % of their points fit so, %6 % as the odometry says); the map falls in pieces there</source>
+        <translation>tras una pausa de %1 s la odometría se desvía %2 m y %3 grados (línea %4), como cuando un controlador empieza de nuevo: los barridos de antes y de después son de un mismo sitio (así encaja el %5 % de sus puntos, según la odometría el %6 %); ahí el mapa se rompe en pedazos</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
