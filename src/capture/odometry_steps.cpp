@@ -20,14 +20,16 @@ bool begins_anew(const Pose& pose, double way, double seconds) {
 
 /// Whether no robot makes that step to `pose` in that time.
 bool is_leap(const Pose& step, const Pose& pose, double seconds) {
-    constexpr double kLeap = 1.0;          // [m]
+    constexpr double kLeap = 0.5;          // [m]
+    constexpr double kLeapInNoTime = 1.0;  // stamps of whole seconds stand still meanwhile
     constexpr double kGreatestSpeed = 15;  // [m/s], of the fastest robots of this kind
     constexpr double kTurn = 0.5;          // [rad]
-    constexpr double kTurnInNoTime = 1.0;  // stamps of whole seconds stand still meanwhile
+    constexpr double kTurnInNoTime = 1.0;
     constexpr double kGreatestTurn = 6.0;  // [rad/s]
     const double way = way_of(step);
     const double turn = std::abs(wrap_angle(step.theta));
-    return (way > kLeap && (begins_anew(pose, way, seconds) || way > kGreatestSpeed * seconds)) ||
+    return (way > (seconds > 0.0 ? kLeap : kLeapInNoTime) &&
+            (begins_anew(pose, way, seconds) || way > kGreatestSpeed * seconds)) ||
            (turn > (seconds > 0.0 ? kTurn : kTurnInNoTime) && turn > kGreatestTurn * seconds);
 }
 

@@ -21,6 +21,17 @@ ReadOptions without_look_ahead(ReadOptions options) {
 
 constexpr double kRepairStep = 1e-3;
 
+void scale(OdometryRecord& record, double factor) {
+    if (record.pose_odom_robot) {
+        record.pose_odom_robot->x *= factor;
+        record.pose_odom_robot->y *= factor;
+    }
+    if (record.velocity) {
+        record.velocity->v *= factor;
+        record.velocity->v_lateral *= factor;
+    }
+}
+
 }  // namespace
 
 Procesador::Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options)
@@ -201,8 +212,9 @@ std::optional<Odometria> Procesador::next_odometry() {
         const std::optional<RawLine> line = fuente_->read_odometry_line();
         if (!line) return std::nullopt;
         try {
-            const std::optional<OdometryRecord> record = conversor_odometry_->odometry(*line);
+            std::optional<OdometryRecord> record = conversor_odometry_->odometry(*line);
             if (!record) continue;
+            scale(*record, options_.odometry_scale);  // leaps are those of metres
             const bool by_pose =
                 record->pose_odom_robot && options_.odometry != OdometryFrom::velocities;
             constexpr double kMoves = 1e-3;  // [m/s]; rounding does not
@@ -253,8 +265,6 @@ std::optional<Odometria> Procesador::from_velocity(const OdometryRecord& record)
 }
 
 Odometria Procesador::hand_out(double time_s, Twist twist, std::uint64_t line) {
-    twist.v *= options_.odometry_scale;
-    twist.v_lateral *= options_.odometry_scale;
     clock_s_ = time_s;
     if (twist != Twist{}) poses_move_ = true;
     ++report_.odometry;

@@ -15,12 +15,12 @@ namespace {
 
 using Kind = TourFinding::Kind;
 
-constexpr std::array<std::string_view, 23> kWords{
+constexpr std::array<std::string_view, 24> kWords{
     "clocks-apart",   "scan-delay",       "late-stamps",    "ray-times",        "clock-speed",
     "coarse-stamps",  "assumed-mounting", "two-publishers", "mirrored-laser",   "turned-laser",
     "no-odometry",    "unread-odometry",  "still-odometry", "leaping-odometry", "sideways-odometry",
     "odometry-scale", "odometry-units",   "laser-units",    "beyond-a-turn",    "blind-laser",
-    "self-hits",      "frozen-laser",     "unsure-drawing"};
+    "self-hits",      "frozen-laser",     "unfit-odometry", "unsure-drawing"};
 
 }  // namespace
 
@@ -68,7 +68,7 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
              marked(HITOS_TEXT("Errors",
                                "if angles were written in degrees, record them in radians"))});
     }
-    constexpr double kMostSame = 0.5;
+    constexpr double kMostSame = 0.4;
     constexpr std::uint64_t kLeastMoved = 20;
     constexpr std::uint64_t kHung = 10;  // in a row
     if ((moved_scans_ >= kLeastMoved &&
@@ -98,6 +98,7 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
         return;
     }
     constexpr double kNoRobot = 20.0;
+    constexpr double kMillimetres = 120.0;  // hardly a robot drives slower than 0.12 m/s all along
     const auto speed = static_cast<double>(median(speeds_));
     if (speed > kNoRobot) {
         found.push_back(
@@ -106,7 +107,12 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
                                 "by the odometry the robot mostly drives at %1 m/s, which none "
                                 "of its kind does"),
                      fmt::format("{:.0f}", speed)),
-             marked(HITOS_TEXT("Errors", "if positions are millimetres, record them as metres"))});
+             speed > kMillimetres ? marked(HITOS_TEXT("Errors",
+                                                      "if its positions are millimetres: --set "
+                                                      "source.odometry_scale=0.001"))
+                                  : marked(HITOS_TEXT("Errors",
+                                                      "if its positions are centimetres: --set "
+                                                      "source.odometry_scale=0.01"))});
     } else if (leaps_ > 0) {
         found.push_back(
             {Kind::leaping_odometry, longest_step_m_,
@@ -144,6 +150,21 @@ void TourExamination::doubt_stamps(std::vector<TourFinding>& found) const {
                      scans_of_one_time_, scans_ + scans_of_one_time_),
              marked(
                  HITOS_TEXT("Errors", "record times with milliseconds, as numbers of 64 bits"))});
+        return;
+    }
+    const auto readings = static_cast<double>(readings_);
+    if (static_cast<double>(of_no_time_) > kMostOfOneTime * readings &&
+        way_in_no_time_m_ > kMostOfOneTime * way_m_) {
+        found.push_back(
+            {Kind::coarse_stamps, static_cast<double>(of_no_time_) / readings,
+             message(HITOS_TEXT("Errors",
+                                "%1 of %2 odometry readings are stamped no later than the one "
+                                "before: too coarsely, or by two clocks; how fast the robot moved "
+                                "is not known"),
+                     of_no_time_, readings_),
+             marked(HITOS_TEXT("Errors",
+                               "record times of one clock with milliseconds; or take how it moved "
+                               "from the scans: --set source.odometry=scans"))});
     }
 }
 
@@ -197,19 +218,24 @@ void TourExamination::doubt_heading(std::vector<TourFinding>& found) const {
 std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told) const {
     std::vector<TourFinding> own;
     doubt_readings(own);
+    doubt_stamps(own);
     if (own.empty()) doubt_fit(own);
     doubt_odometry(own);
-    doubt_stamps(own);
+    if (own.empty()) doubt_stills(own);
     doubt_self_hits(own);
     doubt_heading(own);
+    if (own.empty() && told.empty()) doubt_whole(own);
     const auto holds = [](const std::vector<TourFinding>& all, Kind kind) {
         return std::ranges::count(all, kind, &TourFinding::kind) > 0;
     };
     std::erase_if(told, [&](const TourFinding& finding) {
-        return finding.kind == Kind::late_stamps &&
-               (contradicted(finding) || holds(own, Kind::scan_delay) ||
-                holds(own, Kind::clocks_apart));
+        return finding.kind == Kind::late_stamps && prefers_stamps(finding, own);
     });
+    if (holds(told, Kind::late_stamps)) {
+        std::erase_if(own, [](const TourFinding& finding) {
+            return finding.kind == Kind::scan_delay || finding.kind == Kind::clocks_apart;
+        });
+    }
     std::erase_if(own, [&](const TourFinding& finding) { return holds(told, finding.kind); });
     // What the reader told of leaps does not hold for these.
     if (own.empty()) doubt_pauses(own);

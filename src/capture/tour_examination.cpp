@@ -43,6 +43,7 @@ void TourExamination::note(const Odometria& odometry) {
     along_m_ += way * std::cos(2.0 * direction);
     across_m_ += way * std::sin(2.0 * direction);
     turned_rad_ += std::abs(odometry.twist.w) * seconds;
+    heading_rad_ += odometry.twist.w * seconds;
     // What the fastest robots of this kind do not reach, over more than a hand's breadth.
     constexpr double kGreatestSpeed = 15.0;
     constexpr double kLeap = 1.0;
@@ -51,13 +52,20 @@ void TourExamination::note(const Odometria& odometry) {
         if (way > longest_step_m_) longest_step_line_ = odometry.line;
         longest_step_m_ = std::max(longest_step_m_, way);
     }
-    if (way > 0.0 && seconds > 0.0 && speeds_.size() < kMostSamples) {
+    // What the reader puts a millisecond behind the one before says nothing of a speed.
+    constexpr double kNoTime = 1.5e-3;
+    if (readings_ > 0 && seconds < kNoTime) {
+        ++of_no_time_;
+        way_in_no_time_m_ += way;
+    } else if (way > 0.0 && seconds > 0.0 && speeds_.size() < kMostSamples) {
         speeds_.push_back(static_cast<float>(way / seconds));
     }
     if (readings_++ % path_stride_ != 0) return;
     path_.push_back(last_);
+    headings_.push_back(heading_rad_);
     if (path_.size() < kMostKnots) return;
     thin(path_);
+    thin(headings_);
     path_stride_ *= 2;
 }
 
@@ -172,6 +180,7 @@ void TourExamination::keep(const Scan& scan) {
                                std::abs(scan.time_s - open_->time_s) >= kPairSeconds);
     if (open_ && !due) return;
     View view = view_of(scan);
+    if (due) note_still({*open_, view}, odometer);
     if (due && offered_++ % pair_stride_ == 0) {
         pairs_.push_back({std::move(*open_), view});
         if (pairs_.size() == kMostPairs) {
@@ -185,20 +194,26 @@ void TourExamination::keep(const Scan& scan) {
     open_way_ = odometer;
 }
 
-std::optional<Pose> TourExamination::pose_at(double time_s) const {
+std::optional<Pose> TourExamination::pose_at(double time_s, double turn_scale) const {
     if (path_.empty() || time_s < path_.front().time_s || time_s > path_.back().time_s) return {};
     const auto after = std::ranges::lower_bound(path_, time_s, {}, &StampedPose::time_s);
     if (after == path_.begin()) return after->pose;
     const StampedPose& a = *(after - 1);
     const double share = (time_s - a.time_s) / (after->time_s - a.time_s);
     const Pose step = between(a.pose, after->pose);
-    return compose(a.pose, {share * step.x, share * step.y, share * step.theta});
+    Pose pose = compose(a.pose, {share * step.x, share * step.y, share * step.theta});
+    if (turn_scale != 1.0) {
+        const auto place = static_cast<std::size_t>(after - path_.begin());
+        pose.theta = turn_scale * std::lerp(headings_[place - 1], headings_[place], share);
+    }
+    return pose;
 }
 
 std::optional<double> TourExamination::agreement(const Pair& pair,
                                                  const Hypothesis& hypothesis) const {
     const auto odometry_at = [&](double time_s) {
-        return pose_at(time_s + hypothesis.delay_s + hypothesis.gained * (time_s - first_scan_s_));
+        return pose_at(time_s + hypothesis.delay_s + hypothesis.gained * (time_s - first_scan_s_),
+                       hypothesis.turn_scale);
     };
     const std::optional<Pose> first = odometry_at(pair.first.time_s);
     const std::optional<Pose> second = odometry_at(pair.second.time_s);

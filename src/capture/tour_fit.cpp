@@ -80,6 +80,22 @@ Best best_delay(const TourExamination& examination, double begins, bool apart,
     return best;
 }
 
+/// How far the middle of the turns that fit as well lies from the one that was found [rad].
+double off_middle(const TourExamination& examination, const Best& found) {
+    constexpr int kDegrees = 15;
+    constexpr double kAsWell = 0.01;
+    double sum = 0.0;
+    int count = 0;
+    for (int degree = -kDegrees; degree <= kDegrees; ++degree) {
+        Hypothesis near = found.hypothesis;
+        near.turn_rad += degree * kRadiansPerDegree;
+        if (examination.agreement(near).value_or(0.0) < found.agreement - kAsWell) continue;
+        sum += degree;
+        ++count;
+    }
+    return count == 0 ? 0.0 : sum / count * kRadiansPerDegree;
+}
+
 /// Where the clocks run at different speeds, so that what is to be added grows over the tour.
 std::optional<TourFinding> clock_speed(const TourExamination& examination, double told,
                                        const Best& late, double seconds, std::size_t every) {
@@ -165,11 +181,12 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
         found.push_back(*std::move(speed));
         return;
     }
+    if (doubt_turns(told, late.agreement, every, found)) return;
     const std::size_t before = found.size();
     doubt_mounting(told, late.agreement, every, found);
     if (found.size() > before) return;
-    if (late.agreement >= kFits && late.agreement >= told + kClearly &&
-        std::abs(late.hypothesis.delay_s) >= kShortestDelay) {
+    if (late.agreement >= kFits && beats_standing(late.agreement) &&
+        late.agreement >= told + kClearly && std::abs(late.hypothesis.delay_s) >= kShortestDelay) {
         found.push_back(
             {Kind::scan_delay, late.hypothesis.delay_s,
              message(HITOS_TEXT("Errors",
@@ -186,6 +203,63 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     doubt_scale(found);
 }
 
+/// Whether headings are in degrees, or were scaled as if they had been.
+bool TourExamination::doubt_turns(double told, double late, std::size_t every,
+                                  std::vector<TourFinding>& found) const {
+    constexpr double kMuchBetter = 0.2;
+    constexpr int kTurns = 36;  // where the first heading points is not known then
+    Best best;
+    for (const double scale : {kRadiansPerDegree, kDegreesPerRadian}) {
+        for (int i = 0; i < kTurns; ++i) {
+            best.try_out(*this, {.turn_rad = wrap_angle(2.0 * kPi * i / kTurns),
+                                 .turn_scale = scale,
+                                 .every = every});
+        }
+    }
+    if (best.agreement < kFits || best.agreement < told + kMuchBetter || best.agreement <= late) {
+        return false;
+    }
+    const double scale = best.hypothesis.turn_scale;
+    found.push_back(
+        {Kind::odometry_units, scale,
+         message(HITOS_TEXT("Errors",
+                            "by the scans the robot turns %1 times as far as by the odometry (%2 % "
+                            "of their points fit so, %3 % as it is told): headings are %4"),
+                 fmt::format("{:.3g}", scale), std::lround(100.0 * best.agreement),
+                 std::lround(100.0 * told),
+                 scale < 1.0
+                     ? marked(HITOS_TEXT("Errors", "in degrees"))
+                     : marked(HITOS_TEXT("Errors", "taken for degrees and turned into radians"))),
+         marked(HITOS_TEXT("Errors",
+                           "record them in radians; or take how the robot moved from the scans: "
+                           "--set source.odometry=scans"))});
+    return true;
+}
+
+/// Whether so many points fit that the odometry says more than that the robot stands: by chance,
+/// and of slow robots, many do.
+bool TourExamination::beats_standing(double share) const {
+    constexpr double kMore = 0.1;
+    const std::optional<double> standing = agreement({.scale = 0.0, .turn_scale = 0.0});
+    return !standing || share >= *standing + kMore;
+}
+
+/// Whether nothing explains that the scans do not fit.
+void TourExamination::doubt_whole(std::vector<TourFinding>& found) const {
+    constexpr double kLooksAlike = 0.8;  // from everywhere, as in a corridor
+    const double told = agreement(Hypothesis{}).value_or(1.0);
+    if (told > kLooksAlike || beats_standing(told)) return;
+    found.push_back(
+        {Kind::unfit_odometry, told,
+         message(HITOS_TEXT("Errors",
+                            "the scans do not lie where the odometry puts them (%1 % of their "
+                            "points do), and no other time, mounting or scale explains it"),
+                 std::lround(100.0 * told)),
+         marked(HITOS_TEXT("Errors",
+                           "take how the robot moved from the scans: --set source.odometry=scans; "
+                           "or map it with registration: --preset recorded"))});
+}
+
 /// Whether the laser fits better turned or mirrored, than as it is told and than at another time.
 void TourExamination::doubt_mounting(double told, double late, std::size_t every,
                                      std::vector<TourFinding>& found) const {
@@ -196,11 +270,16 @@ void TourExamination::doubt_mounting(double told, double late, std::size_t every
         turned.try_out(*this, {.turn_rad = turn_rad, .every = every});
         turned.try_out(*this, {.turn_rad = turn_rad, .mirrored = true, .every = every});
     }
-    if (turned.agreement < kFits || turned.agreement < told + kClearly ||
-        turned.agreement <= late) {
+    if (turned.agreement < kFits || !beats_standing(turned.agreement) ||
+        turned.agreement < told + kClearly || turned.agreement <= late) {
         return;
     }
+    turned.hypothesis.turn_rad = wrap_angle(turned.hypothesis.turn_rad + off_middle(*this, turned));
     const double degrees = turned.hypothesis.turn_rad * kDegreesPerRadian;
+    const Pose& told_pose = pairs_.front().first.pose_robot_laser;
+    const std::string place = fmt::format(
+        "{:.3g},{:.3g},{}", told_pose.x, told_pose.y,
+        std::lround(wrap_angle(told_pose.theta + turned.hypothesis.turn_rad) * kDegreesPerRadian));
     if (turned.hypothesis.mirrored) {
         found.push_back(
             {Kind::mirrored_laser, 1.0,
@@ -209,9 +288,9 @@ void TourExamination::doubt_mounting(double told, double late, std::size_t every
                                 "mirrored, %2 % as they are): the map is a mirror image"),
                      std::lround(100.0 * turned.agreement), std::lround(100.0 * told)),
              message(HITOS_TEXT("Errors",
-                                "the laser is upside down, turned by %1 degrees, or the odometry "
-                                "counts turns to the right; mend the transform of its frame"),
-                     std::lround(degrees))});
+                                "the laser is upside down, or its rays go the other way round: "
+                                "--laser-pose %1; or the odometry counts turns to the right"),
+                     place + ",upside-down")});
         return;
     }
     found.push_back(
@@ -222,9 +301,10 @@ void TourExamination::doubt_mounting(double told, double late, std::size_t every
                             "walls do not fit each other"),
                  std::lround(degrees), std::lround(100.0 * turned.agreement),
                  std::lround(100.0 * told)),
-         marked(HITOS_TEXT("Errors",
-                           "the laser is mounted otherwise than the recording says; mend the "
-                           "transform of its frame"))});
+         message(HITOS_TEXT("Errors",
+                            "the laser is mounted otherwise than the recording says: --laser-pose "
+                            "%1"),
+                 place)});
 }
 
 /// Whether the way between two scans is longer or shorter by the scans than by the odometry.
@@ -232,17 +312,27 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
     constexpr double kLeast = 0.1;
     constexpr double kStep = 0.05;
     constexpr int kSteps = 10;
+    constexpr double kFarthest = 12.0;
     // Over the way of a pair a tenth is a few centimetres.
     const Hypothesis asked{.near_m = 0.02, .near_per_range = 0.005};
     Best best;
-    for (int i = -kSteps; i <= kSteps; ++i) {
+    const auto try_out = [&](double scale) {
         Hypothesis hypothesis = asked;
-        hypothesis.scale = 1.0 + i * kStep;
+        hypothesis.scale = scale;
         best.try_out(*this, hypothesis);
+    };
+    for (int i = -kSteps; i <= kSteps; ++i) try_out(1.0 + i * kStep);
+    if (std::abs(best.hypothesis.scale - 1.0) > (kSteps - 1.5) * kStep) {
+        for (double scale = kFarthest; scale > 1.0 / kFarthest; scale /= 1.0 + kStep) {
+            try_out(scale);
+        }
     }
     const double told = agreement(asked).value_or(0.0);
     const double scale = best.hypothesis.scale;
-    if (std::abs(scale - 1.0) < kLeast - kStep / 2.0 || best.agreement < told + kClearly) return;
+    if (std::abs(scale - 1.0) < kLeast - kStep / 2.0 || best.agreement < told + kClearly ||
+        best.agreement < kFits) {
+        return;
+    }
     found.push_back(
         {Kind::odometry_scale, scale,
          message(HITOS_TEXT("Errors",
@@ -256,11 +346,18 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
                  fmt::format("{:.2f}", scale))});
 }
 
-/// Whether scans fit the odometry better as they are stamped than as they were received.
-bool TourExamination::contradicted(const TourFinding& stamps) const {
-    const std::optional<double> stamped = agreement(Hypothesis{});
-    const std::optional<double> received = agreement({.delay_s = stamps.value});
-    return !received || (stamped && *stamped > *received);
+/// Whether scans fit the odometry better as they are stamped, or by another time that was found,
+/// than as they were received.
+bool TourExamination::prefers_stamps(const TourFinding& receipts,
+                                     const std::vector<TourFinding>& own) const {
+    const std::optional<double> received = agreement({.delay_s = receipts.value});
+    if (!received) return true;
+    double best = agreement(Hypothesis{}).value_or(0.0);
+    for (const TourFinding& finding : own) {
+        if (!finding.scan_delay_s) continue;
+        best = std::max(best, agreement({.delay_s = *finding.scan_delay_s}).value_or(0.0));
+    }
+    return best > *received;
 }
 
 }  // namespace hitos

@@ -114,7 +114,8 @@ TEST_P(OfWorld, ALaserMountedOtherwiseIsTold) {
         const auto found = turned.of_kind(Kind::turned_laser);
         ASSERT_TRUE(found) << degrees << '\n' << turned.said();
         const double off = wrap_angle(found->value - degrees * kRadiansPerDegree);
-        EXPECT_LE(std::abs(off), 10.0 * kRadiansPerDegree) << degrees;
+        EXPECT_LE(std::abs(off), 4.0 * kRadiansPerDegree) << degrees;
+        EXPECT_NE(found->remedy.english().find("--laser-pose"), std::string::npos);
     }
     Readings mirrored = tour_;
     for (Scan& scan : mirrored.scans) scan = mounted(scan, 0.0, true);
@@ -148,6 +149,69 @@ TEST_P(OfWorld, UnitsAndBrokenDriversAreTold) {
     Readings blind = tour_;
     for (Scan& scan : blind.scans) scan.points.clear();
     EXPECT_TRUE(blind.of_kind(Kind::blind_laser));
+}
+
+TEST_P(OfWorld, OdometryThatStandsForAWhileIsTold) {
+    if (GetParam() == "corridor") GTEST_SKIP() << "it looks alike all along";
+    const double begin = tour_.scans.front().time_s;
+    const double end = tour_.scans.back().time_s;
+    const double third = begin + (end - begin) / 3.0;
+    Readings frozen = tour_;
+    for (Odometria& reading : frozen.odometry) {
+        if (reading.time_s > third && reading.time_s < third + 30.0) reading.twist = {};
+    }
+    const auto stands = frozen.of_kind(Kind::still_odometry);
+    ASSERT_TRUE(stands) << frozen.said();
+    EXPECT_GE(stands->value, 9.0);
+    EXPECT_LE(stands->value, 36.0);
+    EXPECT_NE(stands->remedy.english().find("source.odometry=scans"), std::string::npos);
+    Readings ended = tour_;
+    std::erase_if(ended.odometry, [&](const Odometria& one) { return one.time_s > third; });
+    const auto ends = ended.of_kind(Kind::still_odometry);
+    ASSERT_TRUE(ends) << ended.said();
+    EXPECT_NE(ends->what.english().find("the odometry ends"), std::string::npos);
+    Readings late = tour_;
+    std::erase_if(late.odometry, [&](const Odometria& one) { return one.time_s < third; });
+    const auto begins = late.of_kind(Kind::still_odometry);
+    ASSERT_TRUE(begins) << late.said();
+    EXPECT_NE(begins->what.english().find("the odometry begins"), std::string::npos);
+}
+
+TEST_P(OfWorld, WaysFarFromThoseOfTheScansAreTold) {
+    if (GetParam() == "corridor") GTEST_SKIP() << "it looks alike all along";
+    for (const double factor : {0.2, 0.305, 3.28}) {
+        Readings far = tour_;
+        for (Odometria& reading : far.odometry) reading.twist.v *= factor;
+        const auto found = far.of_kind(Kind::odometry_scale);
+        ASSERT_TRUE(found) << factor << '\n' << far.said();
+        EXPECT_NEAR(found->value * factor, 1.0, 0.2) << factor;
+    }
+}
+
+TEST_P(OfWorld, OdometryOfCoarseStampsIsNotSaidToBeMillimetres) {
+    Readings coarse = tour_;
+    double last_s = -1.0;
+    for (Odometria& reading : coarse.odometry) {  // as a reader puts right what does not advance
+        const double driven_s = 0.1;
+        const double stamp_s = std::max(std::floor(reading.time_s), last_s + 1e-3);
+        const double factor = last_s < 0.0 ? 1.0 : driven_s / (stamp_s - last_s);
+        reading.twist = {reading.twist.v * factor, reading.twist.v_lateral * factor,
+                         reading.twist.w * factor};
+        reading.time_s = last_s = stamp_s;
+    }
+    EXPECT_TRUE(coarse.of_kind(Kind::coarse_stamps)) << coarse.said();
+    EXPECT_FALSE(coarse.of_kind(Kind::odometry_units)) << coarse.said();
+}
+
+TEST_P(OfWorld, OdometryThatHasNothingToDoWithTheScansIsTold) {
+    if (GetParam() == "corridor") GTEST_SKIP() << "it looks alike all along";
+    Readings other = tour_;
+    for (std::size_t i = 0; i < other.odometry.size(); ++i) {
+        other.odometry[i].twist.w = (i / 37) % 2 == 0 ? 1.5 : -1.1;
+    }
+    const auto found = other.of_kind(Kind::unfit_odometry);
+    ASSERT_TRUE(found) << other.said();
+    EXPECT_LT(found->value, 0.8);
 }
 
 TEST_P(OfWorld, APartOfTheRobotThatTheLaserSeesIsTold) {

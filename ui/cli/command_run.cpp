@@ -215,7 +215,8 @@ void run(const RunOptions& options) {
         worker
             .with_run([&](const Algoritmo& finished) {
                 return write_results(finished, references, seconds, folder, told,
-                                     odometry_grid ? &*odometry_grid : nullptr, also);
+                                     odometry_grid ? &*odometry_grid : nullptr, also,
+                                     &StopByRequest::wanted);
             })
             .get();
     files.finish(summary.files.size());

@@ -36,6 +36,7 @@ class TourExamination {
         double turn_rad = 0.0;         ///< of the laser on the robot, to the left
         bool mirrored = false;         ///< the rays go the other way round
         double scale = 1.0;            ///< of the way
+        double turn_scale = 1.0;       ///< of the heading, from where the tour begins
         double near_m = 0.1;           ///< how far apart two points may be that are one
         double near_per_range = 0.02;  ///< and for each metre of their range
         std::size_t every = 1;         ///< asks every n-th pair only
@@ -63,23 +64,31 @@ class TourExamination {
     /// Where the robot made `step` between the two scans.
     static std::optional<double> agreement(const Pair& pair, const Pose& step,
                                            const Hypothesis& hypothesis);
-    std::optional<Pose> pose_at(double time_s) const;
+    std::optional<Pose> pose_at(double time_s, double turn_scale = 1.0) const;
     void keep(const Scan& scan);
     void doubt_readings(std::vector<TourFinding>& found) const;
     void doubt_odometry(std::vector<TourFinding>& found) const;
     void doubt_fit(std::vector<TourFinding>& found) const;
     void doubt_mounting(double told, double late, std::size_t every,
                         std::vector<TourFinding>& found) const;
+    bool doubt_turns(double told, double late, std::size_t every,
+                     std::vector<TourFinding>& found) const;
     void doubt_scale(std::vector<TourFinding>& found) const;
+    bool beats_standing(double share) const;
+    void doubt_whole(std::vector<TourFinding>& found) const;
+    void doubt_stills(std::vector<TourFinding>& found) const;
+    void note_still(const Pair& pair, double odometer);
+    bool prefers_stamps(const TourFinding& receipts, const std::vector<TourFinding>& own) const;
     void doubt_stamps(std::vector<TourFinding>& found) const;
     void doubt_self_hits(std::vector<TourFinding>& found) const;
     void doubt_heading(std::vector<TourFinding>& found) const;
     void doubt_pauses(std::vector<TourFinding>& found) const;
     void note_self(const Scan& scan);
     void note_pause(const Scan& scan);
-    bool contradicted(const TourFinding& stamps) const;
 
     std::vector<StampedPose> path_;  ///< by the odometry, thinned where it grows long
+    std::vector<double> headings_;   ///< of the path's poses, whole turns counted [rad]
+    double heading_rad_ = 0.0;       ///< of the last
     std::size_t path_stride_ = 1;
     std::size_t readings_ = 0;
     StampedPose last_;
@@ -88,7 +97,18 @@ class TourExamination {
     double longest_step_m_ = 0.0;
     std::uint64_t longest_step_line_ = 0;
     std::uint64_t leaps_ = 0;
-    std::vector<float> speeds_;  ///< of a sample of readings that move
+    std::vector<float> speeds_;      ///< of a sample of readings that move
+    std::uint64_t of_no_time_ = 0;   ///< readings whose stamps did not advance,
+    double way_in_no_time_m_ = 0.0;  ///< and what was driven in them
+
+    /// Pairs in a row that saw the robot move where the odometry did not.
+    struct Still {
+        double begin_s = 0.0;
+        double end_s = 0.0;
+        std::size_t pairs = 0;
+    };
+    Still still_;  ///< up to now
+    Still longest_still_;
 
     std::vector<Pair> pairs_;
     std::size_t pair_stride_ = 1;

@@ -25,17 +25,20 @@ struct TourFinding {
                             ///< [rad]
         no_odometry,        ///< there are scans and no odometry; value: the scans
         unread_odometry,    ///< its messages cannot be read, the transforms are taken; value: those
-        still_odometry,     ///< the scans change and the odometry does not; value: 0
+        still_odometry,     ///< the scans change and the odometry does not; value: 0, or for how
+                            ///< long [s]
         leaping_odometry,   ///< steps that no robot makes in their time; value: the longest [m]
         sideways_odometry,  ///< always off where the robot looks; value: by that, to the left [rad]
         odometry_scale,  ///< it counts too far or too short; value: the way by the scans over its
                          ///< own
-        odometry_units,  ///< all of it is too fast; value: median speed [m/s]
+        odometry_units,  ///< all of it is too fast, or turns too far; value: median speed [m/s], or
+                         ///< the turn that the scans make of one [rad]
         laser_units,     ///< readings of a distance that no such laser sees; value: median [m]
         beyond_a_turn,   ///< rays over more than a turn; value: angle from first to last [rad]
         blind_laser,     ///< hardly any scan has a point; value: share of those with none
         self_hits,       ///< rays that always end on the robot; value: how many
         frozen_laser,    ///< the same ranges while the robot drives; value: share of such scans
+        unfit_odometry,  ///< the scans do not lie where it puts them; value: share of their points
         unsure_drawing   ///< a world's drawing may have other walls; value: its place of those
     };
     Kind kind = Kind::clocks_apart;

@@ -84,6 +84,7 @@ void OutputCrew::work(std::span<const RunOutput* const> outputs, Attempt attempt
 void OutputCrew::write_one(const RunOutput& output, std::size_t place, Attempt attempt) {
     try {
         failed_[place] = 0;
+        if (output.rereads && finished_.stopped()) throw Error(left_out());
         reasons_[place] = output.write(finished_, folder_);
     } catch (const std::exception& error) {  // of a library too
         if (output.essential) throw;

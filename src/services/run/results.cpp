@@ -285,10 +285,12 @@ StagedFolder results_folder(const std::filesystem::path& folder) {
 
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          StagedFolder& folder, const WritingObserver& told,
-                         OdometryGridAhead* ahead, std::span<const std::string> also) {
+                         OdometryGridAhead* ahead, std::span<const std::string> also,
+                         const std::function<bool()>& stop) {
     RunSummary summary = summarize(run, references);
-    FinishedRun finished{run, references, summary, run.best_trajectory(), run.filter().best_map(),
-                         {},  ahead,      also};
+    FinishedRun finished{
+        run,   references, summary, run.best_trajectory(), run.filter().best_map(), {},
+        ahead, also,       stop};
     finished.segments = run.line_extents().of(finished.map, finished.best);
     try {
         write_files(finished, summary, folder, told);

@@ -13,6 +13,7 @@
 #include "../maps/odometry_scans_picture.hpp"
 #include "corrected_tour.hpp"
 #include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/services/maps/picture_file.hpp"
@@ -92,8 +93,16 @@ const Trajectory& odometry_path(const FinishedRun& finished) {
     return finished.run.odometry_trajectory();
 }
 
+void end_where_asked(const FinishedRun& finished) {
+    if (finished.stopped()) throw Error(left_out());
+}
+
 Grid built(const FinishedRun& finished, Trajectory path) {
-    return build_grid(finished.run.configuration().grid, finished.run.reader(), std::move(path));
+    GridBuilder builder(finished.run.configuration().grid, finished.run.reader().reopen(),
+                        std::move(path));
+    while (builder.step()) end_where_asked(finished);
+    end_where_asked(finished);  // pictures of great grids take seconds
+    return builder.take_grid();
 }
 
 /// The grid of the whole tour along a path.
@@ -152,7 +161,7 @@ RunOutput paths() {
         return finished.references.trajectory.has_value();
     };
     output.write = [](const FinishedRun& finished, const Folder& folder) {
-        const auto& [run, references, summary, best, map, segments, ahead, also] = finished;
+        const auto& [run, references, summary, best, map, segments, ahead, also, stop] = finished;
         // True walls hold the true path to the frame of the tour's start.
         std::optional<Pose> pose_reference_run;
         if (references.walls.empty() && summary.trajectory_error) {
@@ -175,6 +184,7 @@ RunOutput odometry_scans() {
         for (const StampedPose& stamped : odometry_path(finished)) {
             const std::optional<Scan> scan = reader->next_scan();
             if (!scan) break;
+            end_where_asked(finished);
             picture.add(*scan, stamped.pose);
         }
         return picture.write(folder);
@@ -236,6 +246,11 @@ std::string map_data(const FinishedRun& finished) {
                          finished.segments, grid});
 }
 
+RunOutput rereading(RunOutput output) {
+    output.rereads = true;
+    return output;
+}
+
 std::vector<RunOutput> make_outputs() {
     using Run = FinishedRun;
     return {
@@ -262,12 +277,12 @@ std::vector<RunOutput> make_outputs() {
         grid(
             "grid_best_steps", [](const Run& r) -> const Grid& { return r.run.step_grid(); },
             best_path),
-        whole_grid("grid_best", best_path),
-        grid("grid_odometry", odometry_grid, odometry_path),
-        particle_grid(),
+        rereading(whole_grid("grid_best", best_path)),
+        rereading(grid("grid_odometry", odometry_grid, odometry_path)),
+        rereading(particle_grid()),
         distances(),
         paths(),
-        odometry_scans(),
+        rereading(odometry_scans()),
         uncertainty(),
         always("map.dxf", [](const Run& r,
                              const Folder& file) { write_dxf(r.map, r.segments, r.best, file); }),
@@ -275,22 +290,27 @@ std::vector<RunOutput> make_outputs() {
                    [](const Run& r) { return svg_text(figure(r)); }),
         asked_text("pdf", "map.pdf", "the same figure, to include",
                    [](const Run& r) { return pdf_text(figure(r)); }),
-        asked("map-server", {"map.yaml", "map.pgm"}, "occupancy grid for ROS's map_server",
-              write_map_server),
-        asked_text("ieee-1873", "map.xml", "landmarks and grid as map data of IEEE 1873-2015",
-                   map_data),
+        rereading(asked("map-server", {"map.yaml", "map.pgm"},
+                        "occupancy grid for ROS's map_server", write_map_server)),
+        rereading(asked_text("ieee-1873", "map.xml",
+                             "landmarks and grid as map data of IEEE 1873-2015", map_data)),
         asked_text("landmarks", "landmarks.csv", "every landmark with its covariance",
                    [](const Run& r) { return landmark_table(r.map); }),
         asked_text("g2o", "graph.g2o", "the best hypothesis' poses, landmarks and measurements",
                    [](const Run& r) { return g2o_text(graph_of(r.run)); }),
-        asked("carmen", {"corrected.log"}, "the tour as a CARMEN log with corrected poses",
-              [](const Run& r, const Folder& folder) {
-                  write_corrected_tour(r.run, r.best, folder / "corrected.log");
-              }),
+        rereading(asked("carmen", {"corrected.log"},
+                        "the tour as a CARMEN log with corrected poses",
+                        [](const Run& r, const Folder& folder) {
+                            write_corrected_tour(r.run, r.best, folder / "corrected.log");
+                        })),
     };
 }
 
 }  // namespace
+
+Message left_out() {
+    return marked(HITOS_TEXT("Errors", "the run was asked to end; it reads the tour once more"));
+}
 
 const std::vector<RunOutput>& run_outputs() {
     static const std::vector<RunOutput> table = make_outputs();

@@ -22,6 +22,9 @@ struct FinishedRun {
     std::vector<LineExtent> segments;  ///< of the map's lines
     OdometryGridAhead* odometry_grid = nullptr;
     std::span<const std::string> also = {};  ///< words of outputs that are asked for
+    std::function<bool()> stop = {};         ///< whether to end soon; null: never
+
+    bool stopped() const { return stop && stop(); }
 };
 
 /// A file of a run, or several that belong together.
@@ -36,6 +39,7 @@ struct RunOutput {
     /// message. Throws Error.
     std::function<Message(const FinishedRun&, const std::filesystem::path& folder)> write;
     bool essential = false;  ///< whether the run fails without it
+    bool rereads = false;    ///< it reads the tour again, and is left out where the run is to end
     /// By which it is asked for, and half a sentence for help texts; empty: it needs no asking.
     std::string word = {};
     std::string purpose = {};
@@ -45,6 +49,9 @@ struct RunOutput {
 /// In the order in which they are written, the essential ones first; summary.json, which comes
 /// last, is not among them.
 const std::vector<RunOutput>& run_outputs();
+
+/// Why an output that reads the tour again is missing where the run is to end.
+Message left_out();
 
 /// Whether one of them writes a file of that name, of any run.
 bool is_run_output(const std::string& name);

@@ -122,11 +122,12 @@ using WritingObserver = std::function<void(const WritingProgress&)>;
 /// configuration come first, and without them the run fails (FileError); of the others each may be
 /// missing, and the summary says why. Several threads write, as many as the run has, up to three;
 /// `ahead` may have the grid along the odometry; `also` are words of optional_outputs(), of which
-/// the files are written too. Returns the summary.
+/// the files are written too. Once `stop` says so, what reads the tour again is left out, as the
+/// summary says. Returns the summary.
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          StagedFolder& folder, const WritingObserver& told = {},
-                         OdometryGridAhead* ahead = nullptr,
-                         std::span<const std::string> also = {});
+                         OdometryGridAhead* ahead = nullptr, std::span<const std::string> also = {},
+                         const std::function<bool()>& stop = {});
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          const std::filesystem::path& folder, const WritingObserver& told = {});
 

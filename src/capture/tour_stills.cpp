@@ -1,0 +1,58 @@
+// Whether the odometry stands, or is not there, while the scans say that the robot drives.
+#include <cmath>
+#include <utility>
+
+#include "hitos/capture/tour_examination.hpp"
+
+namespace hitos {
+namespace {
+
+using Kind = TourFinding::Kind;
+
+}  // namespace
+
+/// What seems to move while the robot stands (people, doors) leaves most of a scan as it was.
+void TourExamination::note_still(const Pair& pair, double odometer) {
+    constexpr double kStands = 0.01;  // [m], [rad]
+    constexpr double kMoved = 0.7;
+    const bool stands = odometer - open_way_ < kStands;
+    const std::optional<double> same =
+        stands ? agreement(pair, Pose{}, Hypothesis{}) : std::optional<double>();
+    if (!same || *same > kMoved) {
+        still_ = {};
+        return;
+    }
+    if (still_.pairs++ == 0) still_.begin_s = pair.first.time_s;
+    still_.end_s = pair.second.time_s;
+    if (still_.pairs > longest_still_.pairs) longest_still_ = still_;
+}
+
+void TourExamination::doubt_stills(std::vector<TourFinding>& found) const {
+    constexpr std::size_t kLeastPairs = 3;
+    if (longest_still_.pairs < kLeastPairs || path_.empty()) return;
+    const auto tenths = [](double seconds) { return std::round(seconds * 10.0) / 10.0; };
+    const double seconds = longest_still_.end_s - longest_still_.begin_s;
+    Message what;
+    if (last_.time_s < longest_still_.begin_s + seconds / 2.0) {
+        what = message(HITOS_TEXT("Errors",
+                                  "the odometry ends %1 s before the scans do, which change on; "
+                                  "all of them are put on one place"),
+                       tenths(last_scan_s_ - last_.time_s));
+    } else if (path_.front().time_s > longest_still_.end_s - seconds / 2.0) {
+        what = message(HITOS_TEXT("Errors",
+                                  "the odometry begins %1 s after the scans, which change before; "
+                                  "all of them are put on one place"),
+                       tenths(path_.front().time_s - first_scan_s_));
+    } else {
+        what = message(HITOS_TEXT("Errors",
+                                  "the scans change for %1 s, from second %2 of the tour on, and "
+                                  "the odometry stands still; all of them are put on one place"),
+                       tenths(seconds), tenths(longest_still_.begin_s - first_scan_s_));
+    }
+    found.push_back(
+        {Kind::still_odometry, seconds, std::move(what),
+         marked(HITOS_TEXT("Errors",
+                           "take how it moved from the scans: --set source.odometry=scans"))});
+}
+
+}  // namespace hitos
