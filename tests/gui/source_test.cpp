@@ -120,6 +120,19 @@ void SourceTest::damaged_lines_are_counted() {
     QVERIFY(f.window->findChild<QLabel*>("status_skipped")->text().contains('1'));
 }
 
+void SourceTest::why_no_scan_can_be_read_is_told() {
+    Fixture f(false);
+    SourceParams source;
+    source.file =
+        f.write("no-scan.txt", "ODOM 0 0 0\nLASER 0 2 1 broken 1 1\nODOM 1 0.1 0\n").toStdString();
+    SourceDialog dialog(source, f.prompts, {}, nullptr);
+    wait_for_check(dialog);
+    QVERIFY(!ok(dialog)->isEnabled());
+    QVERIFY2(verdict(dialog).contains("not one readable scan"), qPrintable(verdict(dialog)));
+    QVERIFY2(verdict(dialog).contains("line 2") && verdict(dialog).contains("\"broken\""),
+             qPrintable(verdict(dialog)));
+}
+
 void SourceTest::topics_of_another_recording_are_forgotten() {
     Fixture f;
     SourceParams source = f.session.configuration().source;

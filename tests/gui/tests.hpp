@@ -14,6 +14,7 @@ class SourceTest : public QObject {
     void another_type_than_said_is_told_in_the_form();
     void a_file_that_is_no_log_is_told_in_the_form();
     void damaged_lines_are_counted();
+    void why_no_scan_can_be_read_is_told();
     void topics_of_another_recording_are_forgotten();
     void topics_are_listed_to_choose_from();
     void scans_before_the_odometry_are_counted();

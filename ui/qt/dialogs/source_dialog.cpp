@@ -32,6 +32,56 @@ bool needs_topics(const std::string& file) {
     return !file.empty() && is_recording(file);
 }
 
+/// How much of a tour there is.
+QString source_counts(const TourSummary& summary) {
+    QString words = SourceDialog::tr("%1: %2 scans, %3 odometry readings, %4 s, %5 m.")
+                        .arg(format_words(summary.format))
+                        .arg(summary.report.scans)
+                        .arg(summary.report.odometry)
+                        .arg(summary.duration_s, 0, 'f', 1)
+                        .arg(summary.distance_m, 0, 'f', 1);
+    if (summary.fan.count == 0) return words;
+    const double degrees =
+        (summary.fan.max_angle_rad - summary.fan.min_angle_rad) * kDegreesPerRadian;
+    return words + ' ' +
+           SourceDialog::tr("Laser: %1 rays over %2°.")
+               .arg(summary.fan.count)
+               .arg(degrees, 0, 'f', 0);
+}
+
+/// Damaged lines are counted; the first says why, which is often the reason of all.
+QString damage_note(const ReadReport& report) {
+    const QString text =
+        report.of_recording
+            ? SourceDialog::tr(
+                  "Damaged messages or records that will be skipped: %1; the first is "
+                  "%2")
+            : SourceDialog::tr("Damaged lines that will be skipped: %1; the first is %2");
+    return text.arg(report.skipped).arg(words_of(report.placed(report.examples.front())));
+}
+
+/// What the user should know of a source before it is run.
+QStringList source_notes(const TourSummary& summary) {
+    const ReadReport& report = summary.report;
+    QStringList notes;
+    for (const TourFinding& finding : summary.findings) notes << words_of(finding);
+    if (report.early_scans > 0) {
+        notes << SourceDialog::tr(
+                     "Scans before the first odometry reading: %1. They are used as if the "
+                     "robot had stood still until then; “%2” in the configuration leaves "
+                     "them out.")
+                     .arg(report.early_scans)
+                     .arg(label_of(find_parameter("source.early_scans")));
+    }
+    if (report.early_scans_left_out > 0) {
+        notes << SourceDialog::tr(
+                     "Scans before the first odometry reading, which are left out: %1.")
+                     .arg(report.early_scans_left_out);
+    }
+    if (report.skipped > 0) notes << damage_note(report);
+    return notes;
+}
+
 }  // namespace
 
 std::vector<Message> beginning_of(const std::string& file) {
@@ -149,7 +199,7 @@ void SourceDialog::begin_check() {
                 return !stop->load();
             });
         } catch (const std::exception& error) {
-            refusal = {window::words_of(error), beginning_of(wanted.file)};
+            refusal = {words_of(error), beginning_of(wanted.file)};
         }
         QMetaObject::invokeMethod(
             this, [this, stop, summary, refusal] { end_check(stop, summary, refusal); },
@@ -179,20 +229,19 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
     summary_ = summary;
     const ReadReport& report = summary->tour.report;
     const bool scans = report.scans > 0;
-    const bool lacking = report.skipped + report.early_scans + report.early_scans_left_out > 0 ||
-                         !summary->tour.findings.empty();
-    show_verdict(
-        scans ? words_of(summary->tour) : tr("The file holds odometry but not one readable scan."),
-        !scans    ? "error"
-        : lacking ? "warning"
-                  : "good");
+    const QStringList notes = source_notes(summary->tour);
+    const QString first = scans ? source_counts(summary->tour)
+                                : tr("The file holds odometry but not one readable scan.");
+    show_verdict((QStringList{first} + notes).join('\n'), !scans            ? "error"
+                                                          : notes.isEmpty() ? "good"
+                                                                            : "warning");
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans);
     emit checked(scans);
 }
 
 void SourceDialog::show_lines(const std::vector<Message>& first_lines) {
     QStringList lines;
-    for (const Message& line : first_lines) lines << window::words_of(line);
+    for (const Message& line : first_lines) lines << words_of(line);
     ui_->lines->setPlainText(lines.join('\n'));
 }
 
@@ -212,47 +261,6 @@ void SourceDialog::offer_topics(const std::vector<RecordedTopic>& topics) {
     };
     offer(*ui_->scan_topic, "sensor_msgs/LaserScan", "all");
     offer(*ui_->odom_topic, "nav_msgs/Odometry", "tf");
-}
-
-QString SourceDialog::words_of(const TourSummary& summary) const {
-    QString words = tr("%1: %2 scans, %3 odometry readings, %4 s, %5 m.")
-                        .arg(format_words(summary.format))
-                        .arg(summary.report.scans)
-                        .arg(summary.report.odometry)
-                        .arg(summary.duration_s, 0, 'f', 1)
-                        .arg(summary.distance_m, 0, 'f', 1);
-    if (summary.fan.count > 0) {
-        words +=
-            ' ' + tr("Laser: %1 rays over %2°.")
-                      .arg(summary.fan.count)
-                      .arg((summary.fan.max_angle_rad - summary.fan.min_angle_rad) * 180.0 / kPi, 0,
-                           'f', 0);
-    }
-    for (const TourFinding& finding : summary.findings) {
-        words += '\n' + window::words_of(finding);
-    }
-    const ReadReport& report = summary.report;
-    if (report.early_scans > 0) {
-        words += '\n' + tr("Scans before the first odometry reading: %1. They are used as if the "
-                           "robot had stood still until then; “%2” in the configuration leaves "
-                           "them out.")
-                            .arg(report.early_scans)
-                            .arg(label_of(find_parameter("source.early_scans")));
-    }
-    if (report.early_scans_left_out > 0) {
-        words += '\n' + tr("Scans before the first odometry reading, which are left out: %1.")
-                            .arg(report.early_scans_left_out);
-    }
-    if (report.skipped > 0) {
-        const QString text =
-            report.of_recording
-                ? tr("Damaged messages or records that will be skipped: %1; the first is %2")
-                : tr("Damaged lines that will be skipped: %1; the first is %2");
-        words +=
-            '\n' +
-            text.arg(report.skipped).arg(window::words_of(report.placed(report.examples.front())));
-    }
-    return words;
 }
 
 void SourceDialog::show_verdict(const QString& text, const char* role) {

@@ -66,7 +66,6 @@ class SourceDialog final : public QDialog {
     void show_lines(const std::vector<Message>& first_lines);
     void offer_topics(const std::vector<RecordedTopic>& topics);
     void show_verdict(const QString& text, const char* role);
-    QString words_of(const TourSummary& summary) const;
 
     std::unique_ptr<Ui::SourceDialog> ui_;
     Prompts& prompts_;
