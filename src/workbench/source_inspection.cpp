@@ -6,15 +6,13 @@
 #include "hitos/workbench/open_tour.hpp"
 
 namespace hitos {
-namespace {
 
-/// Whether it was refused for a choice that nobody has made yet, not for a wrong one.
-bool asks_for_topics(const ConfigError& error, const ReadOptions& read) {
-    return (error.key() == kScanTopicKey && input::trimmed(read.scan_topic).empty()) ||
-           (error.key() == kOdomTopicKey && input::trimmed(read.odom_topic).empty());
+bool asks_for_topics(const std::exception& error, const ReadOptions& read) {
+    const auto* wrong = dynamic_cast<const ConfigError*>(&error);
+    if (wrong == nullptr) return false;
+    return (wrong->key() == kScanTopicKey && input::trimmed(read.scan_topic).empty()) ||
+           (wrong->key() == kOdomTopicKey && input::trimmed(read.odom_topic).empty());
 }
-
-}  // namespace
 
 SourceInspection inspect_source(const SourceParams& source, const InspectProgress& progress) {
     SourceInspection found;

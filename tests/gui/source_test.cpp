@@ -11,6 +11,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
+#include "app/command_line.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "tests.hpp"
@@ -195,6 +196,40 @@ void SourceTest::scans_before_the_odometry_are_counted() {
     source.read.leave_out_early_scans = true;
     SourceDialog left(source, f.prompts, {}, nullptr);
     wait_for_check(left);
+void SourceTest::topics_are_asked_for_wherever_it_is_opened_from() {
+    const QString path = Fixture::source_file("tests/unit/capture/two-lasers-cut.bag");
+    const auto choose = [path](SourceDialog& dialog) {
+        wait_for_check(dialog);
+        QCOMPARE(dialog.findChild<QLineEdit*>("path")->text(), path);
+        QVERIFY2(verdict(dialog).contains("several lasers"), qPrintable(verdict(dialog)));
+        auto* topic = dialog.findChild<QLineEdit*>("scan_topic");
+        topic->setText("all");
+        emit topic->editingFinished();
+        wait_for_check(dialog);
+        ok(dialog)->click();
+    };
+    Fixture f;  // topics of another recording are none of this one
+    Configuracion before = f.session.configuration();
+    before.source.read.scan_topic = "/front";
+    f.session.set_configuration(before);
+    in_dialog<SourceDialog>([](SourceDialog& dialog) { dialog.reject(); });
+    QVERIFY(!f.window->configuration_actions().open(path));
+    QVERIFY(f.session.configuration().source == before.source);
+    in_dialog<SourceDialog>(choose);  // as a drop and the recent files do
+    f.window->configuration_actions().open_all({path});
+    QCOMPARE(f.session.configuration().source.read.scan_topic, std::string("all"));
+    QCOMPARE(f.files.recent().front(), path);
+    Fixture started(false);
+    CommandLine line;
+    line.open = path.toStdString();
+    line.reference = Fixture::source_file("data/maps/bigloop.map").toStdString();
+    in_dialog<SourceDialog>(choose);
+    started.window->configuration_actions().start_or_warn(line);
+    QTRY_VERIFY(started.session.has_source());
+    QTRY_VERIFY(started.session.references().map);
+    QVERIFY(started.prompts.warnings.isEmpty() && f.prompts.warnings.isEmpty());
+}
+
     QVERIFY2(verdict(left).contains("1 scans"), qPrintable(verdict(left)));
     QVERIFY2(verdict(left).contains("left out: 2."), qPrintable(verdict(left)));
 }

@@ -18,6 +18,7 @@ class SourceTest : public QObject {
     void topics_of_another_recording_are_forgotten();
     void topics_are_listed_to_choose_from();
     void scans_before_the_odometry_are_counted();
+    void topics_are_asked_for_wherever_it_is_opened_from();
     void cancel_changes_nothing();
     void the_source_changes_while_running();
     void a_bad_log_leaves_the_run_as_it_was();

@@ -1,6 +1,7 @@
 // What a data source holds, be it a log or a world to simulate.
 #pragma once
 
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct SourceInspection {
     /// The tour is empty then but for its format. Else empty.
     Message choice;
 };
+
+/// Whether a source was refused for topics that nobody has chosen yet, not for wrong ones.
+bool asks_for_topics(const std::exception& error, const ReadOptions& read);
 
 /// Reads the whole source. Throws what open_tour() and inspect_tour() throw, but for topics that
 /// are still to be chosen.

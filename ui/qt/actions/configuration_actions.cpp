@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -87,7 +88,18 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
             complaints.resize(told);
         }
     }
-    if (!possible(unusable_log, [&] { session_.set_configuration(configuration); })) {
+    std::optional<Configuracion> to_choose;
+    const auto open = [&] {
+        try {
+            session_.set_configuration(configuration);
+        } catch (const ConfigError& error) {
+            if (!asks_for_topics(error, configuration.source.read)) throw;
+            to_choose = configuration;
+            configuration.source.file.clear();
+            session_.set_configuration(configuration);
+        }
+    };
+    if (!possible(unusable_log, open)) {
         QString& reason = complaints.back().second;
         reason = with_beginning(reason, configuration.source.file);
         configuration.source.file.clear();
@@ -99,10 +111,20 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
             QString::fromStdString(starting_reference_map(line, configuration)));
     });
     note_named(line);
-    if (complaints.empty()) return;
-    QTimer::singleShot(0, this, [this, complaints] {
+    if (complaints.empty() && !to_choose) return;
+    QTimer::singleShot(0, this, [this, complaints, to_choose, run = line.run] {
         for (const auto& [title, reason] : complaints) prompts_.warn(window_, title, reason);
+        if (to_choose) choose_at_start(*to_choose, run);
     });
+}
+
+/// With the references of the command line, and run where it asks for that.
+void ConfigurationActions::choose_at_start(const Configuracion& configuration, bool run) {
+    const References named = session_.user_references();  // those of a log go with it
+    const QString map = session_.reference_map_file();
+    if (!choose_source(configuration, true)) return;
+    if (same_log(session_.configuration(), configuration)) session_.set_references(named, map);
+    if (run) session_.run();
 }
 
 /// What was opened from outside is as recent as what was opened here.
@@ -128,32 +150,40 @@ void ConfigurationActions::look_at_run(Configuracion configuration) {
     if (use_again(configuration)) session_.seek(RunWorker::kToTheEnd);
 }
 
+/// Where the topics of its recording are still to be chosen, the form asks for them.
 bool ConfigurationActions::use(const Configuracion& configuration) {
     try {
         session_.set_configuration(configuration);
         return true;
     } catch (const std::exception& error) {
+        if (asks_for_topics(error, configuration.source.read)) {
+            return choose_source(configuration, true);
+        }
         prompts_.warn(window_, tr("The configuration cannot be used"), words_of(error));
         return false;
     }
 }
 
-void ConfigurationActions::select_source(const QString& path) {
-    SourceParams source = session_.configuration().source;
-    if (!path.isEmpty()) source.file = path.toStdString();
-    SourceDialog dialog(source, prompts_, files_.folder_to_open("log"), window_);
+void ConfigurationActions::select_source() {
+    choose_source(session_.configuration(), false);
+}
+
+/// Asks for the source of a configuration in the form, beginning with its own. False where the user
+/// would have none.
+bool ConfigurationActions::choose_source(Configuracion next, bool confirmed) {
+    SourceDialog dialog(next.source, prompts_, files_.folder_to_open("log"), window_);
     while (dialog.exec() == QDialog::Accepted) {
-        Configuracion next = session_.configuration();
         next.source = dialog.source();
-        if (!guard_.may_discard() || !use(next)) continue;
+        if (!(confirmed || guard_.may_discard()) || !use(next)) continue;
         const QString file = QString::fromStdString(next.source.file);
         files_.note_folder("log", file);
         files_.note_recent(file);
         const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
         emit notice(tr("Source loaded: %1, %2 scans")
                         .arg(QFileInfo(file).fileName(), QString::number(summary.report.scans)));
-        return;
+        return true;
     }
+    return false;
 }
 
 bool ConfigurationActions::use_log(const QString& path) {
@@ -166,6 +196,7 @@ bool ConfigurationActions::use_log(const QString& path) {
     try {
         session_.set_configuration(next);
     } catch (const std::exception& error) {
+        if (asks_for_topics(error, next.source.read)) return choose_source(next, true);
         prompts_.warn(window_, tr("The log cannot be used"),
                       with_beginning(words_of(error), path.toStdString()));
         return false;
@@ -340,51 +371,6 @@ void ConfigurationActions::set_default() {
     } catch (const std::exception& error) {
         tell_not_written(prompts_, window_, words_of(error));
     }
-}
-
-bool ConfigurationActions::use_reference(const QString& path, FileKind kind) {
-    try {
-        References references = session_.user_references();
-        if (kind == FileKind::map) {
-            references.map = read_map(path.toStdString());
-            session_.set_references(references, path);
-            emit notice(tr("Reference map: %1 landmarks").arg(references.map->size()));
-        } else {
-            references.trajectory = read_trajectory(path.toStdString());
-            session_.set_references(references, session_.reference_map_file());
-            emit notice(tr("Reference trajectory: %1 poses").arg(references.trajectory->size()));
-        }
-    } catch (const std::exception& error) {
-        prompts_.warn(window_, tr("The reference was not loaded"), words_of(error));
-        return false;
-    }
-    files_.note_folder("map", path);
-    files_.note_recent(path);
-    return true;
-}
-
-void ConfigurationActions::load_reference_map() {
-    load_reference(FileKind::map, tr("Load reference map"),
-                   tr("Maps (*.map *.txt);;All files (*)"));
-}
-
-void ConfigurationActions::load_reference_trajectory() {
-    load_reference(FileKind::trajectory, tr("Load reference trajectory"),
-                   tr("Trajectories (*.tum *.txt *.gz);;All files (*)"));
-}
-
-void ConfigurationActions::load_reference(FileKind kind, const QString& title,
-                                          const QString& filters) {
-    for (;;) {
-        const QString path =
-            prompts_.open_file(window_, {title, files_.folder_to_open("map"), filters, {}});
-        if (path.isEmpty() || use_reference(path, kind)) return;
-    }
-}
-
-void ConfigurationActions::remove_references() {
-    session_.set_references({});
-    emit notice(tr("References removed"));
 }
 
 }  // namespace hitos::window

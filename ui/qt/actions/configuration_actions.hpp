@@ -35,7 +35,7 @@ class ConfigurationActions final : public QObject {
     /// Each of several: configurations, then logs, then the references to compare with.
     void open_all(QStringList paths);
 
-    void select_source(const QString& path = {});
+    void select_source();
     void configure();
     void configure_group(ParameterGroup group);
     void load();
@@ -71,6 +71,8 @@ class ConfigurationActions final : public QObject {
     void save_in(const QString& folder, const QString& title);
     bool load_file(const QString& path, bool confirmed);
     bool use_log(const QString& path);
+    bool choose_source(Configuracion next, bool confirmed);
+    void choose_at_start(const Configuracion& configuration, bool run);
     bool use_reference(const QString& path, FileKind kind);
     void load_reference(FileKind kind, const QString& title, const QString& filters);
     void note_named(const CommandLine& line);
