@@ -8,6 +8,7 @@
 
 #include "app/command_line.hpp"
 #include "dialogs/configuration_dialog.hpp"
+#include "dialogs/parameter_text.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
@@ -287,13 +288,31 @@ void ConfigurationTest::the_cards_show_what_is_used() {
 void ConfigurationTest::the_form_has_every_parameter() {
     Fixture f;
     ConfigurationDialog dialog(f.session.configuration(), f.prompts, nullptr);
+    // What is read has a dialog of its own.
+    const QStringList elsewhere{"source.file", "source.format", "source.scan_topic",
+                                "source.odom_topic"};
     for (const ConfigParameter& parameter : parameters()) {
-        if (parameter.table() == "source") continue;  // it has a dialog of its own
+        if (elsewhere.contains(to_qt(parameter.key))) continue;
         const QString name = "field_" + QString::fromStdString(std::string(parameter.key));
         auto* editor = dialog.findChild<QWidget*>(name);
         QVERIFY2(editor != nullptr, qPrintable(name));
         QVERIFY(!editor->toolTip().isEmpty());
     }
+}
+
+void ConfigurationTest::what_findings_advise_is_in_the_form() {
+    Fixture f;
+    f.prompts.confirms = {true};
+    in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
+        set_field(dialog, "source.laser_pose", "0.1,0,90");
+        set_field(dialog, "source.scan_delay", "0.25");
+        QVERIFY(!dialog.findChild<QLineEdit*>("field_source.world_set")->isEnabled());  // no world
+        press_ok(dialog);
+    });
+    f.trigger("action_manual");
+    QCOMPARE(f.session.configuration().source.read.laser_pose, std::string("0.1,0,90"));
+    QCOMPARE(f.session.configuration().source.read.scan_delay_s, 0.25);
+    QVERIFY(f.session.configuration().source.file.ends_with("bigloop.log.gz"));
 }
 
 void ConfigurationTest::the_default_is_written_and_read_at_start() {

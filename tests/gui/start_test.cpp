@@ -10,6 +10,18 @@
 #include "views/plots.hpp"
 
 namespace hitos::window {
+namespace {
+
+CommandLine parsed(std::vector<std::string> words) {
+    words.insert(words.begin(), "hitos");
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    CommandLine line;
+    if (parse(static_cast<int>(arguments.size()), arguments.data(), line)) qFatal("not parsed");
+    return line;
+}
+
+}  // namespace
 
 void ConfigurationTest::a_request_to_end_ends_it_orderly() {
     const QTemporaryDir home;
@@ -95,18 +107,24 @@ void ConfigurationTest::a_bad_folder_of_a_recording_is_told_in_the_window() {
 
 void ConfigurationTest::topics_are_taken_from_the_command_line() {
     Fixture f(false);
-    std::vector<std::string> words{
-        "hitos",        Fixture::source_file("tests/unit/capture/two-lasers-cut.bag").toStdString(),
-        "--scan-topic", "all",
-        "--odom-topic", "tf"};
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    CommandLine line;
-    QVERIFY(!parse(static_cast<int>(arguments.size()), arguments.data(), line));
-    f.window->configuration_actions().start_or_warn(line);
+    const QString log = Fixture::source_file("tests/unit/capture/two-lasers-cut.bag");
+    f.window->configuration_actions().start_or_warn(
+        parsed({log.toStdString(), "--scan-topic", "all", "--odom-topic", "tf"}));
     QVERIFY(f.session.has_source());
     QCOMPARE(f.session.configuration().source.read.scan_topic, std::string("all"));
     QCOMPARE(f.session.configuration().source.read.odom_topic, std::string("tf"));
+    QVERIFY(f.prompts.warnings.isEmpty());
+}
+
+void ConfigurationTest::what_findings_advise_is_taken_from_the_command_line() {
+    Fixture f(false);
+    f.window->configuration_actions().start_or_warn(
+        parsed({"--scan-delay", "-0.25", "--laser-pose", "0.1,0,90", "--same-frames", "a=b"}));
+    QVERIFY(f.session.has_source());
+    const ReadOptions& read = f.session.configuration().source.read;
+    QCOMPARE(read.scan_delay_s, -0.25);
+    QCOMPARE(read.laser_pose, std::string("0.1,0,90"));
+    QCOMPARE(read.same_frames, std::string("a=b"));
     QVERIFY(f.prompts.warnings.isEmpty());
 }
 

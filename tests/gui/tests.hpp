@@ -82,6 +82,8 @@ class ConfigurationTest : public QObject {
     void topics_are_taken_from_the_command_line();
 };
 
+    void what_findings_advise_is_taken_from_the_command_line();
+    void what_findings_advise_is_in_the_form();
 class RunsTest : public QObject {
     Q_OBJECT
 

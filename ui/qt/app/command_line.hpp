@@ -19,6 +19,7 @@ struct CommandLine {
     std::string preset;
     ValueChoices values;
     TopicChoices topics;
+    std::optional<double> scan_delay_s;
     std::string reference;
     std::string reference_trajectory;
     std::string distances;  ///< a file of them, to measure

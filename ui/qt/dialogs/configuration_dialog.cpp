@@ -24,16 +24,23 @@ using Group = ParameterGroup;
 
 /// Two columns of groups, about as long as each other; the source has a dialog of its own.
 const std::array<std::vector<Group>, 2> kColumnGroups{{
-    {Group::particle_filter, Group::motion, Group::resampling, Group::run},
+    {Group::particle_filter, Group::motion, Group::resampling, Group::run, Group::source},
     {Group::observation, Group::split_merge, Group::registration, Group::grid},
 }};
+/// What is read is chosen in a dialog of its own, which looks at it; here is how it is read.
+bool is_in_form(const ConfigParameter& parameter) {
+    constexpr std::array<std::string_view, 4> kElsewhere{"source.file", "source.format",
+                                                         "source.scan_topic", "source.odom_topic"};
+    return std::ranges::find(kElsewhere, parameter.key) == kElsewhere.end();
+}
+
 
 /// Of the longest label, so that the editors of all groups stand below each other.
 int label_width() {
     const QFontMetrics metrics(QApplication::font());
     int width = 0;
     for (const ConfigParameter& parameter : parameters()) {
-        if (group_of(parameter.table()).group == Group::source) continue;
+        if (!is_in_form(parameter)) continue;
         width = std::max(width, metrics.horizontalAdvance(label_of(parameter)));
     }
     return width + 8;
@@ -91,7 +98,7 @@ void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box
     title->setProperty("role", "title");
     rows->addWidget(title, 0, 0, 1, 3);
     for (const ConfigParameter& parameter : parameters()) {
-        if (group_of(parameter.table()).group != group) continue;
+        if (group_of(parameter.table()).group != group || !is_in_form(parameter)) continue;
         auto* field = new FieldOf<Configuracion>(parameter, rows, box);
         fields_.push_back(field);
         connect(field, &ParameterField::edited, this, [this, field] {

@@ -47,7 +47,7 @@ QString choice_of(const ParameterFacts& parameter, std::size_t place) {
 }
 
 QString value_words(const ParameterFacts& parameter, const std::string& text) {
-    if (parameter.type == ParameterFacts::Type::text) {
+    if (parameter.key == "source.file") {
         return QFileInfo(QString::fromStdString(text)).fileName();
     }
     const std::optional<std::size_t> place = parameter.place_of(text);
