@@ -6,6 +6,8 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include "gui_fixture.hpp"
@@ -577,6 +579,28 @@ void DrawTest::robot_and_laser_are_set_in_the_form() {
 void DrawTest::distances_are_measured() {
     DrawFixture f;
     f.draw_room();
+void DrawTest::all_that_is_said_can_be_read() {
+    DrawFixture f;
+    f.draw_room();
+    QTRY_VERIFY(f.world().check_line().up_to_date());
+    f.world().resize(960, 600);
+    QCoreApplication::processEvents();
+    const QRect picture = f.view().geometry();
+    const QString much = QString("tour: too much to be said in a few lines · ").repeated(20);
+    for (const char* name : {"world_check", "world_notice", "draw_hint"}) {
+        auto* label = f.world().findChild<QLabel*>(name);
+        auto* area = qobject_cast<QScrollArea*>(label->parentWidget()->parentWidget());
+        QVERIFY2(area != nullptr, name);
+        label->setText(much);
+        QTRY_VERIFY(area->verticalScrollBar()->isVisible());
+        QVERIFY(label->height() >= label->heightForWidth(label->width()));
+        QVERIFY(label->width() <= area->viewport()->width());
+        QCOMPARE(area->verticalScrollBar()->maximum(),
+                 label->height() - area->viewport()->height());
+    }
+    QCOMPARE(f.view().geometry(), picture);  // it does not move
+}
+
     const std::string before = f.text().text();
     f.press("draw_measure");
     f.click(-1.0, -1.0);

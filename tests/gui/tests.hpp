@@ -42,6 +42,7 @@ class DrawTest : public QObject {
     void what_was_driven_and_left_is_not_run_in_its_place();
     void robot_and_laser_are_set_in_the_form();
     void distances_are_measured();
+    void all_that_is_said_can_be_read();
 };
 
 class ConfigurationTest : public QObject {

@@ -34,7 +34,6 @@ bool is_quick(const World& world) {
 
 CheckLine::CheckLine(QWidget* parent) : QLabel(parent) {
     setObjectName("world_check");
-    setWordWrap(true);
     setTextInteractionFlags(Qt::TextSelectableByMouse);
     constexpr int kPauseMs = 150;
     pause_.setSingleShot(true);

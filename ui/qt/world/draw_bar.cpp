@@ -78,9 +78,7 @@ DrawBar::DrawBar(WorldDraft& draft, DrawTool& tool, WorldView& view, QWidget* pa
     hint_ = new QLabel(this);
     hint_->setObjectName("draw_hint");
     hint_->setProperty("role", "muted");
-    hint_->setWordWrap(true);
-    keep_lines(*hint_, 2);
-    words->addWidget(hint_, 1);
+    words->addWidget(keep_lines(*hint_, 2), 1);
     connect_numbers();
     connect(&tool_, &DrawTool::mode_changed, this, &DrawBar::show_mode);
     connect(&tool_, &DrawTool::mode_changed, this, &DrawBar::show_numbers);

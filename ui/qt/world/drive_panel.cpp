@@ -43,9 +43,7 @@ DrivePanel::DrivePanel(Session& session, UserFiles& files, Prompts& prompts, Wor
     column->addWidget(disturb_);
     figures_ = new QLabel(this);
     figures_->setObjectName("drive_figures");
-    figures_->setWordWrap(true);
-    keep_lines(*figures_, 2);
-    column->addWidget(figures_);
+    column->addWidget(keep_lines(*figures_, 2));
     connect_drive();
     show_state();
 }

@@ -26,6 +26,7 @@ namespace {
 
 constexpr QSize kWorldSize(960, 700);
 constexpr int kBeside = 40;  // pixels from the main window
+constexpr int kLines = 3;    // of what the check says
 
 }  // namespace
 
@@ -49,13 +50,11 @@ WorldWindow::WorldWindow(Session& session, UserFiles& files, Prompts& prompts,
     column->addWidget(view_, 1);
     auto* words = new QHBoxLayout;
     check_ = new CheckLine(this);
-    words->addWidget(check_, 2);
+    words->addWidget(keep_lines(*check_, kLines), 2);
     said_ = new QLabel(this);
     said_->setObjectName("world_notice");
-    said_->setWordWrap(true);
     said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    words->addWidget(said_, 1);
-    for (QLabel* label : {static_cast<QLabel*>(check_), said_}) keep_lines(*label, 2);
+    words->addWidget(keep_lines(*said_, kLines), 1);
     panel_ = new DrivePanel(session, files, prompts, *view_, this);
     column->addWidget(panel_);
     column->addLayout(words);
