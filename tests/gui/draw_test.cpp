@@ -10,6 +10,7 @@
 #include <QScrollBar>
 #include <QToolButton>
 
+#include "dialogs/parameter_text.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/simulation/world.hpp"
@@ -559,6 +560,8 @@ void DrawTest::robot_and_laser_are_set_in_the_form() {
     in_dialog<WorldForm>([](WorldForm& form) {
         QCOMPARE(static_cast<std::size_t>(form.findChildren<ParameterField*>().size()),
                  world_keys().size());
+        for (const WorldKey& key : world_keys())
+            QVERIFY2(key.unit.empty() == unit_of(key).isEmpty(), std::string(key.key).c_str());
         auto* rays = form.findChild<QLineEdit*>("field_laser.rays");
         rays->setText("1");
         form.accept();
@@ -576,9 +579,6 @@ void DrawTest::robot_and_laser_are_set_in_the_form() {
     QCOMPARE(f.text().world().laser.rays, 181);
 }
 
-void DrawTest::distances_are_measured() {
-    DrawFixture f;
-    f.draw_room();
 void DrawTest::all_that_is_said_can_be_read() {
     DrawFixture f;
     f.draw_room();
@@ -601,6 +601,9 @@ void DrawTest::all_that_is_said_can_be_read() {
     QCOMPARE(f.view().geometry(), picture);  // it does not move
 }
 
+void DrawTest::distances_are_measured() {
+    DrawFixture f;
+    f.draw_room();
     const std::string before = f.text().text();
     f.press("draw_measure");
     f.click(-1.0, -1.0);

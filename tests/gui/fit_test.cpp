@@ -5,6 +5,8 @@
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QProcess>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTranslator>
 
 #include "animation/animation_dialog.hpp"
@@ -18,6 +20,7 @@
 #include "runs/compare_window.hpp"
 #include "runs/runs.hpp"
 #include "tests.hpp"
+#include "world/world_form.hpp"
 
 namespace hitos::window {
 namespace {
@@ -86,11 +89,22 @@ void check_fits(QWidget& window, const QString& name) {
     window.resize(own);
 }
 
+/// Whatever is longer than its place scrolls down, never to the side.
+void check_scrolls_down(const QWidget& dialog, const QString& name) {
+    for (const auto* area : dialog.findChildren<QScrollArea*>()) {
+        if (!area->isVisible()) continue;
+        QVERIFY2(area->horizontalScrollBar()->maximum() == 0, qPrintable(name));
+    }
+}
+
 /// At its own size first, as it opens on a great screen.
 void check_dialog(QWidget& dialog, const QSize& own, const QString& name) {
     dialog.resize(own);
     dialog.show();
     check_fits(dialog, name);
+    dialog.resize(dialog.minimumSizeHint().width(), 400);
+    QCoreApplication::processEvents();
+    check_scrolls_down(dialog, name);
     dialog.close();
 }
 
@@ -135,6 +149,10 @@ void FitTest::every_window_fits() {
         }
         ConfigurationDialog form(f.session.configuration(), f.prompts, f.window.get());
         check_dialog(form, {980, 790}, "form");
+        WorldForm world(
+            WorldText::read(Fixture::source_file("data/worlds/bigloop.toml").toStdString()),
+            f.window.get());
+        check_dialog(world, world.size(), "world form");
         SourceDialog source(f.session.configuration().source, f.prompts, {}, f.window.get());
         check_dialog(source, {720, 480}, "source");
         PictureDialog picture(f.window->grid_view(), f.window.get());

@@ -81,6 +81,8 @@ void WordsTest::every_parameter_has_spanish_words() {
     QApplication::installTranslator(&spanish);
     QCOMPARE(title_of(ParameterGroup::motion, {}), QString("Modelo de movimiento"));
     QCOMPARE(label_of(find_parameter("filter.particles")), QString("Partículas"));
+    QCOMPARE(unit_of(find_parameter("motion.sigma_x")), QString("m o m²"));
+    QCOMPARE(unit_of(find_parameter("motion.sigma_theta")), QString("rad o rad²"));
     QApplication::removeTranslator(&spanish);
 }
 

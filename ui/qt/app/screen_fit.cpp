@@ -1,6 +1,8 @@
 #include "screen_fit.hpp"
 
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QWidget>
 #include <algorithm>
 
@@ -19,6 +21,14 @@ QRect room_for(const QWidget& window) {
 
 void fit_to_screen(QWidget& window) {
     window.resize(window.size().boundedTo(room_for(window).size()));
+}
+
+void scroll_down_only(QScrollArea& area) {
+    // What the style sheet says of fonts and margins counts from the first showing on, else.
+    for (QWidget* part : area.widget()->findChildren<QWidget*>()) part->ensurePolished();
+    area.widget()->ensurePolished();
+    area.setMinimumWidth(area.widget()->minimumSizeHint().width() + 2 * area.frameWidth() +
+                         area.verticalScrollBar()->sizeHint().width());
 }
 
 void apply_size(QWidget& window, const std::string& size) {

@@ -4,6 +4,7 @@
 #include <QPoint>
 #include <string>
 
+class QScrollArea;
 class QWidget;
 
 namespace hitos::window {
@@ -16,5 +17,9 @@ void place_beside_parent(QWidget& window, QPoint offset);
 
 /// "1360x860", as the command line takes it; what is no size changes nothing.
 void apply_size(QWidget& window, const std::string& size);
+
+/// The area scrolls down and nowhere else: it is never narrower than what is in it. To be called
+/// when all is in it.
+void scroll_down_only(QScrollArea& area);
 
 }  // namespace hitos::window

@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -22,18 +21,18 @@ namespace {
 
 using Group = ParameterGroup;
 
-/// Two columns of groups, about as long as each other; the source has a dialog of its own.
+/// Two columns of groups, about as long as each other.
 const std::array<std::vector<Group>, 2> kColumnGroups{{
     {Group::particle_filter, Group::motion, Group::resampling, Group::run, Group::source},
     {Group::observation, Group::split_merge, Group::registration, Group::grid},
 }};
+
 /// What is read is chosen in a dialog of its own, which looks at it; here is how it is read.
 bool is_in_form(const ConfigParameter& parameter) {
     constexpr std::array<std::string_view, 4> kElsewhere{"source.file", "source.format",
                                                          "source.scan_topic", "source.odom_topic"};
     return std::ranges::find(kElsewhere, parameter.key) == kElsewhere.end();
 }
-
 
 /// Of the longest label, so that the editors of all groups stand below each other.
 int label_width() {
@@ -84,9 +83,7 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, Pro
     connect(ui_->buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
             [this] { fill(Configuracion{}); });
     fill(configuration);
-    // The form scrolls down, and nowhere else.
-    ui_->scroll->setMinimumWidth(ui_->groups->minimumSizeHint().width() +
-                                 ui_->scroll->verticalScrollBar()->sizeHint().width());
+    scroll_down_only(*ui_->scroll);
     fit_to_screen(*this);
 }
 

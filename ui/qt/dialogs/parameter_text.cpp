@@ -13,6 +13,12 @@ namespace hitos::window {
 namespace {
 
 QString shown_unit(std::string_view unit) {
+    constexpr std::string_view kOr = " or ";
+    if (const std::size_t either = unit.find(kOr); either != std::string_view::npos) {
+        return QCoreApplication::translate("Parameter", "%1 or %2")
+            .arg(shown_unit(unit.substr(0, either)), shown_unit(unit.substr(either + kOr.size())));
+    }
+    if (unit == "degrees") return QString::fromUtf8("°");
     // What is counted is a word of English, and the label has it: "particles", "scans", "log-odds".
     const bool word =
         std::ranges::all_of(unit, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });

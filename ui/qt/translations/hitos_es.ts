@@ -3110,6 +3110,10 @@
         <source>Whether what is known to be wrong is mended: rays that were measured one after the other are moved by the odometry to one time (rays); besides, leaps of the odometry that no robot makes are bridged, and where there is no odometry the scans say how the robot moved (on).</source>
         <translation>Si se corrige lo que se sabe falso: los rayos medidos uno tras otro se llevan con la odometría a un mismo instante (rays); además se salvan los saltos de la odometría que no da ningún robot, y donde no hay odometría los barridos dicen cómo se movió (on).</translation>
     </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>

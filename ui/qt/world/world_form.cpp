@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QVBoxLayout>
 #include <array>
 #include <utility>
@@ -58,8 +57,7 @@ WorldForm::WorldForm(WorldText text, QWidget* parent) : QDialog(parent), text_(s
         columns->addLayout(column, 1);
     }
     scroll->setWidget(groups);
-    scroll->setMinimumWidth(groups->minimumSizeHint().width() +
-                            scroll->verticalScrollBar()->sizeHint().width());
+    scroll_down_only(*scroll);
     all->addWidget(scroll, 1);
     verdict_ = new QLabel(this);
     verdict_->setObjectName("world_form_verdict");
