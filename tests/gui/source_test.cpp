@@ -134,6 +134,21 @@ void SourceTest::why_no_scan_can_be_read_is_told() {
              qPrintable(verdict(dialog)));
 }
 
+void SourceTest::findings_are_set_apart() {
+    Fixture f;
+    SourceParams source = f.session.configuration().source;
+    source.read.scan_delay_s = -5.0;  // scans before the odometry, and clocks that differ
+    SourceDialog dialog(source, f.prompts, {}, nullptr);
+    wait_for_check(dialog);
+    const QStringList lines = verdict(dialog).split('\n');
+    QVERIFY2(lines.size() > 2, qPrintable(verdict(dialog)));
+    for (const QString& note : lines.mid(1)) {
+        QVERIFY2(note.startsWith(QString::fromUtf8("• ")), qPrintable(note));
+        QVERIFY2(!note.at(2).isLower(), qPrintable(note));
+    }
+    QCOMPARE(dialog.findChild<QLabel*>("lines_label")->text(), "First lines");
+}
+
 void SourceTest::topics_of_another_recording_are_forgotten() {
     Fixture f;
     SourceParams source = f.session.configuration().source;
@@ -158,6 +173,7 @@ void SourceTest::topics_are_listed_to_choose_from() {
         QVERIFY(!ok(dialog)->isEnabled());
         const QString lines = dialog.findChild<QPlainTextEdit*>("lines")->toPlainText();
         QVERIFY2(lines.contains("/scan_front  sensor_msgs/LaserScan  9\n"), qPrintable(lines));
+        QCOMPARE(dialog.findChild<QLabel*>("lines_label")->text(), "Topics");
         auto* topic = dialog.findChild<QLineEdit*>("scan_topic");
         const QAbstractItemModel& offered = *topic->completer()->model();
         QCOMPARE(offered.rowCount(), 3);
@@ -180,22 +196,6 @@ void SourceTest::topics_are_listed_to_choose_from() {
     QCOMPARE(f.session.configuration().source.read.scan_topic, std::string("all"));
 }
 
-void SourceTest::scans_before_the_odometry_are_counted() {
-    Fixture f(false);
-    SourceParams source;
-    source.file = f.write("late.txt",
-                          "LASER 0 2 1 0 1 1\nLASER 1 2 1 0 1 1.1\nODOM 2 0 0\n"
-                          "LASER 3 2 1 0 1 1.2\nODOM 4 0.1 0\n")
-                      .toStdString();
-    SourceDialog kept(source, f.prompts, {}, nullptr);
-    wait_for_check(kept);
-    QVERIFY2(verdict(kept).contains("3 scans"), qPrintable(verdict(kept)));
-    QVERIFY2(verdict(kept).contains("odometry reading: 2."), qPrintable(verdict(kept)));
-    QVERIFY2(verdict(kept).contains("Scans before the odometry"), qPrintable(verdict(kept)));
-    QCOMPARE(kept.findChild<QLabel*>("verdict")->property("role").toString(), "warning");
-    source.read.leave_out_early_scans = true;
-    SourceDialog left(source, f.prompts, {}, nullptr);
-    wait_for_check(left);
 void SourceTest::topics_are_asked_for_wherever_it_is_opened_from() {
     const QString path = Fixture::source_file("tests/unit/capture/two-lasers-cut.bag");
     const auto choose = [path](SourceDialog& dialog) {
@@ -230,6 +230,22 @@ void SourceTest::topics_are_asked_for_wherever_it_is_opened_from() {
     QVERIFY(started.prompts.warnings.isEmpty() && f.prompts.warnings.isEmpty());
 }
 
+void SourceTest::scans_before_the_odometry_are_counted() {
+    Fixture f(false);
+    SourceParams source;
+    source.file = f.write("late.txt",
+                          "LASER 0 2 1 0 1 1\nLASER 1 2 1 0 1 1.1\nODOM 2 0 0\n"
+                          "LASER 3 2 1 0 1 1.2\nODOM 4 0.1 0\n")
+                      .toStdString();
+    SourceDialog kept(source, f.prompts, {}, nullptr);
+    wait_for_check(kept);
+    QVERIFY2(verdict(kept).contains("3 scans"), qPrintable(verdict(kept)));
+    QVERIFY2(verdict(kept).contains("odometry reading: 2."), qPrintable(verdict(kept)));
+    QVERIFY2(verdict(kept).contains("Scans before the odometry"), qPrintable(verdict(kept)));
+    QCOMPARE(kept.findChild<QLabel*>("verdict")->property("role").toString(), "warning");
+    source.read.leave_out_early_scans = true;
+    SourceDialog left(source, f.prompts, {}, nullptr);
+    wait_for_check(left);
     QVERIFY2(verdict(left).contains("1 scans"), qPrintable(verdict(left)));
     QVERIFY2(verdict(left).contains("left out: 2."), qPrintable(verdict(left)));
 }

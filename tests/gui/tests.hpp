@@ -15,10 +15,11 @@ class SourceTest : public QObject {
     void a_file_that_is_no_log_is_told_in_the_form();
     void damaged_lines_are_counted();
     void why_no_scan_can_be_read_is_told();
+    void findings_are_set_apart();
     void topics_of_another_recording_are_forgotten();
     void topics_are_listed_to_choose_from();
-    void scans_before_the_odometry_are_counted();
     void topics_are_asked_for_wherever_it_is_opened_from();
+    void scans_before_the_odometry_are_counted();
     void cancel_changes_nothing();
     void the_source_changes_while_running();
     void a_bad_log_leaves_the_run_as_it_was();
@@ -41,8 +42,8 @@ class DrawTest : public QObject {
     void drawings_segments_and_grids_are_opened();
     void what_was_driven_and_left_is_not_run_in_its_place();
     void robot_and_laser_are_set_in_the_form();
-    void distances_are_measured();
     void all_that_is_said_can_be_read();
+    void distances_are_measured();
 };
 
 class ConfigurationTest : public QObject {
@@ -81,10 +82,10 @@ class ConfigurationTest : public QObject {
     void a_bad_file_of_the_command_line_is_told_in_the_window();
     void a_bad_folder_of_a_recording_is_told_in_the_window();
     void topics_are_taken_from_the_command_line();
-};
-
     void what_findings_advise_is_taken_from_the_command_line();
     void what_findings_advise_is_in_the_form();
+};
+
 class RunsTest : public QObject {
     Q_OBJECT
 

@@ -111,7 +111,7 @@ void StatusLine::notice(const QString& text) {
 
 void StatusLine::show_doubts(const std::vector<TourFinding>& findings) {
     QStringList sentences;
-    for (const TourFinding& finding : findings) sentences << words_of(finding);
+    for (const TourFinding& finding : findings) sentences << set_apart(words_of(finding));
     doubts_ = sentences.join('\n');
     refresh();
 }

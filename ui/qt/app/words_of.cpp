@@ -21,6 +21,10 @@ QString words_of(const TourFinding& finding) {
     return words_of(finding.what) + "; " + words_of(finding.remedy);
 }
 
+QString set_apart(const QString& note) {
+    return QString::fromUtf8("• ") + note.left(1).toUpper() + note.mid(1);
+}
+
 QString metre_words(double metres) {
     return QString("%1 m").arg(metres, 0, 'f', 3);
 }

@@ -14,6 +14,8 @@ QString words_of(const Message& message);
 QString words_of(const std::exception& error);
 /// What was found, and what to do.
 QString words_of(const TourFinding& finding);
+/// A line of its own among several, which findings begin as parts of a sentence do: "• What …".
+QString set_apart(const QString& note);
 
 /// "1.234 m", as tables show a length [m].
 QString metre_words(double metres);

@@ -148,6 +148,7 @@ void SourceDialog::show_topics(bool shown) {
     for (QWidget* widget : std::initializer_list<QWidget*>{ui_->scan_topic_label, ui_->scan_topic,
                                                            ui_->odom_topic_label, ui_->odom_topic})
         widget->setVisible(shown);
+    ui_->lines_label->setText(shown ? tr("Topics") : tr("First lines"));
 }
 
 void SourceDialog::set_path(const QString& path) {
@@ -230,11 +231,10 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
     const ReadReport& report = summary->tour.report;
     const bool scans = report.scans > 0;
     const QStringList notes = source_notes(summary->tour);
-    const QString first = scans ? source_counts(summary->tour)
-                                : tr("The file holds odometry but not one readable scan.");
-    show_verdict((QStringList{first} + notes).join('\n'), !scans            ? "error"
-                                                          : notes.isEmpty() ? "good"
-                                                                            : "warning");
+    QStringList lines{scans ? source_counts(summary->tour)
+                            : tr("The file holds odometry but not one readable scan.")};
+    for (const QString& note : notes) lines << set_apart(note);
+    show_verdict(lines.join('\n'), !scans ? "error" : notes.isEmpty() ? "good" : "warning");
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans);
     emit checked(scans);
 }

@@ -6168,6 +6168,10 @@
         <source>Damaged lines that will be skipped: %1; the first is %2</source>
         <translation>Líneas dañadas que se saltarán: %1; la primera es la %2</translation>
     </message>
+    <message>
+        <source>Topics</source>
+        <translation>Temas</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::StatusLine</name>
