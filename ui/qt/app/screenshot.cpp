@@ -26,6 +26,7 @@
 #include "views/map_window.hpp"
 #include "views/picture.hpp"
 #include "views/scan_view.hpp"
+#include "workers/log_counter.hpp"
 #include "world/check_line.hpp"
 #include "world/live_drive.hpp"
 #include "world/world_window.hpp"
@@ -138,6 +139,8 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
     const QString dock = QString::fromStdString("action_" + line.show + "_dock");
     if (auto* inspect = window.findChild<QAction*>(dock)) inspect->trigger();
     window.show();
+    const auto* counter = window.findChild<LogCounter*>();
+    process_until([counter] { return !counter->busy(); });
     settle(100);
     // The errors are measured beside the run: for their curves it must not be over at once.
     const std::uint64_t pieces = line.show == "plots" && line.steps > 0 ? 15 : 1;

@@ -27,7 +27,8 @@ void LogCounter::begin() {
     if (stop_) *stop_ = true;
     emit counted(std::nullopt);
     emit doubted({});
-    if (source_.file.empty()) return;
+    busy_ = !source_.file.empty();
+    if (!busy_) return;
     stop_ = std::make_shared<std::atomic<bool>>(false);
     pool_.start([this, wanted, stop = stop_] {
         begin_background_work();
@@ -41,6 +42,7 @@ void LogCounter::begin() {
             this,
             [this, stop, summary = std::move(summary)] {
                 if (stop != stop_ || *stop || !summary.complete) return;
+                busy_ = false;
                 emit counted(summary.report.scans);
                 emit doubted(summary.findings);
             },

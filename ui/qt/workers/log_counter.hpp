@@ -21,6 +21,9 @@ class LogCounter final : public QObject {
     LogCounter(Session& session, QObject* parent);
     ~LogCounter() override;
 
+    /// What is told is not about the log in use yet.
+    bool busy() const { return busy_; }
+
   signals:
     /// Nothing while the count is not known.
     void counted(std::optional<quint64> scans);
@@ -32,6 +35,7 @@ class LogCounter final : public QObject {
 
     Session& session_;
     SourceParams source_;
+    bool busy_ = false;
     std::shared_ptr<std::atomic<bool>> stop_;
     QThreadPool pool_;
 };
