@@ -15,12 +15,12 @@ namespace {
 
 using Kind = TourFinding::Kind;
 
-constexpr std::array<std::string_view, 24> kWords{
-    "clocks-apart",   "scan-delay",       "late-stamps",    "ray-times",        "clock-speed",
-    "coarse-stamps",  "assumed-mounting", "two-publishers", "mirrored-laser",   "turned-laser",
-    "no-odometry",    "unread-odometry",  "still-odometry", "leaping-odometry", "sideways-odometry",
-    "odometry-scale", "odometry-units",   "laser-units",    "beyond-a-turn",    "blind-laser",
-    "self-hits",      "frozen-laser",     "unfit-odometry", "unsure-drawing"};
+constexpr std::array<std::string_view, 25> kWords{
+    "clocks-apart",      "scan-delay",     "late-stamps",      "ray-times",      "parts-of-a-turn",
+    "clock-speed",       "coarse-stamps",  "assumed-mounting", "two-publishers", "mirrored-laser",
+    "turned-laser",      "no-odometry",    "unread-odometry",  "still-odometry", "leaping-odometry",
+    "sideways-odometry", "odometry-scale", "odometry-units",   "laser-units",    "beyond-a-turn",
+    "blind-laser",       "self-hits",      "frozen-laser",     "unfit-odometry", "unsure-drawing"};
 
 }  // namespace
 

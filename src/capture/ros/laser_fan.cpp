@@ -130,7 +130,7 @@ std::optional<MountedScan> joined(const MountedScan& scan, const MountedScan& ne
     const std::int64_t later_ns = next.stamp_ns - scan.stamp_ns;
     const bool alike = step > 0.0 && scan.fan.pose_robot_laser == next.fan.pose_robot_laser &&
                        scan.fan.max_range_m == next.fan.max_range_m &&
-                       std::abs(next.fan.step_rad() - step) < kOffRay * step && later_ns > 0 &&
+                       std::abs(next.fan.step_rad() - step) < kOffRay * step && later_ns >= 0 &&
                        later_ns < kLongestTurnNs;
     if (!alike) return std::nullopt;
     const bool behind = !scan.clockwise;
@@ -138,19 +138,20 @@ std::optional<MountedScan> joined(const MountedScan& scan, const MountedScan& ne
     const Fan& upper = behind ? next.fan : scan.fan;
     const double off = wrap_angle(upper.min_angle_rad - lower.max_angle_rad) / step - 1.0;
     const double missing =
-        std::round(off);               // rays between the parts; less than 0: that are in both
-    constexpr double kMostRays = 3.0;  // drivers cut turns so roughly
+        std::round(off);                  // rays between the parts; less than 0: that are in both
+    constexpr double kMostRays = 3.0;     // drivers cut turns so roughly;
+    constexpr double kMostMissing = 0.1;  // of a turn: what they leave out, or what was lost
     const double all_rays = scan.fan.count + missing + next.fan.count;
     const double surplus =
         std::max(0.0, all_rays - std::round(turn / step));  // beyond the whole turn
     if (next.clockwise != scan.clockwise || std::abs(off - missing) > kOffRayOfParts ||
-        std::abs(missing) > kMostRays || surplus > kMostRays ||
-        next.fan.count <= surplus - std::min(missing, 0.0)) {
+        missing < -kMostRays || missing > std::max(kMostRays, kMostMissing * turn / step) ||
+        surplus > kMostRays || next.fan.count <= surplus - std::min(missing, 0.0)) {
         return std::nullopt;
     }
     // Of parts that do not say it, the rays are measured at the pace at which the parts come.
     const auto later_s = static_cast<float>(static_cast<double>(later_ns) * 1e-9);
-    const float pace_s = later_s / static_cast<float>(scan.fan.count);
+    const float pace_s = later_s / static_cast<float>(scan.fan.count + missing);
     const auto times_of = [&](const MountedScan& part, float begin_s) {
         std::vector<float> times = part.ray_times_s;
         const auto rays = static_cast<float>(part.ranges_m.size());

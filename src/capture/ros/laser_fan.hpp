@@ -14,9 +14,9 @@ namespace hitos {
 /// A scan that knows where its laser sits. Rays go counterclockwise, seen from above.
 struct MountedScan {
     std::int64_t stamp_ns = 0;
-    std::uint64_t number = 0;      ///< of its message
-    const void* device = nullptr;  ///< tells one laser from another
-    bool clockwise = false;        ///< how its rays were measured
+    std::uint64_t number = 0;       ///< of its message
+    const Topic* device = nullptr;  ///< tells one laser from another
+    bool clockwise = false;         ///< how its rays were measured
     Fan fan;
     std::vector<float> ranges_m;  ///< NaN where the message holds no usable reading
     /// Of each ray, from the stamp on [s]; empty where all are of one time.
@@ -33,8 +33,9 @@ MountedScan mounted_scan(const LaserScanMessage& message, const Transform& robot
 std::optional<MountedScan> merged(const MountedScan& a, const MountedScan& b);
 
 /// Both as one fan where `next` goes on where `scan` ends, in the order in which they are measured,
-/// and both together are no more than a turn: messages of one laser that hold parts of a turn, one
-/// after the other. Nothing where they are no such parts.
+/// or a tenth of a turn further, and both together are no more than a turn: messages of one laser
+/// that hold parts of a turn, one after the other. Rays between them have no reading. Nothing where
+/// they are no such parts.
 std::optional<MountedScan> joined(const MountedScan& scan, const MountedScan& next);
 
 }  // namespace hitos

@@ -60,6 +60,12 @@ std::unique_ptr<Fuente> RecordingSource::reopen() const {
     return std::make_unique<RecordingSource>(plan_);
 }
 
+std::vector<TourFinding> RecordingSource::findings() const {
+    std::vector<TourFinding> found = plan_->topics.findings;
+    parts_.tell(found);
+    return found;
+}
+
 std::optional<double> RecordingSource::progress() const {
     return scans_->recording->progress();
 }
@@ -76,6 +82,7 @@ std::optional<RawLine> RecordingSource::read_scan_line() {
                 held_scans_.pop(true);
                 scan = std::move(both);
             }
+            if (scan->device) parts_.note(*scan, scan->device->name);
             put_line(scan_text_, *scan);
             return RawLine{scan_text_, scan->number};
         }

@@ -16,6 +16,7 @@
 #include "ros/laser_fan.hpp"
 #include "ros/stamp_queue.hpp"
 #include "ros/topic_choice.hpp"
+#include "ros/turn_parts.hpp"
 
 namespace hitos {
 
@@ -58,7 +59,7 @@ class RecordingSource final : public Fuente {
     std::optional<std::pair<std::uint64_t, Message>> take_damage() override {
         return damage_.take();
     }
-    std::vector<TourFinding> findings() const override { return plan_->topics.findings; }
+    std::vector<TourFinding> findings() const override;
     std::unique_ptr<Fuente> reopen() const override;
 
   private:
@@ -78,6 +79,7 @@ class RecordingSource final : public Fuente {
     std::unique_ptr<Cursor> odometry_;
     FrameTree frames_;
     StampQueue<MountedScan> held_scans_;
+    TurnParts parts_;
     StampQueue<Reading> held_readings_;
     std::string scan_text_;
     std::string odometry_text_;

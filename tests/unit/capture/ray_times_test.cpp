@@ -141,6 +141,35 @@ TEST(RayTimes, PartsThatOverlapOrMissARayAreJoinedToo) {
     }
 }
 
+TEST(RayTimes, PartsWithGapsBetweenThemAreJoinedWhereTheyGoRound) {
+    for (const double sense : {1.0, -1.0}) {
+        for (const bool timed : {true, false}) {
+            const Log log = read(tour(3, timed, sense, -30));
+            ASSERT_EQ(log.scans.size(), 10U) << sense;
+            EXPECT_EQ(log.scans[4].points.size(), 270U);
+            EXPECT_EQ(log.scans[4].fan.count, 330U);
+            EXPECT_LT(off_the_walls(log), timed ? 1e-3 : 4e-3) << sense;
+            EXPECT_TRUE(log.findings.empty());
+        }
+    }
+}
+
+TEST(RayTimes, PartsThatDoNotMeetAreTold) {
+    for (const double sense : {1.0, -1.0}) {
+        const Log log = read(tour(3, true, sense, -50));
+        EXPECT_EQ(log.scans.size(), 30U) << sense;
+        ASSERT_EQ(log.findings.size(), 1U);
+        EXPECT_EQ(log.findings.front().kind, TourFinding::Kind::parts_of_a_turn);
+        EXPECT_THAT(log.findings.front().what.english(),
+                    testing::AllOf(testing::HasSubstr("29 of 30 scans of /scan"),
+                                   testing::HasSubstr("51 degrees apart")));
+    }
+    // A fan that is no turn is none of its parts.
+    EXPECT_TRUE(read(tour(1, true, 1.0, -100)).findings.empty());
+    EXPECT_TRUE(read(tour(1, true, 1.0, -20)).findings.empty());
+    EXPECT_EQ(read(tour(1, true, 1.0, -20)).scans.size(), 10U);
+}
+
 TEST(RayTimes, SweepsLongerThanFromScanToScanAreNotBelieved) {
     std::vector<Said> all = tour(1, true);
     for (Said& said : all) {

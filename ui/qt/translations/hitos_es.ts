@@ -2486,6 +2486,14 @@
         <source>after a pause of %1 s the odometry is %2 m and %3 degrees off (line %4), as where a driver begins anew: the scans before and after it are of one place (%5 % of their points fit so, %6 % as the odometry says); the map falls in pieces there</source>
         <translation>tras una pausa de %1 s la odometría se desvía %2 m y %3 grados (línea %4), como cuando un controlador empieza de nuevo: los barridos de antes y de después son de un mismo sitio (así encaja el %5 % de sus puntos, según la odometría el %6 %); ahí el mapa se rompe en pedazos</translation>
     </message>
+    <message>
+        <source>%1 of %2 scans of %3 are parts of a turn that do not go on where the one before ends (the last ones are %4 degrees apart), so that each is taken as a scan of its own, which shows little</source>
+        <translation>%1 de %2 barridos de %3 son partes de una vuelta que no siguen donde acaba la anterior (las últimas distan %4 grados), así que cada una se toma por un barrido propio, que muestra poco</translation>
+    </message>
+    <message>
+        <source>record all messages of the laser, or let its driver send whole turns</source>
+        <translation>grabe todos los mensajes del láser, o haga que su controlador envíe vueltas completas</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
