@@ -9,12 +9,6 @@
 namespace hitos {
 namespace {
 
-/// "/robot1/" of "/robot1/tf"
-std::string_view space_of(std::string_view topic) {
-    const std::size_t slash = topic.rfind('/');
-    return slash == std::string_view::npos ? std::string_view{} : topic.substr(0, slash + 1);
-}
-
 void join_frames(FrameTree& frames, std::string_view same) {
     for (const std::string_view pair : input::listed(same)) {
         const std::size_t equals = pair.find('=');
@@ -34,6 +28,11 @@ void join_frames(FrameTree& frames, std::string_view same) {
 }
 
 }  // namespace
+
+std::string_view space_of(std::string_view topic) {
+    const std::size_t slash = topic.rfind('/');
+    return slash == std::string_view::npos ? std::string_view{} : topic.substr(0, slash + 1);
+}
 
 void Publishers::note(const StampedTransform& told) {
     constexpr double kJump = 0.01;    // what a robot at rest does not do between two messages

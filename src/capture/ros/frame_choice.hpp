@@ -43,6 +43,9 @@ struct TopicFrames {
     std::set<std::string> changed;  ///< frames of fixed transforms that were told differently later
 };
 
+/// The namespace of a topic: "/robot1/" of "/robot1/tf".
+std::string_view space_of(std::string_view topic);
+
 /// Topics of transforms, and what they say together.
 struct FrameChoice {
     std::vector<std::string> topics;

@@ -34,10 +34,10 @@ std::shared_ptr<const RecordingPlan> plan_recording(const std::filesystem::path&
 
 RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan)
     : plan_(std::move(plan)),
-      frames_(plan_->topics.frames),
       held_scans_(kScansHeld, kScanBytesHeld),
       held_readings_(kReadingsHeld, kScanBytesHeld) {
     const TourTopics& topics = plan_->topics;
+    for (const auto& [laser, own] : topics.of_laser) frames_.emplace(laser, own.frames);
     const auto is_chosen = [topics](const Topic& topic) {
         return is_transforms(topic) && std::ranges::count(topics.transforms, topic.name) > 0;
     };
@@ -109,7 +109,12 @@ void RecordingSource::take_in_scans(const RecordedMessage& found) {
         damage_.note(found.number, message("%1: %2", found.topic->name, problem));
     };
     if (is_transforms(*found.topic)) {
-        frames_.hold(decode_transforms(found.bytes, encoding, told));
+        const auto transforms = decode_transforms(found.bytes, encoding, told);
+        for (const auto& [laser, own] : plan_->topics.of_laser) {
+            if (std::ranges::count(own.topics, found.topic->name) > 0) {
+                frames_.at(laser).hold(transforms);
+            }
+        }
     } else if (is_odometry(*found.topic)) {
         decode_odometry(found.bytes, encoding, told);
     } else {
@@ -123,7 +128,8 @@ MountedScan RecordingSource::scan_of(const RecordedMessage& found) const {
     const LaserScanMessage scan = decode_laser_scan(found.bytes, encoding_of(found.topic->encoding),
                                                     is_multi_echo(*found.topic));
     const std::string& robot = plan_->topics.robot_frame;
-    std::optional<Transform> robot_laser = frames_.between(robot, scan.header.frame);
+    std::optional<Transform> robot_laser =
+        frames_.at(found.topic->name).between(robot, scan.header.frame);
     // Where the options say it, the converter puts it there; where nothing does, it is doubted.
     if (plan_->mounted_by_options || plan_->topics.frames.empty()) robot_laser = Transform{};
     if (!robot_laser) {

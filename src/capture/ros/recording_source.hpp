@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -77,7 +78,7 @@ class RecordingSource final : public Fuente {
     std::shared_ptr<const RecordingPlan> plan_;
     std::unique_ptr<Cursor> scans_;
     std::unique_ptr<Cursor> odometry_;
-    FrameTree frames_;
+    std::map<std::string, FrameTree> frames_;  ///< by the laser's topic
     StampQueue<MountedScan> held_scans_;
     TurnParts parts_;
     StampQueue<Reading> held_readings_;

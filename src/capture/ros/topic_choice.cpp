@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -119,6 +120,52 @@ void choose_scans(const RecordingSurvey& survey, const ReadOptions& options,
     for (const std::string_view name : names) named(lasers, name, kScanTopicKey, path);
 }
 
+/// The topic that tells the odometry of a laser's namespace, the innermost one that has any; empty
+/// where none has.
+std::string odometry_of(const RecordingSurvey& survey, const std::string& laser) {
+    std::string innermost;
+    const auto consider = [&](const std::string& topic) {
+        const std::string_view space = space_of(topic);
+        if (laser.starts_with(space) &&
+            (innermost.empty() || space.size() > space_of(innermost).size())) {
+            innermost = topic;
+        }
+    };
+    for (const Topic* topic : with_messages(survey, is_odometry)) consider(topic->name);
+    for (const auto& [topic, said] : survey.frames) {
+        if (!said.frames.below_odometry().empty()) consider(topic);
+    }
+    return innermost;
+}
+
+/// Lasers in two namespaces, each with an odometry of its own, are on two robots, unless one is
+/// named that both lie in.
+void refuse_two_robots(const RecordingSurvey& survey, const ReadOptions& options,
+                       const std::filesystem::path& path, const std::vector<std::string>& lasers) {
+    const std::string named_odometry(input::trimmed(options.odom_topic));
+    const std::string_view named_space = space_of(named_odometry);
+    const bool all_in_named =
+        !named_space.empty() && std::ranges::all_of(lasers, [&](const std::string& laser) {
+            return laser.starts_with(named_space);
+        });
+    if (all_in_named) return;
+    const std::string& first = lasers.front();
+    const std::string own = odometry_of(survey, first);
+    for (const std::string& laser : lasers) {
+        const std::string other = odometry_of(survey, laser);
+        if (own.empty() || other.empty() || space_of(own).starts_with(space_of(other)) ||
+            space_of(other).starts_with(space_of(own))) {
+            continue;
+        }
+        throw ConfigError(
+            kScanTopicKey,
+            message(HITOS_TEXT("Errors",
+                               "found lasers of two robots in %1: %2, whose odometry is in %3, and "
+                               "%4, whose is in %5; choose those of one (--scan-topic)"),
+                    path.string(), first, own, laser, other));
+    }
+}
+
 /// Where the odometry comes from; of transforms the robot's frame too.
 void choose_odometry(const RecordingSurvey& survey, const ReadOptions& options,
                      const std::filesystem::path& path, const std::string& laser_frame,
@@ -209,10 +256,11 @@ void doubt_stamps(const RecordingSurvey& survey, TourTopics& chosen) {
          *scans - *odometry});
 }
 
+using UsedFrames = std::set<std::pair<std::string, std::string>>;  // topic and frame
+
 /// Whether what the transforms say is known, and from one sender.
 void doubt_frames(const RecordingSurvey& survey, const ReadOptions& options,
-                  const std::string& laser_frame, const std::vector<std::string>& used,
-                  TourTopics& chosen) {
+                  const std::string& laser_frame, const UsedFrames& used, TourTopics& chosen) {
     if (chosen.frames.empty() && options.laser_pose.empty() && laser_frame != chosen.robot_frame) {
         chosen.findings.push_back(
             {TourFinding::Kind::assumed_mounting, static_cast<double>(chosen.scans.size()),
@@ -223,22 +271,32 @@ void doubt_frames(const RecordingSurvey& survey, const ReadOptions& options,
                      laser_frame, chosen.robot_frame),
              marked(HITOS_TEXT("Errors", "say where it sits: --laser-pose x,y,degrees"))});
     }
-    for (const std::string& topic : chosen.transforms) {
-        for (const std::string& frame : used) {
-            const std::uint64_t returns = survey.frames.at(topic).publishers.returns(frame);
-            if (returns == 0) continue;
-            chosen.findings.push_back(
-                {TourFinding::Kind::two_publishers, static_cast<double>(returns),
-                 message(HITOS_TEXT("Errors",
-                                    "the frame \"%1\" goes to and fro between two places in %2, "
-                                    "%3 times: two programs say where it is"),
-                         frame, topic, returns),
-                 marked(HITOS_TEXT("Errors",
-                                   "take a topic for the odometry (--odom-topic), or say where "
-                                   "the laser sits (--laser-pose), or record with one of them "
-                                   "only"))});
-        }
+    for (const auto& [topic, frame] : used) {
+        const std::uint64_t returns = survey.frames.at(topic).publishers.returns(frame);
+        if (returns == 0) continue;
+        chosen.findings.push_back(
+            {TourFinding::Kind::two_publishers, static_cast<double>(returns),
+             message(HITOS_TEXT("Errors",
+                                "the frame \"%1\" goes to and fro between two places in %2, "
+                                "%3 times: two programs say where it is"),
+                     frame, topic, returns),
+             marked(HITOS_TEXT("Errors",
+                               "take a topic for the odometry (--odom-topic), or say where "
+                               "the laser sits (--laser-pose), or record with one of them "
+                               "only"))});
     }
+}
+
+/// What of a laser's transforms matters: its place on the robot, and the robot's path.
+std::vector<std::string> used_frames(const FrameChoice& choice, const ReadOptions& options,
+                                     const std::string& laser_frame, const TourTopics& chosen) {
+    std::vector<std::string> used;
+    if (options.laser_pose.empty()) used = choice.frames.above(laser_frame, chosen.robot_frame);
+    if (!chosen.odometry_frame.empty()) {
+        std::ranges::move(choice.frames.above(chosen.robot_frame, chosen.odometry_frame),
+                          std::back_inserter(used));
+    }
+    return used;
 }
 
 }  // namespace
@@ -247,23 +305,30 @@ TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& optio
                          const std::filesystem::path& path) {
     TourTopics chosen;
     choose_scans(survey, options, path, chosen);
-    const auto laser = survey.laser_frames.find(chosen.scans.front());
-    const std::string laser_frame = laser == survey.laser_frames.end() ? "" : laser->second;
-    FrameChoice frames = choose_frames(survey.frames, chosen.scans.front(), options.same_frames);
-    chosen.transforms = frames.topics;
-    chosen.frames = frames.frames;
-    std::tie(chosen.robot_frame, chosen.odometry_frame) = frames.frames.robot_above(laser_frame);
+    refuse_two_robots(survey, options, path, chosen.scans);
+    const auto frame_of = [&](const std::string& laser) {
+        const auto found = survey.laser_frames.find(laser);
+        return found == survey.laser_frames.end() ? std::string{} : found->second;
+    };
+    std::set<std::string> transforms;
+    for (const std::string& laser : chosen.scans) {
+        FrameChoice own = choose_frames(survey.frames, laser, options.same_frames);
+        transforms.insert(own.topics.begin(), own.topics.end());
+        chosen.of_laser.emplace(laser, std::move(own));
+    }
+    chosen.transforms.assign(transforms.begin(), transforms.end());
+    chosen.frames = chosen.of_laser.at(chosen.scans.front()).frames;
+    const std::string laser_frame = frame_of(chosen.scans.front());
+    std::tie(chosen.robot_frame, chosen.odometry_frame) = chosen.frames.robot_above(laser_frame);
     choose_odometry(survey, options, path, laser_frame, chosen);
-    // What of the transforms matters: the laser's place on the robot, and the robot's path.
-    std::vector<std::string> used;
-    if (options.laser_pose.empty()) {
-        used = chosen.frames.above(laser_frame, chosen.robot_frame);
+    UsedFrames used;
+    for (const auto& [laser, own] : chosen.of_laser) {
+        const std::vector<std::string> frames = used_frames(own, options, frame_of(laser), chosen);
+        check_agreement(survey.frames, own, frames, path.string());
+        for (const std::string& topic : own.topics) {
+            for (const std::string& frame : frames) used.emplace(topic, frame);
+        }
     }
-    if (!chosen.odometry_frame.empty()) {
-        std::ranges::move(chosen.frames.above(chosen.robot_frame, chosen.odometry_frame),
-                          std::back_inserter(used));
-    }
-    check_agreement(survey.frames, frames, used, path.string());
     if (!options.laser_pose.empty() && chosen.scans.size() > 1) {
         throw ConfigError(kLaserPoseKey,
                           message(HITOS_TEXT("Errors",

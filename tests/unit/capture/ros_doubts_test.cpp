@@ -74,6 +74,51 @@ TEST_F(DoubtfulRecording, ARobotHasTheTransformsOfItsNamespace) {
     }
 }
 
+TEST_F(DoubtfulRecording, LasersOfTwoRobotsAreRefusedWithBothNamed) {
+    std::vector<Said> all = robot("/one", 0.25);
+    for (const Said& said : robot("/two", 0.5)) all.push_back(said);
+    for (const char* odometry : {"", "tf", "/one/odom"}) {
+        ReadOptions options = of_robot("", odometry);
+        options.scan_topic = "all";
+        EXPECT_THAT(
+            test::message_of<ConfigError>([&] { read(all, options); }),
+            AllOf(HasSubstr("two robots"), HasSubstr("/one/scan, whose odometry is in /one/odom"),
+                  HasSubstr("/two/scan, whose is in /two/odom"), HasSubstr("--scan-topic")))
+            << odometry;
+    }
+}
+
+TEST_F(DoubtfulRecording, EachLaserOfARobotHasTheTransformsOfItsNamespace) {
+    std::vector<Said> all = robot("", 0.0);
+    const Stamp begin{kDoubtfulBegin, 0};
+    std::erase_if(all, [](const Said& said) { return said.topic == "/scan"; });
+    all.erase(all.begin());
+    for (const auto& [space, ahead] : {std::pair("/front", 0.25), std::pair("/rear", -0.5)}) {
+        all.push_back(test::said_transforms({{begin, "base_link", "laser", {ahead, 0.0, 0.1}}},
+                                            Bytes::cdr(), std::string(space) + "/tf_static"));
+        test::LaserFields laser;
+        laser.stamp = {kDoubtfulBegin + 1, ahead > 0.0 ? 0U : 500'000'000U};
+        all.push_back(test::said_laser(laser, Bytes::cdr(), std::string(space) + "/scan"));
+    }
+    for (const char* odometry : {"/odom", "tf"}) {
+        ReadOptions options = of_robot("", odometry);
+        options.scan_topic = "all";
+        const Log log = read(all, options);
+        ASSERT_EQ(log.scans.size(), 2U) << odometry;
+        EXPECT_EQ(log.scans[0].fan.pose_robot_laser.x, 0.25);
+        EXPECT_EQ(log.scans[1].fan.pose_robot_laser.x, -0.5);
+        EXPECT_EQ(log.odometry.size(), 5U);
+        // An odometry of a laser's own beside that of the robot makes no second robot.
+        std::vector<Said> more = all;
+        for (const char* own : {"/front/odom", "/rear/odom"}) {
+            more.push_back(test::said_odometry(begin, {}, Bytes::cdr(), own));
+        }
+        if (std::string_view(odometry) == "/odom") {
+            EXPECT_EQ(read(more, options).scans.size(), 2U);
+        }
+    }
+}
+
 TEST_F(DoubtfulRecording, TwoSourcesOfOneFrameThatDisagreeAreNamed) {
     std::vector<Said> all = robot("/one", 0.25);
     for (const Said& said : robot("/two", 0.5)) all.push_back(said);

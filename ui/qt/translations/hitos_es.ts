@@ -2494,6 +2494,10 @@
         <source>record all messages of the laser, or let its driver send whole turns</source>
         <translation>grabe todos los mensajes del láser, o haga que su controlador envíe vueltas completas</translation>
     </message>
+    <message>
+        <source>found lasers of two robots in %1: %2, whose odometry is in %3, and %4, whose is in %5; choose those of one (--scan-topic)</source>
+        <translation>hay láseres de dos robots en %1: %2, con su odometría en %3, y %4, con la suya en %5; elija los de uno (--scan-topic)</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
