@@ -18,7 +18,8 @@ bool begins_anew(const Pose& pose, double way, double seconds) {
                               std::abs(wrap_angle(pose.theta)) < kBegun && way > kSpeed * seconds);
 }
 
-/// Whether no robot makes that step to `pose` in that time.
+/// Whether no robot makes that step to `pose` in that time. Less than 0: by a clock that was set
+/// back, of which it says nothing, or, where that is little, by readings that are out of order.
 bool is_leap(const Pose& step, const Pose& pose, double seconds) {
     constexpr double kLeap = 0.5;          // [m]
     constexpr double kLeapInNoTime = 1.0;  // stamps of whole seconds stand still meanwhile
@@ -26,11 +27,16 @@ bool is_leap(const Pose& step, const Pose& pose, double seconds) {
     constexpr double kTurn = 0.5;          // [rad]
     constexpr double kTurnInNoTime = 1.0;
     constexpr double kGreatestTurn = 6.0;  // [rad/s]
+    constexpr double kLatest = 2.0;        // [s], out of order
+    constexpr double kSpeedBack = 5.0;     // [m/s]
+    const bool late = seconds < 0.0 && seconds >= -kLatest;
+    const double time_s = late ? -seconds : std::max(0.0, seconds);
     const double way = way_of(step);
     const double turn = std::abs(wrap_angle(step.theta));
-    return (way > (seconds > 0.0 ? kLeap : kLeapInNoTime) &&
-            (begins_anew(pose, way, seconds) || way > kGreatestSpeed * seconds)) ||
-           (turn > (seconds > 0.0 ? kTurn : kTurnInNoTime) && turn > kGreatestTurn * seconds);
+    return (way > (time_s > 0.0 ? kLeap : kLeapInNoTime) &&
+            ((!late && begins_anew(pose, way, time_s)) ||
+             way > (late ? kSpeedBack : kGreatestSpeed) * time_s)) ||
+           (turn > (time_s > 0.0 ? kTurn : kTurnInNoTime) && turn > kGreatestTurn * time_s);
 }
 
 double motion_of(const Twist& twist) {
@@ -46,7 +52,7 @@ void OdometrySteps::Told::note(double way_m, std::uint64_t at_line) {
 }
 
 Pose OdometrySteps::taken(const OdometryRecord& before, const OdometryRecord& record) {
-    const double seconds = std::max(0.0, record.time_s - before.time_s);
+    const double seconds = record.time_s - before.time_s;
     const Pose logged = between(*before.pose_odom_robot, *record.pose_odom_robot);
     if (makes_up(record, logged)) {
         made_up_.note(way_of(logged), record.line);
@@ -105,7 +111,7 @@ Pose OdometrySteps::bridged(const OdometryRecord& before, const OdometryRecord& 
     }
     leaps_.note(way_of(logged), record.line);
     from_ = *before.pose_odom_robot;
-    driven_ = displacement(twist_, std::min(seconds, kGoesOn));
+    driven_ = displacement(twist_, std::clamp(seconds, 0.0, kGoesOn));
     return driven_;
 }
 

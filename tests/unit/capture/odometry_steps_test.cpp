@@ -89,6 +89,16 @@ TEST(OdometrySteps, ALeapWhoseTimeDoesNotAdvanceIsBridged) {
     }
 }
 
+TEST(OdometrySteps, ReadingsOutOfOrderAreNoLeaps) {
+    std::string text;
+    for (int i = 0; i < 40; ++i) {
+        const int late = i % 4 == 2 ? i - 2 : i;  // half a second and more late
+        text += reading(0.5 * late, {1.0 * late, 0, 0});
+    }
+    EXPECT_NEAR(end_of(text).x, 39.0, 1e-6);
+    EXPECT_TRUE(read_text("radish", text).findings.empty());
+}
+
 TEST(OdometrySteps, StepsInNoTimeSayNothingOfTheSpeed) {
     // One reading has the stamp of the one before; then a driver begins anew.
     std::string text;
