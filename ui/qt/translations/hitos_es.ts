@@ -2227,10 +2227,6 @@
         <translation>según la odometría el robot circula casi siempre a %1 m/s, lo que ninguno de su clase hace</translation>
     </message>
     <message>
-        <source>if positions are millimetres, record them as metres</source>
-        <translation>si las posiciones son milímetros, grábelas en metros</translation>
-    </message>
-    <message>
         <source>map it with registration: --preset recorded</source>
         <translation>cartografíe con registro: --preset recorded</translation>
     </message>
@@ -2263,16 +2259,8 @@
         <translation>los barridos giran al revés que la odometría (%1 % de sus puntos encajan reflejados, %2 % tal como están): el mapa es una imagen especular</translation>
     </message>
     <message>
-        <source>the laser is upside down, turned by %1 degrees, or the odometry counts turns to the right; mend the transform of its frame</source>
-        <translation>el láser está boca abajo, girado %1 grados, o la odometría cuenta los giros hacia la derecha; corrija la transformación de su sistema de referencia</translation>
-    </message>
-    <message>
         <source>the scans move %1 degrees off where the odometry drives (%2 % of their points fit turned so, %3 % as they are): the map&apos;s path and walls do not fit each other</source>
         <translation>los barridos se desplazan a %1 grados de hacia donde circula la odometría (%2 % de sus puntos encajan girados así, %3 % tal como están): la trayectoria y las paredes del mapa no encajan</translation>
-    </message>
-    <message>
-        <source>the laser is mounted otherwise than the recording says; mend the transform of its frame</source>
-        <translation>el láser está montado de otra manera que la que dice la grabación; corrija la transformación de su sistema de referencia</translation>
     </message>
     <message>
         <source>the odometry leaps, by up to %1 m (line %2) and %3 in all, as where a driver begins anew; the map falls in pieces there</source>
@@ -2497,6 +2485,78 @@
     <message>
         <source>found lasers of two robots in %1: %2, whose odometry is in %3, and %4, whose is in %5; choose those of one (--scan-topic)</source>
         <translation>hay láseres de dos robots en %1: %2, con su odometría en %3, y %4, con la suya en %5; elija los de uno (--scan-topic)</translation>
+    </message>
+    <message>
+        <source>the odometry stands still while the robot drives, for up to %1 s, and makes up for it in one step, of up to %2 m (line %3), %4 in all; scans of that time lie on one place</source>
+        <translation>la odometría se queda quieta mientras el robot avanza, hasta %1 s, y lo recupera de un solo paso, de hasta %2 m (línea %3), %4 veces en total; los barridos de ese tiempo quedan en un mismo sitio</translation>
+    </message>
+    <message>
+        <source>map it with registration, which finds where they were: --preset recorded</source>
+        <translation>haga el mapa con registro de barridos, que averigua dónde estaban: --preset recorded</translation>
+    </message>
+    <message>
+        <source>if its positions are millimetres: --set source.odometry_scale=0.001</source>
+        <translation>si sus posiciones son milímetros: --set source.odometry_scale=0.001</translation>
+    </message>
+    <message>
+        <source>if its positions are centimetres: --set source.odometry_scale=0.01</source>
+        <translation>si sus posiciones son centímetros: --set source.odometry_scale=0.01</translation>
+    </message>
+    <message>
+        <source>%1 of %2 odometry readings are stamped no later than the one before: too coarsely, or by two clocks; how fast the robot moved is not known</source>
+        <translation>%1 de %2 lecturas de odometría no llevan una hora posterior a la anterior: con pocas cifras, o de dos relojes; no se sabe a qué velocidad se movió el robot</translation>
+    </message>
+    <message>
+        <source>record times of one clock with milliseconds; or take how it moved from the scans: --set source.odometry=scans</source>
+        <translation>grabe horas de un solo reloj con milisegundos; o tome de los barridos cómo se movió: --set source.odometry=scans</translation>
+    </message>
+    <message>
+        <source>by the scans the robot turns %1 times as far as by the odometry (%2 % of their points fit so, %3 % as it is told): headings are %4</source>
+        <translation>según los barridos el robot gira %1 veces lo que dice la odometría (así encaja el %2 % de sus puntos, y el %3 % tal como está): los rumbos están %4</translation>
+    </message>
+    <message>
+        <source>in degrees</source>
+        <translation>en grados</translation>
+    </message>
+    <message>
+        <source>taken for degrees and turned into radians</source>
+        <translation>tomados por grados y pasados a radianes</translation>
+    </message>
+    <message>
+        <source>record them in radians; or take how the robot moved from the scans: --set source.odometry=scans</source>
+        <translation>grábelos en radianes; o tome de los barridos cómo se movió el robot: --set source.odometry=scans</translation>
+    </message>
+    <message>
+        <source>the scans do not lie where the odometry puts them (%1 % of their points do), and no other time, mounting or scale explains it</source>
+        <translation>los barridos no caen donde los pone la odometría (solo el %1 % de sus puntos), y ninguna otra hora, montaje ni escala lo explica</translation>
+    </message>
+    <message>
+        <source>take how the robot moved from the scans: --set source.odometry=scans; or map it with registration: --preset recorded</source>
+        <translation>tome de los barridos cómo se movió el robot: --set source.odometry=scans; o haga el mapa con registro: --preset recorded</translation>
+    </message>
+    <message>
+        <source>the laser is upside down, or its rays go the other way round: --laser-pose %1; or the odometry counts turns to the right</source>
+        <translation>el láser está boca abajo, o sus rayos van en el otro sentido: --laser-pose %1; o la odometría cuenta los giros a la derecha</translation>
+    </message>
+    <message>
+        <source>the laser is mounted otherwise than the recording says: --laser-pose %1</source>
+        <translation>el láser está montado de otro modo que lo que dice la grabación: --laser-pose %1</translation>
+    </message>
+    <message>
+        <source>the odometry ends %1 s before the scans do, which change on; all of them are put on one place</source>
+        <translation>la odometría acaba %1 s antes que los barridos, que siguen cambiando; todos ellos quedan en un mismo lugar</translation>
+    </message>
+    <message>
+        <source>the odometry begins %1 s after the scans, which change before; all of them are put on one place</source>
+        <translation>la odometría empieza %1 s después que los barridos, que cambian antes; todos ellos quedan en un mismo lugar</translation>
+    </message>
+    <message>
+        <source>the scans change for %1 s, from second %2 of the tour on, and the odometry stands still; all of them are put on one place</source>
+        <translation>los barridos cambian durante %1 s, desde el segundo %2 del recorrido, y la odometría está quieta; todos ellos quedan en un mismo lugar</translation>
+    </message>
+    <message>
+        <source>the run was asked to end; it reads the tour once more</source>
+        <translation>se pidió que la ejecución acabara, y esto lee el recorrido otra vez</translation>
     </message>
 </context>
 <context>
