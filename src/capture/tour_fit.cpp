@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -84,16 +85,23 @@ Best best_delay(const TourExamination& examination, double begins, bool apart,
 double off_middle(const TourExamination& examination, const Best& found) {
     constexpr int kDegrees = 15;
     constexpr double kAsWell = 0.01;
+    Hypothesis near = found.hypothesis;
+    near.near_m = 0.02;  // over the way of a pair some degrees are a few centimetres
+    near.near_per_range = 0.005;
+    std::array<double, 2 * kDegrees + 1> fits{};
+    for (int i = 0; i <= 2 * kDegrees; ++i) {
+        near.turn_rad = found.hypothesis.turn_rad + (i - kDegrees) * kRadiansPerDegree;
+        fits.at(static_cast<std::size_t>(i)) = examination.agreement(near).value_or(0.0);
+    }
+    const double least = std::ranges::max(fits) - kAsWell;
     double sum = 0.0;
     int count = 0;
-    for (int degree = -kDegrees; degree <= kDegrees; ++degree) {
-        Hypothesis near = found.hypothesis;
-        near.turn_rad += degree * kRadiansPerDegree;
-        if (examination.agreement(near).value_or(0.0) < found.agreement - kAsWell) continue;
-        sum += degree;
+    for (int i = 0; i <= 2 * kDegrees; ++i) {
+        if (fits.at(static_cast<std::size_t>(i)) < least) continue;
+        sum += i - kDegrees;
         ++count;
     }
-    return count == 0 ? 0.0 : sum / count * kRadiansPerDegree;
+    return sum / count * kRadiansPerDegree;
 }
 
 /// Where the clocks run at different speeds, so that what is to be added grows over the tour.
