@@ -9,9 +9,10 @@ struct Archivo::Cursor {
     LineReader reader;
 };
 
-Archivo::Archivo(std::filesystem::path path, const LogFormat& format)
+Archivo::Archivo(std::filesystem::path path, const LogFormat& format, ReadOptions options)
     : path_(std::move(path)),
       format_(format),
+      options_(std::move(options)),
       scans_(std::make_unique<Cursor>(path_)),
       odometry_(std::make_unique<Cursor>(path_)) {}
 
@@ -53,8 +54,13 @@ std::string Archivo::name() const {
     return path_.string();
 }
 
+std::vector<TourFinding> Archivo::findings() const {
+    if (format_.doubts == nullptr) return {};
+    return format_.doubts(*this, options_);
+}
+
 std::unique_ptr<Fuente> Archivo::reopen() const {
-    return std::make_unique<Archivo>(path_, format_);
+    return std::make_unique<Archivo>(path_, format_, options_);
 }
 
 }  // namespace hitos

@@ -205,12 +205,12 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
     const std::vector<LogFormat>& formats = log_formats().entries();
     const auto most = std::ranges::max_element(found.votes) - found.votes.begin();
     const LogFormat& likely = formats[static_cast<std::size_t>(most)];
-    if (format == kAutoFormat) return std::make_unique<Archivo>(path, likely);
+    if (format == kAutoFormat) return std::make_unique<Archivo>(path, likely, options);
     const LogFormat& said = log_formats().find(format);
     if (found.votes[static_cast<std::size_t>(&said - formats.data())] == 0) {
         refuse_format(path.string(), said.word, likely);
     }
-    return std::make_unique<Archivo>(path, said);
+    return std::make_unique<Archivo>(path, said, options);
 }
 
 bool is_recording(const std::filesystem::path& path) {

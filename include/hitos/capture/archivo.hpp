@@ -26,7 +26,7 @@ inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 class Archivo final : public Fuente {
   public:
     /// Throws FileError where the path is missing, a directory, or cannot be read.
-    Archivo(std::filesystem::path path, const LogFormat& format);
+    Archivo(std::filesystem::path path, const LogFormat& format, ReadOptions options = {});
     ~Archivo() override;
     Archivo(const Archivo&) = delete;
     Archivo& operator=(const Archivo&) = delete;
@@ -39,6 +39,7 @@ class Archivo final : public Fuente {
     std::optional<std::pair<std::uint64_t, Message>> take_damage() override {
         return damage_.take();
     }
+    std::vector<TourFinding> findings() const override;
     std::unique_ptr<Fuente> reopen() const override;
 
   private:
@@ -47,6 +48,7 @@ class Archivo final : public Fuente {
 
     std::filesystem::path path_;
     const LogFormat& format_;
+    ReadOptions options_;  // as far as its format's doubts depend on them
     std::unique_ptr<Cursor> scans_;
     std::unique_ptr<Cursor> odometry_;
     HeldDamage damage_;

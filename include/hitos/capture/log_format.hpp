@@ -10,6 +10,7 @@
 
 #include "hitos/base/message.hpp"
 #include "hitos/base/registry.hpp"
+#include "hitos/capture/tour_finding.hpp"
 
 namespace hitos {
 
@@ -57,6 +58,9 @@ struct LogFormat : RegistryEntry {
     Topics* topics = nullptr;
     bool folders = false;    ///< of recordings: whether folders are some too
     bool ray_times = false;  ///< whether its writer says when each ray was measured
+    using Doubts = std::vector<TourFinding>(const Fuente& fuente, const ReadOptions& options);
+    /// Of text: what there is to doubt that the normalised records no longer show; null: nothing.
+    Doubts* doubts = nullptr;
 };
 
 /// The formats that this program knows; `source.format` chooses one, or "auto".

@@ -53,7 +53,8 @@ enum class Mend : std::uint8_t {
     rays,  ///< those measured one after the other are moved, by the odometry, to where they would
            ///< lie had all been measured at the scan's time
     all    ///< besides, a leap of the odometry that no robot makes becomes a step like the one
-           ///< before it, and where there is no odometry at all the scans say how the robot moved
+           ///< before it, stamps of too few digits give way to a logger's times, and where there is
+           ///< no odometry at all the scans say how the robot moved
 };
 
 /// What a reader may be told beside where to read.

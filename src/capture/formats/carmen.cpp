@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "formats/carmen_clocks.hpp"
 #include "formats/carmen_writer.hpp"
 #include "formats/formats.hpp"
 #include "hitos/base/translatable.hpp"
@@ -52,11 +53,15 @@ Pose take_pose(Fields& fields, const char* x, const char* y, const char* theta) 
     return pose;
 }
 
-/// `time host logger_time`; some programs leave the last one out.
-double take_tail(Fields& fields) {
-    const double time_s = fields.number("time");
+/// `time host logger_time`; some programs leave the last one out. With `from_logger_s` that one
+/// counts, as far as it is there.
+double take_tail(Fields& fields, const std::optional<double>& from_logger_s) {
+    double time_s = fields.number("time");
     fields.word("host");
-    if (!fields.at_end()) fields.number("logger_time");
+    if (!fields.at_end()) {
+        const double logged_s = fields.number("logger_time");
+        if (from_logger_s) time_s = logged_s + *from_logger_s;
+    }
     fields.expect_end(HITOS_TEXT("Errors", "the logger's time"));
     return time_s;
 }
@@ -140,6 +145,7 @@ class ConversorCarmen final : public RangeConversor {
     using RangeConversor::RangeConversor;
     bool parse_scan(const RawLine& line, Readings& out) override;
     std::optional<OdometryRecord> odometry(const RawLine& line) override;
+    void follow(const CarmenClocks& clocks, Mend mend);
 
   private:
     void parse_parameter(Fields fields);
@@ -152,7 +158,16 @@ class ConversorCarmen final : public RangeConversor {
     Pose pose_robot_laser_;           // from parameters
     std::optional<Pose> last_mount_;  // from ROBOTLASER1 lines
     std::string scan_message_;        // the one in use: the first that gave a scan
+    std::optional<double> from_logger_s_;
+    bool odometry_of_scans_ = true;  // or of ODOM lines alone
 };
+
+/// Scans that are stamped by another clock have poses that go to and fro in time among those of
+/// ODOM; and CARMEN, which looked them up by that stamp, took them of another moment.
+void ConversorCarmen::follow(const CarmenClocks& clocks, Mend mend) {
+    odometry_of_scans_ = !clocks.scans_late_s && !clocks.to_and_fro;
+    if (mend == Mend::all) from_logger_s_ = clocks.from_logger_s;
+}
 
 bool ConversorCarmen::parse_scan(const RawLine& line, Readings& out) {
     Fields fields(line);
@@ -165,7 +180,7 @@ bool ConversorCarmen::parse_scan(const RawLine& line, Readings& out) {
     const CarmenMessage message =
         flaser ? parse_flaser(fields, &out) : parse_laser(fields, name == "ROBOTLASER1", &out);
     out.time_s = message.time_s;
-    out.carries_odometry = message.pose_odom_robot.has_value();
+    out.carries_odometry = odometry_of_scans_ && message.pose_odom_robot.has_value();
     // Raw and robot lasers are one scan logged twice, where both are logged.
     if (scan_message_.empty()) scan_message_ = name;
     return scan_message_ == name;
@@ -187,7 +202,7 @@ CarmenMessage ConversorCarmen::parse_flaser(Fields fields, Readings* out) {
     CarmenMessage message;
     take_pose(fields, "x", "y", "theta");
     message.pose_odom_robot = take_pose(fields, "odom_x", "odom_y", "odom_theta");
-    message.time_s = take_tail(fields);
+    message.time_s = take_tail(fields, from_logger_s_);
     if (out != nullptr) {
         out->fan = implied_fan(count, resolution_deg_);
         out->fan.max_range_m = stated_max_m_;
@@ -227,7 +242,7 @@ CarmenMessage ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readin
         message.velocity = velocity;
         mount = steady_mount(between(robot, laser));
     }
-    message.time_s = take_tail(fields);
+    message.time_s = take_tail(fields, from_logger_s_);
     if (out != nullptr) {
         out->fan = stated_fan(start_rad, view_rad, resolution_rad, count);
         out->fan.max_range_m = max_range_m;
@@ -259,11 +274,12 @@ std::optional<OdometryRecord> ConversorCarmen::odometry(const RawLine& line) {
         velocity.w = fields.number("rv");
         fields.number("accel");
         message.velocity = velocity;
-        message.time_s = take_tail(fields);
+        message.time_s = take_tail(fields, from_logger_s_);
     } else {
         // The whole line is checked, so that a damaged one is out of both sequences.
         message =
             name == "FLASER" ? parse_flaser(fields, nullptr) : parse_laser(fields, true, nullptr);
+        if (!odometry_of_scans_) return std::nullopt;
     }
     OdometryRecord record;
     record.time_s = message.time_s;
@@ -273,16 +289,25 @@ std::optional<OdometryRecord> ConversorCarmen::odometry(const RawLine& line) {
     return record;
 }
 
+std::unique_ptr<Conversor> make_carmen_conversor(const Fuente& fuente, const ReadOptions& options) {
+    auto conversor = std::make_unique<ConversorCarmen>(options);
+    look_for_no_return(fuente, options, *conversor);
+    conversor->follow(carmen_clocks(fuente), options.mend);
+    return conversor;
+}
+
 }  // namespace
 
 LogFormat carmen_format() {
-    return {{"carmen", HITOS_TEXT("ParameterChoice", "CARMEN"),
-             "logs of CARMEN, in which most public tours come"},
-            "*.log *.clf *.gfs",
-            claims_carmen,
-            classify_carmen,
-            make_range_conversor<ConversorCarmen>,
-            make_carmen_writer};
+    LogFormat format = {{"carmen", HITOS_TEXT("ParameterChoice", "CARMEN"),
+                         "logs of CARMEN, in which most public tours come"},
+                        "*.log *.clf *.gfs",
+                        claims_carmen,
+                        classify_carmen,
+                        make_carmen_conversor,
+                        make_carmen_writer};
+    format.doubts = carmen_doubts;
+    return format;
 }
 
 }  // namespace hitos

@@ -37,14 +37,18 @@ inline LineKind other_or_damaged(std::string_view text) {
     return begins_with_letter(text) ? LineKind::other : LineKind::damaged;
 }
 
-/// A converter of ranges, told by which value the log says "no return" where nothing states it.
+/// Tells a converter of ranges by which value the log says "no return" where nothing states it.
+template <class Made>
+void look_for_no_return(const Fuente& fuente, const ReadOptions& options, Made& conversor) {
+    if (options.max_range_m > 0.0) return;
+    Made scratch(options);  // looking ahead leaves metadata in it
+    conversor.set_no_return(find_no_return(fuente, scratch));
+}
+
 template <class Made>
 std::unique_ptr<Conversor> make_range_conversor(const Fuente& fuente, const ReadOptions& options) {
     auto conversor = std::make_unique<Made>(options);
-    if (!(options.max_range_m > 0.0)) {
-        Made scratch(options);  // looking ahead leaves metadata in it
-        conversor->set_no_return(find_no_return(fuente, scratch));
-    }
+    look_for_no_return(fuente, options, *conversor);
     return conversor;
 }
 

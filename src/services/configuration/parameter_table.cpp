@@ -81,8 +81,8 @@ void add_mended_source(Table& table) {
              "Parameter",
              "Whether what is known to be wrong is mended: rays that were measured one after the "
              "other are moved by the odometry to one time (rays); besides, leaps of the odometry "
-             "that no robot makes are bridged, and where there is no odometry the scans say how "
-             "the robot moved (on)."),
+             "that no robot makes are bridged, stamps of too few digits give way to the logger's "
+             "times, and where there is no odometry the scans say how the robot moved (on)."),
          .label = HITOS_TEXT("ParameterLabel", "Mend"),
          .choices = {{"off", HITOS_TEXT("ParameterChoice", "Off")},
                      {"rays", HITOS_TEXT("ParameterChoice", "Rays only")},

@@ -176,5 +176,89 @@ TEST(ConversorCarmen, ADamagedFlaserIsOutOfBothSequencesAndCountedOnce) {
     }
 }
 
+/// A robot that drives 0.1 m every 0.2 s, with a scan between two readings; `stamp` makes a line's
+/// stamp of its message and the logger's time.
+template <class Stamp>
+std::string drive(Stamp stamp, int readings = 60) {
+    std::string text;
+    const auto tail = [&](const char* name, double logged_s) {
+        text += " " + stamp(name, logged_s) + " h " + std::to_string(logged_s) + "\n";
+    };
+    for (int i = 0; i < readings; ++i) {
+        text += "ODOM " + std::to_string(0.1 * i) + " 0 0 0.5 0 0";
+        tail("ODOM", 0.2 * i);
+        text += "FLASER 2 1 " + std::to_string(1 + 0.01 * i) + " 0 0 0 " +
+                std::to_string(0.1 * i + 0.05) + " 0 0";
+        tail("FLASER", 0.2 * i + 0.1);
+    }
+    return text;
+}
+
+std::string late_scans(double late_s) {
+    return drive([late_s](std::string_view name, double logged_s) {
+        return std::to_string(1e9 + logged_s - (name == "FLASER" ? late_s : 0.0));
+    });
+}
+
+std::string whole_seconds() {
+    return drive([](std::string_view, double logged_s) {
+        return std::to_string(1'000'000'000 + static_cast<int>(logged_s));
+    });
+}
+
+TEST(ConversorCarmen, TheLoggersTimesTellThatScansAreOfAnotherClock) {
+    for (const double late_s : {5.0, -12.0}) {
+        const Log log = carmen(late_scans(late_s));
+        ASSERT_EQ(log.findings.size(), 1U) << late_s;
+        EXPECT_EQ(log.findings[0].kind, TourFinding::Kind::late_stamps);
+        ASSERT_TRUE(log.findings[0].scan_delay_s);
+        EXPECT_NEAR(*log.findings[0].scan_delay_s, late_s, 1e-3);
+    }
+    EXPECT_TRUE(carmen(late_scans(0.0)).findings.empty());
+    EXPECT_TRUE(carmen(late_scans(0.7)).findings.empty());  // as a logger may hold lines up
+}
+
+TEST(ConversorCarmen, ScansOfAnotherClockHaveNoPoseAmongTheReadings) {
+    for (const double late_s : {5.0, -12.0, 0.7}) {
+        const Log log = carmen(late_scans(late_s));
+        EXPECT_EQ(log.odometry.size(), 60U) << late_s;
+        EXPECT_EQ(log.report.stamps_backwards, 0U) << late_s;
+        EXPECT_EQ(log.scans.size(), 60U) << late_s;
+        EXPECT_FALSE(log.scans[0].carries_odometry) << late_s;
+    }
+    EXPECT_EQ(carmen(late_scans(0.0)).odometry.size(), 120U);
+}
+
+TEST(ConversorCarmen, StampsOfWholeSecondsGiveWayToTheLoggersTimes) {
+    const Log log = carmen(whole_seconds());
+    ASSERT_EQ(log.findings.size(), 1U);
+    EXPECT_EQ(log.findings[0].kind, TourFinding::Kind::coarse_stamps);
+    EXPECT_NEAR(log.findings[0].value, 0.8, 0.05);
+    EXPECT_NEAR(log.scans.at(1).time_s - log.scans.at(0).time_s, 0.2, 1e-6);
+    EXPECT_NEAR(log.scans[0].time_s, 1e9, 1.0);  // still of the stamps' clock
+    EXPECT_EQ(log.report.stamps_backwards, 0U);
+    for (std::size_t i = 1; i < log.odometry.size(); ++i) {
+        EXPECT_NEAR(log.odometry[i].twist.v, 0.5, 1e-3) << i;
+    }
+    ReadOptions as_it_is;
+    as_it_is.mend = Mend::rays;
+    const Log told = carmen(whole_seconds(), as_it_is);
+    EXPECT_EQ(told.scans.at(0).time_s, told.scans.at(1).time_s);
+    EXPECT_TRUE(told.findings.empty());  // TourExamination counts them
+}
+
+TEST(ConversorCarmen, WithoutTheLoggersTimesNothingIsSaidOfClocks) {
+    std::string text = late_scans(5.0);
+    std::string bare;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
+        bare += text.substr(at, text.rfind(' ', end) - at) + "\n";
+        at = end + 1;
+    }
+    const Log log = carmen(bare);
+    EXPECT_EQ(log.scans.size(), 60U);
+    EXPECT_TRUE(log.findings.empty());
+}
+
 }  // namespace
 }  // namespace hitos

@@ -54,7 +54,7 @@ inline Log read_all(TourReader& reader) {
 
 inline Log read_log(const std::filesystem::path& path, std::string_view format = kAutoFormat,
                     const ReadOptions& options = {}) {
-    Procesador procesador(open_log(path, format), options);
+    Procesador procesador(open_log(path, format, options), options);
     return read_all(procesador);
 }
 
