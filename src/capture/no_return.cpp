@@ -5,14 +5,10 @@
 #include <set>
 #include <vector>
 
-#include "hitos/base/error.hpp"
 #include "range_conversor.hpp"
 
 namespace hitos {
 namespace {
-
-constexpr int kScansLookedAt = 50;
-constexpr int kLinesLookedAt = 2000;
 
 /// A code comes over and over, on many rays. A far corner seen by a robot at rest repeats its
 /// distance too, but on a ray or two, and a far wall has other readings just below.
@@ -51,27 +47,17 @@ std::optional<double> repeated_maximum(const std::vector<Reading>& readings) {
 }  // namespace
 
 std::optional<double> find_no_return(const Fuente& fuente, RangeConversor& scratch) {
-    const std::unique_ptr<Fuente> ahead = fuente.reopen();
-    RangeConversor::Readings readings;
     std::vector<Reading> collected;
-    int scans = 0;
-    for (int lines = 0; lines < kLinesLookedAt && scans < kScansLookedAt; ++lines) {
-        const std::optional<RawLine> line = ahead->read_scan_line();
-        if (!line) break;
-        readings.clear();
-        try {
-            if (!scratch.parse_scan(*line, readings)) continue;
-        } catch (const FormatError&) {
-            continue;  // counted when the line is read in earnest
-        }
-        if (readings.max_is_exact) return std::nullopt;
-        ++scans;
+    bool stated = false;
+    look_at_readings(fuente, scratch, [&](const RangeConversor::Readings& readings) {
+        stated = readings.max_is_exact;
         for (std::size_t i = 0; i < readings.ranges_m.size(); ++i) {
             const double range = readings.ranges_m[i];
             if (range > 0.0 && std::isfinite(range)) collected.push_back({range, i});
         }
-    }
-    return repeated_maximum(collected);
+        return !stated;
+    });
+    return stated ? std::nullopt : repeated_maximum(collected);
 }
 
 }  // namespace hitos

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fields.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/capture/conversor.hpp"
 #include "laser_pose.hpp"
 
@@ -47,8 +48,10 @@ class RangeConversor : public Conversor {
     /// Readings from `value` less a margin on are no points, where the log does not say it better.
     void set_no_return(std::optional<double> value) { no_return_m_ = value; }
 
-  private:
+    /// From here on they are no points [m].
     double limit(const Readings& readings) const;
+
+  private:
     void mount(Readings& readings) const;
     void point_along(const Fan& fan);
     void point_along(const Pose& pose_robot_laser, const std::vector<double>& bearings_rad);
@@ -67,5 +70,32 @@ Fan fan_of_bearings(const std::vector<double>& bearings_rad);
 /// The value by which the log's first scans say "no return": their greatest reading, where it is
 /// repeated as no real distance would be. Nothing where there is none, or where the log states it.
 std::optional<double> find_no_return(const Fuente& fuente, RangeConversor& scratch);
+
+/// The readings of the log's first scans; lines that are damaged, or hold none, are passed
+/// over. Ends early where `take(readings)` says false.
+template <class Take>
+void look_at_readings(const Fuente& fuente, RangeConversor& conversor, Take take) {
+    constexpr int kScans = 50;
+    constexpr int kLines = 2000;
+    const std::unique_ptr<Fuente> ahead = fuente.reopen();
+    RangeConversor::Readings readings;
+    int scans = 0;
+    for (int lines = 0; lines < kLines && scans < kScans; ++lines) {
+        const std::optional<RawLine> line = ahead->read_scan_line();
+        if (!line) return;
+        readings.clear();
+        try {
+            if (!conversor.parse_scan(*line, readings)) continue;
+        } catch (const FormatError&) {
+            continue;  // counted when the line is read in earnest
+        }
+        ++scans;
+        if (!take(readings)) return;
+    }
+}
+
+/// Whether the log's first scans say that its readings are in another unit than metres: nearly all
+/// lie beyond the limit, and far, and they are no code for "no return". The conversor is used up.
+std::optional<TourFinding> doubt_units(const Fuente& fuente, RangeConversor& conversor);
 
 }  // namespace hitos

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "formats/carmen_clocks.hpp"
 #include "formats/carmen_writer.hpp"
@@ -296,6 +298,12 @@ std::unique_ptr<Conversor> make_carmen_conversor(const Fuente& fuente, const Rea
     return conversor;
 }
 
+std::vector<TourFinding> doubts_of_carmen(const Fuente& fuente, const ReadOptions& options) {
+    std::vector<TourFinding> found = range_doubts<ConversorCarmen>(fuente, options);
+    std::ranges::move(carmen_doubts(fuente, options), std::back_inserter(found));
+    return found;
+}
+
 }  // namespace
 
 LogFormat carmen_format() {
@@ -306,7 +314,7 @@ LogFormat carmen_format() {
                         classify_carmen,
                         make_carmen_conversor,
                         make_carmen_writer};
-    format.doubts = carmen_doubts;
+    format.doubts = doubts_of_carmen;
     return format;
 }
 

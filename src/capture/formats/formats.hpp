@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "fields.hpp"
 #include "hitos/capture/conversor.hpp"
@@ -50,6 +52,15 @@ std::unique_ptr<Conversor> make_range_conversor(const Fuente& fuente, const Read
     auto conversor = std::make_unique<Made>(options);
     look_for_no_return(fuente, options, *conversor);
     return conversor;
+}
+
+/// What there is to doubt about the ranges of a log.
+template <class Made>
+std::vector<TourFinding> range_doubts(const Fuente& fuente, const ReadOptions& options) {
+    Made conversor(options);
+    look_for_no_return(fuente, options, conversor);
+    const std::optional<TourFinding> units = doubt_units(fuente, conversor);
+    return units ? std::vector{*units} : std::vector<TourFinding>{};
 }
 
 template <class Made>

@@ -371,12 +371,15 @@ void LogWriterPlayer::put_odometry(std::string& out, const Odometria& odometry,
 }  // namespace
 
 LogFormat player_format() {
-    return {{"player", HITOS_TEXT("ParameterChoice", "Player"), "logs of Player and Stage"},
-            "*.log",
-            claims_player,
-            classify_player,
-            make_range_conversor<ConversorPlayer>,
-            make_writer<LogWriterPlayer>};
+    LogFormat format = {
+        {"player", HITOS_TEXT("ParameterChoice", "Player"), "logs of Player and Stage"},
+        "*.log",
+        claims_player,
+        classify_player,
+        make_range_conversor<ConversorPlayer>,
+        make_writer<LogWriterPlayer>};
+    format.doubts = range_doubts<ConversorPlayer>;
+    return format;
 }
 
 }  // namespace hitos

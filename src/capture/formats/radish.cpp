@@ -178,13 +178,15 @@ void LogWriterRadish::put_odometry(std::string& out, const Odometria& odometry,
 }  // namespace
 
 LogFormat radish_format() {
-    return {{"radish", HITOS_TEXT("ParameterChoice", "Radish"),
-             "the text format of the thesis for Radish tours"},
-            "*.log *.txt",
-            claims_radish,
-            classify_radish,
-            make_range_conversor<ConversorRadish>,
-            make_writer<LogWriterRadish>};
+    LogFormat format = {{"radish", HITOS_TEXT("ParameterChoice", "Radish"),
+                         "the text format of the thesis for Radish tours"},
+                        "*.log *.txt",
+                        claims_radish,
+                        classify_radish,
+                        make_range_conversor<ConversorRadish>,
+                        make_writer<LogWriterRadish>};
+    format.doubts = range_doubts<ConversorRadish>;
+    return format;
 }
 
 }  // namespace hitos

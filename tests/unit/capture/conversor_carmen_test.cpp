@@ -260,5 +260,30 @@ TEST(ConversorCarmen, WithoutTheLoggersTimesNothingIsSaidOfClocks) {
     EXPECT_TRUE(log.findings.empty());
 }
 
+/// Twenty scans of ten rays that vary by `step` from `first` on.
+std::string scans_from(double first, double step, const std::string& parameter = {}) {
+    std::string text = parameter;
+    for (int i = 0; i < 20; ++i) {
+        text += "FLASER 10";
+        for (int ray = 0; ray < 10; ++ray) text += " " + std::to_string(first + step * (i + ray));
+        text += " 0 0 0 0 0 0 " + std::to_string(i) + " h " + std::to_string(i) + "\n";
+    }
+    return text;
+}
+
+TEST(ConversorCarmen, ReadingsInMillimetresAreTold) {
+    for (const std::string& limit :
+         {std::string(), std::string("PARAM robot_front_laser_max 30.0 h 0\n")}) {
+        const Log log = carmen(scans_from(2000.0, 13.0, limit));
+        EXPECT_TRUE(log.scans.at(0).points.empty());
+        ASSERT_EQ(log.findings.size(), 1U);
+        EXPECT_EQ(log.findings[0].kind, TourFinding::Kind::laser_units);
+        EXPECT_NEAR(log.findings[0].value, 2200.0, 100.0);
+    }
+    EXPECT_TRUE(carmen(scans_from(2.0, 0.013)).findings.empty());
+    EXPECT_TRUE(carmen(scans_from(50.0, 0.5)).findings.empty());    // outdoors, in metres
+    EXPECT_TRUE(carmen(scans_from(8191.0, 0.0)).findings.empty());  // no return
+}
+
 }  // namespace
 }  // namespace hitos
