@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "formats/formats.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
+#include "hitos/capture/archivo.hpp"
+#include "laser_pose.hpp"
 #include "range_conversor.hpp"
 #include "text_out.hpp"
 #include "tour_writer.hpp"
@@ -32,13 +35,23 @@ LineKind classify_normalized(std::string_view text) {
 
 class ConversorNormalized final : public Conversor {
   public:
-    explicit ConversorNormalized(ReadOptions options) : options_(std::move(options)) {}
+    explicit ConversorNormalized(ReadOptions options);
     std::optional<Scan> scan(const RawLine& line) override;
     std::optional<OdometryRecord> odometry(const RawLine& line) override;
 
   private:
     ReadOptions options_;
 };
+
+ConversorNormalized::ConversorNormalized(ReadOptions options) : options_(std::move(options)) {
+    if (!laser_pose_of(options_.laser_pose)) return;
+    throw ConfigError(
+        kLaserPoseKey,
+        message(HITOS_TEXT("Errors",
+                           "found \"%1\" for a normalised log, expected nothing: its points are in "
+                           "the robot's frame, and where the laser sat is not known any more"),
+                options_.laser_pose));
+}
 
 std::optional<Scan> ConversorNormalized::scan(const RawLine& line) {
     Fields fields(line);

@@ -47,6 +47,18 @@ TEST(ConversorNormalized, ReadingsThatNoSensorMakesAreNoPoints) {
     EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 1));
 }
 
+TEST(ConversorNormalized, RefusesAPlaceOfTheLaserThatItCannotTake) {
+    ReadOptions options;
+    options.laser_pose = "0.1,0,5";
+    try {
+        test::read_text("normalized", "LASER 1 1 1 1\n", options);
+        FAIL() << "taken in silence";
+    } catch (const ConfigError& error) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("source.laser_pose"));
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("robot's frame"));
+    }
+}
+
 TEST(ConversorNormalized, DamagedLines) {
     const Log log = normalized(
         "LASER 1 1 1 1\n"
