@@ -10,6 +10,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/median.hpp"
 #include "hitos/base/text_input.hpp"
 #include "text_output.hpp"
 
@@ -95,14 +96,48 @@ StampedPose pose_from(std::string_view line, const Columns& columns, const input
     return {t, {x, y, wrap_angle(yaw)}};
 }
 
-/// Stamps that cannot be seconds are brought to them where there is no doubt: those of a clock of
-/// today say by their size what they count.
+/// By how many the stamps of a clock that began with the tour, as a simulation's, have to be
+/// divided: whole numbers so far apart that in seconds the robot would hardly move are of the unit
+/// in which it drives like one.
+double unit_by_speed(const Trajectory& trajectory) {
+    constexpr double kApart = 20.0;     // of milliseconds at 50 Hz; of seconds hardly any path is
+    constexpr double kCreeping = 0.01;  // [m/s], on average: slower is no robot in seconds
+    constexpr double kUsual = 0.3;      // [m/s]
+    constexpr double kLeastWay = 0.5;   // [m]; else its speed says nothing
+    constexpr double kShortest = 1e-3;  // from pose to pose [s]
+    constexpr double kLongest = 10.0;
+    std::vector<double> steps;
+    double way_m = 0.0;
+    for (std::size_t i = 0; i < trajectory.size(); ++i) {
+        const double stamp = trajectory[i].time_s;
+        if (stamp != std::floor(stamp)) return 1.0;
+        if (i == 0) continue;
+        const StampedPose& before = trajectory[i - 1];
+        steps.push_back(stamp - before.time_s);
+        way_m +=
+            std::hypot(trajectory[i].pose.x - before.pose.x, trajectory[i].pose.y - before.pose.y);
+    }
+    const double step = median(steps);
+    const double speed = way_m / (trajectory.back().time_s - trajectory.front().time_s);
+    if (!(step >= kApart) || way_m < kLeastWay || !(speed > 0.0 && speed < kCreeping)) return 1.0;
+    const auto unlike = [&](double unit) { return std::abs(std::log(speed * unit / kUsual)); };
+    double best = 1.0;
+    for (const double unit : {1e3, 1e6, 1e9}) {
+        if (step < kShortest * unit || step > kLongest * unit) continue;
+        if (best == 1.0 || unlike(unit) < unlike(best)) best = unit;
+    }
+    return best;
+}
+
+/// Stamps that cannot be seconds are brought to them where there is no doubt: where the way driven
+/// does not say what they count, those of a clock of today say it by their size.
 void to_seconds(Trajectory& trajectory, const Columns& columns, const std::string& name) {
     const auto [first, last] = std::ranges::minmax_element(trajectory, {}, &StampedPose::time_s);
     const double from = first->time_s;
-    double unit = 1.0;
+    double unit = unit_by_speed(trajectory);
+    const bool by_size = unit == 1.0;  // from a parked robot, or with decimals
     for (const double next : {1e3, 1e6, 1e9}) {
-        if (from >= next * 1e8 && from >= 1e11 && last->time_s < 1e20) unit = next;
+        if (by_size && from >= next * 1e8 && from >= 1e11 && last->time_s < 1e20) unit = next;
     }
     if (columns.nanoseconds) unit = 1e9;
     constexpr double kLongest = 1e9;  // s, thirty years

@@ -121,6 +121,35 @@ TEST(ParseTrajectory, ReadsCommasNamesAndOtherStampsWhereThereIsNoDoubt) {
               0.005);
 }
 
+/// A hundred poses `metres` from each other and `step` in the stamps.
+Trajectory driven(double first, double step, double metres) {
+    std::string text;
+    for (int i = 0; i < 100; ++i) {
+        text += fmt::format("{} {} 0 0 0 0 0 1\n", first + i * step, i * metres);
+    }
+    return parse_trajectory(text, "some.tum");
+}
+
+TEST(ParseTrajectory, StampsOfASimulationsClockAreBroughtToSeconds) {
+    for (const double unit : {1e3, 1e6, 1e9}) {
+        for (const double begin_s : {0.0, 7.0, 1000.0, 1.7e9}) {
+            for (const double step_s : {0.025, 0.2, 2.0}) {
+                const Trajectory path = driven(begin_s * unit, step_s * unit, 0.4 * step_s);
+                EXPECT_NEAR(path[3].time_s, begin_s + 3 * step_s, 1e-6)
+                    << unit << " " << begin_s << " " << step_s;
+            }
+        }
+    }
+}
+
+TEST(ParseTrajectory, SecondsStaySeconds) {
+    for (const double step_s : {0.5, 1.0, 10.0, 60.0}) {
+        EXPECT_EQ(driven(1000.0, step_s, 0.1 * step_s)[1].time_s, 1000.0 + step_s);
+    }
+    EXPECT_EQ(driven(0.0, 15.0, 0.1)[1].time_s, 15.0);      // slow, and near in time
+    EXPECT_EQ(driven(0.0, 3600.0, 0.0)[1].time_s, 3600.0);  // parked
+}
+
 TEST(ParseTrajectory, TellsWhatItDoubts) {
     EXPECT_THAT(path_refusal("0,5 1,0 0,0 0 0 0 0 1\n"),
                 HasSubstr("t is \"0,5\", with a decimal comma"));
