@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iostream>
 #include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -75,11 +76,26 @@ MapImage joined(MapImage large, int side) {
     return image;
 }
 
+/// While it lives, what is written to std::cerr goes nowhere: OpenCV says there, past every
+/// handler, what is wrong with a picture, which is told in our words.
+class Silence {
+  public:
+    Silence() { std::cerr.setstate(std::ios::failbit); }
+    ~Silence() { std::cerr.clear(); }
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+};
+
 cv::Mat decoded(const fs::path& path, int how) {
-    const std::string text = input::read_text(path);
+    std::string text = input::read_text(path);
+    // The last number of a PBM, PGM or PPM in letters may end the file; OpenCV wants a blank there.
+    const bool in_letters =
+        text.starts_with("P1") || text.starts_with("P2") || text.starts_with("P3");
+    if (in_letters) text += '\n';
     const std::vector<std::uint8_t> bytes(text.begin(), text.end());
     cv::Mat image;
     drawing::set_up_codecs();
+    const Silence silence;
     try {
         image = cv::imdecode(bytes, how);
     } catch (const cv::Exception&) {
@@ -88,7 +104,9 @@ cv::Mat decoded(const fs::path& path, int how) {
     if (image.empty()) {
         throw FormatError(
             path.string(), 0,
-            message(HITOS_TEXT("Errors", "is no picture; expected a PNG or JPG file")));
+            message(HITOS_TEXT("Errors",
+                               "is no picture, or a damaged one; expected PNG, JPG, PGM or "
+                               "BMP")));
     }
     return image;
 }

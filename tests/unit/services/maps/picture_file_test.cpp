@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -262,7 +263,19 @@ TEST(PictureFile, GreyPicturesAreReadBackAsTheyWere) {
                 HasSubstr("none.png"));
     folder.put("text.png", "no picture");
     EXPECT_THAT(message_of<FormatError>([&] { read_grey_picture(folder / "text.png"); }),
-                HasSubstr("is no picture; expected a PNG or JPG"));
+                HasSubstr("is no picture, or a damaged one; expected PNG, JPG, PGM or BMP"));
+}
+
+TEST(PictureFile, DamagedMapsAreToldInOurWordsAlone) {
+    const TempFolder folder;
+    folder.put("cut.pgm", "P5\n100 100\n255\nabc");
+    ::testing::internal::CaptureStderr();
+    EXPECT_THROW(read_grey_picture(folder / "cut.pgm"), FormatError);
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+    EXPECT_TRUE(std::cerr.good());
+    folder.put("letters.pgm", "P2\n3 2\n255\n0 100 200\n255 10 20");
+    EXPECT_EQ(read_grey_picture(folder / "letters.pgm").grey,
+              (std::vector<std::uint8_t>{0, 100, 200, 255, 10, 20}));
 }
 
 TEST(PictureFile, EndsOfThePathCanBeMarkedByCrossAndRing) {
