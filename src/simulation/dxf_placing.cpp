@@ -43,9 +43,11 @@ constexpr std::array kUnits = {0.0254,
 /// Between these the places lie that robots map [m], the longer side.
 constexpr double kSmall = 2.0;
 constexpr double kLarge = 2000.0;
+/// Where no unit is said, so that a room in centimetres or feet looks like a quarter of a town.
+constexpr double kLargeUnsaid = 300.0;
 
-bool reasonable(double size_m) {
-    return size_m >= kSmall && size_m <= kLarge;
+bool reasonable(double size_m, double most_m = kLarge) {
+    return size_m >= kSmall && size_m <= most_m;
 }
 
 Bounds bounds_of(const std::vector<Wall>& walls) {
@@ -100,10 +102,10 @@ std::string size_of(double width, double height) {
 }
 
 /// By the units that would make it a place for robots.
-std::string other_sizes(double width, double height) {
+std::string other_sizes(double width, double height, double taken_m) {
     std::vector<std::string> sizes;
     for (const auto& [word, metres, name] : kDrawingUnits) {
-        if (reasonable(std::max(width, height) * metres))
+        if (metres != taken_m && reasonable(std::max(width, height) * metres))
             sizes.push_back(fmt::format("{}: {}", word, size_of(width * metres, height * metres)));
     }
     return fmt::format("{}", fmt::join(sizes, ", "));
@@ -113,9 +115,17 @@ void tell_size(const Bounds& box, const Unit& unit, DxfWalls& result) {
     const double width = box.high.x - box.low.x;
     const double height = box.high.y - box.low.y;
     result.notes.push_back(unit.note);
-    if (reasonable(std::max(width, height))) return;
+    if (reasonable(std::max(width, height), unit.known ? kLarge : kLargeUnsaid)) return;
     const std::string size = size_of(width, height);
-    const std::string others = other_sizes(width / unit.metres, height / unit.metres);
+    const std::string others = other_sizes(width / unit.metres, height / unit.metres, unit.metres);
+    if (!unit.known && reasonable(std::max(width, height)) && !others.empty()) {
+        result.warnings.push_back(message(
+            HITOS_TEXT("Errors",
+                       "drawing: as metres, which nothing says, it is %1, large for a place "
+                       "that a robot maps. By other units (--unit, dxf_unit) it is: %2"),
+            size, others));
+        return;
+    }
     result.warnings.push_back(
         others.empty()
             ? message(HITOS_TEXT("Errors",

@@ -300,6 +300,22 @@ TEST_F(DxfKinds, UnitsAreTakenAsToldAndTheirSizesDoubted) {
     EXPECT_TRUE(read(hall, {}, {{}, 0.001}).warnings.empty());
 }
 
+TEST_F(DxfKinds, FromThreeHundredMetresOnAUnitThatNobodySaysIsAskedFor) {
+    const auto hall = [](const std::string& size) {
+        return "0 LINE 8 0 10 0 20 0 11 " + size + " 21 9";
+    };
+    const std::string none = "0 SECTION 2 HEADER 9 $INSUNITS 70 0 0 ENDSEC";
+    const std::string metres = "0 SECTION 2 HEADER 9 $INSUNITS 70 6 0 ENDSEC";
+    const std::string asked = told(read(hall("1500"), none, {}).warnings);
+    EXPECT_THAT(asked, HasSubstr("as metres, which nothing says, it is 1500 m x 9 m"));
+    EXPECT_THAT(asked, HasSubstr("cm: 15 m x 0.09 m"));
+    EXPECT_THAT(asked, testing::Not(HasSubstr(" m: 1500 m")));
+    EXPECT_TRUE(read(hall("280"), none, {}).warnings.empty());
+    EXPECT_TRUE(read(hall("1500"), metres, {}).warnings.empty());
+    EXPECT_TRUE(read(hall("1500"), {}, {{}, 1.0}).warnings.empty());
+    EXPECT_FALSE(read(hall("2500"), metres, {}).warnings.empty());
+}
+
 TEST_F(DxfKinds, SurveyCoordinatesAreMovedAndStraysLeftOut) {
     const std::string far = "0 LINE 8 0 10 2600000.25 20 1200000.5 11 2600020.25 21 1200012.5";
     const DxfWalls moved = read(far);
