@@ -167,6 +167,24 @@ Message problem_of(const Probe& found) {
                 found.first_line));
 }
 
+/// Drawings are where worlds come from, but no tours.
+void refuse_drawing(const std::filesystem::path& path, const Probe& found) {
+    const std::string& beginning = found.raw_beginning;
+    if (beginning.starts_with("AC10")) {
+        throw FormatError(path.string(), 0,
+                          message(HITOS_TEXT("Errors",
+                                             "is a DWG drawing, no log; save it as DXF, of which "
+                                             "hitos-cli world makes a world")));
+    }
+    const bool text = found.first_line == "0" && beginning.find("\nSE") != std::string::npos;
+    const bool commented = found.first_line == "999" && path.extension() == ".dxf";
+    if (!text && !commented && !beginning.starts_with("AutoCAD ")) return;
+    throw FormatError(path.string(), 0,
+                      message(HITOS_TEXT("Errors",
+                                         "is a DXF drawing, no log; hitos-cli world makes a world "
+                                         "of it, in which a tour can be driven")));
+}
+
 [[noreturn]] void refuse_format(const std::string& path, std::string_view said,
                                 const LogFormat& likely) {
     throw FormatError(
@@ -200,6 +218,7 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
         return recording->open(path, *recording, options);
     }
     const Probe found = probe(path);
+    refuse_drawing(path, found);
     if (2 * found.commas > found.text) refuse_commas(path.string(), found);
     if (found.claimed == 0) refuse_unknown(path.string(), found);
     const std::vector<LogFormat>& formats = log_formats().entries();

@@ -101,6 +101,20 @@ TEST(OpenLog, TextOfNoFormat) {
 }
 
 // Of every format, whether its lines are still known or not.
+TEST(OpenLog, DrawingsAreToldAsSuch) {
+    const TempDir folder;
+    const auto said = [&](const std::string& name, const std::string& text) {
+        const auto path = folder.put(name, text);
+        return test::message_of<FormatError>([&] { open_log(path); });
+    };
+    for (const char* text : {"0\nSECTION\n2\nHEADER\n", "  0\r\nSECTION\r\n  2\r\n",
+                             "999\nmade by hand\n0\nSECTION\n"}) {
+        EXPECT_THAT(said("plan.dxf", text), HasSubstr("hitos-cli world makes a world of it"));
+    }
+    EXPECT_THAT(said("plan.dwg", std::string("AC1032\0\0\1\2", 10)), HasSubstr("save it as DXF"));
+    EXPECT_THAT(said("plan.log", "0\n1\n2\n"), HasSubstr("no line is one of a format"));
+}
+
 TEST(OpenLog, DecimalCommasAreToldAsSuch) {
     const TempDir folder;
     for (const char* line : {kPlayer, kOldPlayer, kRadish, kNormalized, kCarmen}) {
