@@ -1039,10 +1039,6 @@
         <translation>no se puede leer</translation>
     </message>
     <message>
-        <source>is no picture; expected a PNG or JPG file</source>
-        <translation>no es una imagen; se esperaba un archivo PNG o JPG</translation>
-    </message>
-    <message>
         <source>landmark is %1; expected the number of a line of the map, counted from 1</source>
         <translation>el hito es %1; se esperaba el número de una recta del mapa, contado desde 1</translation>
     </message>
@@ -2558,6 +2554,42 @@
         <source>the run was asked to end; it reads the tour once more</source>
         <translation>se pidió que la ejecución acabara, y esto lee el recorrido otra vez</translation>
     </message>
+    <message>
+        <source>%1 of the first %2 stamps are the same as the one before: they have too few digits; the logger&apos;s times, the last number of each line, are taken in their place</source>
+        <translation>%1 de los %2 primeros sellos de tiempo son iguales al anterior: tienen demasiado pocas cifras; en su lugar se toman los tiempos del registrador, el último número de cada línea</translation>
+    </message>
+    <message>
+        <source>by the logger&apos;s times the stamps of %1 are %2 s behind those of %3: the clocks of their computers differ</source>
+        <translation>según los tiempos del registrador, los sellos de tiempo de %1 van %2 s por detrás de los de %3: los relojes de sus ordenadores difieren</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot; for a normalised log, expected nothing: its points are in the robot&apos;s frame, and where the laser sat is not known any more</source>
+        <translation>se encontró «%1» para un registro normalizado y no se esperaba nada: sus puntos están en el sistema de referencia del robot y ya no se sabe dónde estaba el láser</translation>
+    </message>
+    <message>
+        <source>is a DWG drawing, no log; save it as DXF, of which hitos-cli world makes a world</source>
+        <translation>es un dibujo DWG, no un registro; guárdelo como DXF, del que hitos-cli world hace un mundo</translation>
+    </message>
+    <message>
+        <source>is a DXF drawing, no log; hitos-cli world makes a world of it, in which a tour can be driven</source>
+        <translation>es un dibujo DXF, no un registro; hitos-cli world hace de él un mundo en el que se puede simular un recorrido</translation>
+    </message>
+    <message>
+        <source>%1 % of the readings lie beyond the greatest range of %2 m and are no points; half of them are above %3, as millimetres or centimetres are</source>
+        <translation>el %1 % de las lecturas supera el alcance máximo de %2 m y no da puntos; la mitad pasa de %3, como ocurre con milímetros o centímetros</translation>
+    </message>
+    <message>
+        <source>write the readings in metres, which they are read as</source>
+        <translation>escriba las lecturas en metros, que es como se leen</translation>
+    </message>
+    <message>
+        <source>is no picture, or a damaged one; expected PNG, JPG, PGM or BMP</source>
+        <translation>no es una imagen, o está dañada; se esperaba PNG, JPG, PGM o BMP</translation>
+    </message>
+    <message>
+        <source>drawing: as metres, which nothing says, it is %1, large for a place that a robot maps. By other units (--unit, dxf_unit) it is: %2</source>
+        <translation>dibujo: en metros, que nada indica, mide %1, mucho para un lugar que explore un robot. Con otras unidades (--unit, dxf_unit) es: %2</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -3179,12 +3211,12 @@
         <translation>Si los controles salen de las diferencias de las poses registradas, son la v y la omega registradas, o salen solo de los barridos, como donde un registro no tiene odometría.</translation>
     </message>
     <message>
-        <source>Whether what is known to be wrong is mended: rays that were measured one after the other are moved by the odometry to one time (rays); besides, leaps of the odometry that no robot makes are bridged, and where there is no odometry the scans say how the robot moved (on).</source>
-        <translation>Si se corrige lo que se sabe falso: los rayos medidos uno tras otro se llevan con la odometría a un mismo instante (rays); además se salvan los saltos de la odometría que no da ningún robot, y donde no hay odometría los barridos dicen cómo se movió (on).</translation>
-    </message>
-    <message>
         <source>%1 or %2</source>
         <translation>%1 o %2</translation>
+    </message>
+    <message>
+        <source>Whether what is known to be wrong is mended: rays that were measured one after the other are moved by the odometry to one time (rays); besides, leaps of the odometry that no robot makes are bridged, stamps of too few digits give way to the logger&apos;s times, and where there is no odometry the scans say how the robot moved (on).</source>
+        <translation>Si se corrige lo que se sabe falso: los rayos medidos uno tras otro se llevan con la odometría a un mismo instante (rays); además se salvan los saltos de la odometría que no da ningún robot, los sellos de tiempo con demasiado pocas cifras ceden a los tiempos del registrador, y donde no hay odometría los barridos dicen cómo se movió (on).</translation>
     </message>
 </context>
 <context>
