@@ -236,7 +236,10 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
             return finding.kind == Kind::scan_delay || finding.kind == Kind::clocks_apart;
         });
     }
-    std::erase_if(own, [&](const TourFinding& finding) { return holds(told, finding.kind); });
+    std::erase_if(own, [&](const TourFinding& finding) {
+        return holds(told, finding.kind) ||
+               (finding.kind == Kind::blind_laser && holds(told, Kind::laser_units));
+    });
     // What the reader told of leaps does not hold for these.
     if (own.empty()) doubt_pauses(own);
     std::ranges::move(own, std::back_inserter(told));

@@ -217,5 +217,33 @@ TEST_F(OutputCrewTest, EachIsToldOfOnceAndTheObserverMayEndIt) {
     EXPECT_THROW(write(outputs, 3), std::runtime_error);
 }
 
+TEST_F(OutputCrewTest, WhatReadsTheTourAgainIsLeftOutWhereTheRunIsToEnd) {
+    run_all(run_);
+    const auto names = [](const RunSummary& summary) {
+        std::set<std::string> files;
+        for (const NotWritten& missing : summary.not_written) files.insert(missing.file);
+        return files;
+    };
+    StagedFolder folder = results_folder(folder_ / "ended");
+    const RunSummary summary =
+        write_results(run_, references_, 1.0, folder, {}, nullptr, {}, [] { return true; });
+    EXPECT_THAT(names(summary), testing::IsSupersetOf({"grid_best.png", "grid_odometry.png"}));
+    for (const char* file : {"map.txt", "segments.txt", "trajectory.tum", "grid_best_steps.png",
+                             "map.dxf", "summary.json"}) {
+        EXPECT_TRUE(std::filesystem::exists(folder_ / "ended" / file)) << file;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "ended" / "grid_best.png"));
+    // Asked while it is written, it ends soon, and keeps what was written before.
+    int asked = 0;
+    StagedFolder later = results_folder(folder_ / "later");
+    const RunSummary cut = write_results(run_, references_, 1.0, later, {}, nullptr, {},
+                                         [&asked] { return ++asked > 20; });
+    EXPECT_FALSE(names(cut).empty());
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "later" / "map.txt"));
+    for (const std::string& file : names(cut)) {
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "later" / file)) << file;
+    }
+}
+
 }  // namespace
 }  // namespace hitos
