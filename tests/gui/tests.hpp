@@ -373,6 +373,7 @@ class WordsTest : public QObject {
     void nothing_speaks_of_particles_that_are_not_there();
     void the_program_makes_pictures_without_a_display();
     void the_program_tells_what_is_wrong();
+    void a_picture_says_of_how_many_scans();
     void every_message_of_the_libraries_is_translated();
     void a_refused_log_is_told_in_spanish();
     void a_bad_configuration_is_told_in_spanish();

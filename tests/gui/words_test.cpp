@@ -11,6 +11,8 @@
 #include <QXmlStreamReader>
 
 #include "app/application.hpp"
+#include "app/command_line.hpp"
+#include "app/screenshot.hpp"
 #include "dialogs/configuration_dialog.hpp"
 #include "dialogs/parameter_text.hpp"
 #include "dialogs/run_until_dialog.hpp"
@@ -206,6 +208,19 @@ void WordsTest::the_program_makes_pictures_without_a_display() {
                      "--language", "es", "--theme", "dark"});
     QVERIFY2(outcome.code == 0, qPrintable(outcome.errors));
     QCOMPARE(QImage(path).size(), QSize(2200, 1400));
+}
+
+void WordsTest::a_picture_says_of_how_many_scans() {
+    for (const char* show : {"landmarks", "particles", "runs"}) {
+        Fixture f;
+        CommandLine line;
+        line.show = show;
+        line.steps = 3;
+        line.screenshot = f.path("window.png").toStdString();
+        take_screenshot(*f.window, f.session, line);
+        const QString words = f.window->findChild<QLabel*>("status_scan")->text();
+        QVERIFY2(words == "Scan 3 of 1050", qPrintable(words));
+    }
 }
 
 void WordsTest::the_program_tells_what_is_wrong() {
