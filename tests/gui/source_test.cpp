@@ -1,6 +1,7 @@
 // Use case 8.2.2.1: selecting the data source.
 
 #include <QAbstractItemModel>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QCompleter>
 #include <QDialogButtonBox>
@@ -132,6 +133,28 @@ void SourceTest::why_no_scan_can_be_read_is_told() {
     QVERIFY2(verdict(dialog).contains("not one readable scan"), qPrintable(verdict(dialog)));
     QVERIFY2(verdict(dialog).contains("line 2") && verdict(dialog).contains("\"broken\""),
              qPrintable(verdict(dialog)));
+}
+
+void SourceTest::what_findings_advise_is_set_in_the_form() {
+    Fixture f;
+    in_dialog<SourceDialog>([](SourceDialog& dialog) {
+        wait_for_check(dialog);
+        auto* delay = dialog.findChild<QLineEdit*>("field_source.scan_delay");
+        QVERIFY(!delay->isVisible());
+        dialog.findChild<QCheckBox*>("how")->click();
+        QVERIFY(delay->isVisible());
+        delay->selectAll();
+        QTest::keyClicks(delay, "late");
+        QTRY_VERIFY(!ok(dialog)->isEnabled());
+        QVERIFY(dialog.findChild<QLabel*>("error_source.scan_delay")->isVisible());
+        delay->selectAll();
+        QTest::keyClicks(delay, "-5");
+        QTRY_VERIFY(verdict(dialog).contains("--scan-delay"));
+        QVERIFY(ok(dialog)->isEnabled());
+        ok(dialog)->click();
+    });
+    f.trigger("action_select_source");
+    QCOMPARE(f.session.configuration().source.read.scan_delay_s, -5.0);
 }
 
 void SourceTest::findings_are_set_apart() {

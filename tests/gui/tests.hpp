@@ -15,6 +15,7 @@ class SourceTest : public QObject {
     void a_file_that_is_no_log_is_told_in_the_form();
     void damaged_lines_are_counted();
     void why_no_scan_can_be_read_is_told();
+    void what_findings_advise_is_set_in_the_form();
     void findings_are_set_apart();
     void topics_of_another_recording_are_forgotten();
     void topics_are_listed_to_choose_from();
@@ -372,8 +373,8 @@ class WordsTest : public QObject {
     void headings_name_what_runs();
     void nothing_speaks_of_particles_that_are_not_there();
     void the_program_makes_pictures_without_a_display();
-    void the_program_tells_what_is_wrong();
     void a_picture_says_of_how_many_scans();
+    void the_program_tells_what_is_wrong();
     void every_message_of_the_libraries_is_translated();
     void a_refused_log_is_told_in_spanish();
     void a_bad_configuration_is_told_in_spanish();

@@ -21,25 +21,18 @@ namespace {
 
 using Group = ParameterGroup;
 
-/// Two columns of groups, about as long as each other.
+/// Two columns of groups, about as long as each other. Of the source, how it is read.
 const std::array<std::vector<Group>, 2> kColumnGroups{{
     {Group::particle_filter, Group::motion, Group::resampling, Group::run, Group::source},
     {Group::observation, Group::split_merge, Group::registration, Group::grid},
 }};
-
-/// What is read is chosen in a dialog of its own, which looks at it; here is how it is read.
-bool is_in_form(const ConfigParameter& parameter) {
-    constexpr std::array<std::string_view, 4> kElsewhere{"source.file", "source.format",
-                                                         "source.scan_topic", "source.odom_topic"};
-    return std::ranges::find(kElsewhere, parameter.key) == kElsewhere.end();
-}
 
 /// Of the longest label, so that the editors of all groups stand below each other.
 int label_width() {
     const QFontMetrics metrics(QApplication::font());
     int width = 0;
     for (const ConfigParameter& parameter : parameters()) {
-        if (!is_in_form(parameter)) continue;
+        if (names_source(parameter)) continue;
         width = std::max(width, metrics.horizontalAdvance(label_of(parameter)));
     }
     return width + 8;
@@ -95,7 +88,7 @@ void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box
     title->setProperty("role", "title");
     rows->addWidget(title, 0, 0, 1, 3);
     for (const ConfigParameter& parameter : parameters()) {
-        if (group_of(parameter.table()).group != group || !is_in_form(parameter)) continue;
+        if (group_of(parameter.table()).group != group || names_source(parameter)) continue;
         auto* field = new FieldOf<Configuracion>(parameter, rows, box);
         fields_.push_back(field);
         connect(field, &ParameterField::edited, this, [this, field] {

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,6 +35,12 @@ QString translated(const char* context, std::string_view text) {
 
 QString to_qt(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+bool names_source(const ParameterFacts& parameter) {
+    constexpr std::array<std::string_view, 4> kNames{"source.file", "source.format",
+                                                     "source.scan_topic", "source.odom_topic"};
+    return std::ranges::find(kNames, parameter.key) != kNames.end();
 }
 
 QString label_of(const ParameterFacts& parameter) {

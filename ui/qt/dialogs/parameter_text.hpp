@@ -12,6 +12,8 @@ namespace hitos::window {
 QString to_qt(std::string_view text);
 /// A text that HITOS_TEXT marks, in the user's language.
 QString translated(const char* context, std::string_view text);
+/// Whether it says which source is read, which the form of the source asks on its own.
+bool names_source(const ParameterFacts& parameter);
 /// "D max"
 QString label_of(const ParameterFacts& parameter);
 /// The sentence of the parameter table, translated.

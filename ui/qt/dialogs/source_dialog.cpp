@@ -1,5 +1,6 @@
 #include "source_dialog.hpp"
 
+#include <QCheckBox>
 #include <QCompleter>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -15,6 +16,7 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "parameter_text.hpp"
+#include "source_reading.hpp"
 #include "ui_source_dialog.h"
 #include "workers/background.hpp"
 
@@ -110,19 +112,28 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     ui_->scan_topic->setText(QString::fromStdString(source_.read.scan_topic));
     ui_->odom_topic->setText(QString::fromStdString(source_.read.odom_topic));
     show_topics(needs_topics(source_.file));
+    how_read_ = new SourceReading(source_, this);
+    ui_->reading_place->addWidget(how_read_);
+    how_read_->hide();
+    connect_fields();
+    begin_check();
+    fit_to_screen(*this);
+}
+
+void SourceDialog::connect_fields() {
     connect(ui_->path, &QLineEdit::textChanged, this, [this] {
         ui_->scan_topic->clear();  // names of another recording
         ui_->odom_topic->clear();
         begin_check();
     });
-    connect(ui_->scan_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_topics);
-    connect(ui_->odom_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_topics);
+    connect(ui_->scan_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_reading);
+    connect(ui_->odom_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_reading);
     connect(ui_->type, &QComboBox::currentIndexChanged, this, &SourceDialog::begin_check);
     connect(ui_->browse, &QPushButton::clicked, this, &SourceDialog::browse);
     connect(ui_->buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(ui_->buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    begin_check();
-    fit_to_screen(*this);
+    connect(ui_->how, &QCheckBox::toggled, how_read_, &QWidget::setVisible);
+    connect(how_read_, &SourceReading::changed, this, &SourceDialog::check_reading);
 }
 
 SourceDialog::~SourceDialog() {
@@ -132,6 +143,7 @@ SourceDialog::~SourceDialog() {
 
 SourceParams SourceDialog::source() const {
     SourceParams chosen = source_;
+    how_read_->give(chosen);
     chosen.file = ui_->path->text().trimmed().toStdString();
     chosen.format = ui_->type->currentData().toString().toStdString();
     chosen.read.scan_topic = ui_->scan_topic->text().trimmed().toStdString();
@@ -139,9 +151,9 @@ SourceParams SourceDialog::source() const {
     return chosen;
 }
 
-void SourceDialog::check_topics() {
-    const SourceParams wanted = source();
-    if (wanted.read != checked_) begin_check();
+void SourceDialog::check_reading() {
+    if (source() != checked_) begin_check();
+    if (!how_read_->good()) ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
 }
 
 void SourceDialog::show_topics(bool shown) {
@@ -172,7 +184,8 @@ void SourceDialog::begin_check() {
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
     ui_->lines->clear();
     const SourceParams wanted = source();
-    checked_ = wanted.read;
+    checked_ = wanted;
+    how_read_->mark_unused(wanted);
     show_topics(needs_topics(wanted.file));
     if (wanted.file.empty()) {
         stop_.reset();
@@ -235,7 +248,7 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
                             : tr("The file holds odometry but not one readable scan.")};
     for (const QString& note : notes) lines << set_apart(note);
     show_verdict(lines.join('\n'), !scans ? "error" : notes.isEmpty() ? "good" : "warning");
-    ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans);
+    ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans && how_read_->good());
     emit checked(scans);
 }
 

@@ -15,6 +15,8 @@
 
 namespace hitos::window {
 
+class SourceReading;
+
 namespace Ui {
 class SourceDialog;
 }
@@ -58,9 +60,10 @@ class SourceDialog final : public QDialog {
 
     void browse();
     void begin_check();
-    /// Anew, where the topics are not those of the last check.
-    void check_topics();
+    /// Anew, where it is to be read otherwise than at the last check.
+    void check_reading();
     void show_topics(bool shown);
+    void connect_fields();
     void end_check(const Stop& stop, const std::optional<SourceInspection>& summary,
                    const Refusal& refusal);
     void show_lines(const std::vector<Message>& first_lines);
@@ -70,8 +73,9 @@ class SourceDialog final : public QDialog {
     std::unique_ptr<Ui::SourceDialog> ui_;
     Prompts& prompts_;
     QString folder_;
+    SourceReading* how_read_ = nullptr;
     SourceParams source_;
-    ReadOptions checked_;  ///< those of the newest check
+    SourceParams checked_;  ///< of the newest check
     std::optional<SourceInspection> summary_;
     Stop stop_;  ///< of the check under way
     QThreadPool pool_;

@@ -6276,6 +6276,14 @@
         <source>Topics</source>
         <translation>Temas</translation>
     </message>
+    <message>
+        <source>Set how it is read</source>
+        <translation>Ajustar cómo se lee</translation>
+    </message>
+    <message>
+        <source>Clocks, the laser&apos;s place, ranges and what else is put right</source>
+        <translation>Relojes, posición del láser, alcances y demás correcciones</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::StatusLine</name>

@@ -1,0 +1,41 @@
+// How a source is read, in the form that selects it: what its findings advise.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <vector>
+
+#include "parameter_field.hpp"
+
+namespace hitos {
+struct Configuracion;
+struct SourceParams;
+}  // namespace hitos
+
+namespace hitos::window {
+
+class SourceReading final : public QWidget {
+    Q_OBJECT
+
+  public:
+    SourceReading(const SourceParams& source, QWidget* parent);
+
+    /// The last possible values.
+    void give(SourceParams& source) const;
+    /// Every field holds a value that is possible.
+    bool good() const;
+    /// Greys out what such a source has no use for.
+    void mark_unused(const SourceParams& source);
+
+  signals:
+    /// Nobody has typed for a moment, after values were changed.
+    void changed();
+
+  private:
+    void take();
+
+    std::vector<FieldOf<Configuracion>*> fields_;
+    QTimer pause_;
+};
+
+}  // namespace hitos::window
