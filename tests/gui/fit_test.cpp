@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QProcess>
@@ -155,6 +156,8 @@ void FitTest::every_window_fits() {
         check_dialog(world, world.size(), "world form");
         SourceDialog source(f.session.configuration().source, f.prompts, {}, f.window.get());
         check_dialog(source, {720, 480}, "source");
+        source.findChild<QCheckBox*>("how")->setChecked(true);
+        check_dialog(source, {720, 480}, "source with how it is read");
         PictureDialog picture(f.window->grid_view(), f.window.get());
         check_dialog(picture, picture.sizeHint(), "picture");
         RunUntilDialog until(f.session, f.files.settings(), f.window.get());

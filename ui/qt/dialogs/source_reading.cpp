@@ -12,6 +12,7 @@ namespace hitos::window {
 
 SourceReading::SourceReading(const SourceParams& source, QWidget* parent) : QWidget(parent) {
     constexpr int kPauseMs = 500;
+    constexpr int kTight = 3;  // on low screens the verdict needs room too
     pause_.setSingleShot(true);
     pause_.setInterval(kPauseMs);
     connect(&pause_, &QTimer::timeout, this, &SourceReading::take);
@@ -22,6 +23,7 @@ SourceReading::SourceReading(const SourceParams& source, QWidget* parent) : QWid
         auto* column = new QVBoxLayout;
         grid = new QGridLayout;
         grid->setColumnStretch(1, 1);
+        grid->setVerticalSpacing(kTight);
         column->addLayout(grid);
         column->addStretch(1);
         columns->addLayout(column, 1);
