@@ -32,7 +32,8 @@ constexpr double kScaleOff = 1.15;
 constexpr double kLongestStep = 10.0;         // [m] between scans; of sparse recordings 1.7
 constexpr std::uint64_t kManyEarlyScans = 2;  // one may come first by chance
 
-void measure_crispness(const Algoritmo& run, RunQuality& quality) {
+void measure_crispness(const Algoritmo& run, const std::function<bool()>& stop,
+                       RunQuality& quality) {
     MapCrispness best;
     MapCrispness odometry;
     const Trajectory path = run.best_trajectory();
@@ -40,6 +41,7 @@ void measure_crispness(const Algoritmo& run, RunQuality& quality) {
     for (std::size_t i = 0; i < path.size(); ++i) {
         const std::optional<Scan> scan = reader->next_scan();
         if (!scan) break;
+        if (stop && stop()) return;  // of half a tour it says nothing
         best.add(*scan, path[i].pose);
         odometry.add(*scan, run.odometry_trajectory()[i].pose);
     }
@@ -212,11 +214,11 @@ std::vector<Advice> warnings(const Algoritmo& run) {
     return warnings;
 }
 
-RunQuality judge(const Algoritmo& run) {
+RunQuality judge(const Algoritmo& run, const std::function<bool()>& stop) {
     RunQuality quality;
-    measure_crispness(run, quality);
+    measure_crispness(run, stop, quality);
     quality.warnings = warnings(run);
-    if (run.examination() != nullptr)
+    if (run.examination() != nullptr && !(stop && stop()))
         quality.findings = run.examination()->findings(run.reader().findings());
     if (const Registration* registration = run.registration()) {
         quality.registration = registration->figures();

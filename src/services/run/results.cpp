@@ -124,7 +124,8 @@ std::string version() {
     return kVersion;
 }
 
-RunSummary summarize(const Algoritmo& run, const References& references) {
+RunSummary summarize(const Algoritmo& run, const References& references,
+                     const std::function<bool()>& stop) {
     RunSummary summary;
     summary.source = run.reader().name();
     summary.format = run.reader().format();
@@ -143,7 +144,7 @@ RunSummary summarize(const Algoritmo& run, const References& references) {
     summary.report = run.report();
     summary.suitability = run.suitability().figures();
     summary.advice = run.advice();
-    summary.quality = judge(run);
+    summary.quality = judge(run, stop);
     const LandmarkMap map = run.filter().best_map();
     if (references.map) {
         summary.map_error = map_error(map, *references.map);
@@ -287,7 +288,7 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
                          StagedFolder& folder, const WritingObserver& told,
                          OdometryGridAhead* ahead, std::span<const std::string> also,
                          const std::function<bool()>& stop) {
-    RunSummary summary = summarize(run, references);
+    RunSummary summary = summarize(run, references, stop);
     FinishedRun finished{
         run,   references, summary, run.best_trajectory(), run.filter().best_map(), {},
         ahead, also,       stop};

@@ -2551,8 +2551,8 @@
         <translation>los barridos cambian durante %1 s, desde el segundo %2 del recorrido, y la odometría está quieta; todos ellos quedan en un mismo lugar</translation>
     </message>
     <message>
-        <source>the run was asked to end; it reads the tour once more</source>
-        <translation>se pidió que la ejecución acabara, y esto lee el recorrido otra vez</translation>
+        <source>the run was asked to end, and this takes long</source>
+        <translation>se pidió que la ejecución acabara, y esto tarda</translation>
     </message>
     <message>
         <source>%1 of the first %2 stamps are the same as the one before: they have too few digits; the logger&apos;s times, the last number of each line, are taken in their place</source>

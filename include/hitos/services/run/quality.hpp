@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct RunQuality {
 /// Why path and map should not be trusted, as far as the run so far shows it.
 std::vector<Advice> warnings(const Algoritmo& run);
 
-/// Reads the tour once more.
-RunQuality judge(const Algoritmo& run);
+/// Reads the tour once more. Once `stop` says so, crispness and findings are left out.
+RunQuality judge(const Algoritmo& run, const std::function<bool()>& stop = {});
 
 }  // namespace hitos

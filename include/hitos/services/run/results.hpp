@@ -77,7 +77,9 @@ struct RunSummary {
     std::vector<WrittenFile> files;  ///< by name; not the summary itself
 };
 
-RunSummary summarize(const Algoritmo& run, const References& references);
+/// Once `stop` says so, what reads the tour again is left out.
+RunSummary summarize(const Algoritmo& run, const References& references,
+                     const std::function<bool()>& stop = {});
 
 /// The summary as JSON text; units stand in the names. `seconds` is the wall time of the run.
 std::string to_json(const RunSummary& summary, double seconds);
