@@ -81,6 +81,18 @@ Best best_delay(const TourExamination& examination, double begins, bool apart,
     return best;
 }
 
+/// The laser as it would fit best, turned or mirrored.
+Best best_mounting(const TourExamination& examination, std::size_t every) {
+    Best best;
+    constexpr int kTurns = 36;
+    for (int i = 0; i < kTurns; ++i) {
+        const double turn_rad = wrap_angle(2.0 * kPi * i / kTurns);
+        best.try_out(examination, {.turn_rad = turn_rad, .every = every});
+        best.try_out(examination, {.turn_rad = turn_rad, .mirrored = true, .every = every});
+    }
+    return best;
+}
+
 /// How far the middle of the turns that fit as well lies from the one that was found [rad].
 double off_middle(const TourExamination& examination, const Best& found) {
     constexpr int kDegrees = 15;
@@ -189,7 +201,8 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
         found.push_back(*std::move(speed));
         return;
     }
-    if (doubt_turns(told, late.agreement, every, found)) return;
+    const double otherwise = std::max(late.agreement, best_mounting(*this, every).agreement);
+    if (doubt_turns(told, otherwise, every, found)) return;
     const std::size_t before = found.size();
     doubt_mounting(told, late.agreement, every, found);
     if (found.size() > before) return;
@@ -212,19 +225,27 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
 }
 
 /// Whether headings are in degrees, or were scaled as if they had been.
-bool TourExamination::doubt_turns(double told, double late, std::size_t every,
+bool TourExamination::doubt_turns(double told, double otherwise, std::size_t every,
                                   std::vector<TourFinding>& found) const {
     constexpr double kMuchBetter = 0.2;
+    constexpr double kBetterThanNone = 0.1;
     constexpr int kTurns = 36;  // where the first heading points is not known then
-    Best best;
-    for (const double scale : {kRadiansPerDegree, kDegreesPerRadian}) {
+    const auto best_of = [&](double scale) {
+        Best best;
         for (int i = 0; i < kTurns; ++i) {
             best.try_out(*this, {.turn_rad = wrap_angle(2.0 * kPi * i / kTurns),
                                  .turn_scale = scale,
                                  .every = every});
         }
-    }
-    if (best.agreement < kFits || best.agreement < told + kMuchBetter || best.agreement <= late) {
+        return best;
+    };
+    const Best less = best_of(kRadiansPerDegree);
+    const Best more = best_of(kDegreesPerRadian);
+    const Best& best = less.agreement > more.agreement ? less : more;
+    // Who never turned, and drove now ahead and now aside, fits by chance too.
+    if (best.agreement < told + kMuchBetter || best.agreement <= otherwise ||
+        !beats_standing(best.agreement) ||
+        best.agreement < best_of(0.0).agreement + kBetterThanNone) {
         return false;
     }
     const double scale = best.hypothesis.turn_scale;
@@ -271,13 +292,7 @@ void TourExamination::doubt_whole(std::vector<TourFinding>& found) const {
 /// Whether the laser fits better turned or mirrored, than as it is told and than at another time.
 void TourExamination::doubt_mounting(double told, double late, std::size_t every,
                                      std::vector<TourFinding>& found) const {
-    Best turned;
-    constexpr int kTurns = 36;
-    for (int i = 0; i < kTurns; ++i) {
-        const double turn_rad = wrap_angle(2.0 * kPi * i / kTurns);
-        turned.try_out(*this, {.turn_rad = turn_rad, .every = every});
-        turned.try_out(*this, {.turn_rad = turn_rad, .mirrored = true, .every = every});
-    }
+    Best turned = best_mounting(*this, every);
     if (turned.agreement < kFits || !beats_standing(turned.agreement) ||
         turned.agreement < told + kClearly || turned.agreement <= late) {
         return;

@@ -11,18 +11,24 @@ using Kind = TourFinding::Kind;
 
 }  // namespace
 
-/// What seems to move while the robot stands (people, doors) leaves most of a scan as it was.
+/// Held against the first scan of where the odometry stands: from scan to scan, along a wall,
+/// little changes. What seems to move while the robot stands (people, doors) leaves most as it was.
 void TourExamination::note_still(const Pair& pair, double odometer) {
     constexpr double kStands = 0.01;  // [m], [rad]
-    constexpr double kMoved = 0.7;
-    const bool stands = odometer - open_way_ < kStands;
-    const std::optional<double> same =
-        stands ? agreement(pair, Pose{}, Hypothesis{}) : std::optional<double>();
-    if (!same || *same > kMoved) {
+    constexpr double kMoved = 0.6;
+    constexpr Hypothesis kClosely{.near_m = 0.05, .near_per_range = 0.01};
+    if (odometer - open_way_ >= kStands) {
         still_ = {};
+        still_view_.reset();
         return;
     }
-    if (still_.pairs++ == 0) still_.begin_s = pair.first.time_s;
+    if (!still_view_) {
+        still_view_ = pair.first;
+        still_.begin_s = pair.first.time_s;
+    }
+    const std::optional<double> same = agreement(Pair{*still_view_, pair.second}, Pose{}, kClosely);
+    if (!same || *same > kMoved) return;
+    ++still_.pairs;
     still_.end_s = pair.second.time_s;
     if (still_.pairs > longest_still_.pairs) longest_still_ = still_;
 }

@@ -55,14 +55,18 @@ struct Readings {
     }
 };
 
-Readings read(const std::string& source) {
-    SourceParams params;
-    params.file = source;
+Readings read(const SourceParams& params) {
     const std::unique_ptr<TourReader> reader = open_tour(params);
     Readings readings;
     while (auto scan = reader->next_scan()) readings.scans.push_back(std::move(*scan));
     while (const auto reading = reader->next_odometry()) readings.odometry.push_back(*reading);
     return readings;
+}
+
+Readings read(const std::string& source) {
+    SourceParams params;
+    params.file = source;
+    return read(params);
 }
 
 class OfWorld : public testing::TestWithParam<std::string> {
@@ -162,7 +166,7 @@ TEST_P(OfWorld, OdometryThatStandsForAWhileIsTold) {
     }
     const auto stands = frozen.of_kind(Kind::still_odometry);
     ASSERT_TRUE(stands) << frozen.said();
-    EXPECT_GE(stands->value, 9.0);
+    EXPECT_GE(stands->value, 9.0) << stands->what.english();
     EXPECT_LE(stands->value, 36.0);
     EXPECT_NE(stands->remedy.english().find("source.odometry=scans"), std::string::npos);
     Readings ended = tour_;
@@ -279,6 +283,28 @@ INSTANTIATE_TEST_SUITE_P(Worlds, OfWorld,
                          testing::Values("recinto", "lineamedia", "bigloop", "bigloop2", "complex",
                                          "corridor"),
                          [](const auto& world) { return world.param; });
+
+TEST(TourExamination, HeadingsInDegreesAreTold) {
+    SourceParams params;
+    params.file = source_named("bigloop");
+    params.world_set = "odometry.rate=50";
+    Readings tour = read(params);
+    Pose pose;
+    Pose degrees;
+    double time_s = tour.odometry.front().time_s;
+    for (Odometria& reading : tour.odometry) {
+        const double seconds = reading.time_s - time_s;
+        time_s = reading.time_s;
+        if (!(seconds > 0.0)) continue;
+        pose = compose(pose, displacement(reading.twist, seconds));
+        const Pose next{pose.x, pose.y, wrap_angle(pose.theta * kDegreesPerRadian)};
+        reading.twist = twist_between(between(degrees, next), seconds);
+        degrees = next;
+    }
+    const auto found = tour.of_kind(Kind::odometry_units);
+    ASSERT_TRUE(found) << tour.said();
+    EXPECT_NEAR(found->value, kRadiansPerDegree, 1e-9);
+}
 
 /// Everything in a folder of recordings whose name ends so.
 std::vector<fs::path> recordings(const char* folder, std::string_view ending) {

@@ -71,7 +71,7 @@ class TourExamination {
     void doubt_fit(std::vector<TourFinding>& found) const;
     void doubt_mounting(double told, double late, std::size_t every,
                         std::vector<TourFinding>& found) const;
-    bool doubt_turns(double told, double late, std::size_t every,
+    bool doubt_turns(double told, double otherwise, std::size_t every,
                      std::vector<TourFinding>& found) const;
     void doubt_scale(std::vector<TourFinding>& found) const;
     bool beats_standing(double share) const;
@@ -101,13 +101,14 @@ class TourExamination {
     std::uint64_t of_no_time_ = 0;   ///< readings whose stamps did not advance,
     double way_in_no_time_m_ = 0.0;  ///< and what was driven in them
 
-    /// Pairs in a row that saw the robot move where the odometry did not.
+    /// Pairs that saw the robot move while the odometry stood.
     struct Still {
         double begin_s = 0.0;
         double end_s = 0.0;
         std::size_t pairs = 0;
     };
-    Still still_;  ///< up to now
+    Still still_;                     ///< up to now,
+    std::optional<View> still_view_;  ///< from where it began
     Still longest_still_;
 
     std::vector<Pair> pairs_;
