@@ -201,8 +201,7 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
         found.push_back(*std::move(speed));
         return;
     }
-    const double otherwise = std::max(late.agreement, best_mounting(*this, every).agreement);
-    if (doubt_turns(told, otherwise, every, found)) return;
+    if (doubt_turns(told, late.agreement, every, found)) return;
     const std::size_t before = found.size();
     doubt_mounting(told, late.agreement, every, found);
     if (found.size() > before) return;
@@ -230,6 +229,7 @@ bool TourExamination::doubt_turns(double told, double otherwise, std::size_t eve
     constexpr double kMuchBetter = 0.2;
     constexpr double kBetterThanNone = 0.1;
     constexpr int kTurns = 36;  // where the first heading points is not known then
+    if (told + kMuchBetter > 1.0) return false;
     const auto best_of = [&](double scale) {
         Best best;
         for (int i = 0; i < kTurns; ++i) {
@@ -245,7 +245,8 @@ bool TourExamination::doubt_turns(double told, double otherwise, std::size_t eve
     // Who never turned, and drove now ahead and now aside, fits by chance too.
     if (best.agreement < told + kMuchBetter || best.agreement <= otherwise ||
         !beats_standing(best.agreement) ||
-        best.agreement < best_of(0.0).agreement + kBetterThanNone) {
+        best.agreement < best_of(0.0).agreement + kBetterThanNone ||
+        best.agreement <= best_mounting(*this, every).agreement) {
         return false;
     }
     const double scale = best.hypothesis.turn_scale;

@@ -22,6 +22,7 @@
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "tests.hpp"
+#include "workers/log_counter.hpp"
 
 namespace hitos::window {
 namespace {
@@ -93,6 +94,18 @@ void ContactTest::a_recording_that_looks_wrong_is_told_before_it_is_run() {
     f.session.set_configuration(Fixture::tour(5));
     QVERIFY(hint->isHidden());
     QVERIFY2(!state->toolTip().contains("--scan-delay"), qPrintable(state->toolTip()));
+}
+
+void ContactTest::scans_that_cannot_be_counted_are_not_said_to_be_none() {
+    Fixture f;
+    const QString log = f.write("small.txt", "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n");
+    QVERIFY(f.window->configuration_actions().open(log));
+    QFile::remove(log);
+    LogCounter counter(f.session, nullptr);
+    int counts = 0;
+    QObject::connect(&counter, &LogCounter::counted, [&counts] { ++counts; });
+    QTRY_VERIFY(!counter.busy());
+    QCOMPARE(counts, 0);
 }
 
 void ContactTest::what_cannot_be_opened_is_told_as_what_it_is() {

@@ -50,7 +50,7 @@ struct RunOutput {
 /// last, is not among them.
 const std::vector<RunOutput>& run_outputs();
 
-/// Why an output that reads the tour again is missing where the run is to end.
+/// Why an output that takes long is missing where the run is to end.
 Message left_out();
 
 /// Whether one of them writes a file of that name, of any run.

@@ -32,19 +32,20 @@ void LogCounter::begin() {
     stop_ = std::make_shared<std::atomic<bool>>(false);
     pool_.start([this, wanted, stop = stop_] {
         begin_background_work();
-        TourSummary summary;
+        std::optional<TourSummary> summary;
         try {
             summary = inspect_source(wanted, [&](double) { return !stop->load(); }).tour;
         } catch (const std::exception&) {
-            summary = {};  // the run itself tells what is wrong with the log
+            summary.reset();  // the run itself tells what is wrong with the log
         }
         QMetaObject::invokeMethod(
             this,
             [this, stop, summary = std::move(summary)] {
-                if (stop != stop_ || *stop || !summary.complete) return;
+                if (stop != stop_ || *stop) return;
                 busy_ = false;
-                emit counted(summary.report.scans);
-                emit doubted(summary.findings);
+                if (!summary || !summary->complete) return;
+                emit counted(summary->report.scans);
+                emit doubted(summary->findings);
             },
             Qt::QueuedConnection);
     });
