@@ -58,6 +58,8 @@ class Workplace {
     /// What the library of faults reports, line by line; then it is forgotten.
     std::vector<std::string> take_report() const;
     std::string report_file() const { return (folder_ / "report").string(); }
+    /// The folder with the gnuplot that stands before the real one.
+    std::string programs() const { return (folder_ / "bin").string(); }
 
   private:
     TempFolder folder_;

@@ -1,22 +1,26 @@
 // Files that fail: HITOS_FAULT_FILE=NUMBER:ERRNO[:lasting|:cut], the operation of that number on
 // what lies below HITOS_FAULT_BELOW. "lasting" is a disk that is full from then on: whatever needs
-// space fails. "cut" is a write that does half of its work and then, as the disk is full, no more.
+// space fails. "cut" is a write that does half of its work and then, as the disk is full, no more;
+// "kill" ends the process before the operation.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
+#include "journal.hpp"
 #include "report.hpp"
 
 namespace hitos::faults {
@@ -28,15 +32,13 @@ constexpr std::size_t kDescriptors = 4096;
 
 Order order;
 std::string_view below;
+bool works_there = false;  ///< whether relative paths lie below it
 std::atomic<long> operations = 0;
 /// Of open files, whether they lie below the folder.
 std::array<std::atomic<bool>, kDescriptors> watched{};
 
 [[gnu::constructor]] void take_order() {
-    order = order_from("HITOS_FAULT_FILE");
-    const char* folder = std::getenv("HITOS_FAULT_BELOW");  // NOLINT(concurrency-mt-unsafe)
-    if (folder != nullptr) below = folder;
-    order.given = order.given && !below.empty();
+    renew_file_order();
 }
 
 [[gnu::destructor]] void tell_count() {
@@ -56,6 +58,7 @@ bool is_watched(int descriptor) {
 
 bool is_watched(const char* path) {
     const std::string_view text = path == nullptr ? "" : path;
+    if (works_there && !text.empty() && text.front() != '/') return true;
     return text.starts_with(below) && (text.size() == below.size() || text[below.size()] == '/');
 }
 
@@ -81,6 +84,7 @@ bool fails(const char* what, std::string_view path, Needs needs = Needs::nothing
     const bool full = (order.lasting || order.cut) && number > order.number;
     if (number != order.number && !(full && needs == Needs::space)) return false;
     if (number == order.number) report("hit", number, what, path);
+    if (order.kill) ::syscall(SYS_kill, ::getpid(), SIGKILL);
     errno = static_cast<int>(order.detail);
     return true;
 }
@@ -119,19 +123,58 @@ mode_t mode_in(int flags, std::va_list& rest) {
 int opened(const char* name, int folder, const char* path, int flags, mode_t mode) {
     if (fails_at(name, folder, path, needs_of(flags))) return -1;
     static const auto real = next<int (*)(int, const char*, int, ...)>("openat");
-    return watching(real(folder, path, flags, mode), is_watched(folder, path));
+    const bool is_there = is_watched(folder, path);
+    Change change;
+    const int result = watching(real(folder, path, flags, mode), is_there);
+    const bool writes = (static_cast<unsigned>(flags) & O_ACCMODE) != O_RDONLY;
+    if (result >= 0 && is_there && writes) change.tell("open", result);
+    return result;
 }
 
 std::FILE* opened_stream(const char* name, const char* path, const char* mode) {
     const bool writes = std::string_view(mode).find_first_of("wa+") != std::string_view::npos;
     if (fails_at(name, path, writes ? Needs::space : Needs::nothing)) return nullptr;
     static const auto real = next<std::FILE* (*)(const char*, const char*)>("fopen");
+    Change change;
     std::FILE* const file = real(path, mode);
-    if (file != nullptr) watching(::fileno(file), is_watched(path));
+    if (file == nullptr) return nullptr;
+    watching(::fileno(file), is_watched(path));
+    if (writes && is_watched(path)) change.tell("open", ::fileno(file));
     return file;
 }
 
+/// Notes what `change` gives unless it gives an error.
+template <class Result>
+Result noted(Change& change, const char* what, int descriptor, Result result) {
+    if (result >= 0 && is_watched(descriptor)) change.tell(what, descriptor);
+    return result;
+}
+
+/// Does a change of names by `real` and notes it; what loses its name is kept first.
+int renamed(const char* what, int folder, const char* path, int to_folder, const char* to,
+            const auto& real) {
+    Change change;
+    const bool is_there = is_watched(folder, path) || (to != nullptr && is_watched(to_folder, to));
+    if (is_there) change.keep(to != nullptr ? to_folder : folder, to != nullptr ? to : path);
+    const int result = real();
+    if (result == 0 && is_there) change.tell(what, folder, path, to_folder, to);
+    return result;
+}
+
 }  // namespace
+
+void renew_file_order() {
+    order = order_from("HITOS_FAULT_FILE");
+    const char* folder = std::getenv("HITOS_FAULT_BELOW");  // NOLINT(concurrency-mt-unsafe)
+    if (folder != nullptr) below = folder;
+    order.given = order.given && !below.empty();
+    operations = 0;
+    std::array<char, 4096> here{};
+    works_there = false;
+    works_there = ::getcwd(here.data(), here.size()) != nullptr && is_watched(here.data());
+    renew_journal();
+}
+
 }  // namespace hitos::faults
 
 using namespace hitos::faults;  // NOLINT(google-build-using-namespace)
@@ -212,17 +255,22 @@ ssize_t write(int descriptor, const void* bytes, std::size_t count) {
     if (fails("write", descriptor, Needs::space)) {
         return cut ? real(descriptor, bytes, count / 2) : -1;
     }
-    return real(descriptor, bytes, count);
+    Change change;
+    return noted(change, "write", descriptor, real(descriptor, bytes, count));
 }
 
 ssize_t pwrite(int descriptor, const void* bytes, std::size_t count, off_t place) {
     static const auto real = next<ssize_t (*)(int, const void*, std::size_t, off_t)>("pwrite");
-    return fails("pwrite", descriptor, Needs::space) ? -1 : real(descriptor, bytes, count, place);
+    if (fails("pwrite", descriptor, Needs::space)) return -1;
+    Change change;
+    return noted(change, "write", descriptor, real(descriptor, bytes, count, place));
 }
 
 ssize_t writev(int descriptor, const iovec* parts, int count) {
     static const auto real = next<ssize_t (*)(int, const iovec*, int)>("writev");
-    return fails("writev", descriptor, Needs::space) ? -1 : real(descriptor, parts, count);
+    if (fails("writev", descriptor, Needs::space)) return -1;
+    Change change;
+    return noted(change, "write", descriptor, real(descriptor, parts, count));
 }
 
 int close(int descriptor) {
@@ -238,17 +286,23 @@ int close(int descriptor) {
 
 int fsync(int descriptor) {
     static const auto real = next<int (*)(int)>("fsync");
-    return fails("fsync", descriptor, Needs::space) ? -1 : real(descriptor);
+    if (fails("fsync", descriptor, Needs::space)) return -1;
+    Change change;
+    return noted(change, "sync", descriptor, real(descriptor));
 }
 
 int fdatasync(int descriptor) {
     static const auto real = next<int (*)(int)>("fdatasync");
-    return fails("fdatasync", descriptor, Needs::space) ? -1 : real(descriptor);
+    if (fails("fdatasync", descriptor, Needs::space)) return -1;
+    Change change;
+    return noted(change, "sync", descriptor, real(descriptor));
 }
 
 int ftruncate(int descriptor, off_t length) noexcept {
     static const auto real = next<int (*)(int, off_t)>("ftruncate");
-    return fails("ftruncate", descriptor) ? -1 : real(descriptor, length);
+    if (fails("ftruncate", descriptor)) return -1;
+    Change change;
+    return noted(change, "write", descriptor, real(descriptor, length));
 }
 
 int fcntl(int descriptor, int command, ...) {
@@ -273,57 +327,67 @@ int fcntl64(int descriptor, int command, ...) {
 
 int rename(const char* from, const char* to) noexcept {
     static const auto real = next<int (*)(const char*, const char*)>("rename");
-    return fails_at("rename", from) ? -1 : real(from, to);
+    if (fails_at("rename", from)) return -1;
+    return renamed("rename", AT_FDCWD, from, AT_FDCWD, to, [&] { return real(from, to); });
 }
 
 int renameat2(int from_folder, const char* from, int to_folder, const char* to,
               unsigned flags) noexcept {
     static const auto real =
         next<int (*)(int, const char*, int, const char*, unsigned)>("renameat2");
-    return fails_at("renameat2", from_folder, from) ? -1
-                                                    : real(from_folder, from, to_folder, to, flags);
+    if (fails_at("renameat2", from_folder, from)) return -1;
+    const char* const what = (flags & RENAME_EXCHANGE) != 0 ? "exchange" : "rename";
+    return renamed(what, from_folder, from, to_folder, to,
+                   [&] { return real(from_folder, from, to_folder, to, flags); });
 }
 
 int link(const char* from, const char* to) noexcept {
     static const auto real = next<int (*)(const char*, const char*)>("link");
-    return fails_at("link", to, Needs::space) ? -1 : real(from, to);
+    if (fails_at("link", to, Needs::space)) return -1;
+    return renamed("link", AT_FDCWD, from, AT_FDCWD, to, [&] { return real(from, to); });
 }
 
 int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept {
     static const auto real = next<int (*)(int, const char*, int, const char*, int)>("linkat");
-    return fails_at("linkat", to_folder, to, Needs::space)
-               ? -1
-               : real(from_folder, from, to_folder, to, flags);
+    if (fails_at("linkat", to_folder, to, Needs::space)) return -1;
+    return renamed("link", from_folder, from, to_folder, to,
+                   [&] { return real(from_folder, from, to_folder, to, flags); });
 }
 
 int symlink(const char* from, const char* to) noexcept {
     static const auto real = next<int (*)(const char*, const char*)>("symlink");
-    return fails_at("symlink", to, Needs::space) ? -1 : real(from, to);
+    if (fails_at("symlink", to, Needs::space)) return -1;
+    return renamed("symlink", AT_FDCWD, to, 0, nullptr, [&] { return real(from, to); });
 }
 
 int mkdir(const char* path, mode_t mode) noexcept {
     static const auto real = next<int (*)(const char*, mode_t)>("mkdir");
-    return fails_at("mkdir", path, Needs::space) ? -1 : real(path, mode);
+    if (fails_at("mkdir", path, Needs::space)) return -1;
+    return renamed("mkdir", AT_FDCWD, path, 0, nullptr, [&] { return real(path, mode); });
 }
 
 int unlink(const char* path) noexcept {
     static const auto real = next<int (*)(const char*)>("unlink");
-    return fails_at("unlink", path) ? -1 : real(path);
+    if (fails_at("unlink", path)) return -1;
+    return renamed("remove", AT_FDCWD, path, 0, nullptr, [&] { return real(path); });
 }
 
 int unlinkat(int folder, const char* path, int flags) noexcept {
     static const auto real = next<int (*)(int, const char*, int)>("unlinkat");
-    return fails_at("unlinkat", folder, path) ? -1 : real(folder, path, flags);
+    if (fails_at("unlinkat", folder, path)) return -1;
+    return renamed("remove", folder, path, 0, nullptr, [&] { return real(folder, path, flags); });
 }
 
 int rmdir(const char* path) noexcept {
     static const auto real = next<int (*)(const char*)>("rmdir");
-    return fails_at("rmdir", path) ? -1 : real(path);
+    if (fails_at("rmdir", path)) return -1;
+    return renamed("remove", AT_FDCWD, path, 0, nullptr, [&] { return real(path); });
 }
 
 int remove(const char* path) noexcept {
     static const auto real = next<int (*)(const char*)>("remove");
-    return fails_at("remove", path) ? -1 : real(path);
+    if (fails_at("remove", path)) return -1;
+    return renamed("remove", AT_FDCWD, path, 0, nullptr, [&] { return real(path); });
 }
 
 DIR* opendir(const char* path) {

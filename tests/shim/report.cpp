@@ -31,8 +31,10 @@ int begin_main(int count, char** arguments, char** environment) {
     // Programs that this one starts are left alone.
     ::unsetenv("LD_PRELOAD");
     start_gdal();
+    static std::vector<char*> served = served_arguments();
     main_has_begun = true;
-    return real_main(count, arguments, environment);
+    if (served.empty()) return real_main(count, arguments, environment);
+    return real_main(static_cast<int>(served.size()) - 1, served.data(), environ);
 }
 
 std::array<char, 4096> report_file{};
@@ -51,6 +53,7 @@ Order order_from(const char* variable) {
     }
     order.lasting = std::strstr(word.data(), "lasting") != nullptr;
     order.cut = std::strstr(word.data(), "cut") != nullptr;
+    order.kill = std::strstr(word.data(), "kill") != nullptr;
     return order;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 namespace hitos::faults {
 
@@ -13,9 +14,22 @@ struct Order {
     long detail = 0;  ///< X: of files the errno, of memory the least bytes that count
     bool lasting = false;
     bool cut = false;  ///< "cut": a write does half its work first
+    bool kill = false;
 };
 
 Order order_from(const char* variable);
+
+/// Takes HITOS_FAULT_FILE, HITOS_FAULT_BELOW and HITOS_FAULT_JOURNAL as they are now, and counts
+/// anew.
+void renew_file_order();
+
+/// Where HITOS_FAULT_SERVE is set: main runs in a child for each request on descriptor kRequests,
+/// so that a program is loaded once however often it is run. Comes back in a child, with its
+/// arguments, or with none where nothing is to be served.
+std::vector<char*> served_arguments();
+
+constexpr int kRequests = 198;
+constexpr int kReplies = 199;
 
 /// Whether main has begun: what comes before it belongs to the system.
 bool in_main();

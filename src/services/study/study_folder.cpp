@@ -134,6 +134,7 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
         check_no_folder(target.folder / file.name);
         former.erase(file.name);
     }
+    exchange.flush();  // else a loss of power may take the folder in which the former files wait
     for (const WrittenFile& file : files) {
         if (file.name != seal) put(file);
     }

@@ -1,0 +1,78 @@
+// Use of hitos-cli as it goes on for a year: commands in any order, disturbed in any way, against a
+// model of what must be there afterwards. What a command gives is what it gives undisturbed in a
+// folder of its own; a disturbed one leaves what was there before, or that.
+#pragma once
+
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "server.hpp"
+
+namespace hitos::test {
+
+/// A command, with the parts of the workplace that it reads and writes.
+struct Step {
+    Words words;
+    std::vector<std::string> writes;
+    std::vector<std::string> reads;
+    bool resumes = false;  ///< what it has done when it is stopped stays, for the same one to go on
+};
+
+enum class Harm { none, fault, full, cut, kill, power, twice };
+
+/// A part as a user finds it: a folder, or files of one beginning, that are written together.
+struct Part {
+    bool folder = true;
+    Content raw;           ///< when it was last whole; what commands are given
+    Content shown;         ///< without what differs from time to time
+    bool changed = false;  ///< by another hand: verify says so
+    bool begun = false;    ///< a study that was stopped has left some of its runs
+};
+
+class UseModel {
+  public:
+    explicit UseModel(unsigned seed);
+
+    /// One step; an empty text, or what is not as it must be.
+    std::string go_on();
+    /// What has been done, a line each.
+    const std::vector<std::string>& history() const { return history_; }
+
+  private:
+    struct Expected {
+        int status = 0;
+        std::string said;
+        long operations = 0;
+        std::map<std::string, Content> shown;  ///< of each part it writes
+    };
+
+    unsigned any(unsigned below) { return static_cast<unsigned>(random_()) % below; }
+    const std::string& one_of(const std::vector<std::string>& all) { return all[any(all.size())]; }
+    Step some_step();
+    Harm some_harm(const Step& step);
+    const Expected& expected(const Step& step);
+    Content raw_of(const std::string& part) const;
+    Content shown_of(const Content& raw) const;
+    std::string other_hand();
+    std::string disturbed(const Step& step, Harm harm);
+    std::string twice(const Step& step);
+    std::string power_lost(const Step& step, long number, Outcome& outcome);
+    std::string judged(const Step& step, Harm harm, const Outcome& outcome);
+    std::string judged_part(const std::string& name, const Step& step, const Expected& after,
+                            bool undisturbed, const Outcome& outcome);
+    std::string verified(const std::string& name);
+    std::string leftovers(const Step& step) const;
+    void take_over(const std::string& name);
+
+    std::mt19937 random_;
+    Workplace place_;
+    Server one_, other_;
+    std::map<std::string, Part> parts_;
+    std::map<std::string, std::string> kept_;  ///< second names that files got, and their bytes
+    std::vector<std::string> history_;
+};
+
+}  // namespace hitos::test
