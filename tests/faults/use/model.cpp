@@ -27,10 +27,6 @@ Words path_of_programs(const Workplace& place) {
     return {"PATH=" + place.programs() + ":/usr/bin:/bin"};
 }
 
-bool words_begin(const Step& step, std::string_view word) {
-    return step.words.front() == word;
-}
-
 std::string key_of(const Content& content) {
     std::string key;
     for (const auto& [name, bytes] : content) {
@@ -148,6 +144,10 @@ Step UseModel::some_step() {
                           "study",     "--vary",   one_of({"dmax=0.03,0.02", "dmax=0.01,0.02"})};
             step.words += small;
             if (any(2) == 0) step.words += {"--pictures=all"};
+            if (any(3) == 0) {
+                step.words += {"--shard", one_of({"1/2", "2/2"})};
+                step.part_of_one = true;
+            }
             step.writes = {"study"};
             step.resumes = true;
             break;
@@ -167,7 +167,8 @@ Step UseModel::some_step() {
             step.reads = kResults;
             break;
         case 8:
-            step.words = {"recover", "study"};
+            step.words = any(2) == 0 ? Words{"recover", "study"} : Words{"study", "merge", "study"};
+            step.ends_what_was_begun = true;
             step.writes = {"study"};
             step.resumes = true;
             break;
@@ -313,7 +314,7 @@ std::string UseModel::judged(const Step& step, Harm harm, const Outcome& outcome
     const bool killed = harm == Harm::kill || harm == Harm::power;
     const std::string said =
         fmt::format("status {}, said:\n{}", outcome.status, outcome.output.substr(0, 2000));
-    const bool from_parts = words_begin(step, "recover") && parts_["study"].begun;
+    const bool from_parts = step.resumes && parts_["study"].begun && step.ends_what_was_begun;
     if (undisturbed && outcome.status != after.status && !from_parts) {
         return fmt::format("status {} expected ({}), but {}", after.status, after.said, said);
     }
@@ -350,8 +351,8 @@ std::string UseModel::judged_part(const std::string& name, const Step& step, con
                                 outcome.output.find("not drawn: ") != std::string::npos ||
                                 outcome.output.find("no plots: ") != std::string::npos ||
                                 outcome.output.find("no contact sheet: ") != std::string::npos);
-    // What can be recovered depends on where the one before was stopped.
-    const bool from_parts = part.begun && words_begin(step, "recover");
+    // What comes of parts depends on which there are.
+    const bool from_parts = part.begun && (step.ends_what_was_begun || step.part_of_one);
     if (outcome.status == 0 && !done && !told && !from_parts) {
         return fmt::format("{} is not what an undisturbed command makes:\n{}", name,
                            apart(wanted, now));
@@ -363,7 +364,17 @@ std::string UseModel::judged_part(const std::string& name, const Step& step, con
         return fmt::format("{} is neither as before nor as after:\n{}\nto what was:\n{}", name,
                            apart(wanted, now), difference(part.shown, now));
     }
-    if (from_parts) return {};
+    if (step.part_of_one) {
+        part.begun = part.begun || !nothing_done || outcome.status == 0;
+        return {};
+    }
+    if (from_parts) {
+        const Outcome verdict = one_.run({"verify", name}, path_of_programs(place_));
+        if (verdict.status != 0 || outcome.status != 0) return {};  // it may be none of all runs
+        part.begun = part.changed = false;
+        take_over(name);
+        return {};
+    }
     if (undisturbed && after.status == 0) part.begun = false;
     if (done || nothing_done || told || between) {
         if (outcome.status == 0) part.begun = false;

@@ -19,6 +19,8 @@ struct Step {
     std::vector<std::string> writes;
     std::vector<std::string> reads;
     bool resumes = false;  ///< what it has done when it is stopped stays, for the same one to go on
+    bool part_of_one = false;          ///< a shard
+    bool ends_what_was_begun = false;  ///< of the parts that are there
 };
 
 enum class Harm { none, fault, full, cut, kill, power, twice };
@@ -29,7 +31,7 @@ struct Part {
     Content raw;           ///< when it was last whole; what commands are given
     Content shown;         ///< without what differs from time to time
     bool changed = false;  ///< by another hand: verify says so
-    bool begun = false;    ///< a study that was stopped has left some of its runs
+    bool begun = false;    ///< parts of a study are there, in its place or hidden
 };
 
 class UseModel {

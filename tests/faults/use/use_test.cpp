@@ -1,7 +1,9 @@
 // Use of the program as it goes on for a year. HITOS_USE=FIRST_SEED:SEQUENCES[:STEPS] chooses
-// another part of it than the gate's; what fails says the line that repeats it.
+// another part of it than the gate's; what fails says the line that repeats it (two processes at
+// once excepted, which meet as the system has it).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -10,10 +12,10 @@
 namespace hitos::test {
 namespace {
 
-constexpr unsigned kSteps = 25;  // of a sequence
+constexpr unsigned kParts = 8;  // tests that may run side by side
 
 struct Extent {
-    unsigned first = 1, sequences = 24, steps = kSteps;
+    unsigned first = 1, sequences = 24, steps = 25;
 };
 
 Extent wished() {
@@ -27,24 +29,28 @@ Extent wished() {
     return extent;
 }
 
-TEST(Use, LeavesWhatAModelSaysWhateverHappens) {
+class Use : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(Use, LeavesWhatAModelSaysWhateverHappens) {
     const Extent extent = wished();
-    std::size_t steps = 0;
-    for (unsigned seed = extent.first; seed < extent.first + extent.sequences; ++seed) {
-        UseModel model(seed);
-        for (unsigned step = 1; step <= extent.steps; ++step, ++steps) {
+    std::size_t operations = 0;
+    for (unsigned i = GetParam(); i < extent.sequences; i += kParts) {
+        UseModel model(extent.first + i);
+        for (unsigned step = 1; step <= extent.steps; ++step, ++operations) {
             const std::string wrong = model.go_on();
             if (wrong.empty()) continue;
             std::string history;
             for (const std::string& line : model.history()) history += "  " + line + "\n";
             FAIL() << wrong << "\nafter\n"
                    << history
-                   << fmt::format("Again: HITOS_USE={}:1:{} test_faults --gtest_filter='Use.*'",
-                                  seed, step);
+                   << fmt::format("Again: HITOS_USE={}:1:{} test_faults --gtest_filter='*Use.*'",
+                                  extent.first + i, step);
         }
     }
-    std::cout << fmt::format("{} operations, 0 differences\n", steps);
+    std::cout << fmt::format("{} operations, 0 differences\n", operations);
 }
+
+INSTANTIATE_TEST_SUITE_P(, Use, ::testing::Range(0U, kParts));
 
 }  // namespace
 }  // namespace hitos::test
