@@ -402,14 +402,20 @@ std::string UseModel::verified(const std::string& name) {
 /// What is hidden beside or in the parts that it has just written.
 std::string UseModel::leftovers(const Step& step) const {
     for (const std::string& name : step.writes) {
-        for (const auto& entry : fs::recursive_directory_iterator(place_.work())) {
-            const std::string file = entry.path().filename().string();
-            const bool of_it = file.starts_with("." + name + ".hitos-") ||
-                               (file.find(".hitos-") != std::string::npos &&
-                                entry.path().parent_path().filename() == name);
-            // A study that was stopped waits there until somebody goes on with it or begins a
-            // third.
-            if (of_it && !file.ends_with("-next")) return "left behind: " + entry.path().string();
+        // Beside the folder itself: what lies beside a link to it was left before it was one.
+        const fs::path real = fs::weakly_canonical(place_.work() / name);
+        for (const fs::path& folder : {real.parent_path(), real}) {
+            if (!fs::is_directory(folder)) continue;
+            for (const auto& entry : fs::directory_iterator(folder)) {
+                const std::string file = entry.path().filename().string();
+                const bool hidden = file.find(".hitos-") != std::string::npos;
+                const bool of_it = folder == real || file.starts_with("." + name + ".hitos-");
+                // A study that was stopped waits there until somebody goes on with it or begins a
+                // third.
+                if (hidden && of_it && !file.ends_with("-next")) {
+                    return "left behind: " + entry.path().string();
+                }
+            }
         }
     }
     return {};
