@@ -8,20 +8,15 @@
 #include <utility>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_limits.hpp"
 
 namespace hitos {
 
-/// The JSON of a file's text. Throws FormatError where it is nested deeper than any file of Hitos:
-/// copying what is nested without end needs a stack without end. Throws JSON's own exception where
-/// it is none.
+/// The JSON of a file's text. Throws what checked_json() does, and JSON's own exception where it is
+/// none.
 template <class Json>
 Json parsed(const std::string& text, const std::string& file) {
-    constexpr int kDeepest = 64;
-    return Json::parse(text, [&](int depth, typename Json::parse_event_t, Json&) {
-        if (depth <= kDeepest) return true;
-        throw FormatError(
-            file, 0, message(HITOS_TEXT("Errors", "is nested deeper than %1 levels"), kDeepest));
-    });
+    return Json::parse(input::checked_json(text, file));
 }
 
 /// What is no UTF-8 becomes U+FFFD, as wherever JSON is written.

@@ -10,6 +10,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/base/text_limits.hpp"
 #include "hitos/simulation/dxf_walls.hpp"
 #include "world_lists.hpp"
 #include "world_reading.hpp"
@@ -238,7 +239,7 @@ class Reading {
 
 World parse_unfinished_world(std::string_view text, const std::filesystem::path& path) {
     try {
-        return Reading(path).read(toml::parse(text));
+        return Reading(path).read(toml::parse(input::checked_toml(text, path.string())));
     } catch (const toml::parse_error& error) {
         throw FormatError(path.string(), error.source().begin.line,
                           verbatim(std::string(error.description())));

@@ -12,6 +12,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/parameter.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/base/text_limits.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 
 namespace hitos {
@@ -275,7 +276,7 @@ Configuracion ArchivoConfiguracion::parse(std::string_view text, const std::stri
     }
     Reading reading;
     try {
-        reading.read(toml::parse(text));
+        reading.read(toml::parse(input::checked_toml(text, name)));
     } catch (const toml::parse_error& error) {
         throw FormatError(name, line_of(error.source()),
                           verbatim(std::string(error.description())));
