@@ -1,7 +1,9 @@
 #include "hitos/base/text_input.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -23,6 +25,21 @@ struct GzipCloser {
     void operator()(gzFile file) const { gzclose_r(file); }
 };
 
+/// A few bytes of gzip may unpack to any number; no text that means something comes near.
+constexpr std::size_t kMuch = std::size_t{1} << 26;
+constexpr std::size_t kMostTimes = 64;
+
+bool is_bomb(gzFile file, std::size_t unpacked) {
+    const z_off_t packed = gzoffset(file);
+    return packed > 0 && unpacked / kMostTimes > static_cast<std::size_t>(packed);
+}
+
+[[noreturn]] void refuse_endless(const std::filesystem::path& path) {
+    throw FileError(
+        path.string(),
+        message(HITOS_TEXT("Errors", "is a device or a pipe; expected a file on a disk")));
+}
+
 }  // namespace
 
 std::string read_text(const std::filesystem::path& path, std::size_t largest) {
@@ -35,14 +52,14 @@ std::string read_text(const std::filesystem::path& path, std::size_t largest) {
         throw FileError(path.string(),
                         message(HITOS_TEXT("Errors", "is a directory; expected a file")));
     }
-    if (!problem && !std::filesystem::is_regular_file(status)) {
-        throw FileError(
-            path.string(),
-            message(HITOS_TEXT("Errors", "is a device or a pipe; expected a file on a disk")));
-    }
+    if (!problem && !std::filesystem::is_regular_file(status)) refuse_endless(path);
     errno = 0;
-    const std::unique_ptr<gzFile_s, GzipCloser> file(gzopen(path.c_str(), "rb"));
+    // Some files of the kernel call themselves regular, and would wait for what is to come.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const std::unique_ptr<gzFile_s, GzipCloser> file(descriptor < 0 ? nullptr
+                                                                    : gzdopen(descriptor, "rb"));
     if (!file) {
+        if (descriptor >= 0) ::close(descriptor);
         throw FileError(path.string(),
                         message(HITOS_TEXT("Errors", "cannot open: %1"), system_message(errno)));
     }
@@ -57,9 +74,17 @@ std::string read_text(const std::filesystem::path& path, std::size_t largest) {
             throw FileError(path.string(), message(HITOS_TEXT("Errors", "is greater than %1 MiB"),
                                                    largest >> 20U));
         }
+        if (text.size() > kMuch && is_bomb(file.get(), text.size())) {
+            throw FileError(path.string(),
+                            message(HITOS_TEXT("Errors",
+                                               "unpacks to more than %1 MiB, %2 times its size; "
+                                               "expected a text, which packs less well"),
+                                    kMuch >> 20U, kMostTimes));
+        }
     }
     int code = Z_OK;
     const char* reason = gzerror(file.get(), &code);
+    if (code == Z_ERRNO && errno == EAGAIN) refuse_endless(path);
     if (code == Z_ERRNO) {
         throw FileError(path.string(),
                         message(HITOS_TEXT("Errors", "cannot read: %1"), system_message(errno)));
@@ -156,9 +181,16 @@ std::string in_quotes(std::string_view text) {
     return out;
 }
 
-double finite_number(std::string_view word, std::string_view column, const Place& place) {
+double finite_number(std::string_view word, std::string_view column, const Place& place,
+                     double greatest) {
     const std::optional<double> value = parse_number(word);
-    if (value && std::isfinite(*value)) return *value;
+    if (value && std::abs(*value) <= greatest) return *value;
+    if (value && std::isfinite(*value)) {
+        throw FormatError(
+            place.file, place.line,
+            message(HITOS_TEXT("Errors", "%1 is %2; expected a number from -%3 to %3"), column,
+                    in_quotes(word), fmt::format("{:g}", greatest)));
+    }
     if (has_decimal_comma(word)) {
         throw FormatError(place.file, place.line,
                           message(HITOS_TEXT("Errors",

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -39,6 +40,11 @@ void Report::note(std::string_view words) const {
 }
 
 void Report::figure(const std::string& name, double value, int decimals) {
+    if (!std::isfinite(value)) {
+        say("{} -\n", name);
+        object_[name] = nullptr;
+        return;
+    }
     say("{} {:.{}f}\n", name, value, decimals);
     object_[name] = value;
 }

@@ -55,8 +55,14 @@ struct Place {
     std::uint64_t line;
 };
 
-/// The finite number that the word is. Throws FormatError that names the column.
-double finite_number(std::string_view word, std::string_view column, const Place& place);
+/// Beyond it a number of metres, radians or seconds is a mistake, and sums and squares of it would
+/// be none.
+inline constexpr double kGreatestNumber = 1e12;
+
+/// The finite number that the word is. Throws FormatError that names the column, also where it is
+/// greater than `greatest`, whatever its sign.
+double finite_number(std::string_view word, std::string_view column, const Place& place,
+                     double greatest = kGreatestNumber);
 
 /// Throws FormatError where a line has another number of fields than columns.
 void require_columns(std::size_t found, std::span<const std::string_view> columns,

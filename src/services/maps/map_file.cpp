@@ -75,13 +75,9 @@ class LineParser {
     double value(std::string_view what) {
         rest_ = input::trimmed(rest_);
         const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\v\f"));
-        const std::optional<double> number = input::parse_number(word);
-        if (!number || !std::isfinite(*number)) {
-            fail(message(HITOS_TEXT("Errors", "%1 is %2; expected a finite number"), what,
-                         input::in_quotes(word)));
-        }
+        const double number = input::finite_number(word, what, {name_, number_});
         rest_.remove_prefix(word.size());
-        return *number;
+        return number;
     }
 
     [[noreturn]] void fail_line() const {

@@ -77,7 +77,9 @@ StampedPose pose_from(std::string_view line, const Columns& columns, const input
     }
     std::array<double, kTrajectoryFields.size()> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = input::finite_number(words[i], kTrajectoryFields[i], place);
+        constexpr double kGreatestStamp = 1e20;  // of nanoseconds
+        values[i] = input::finite_number(words[i], kTrajectoryFields[i], place,
+                                         i == 0 ? kGreatestStamp : input::kGreatestNumber);
     }
     if (columns.qw_first) std::rotate(values.begin() + 4, values.begin() + 5, values.end());
     const auto [t, x, y, z, qx, qy, qz, qw] = values;

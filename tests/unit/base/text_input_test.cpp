@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <cmath>
@@ -85,6 +86,38 @@ TEST(ReadText, RefusesWhatHasNoEnd) {
     EXPECT_EQ(read_text(long_one).size(), 3U << 20U);
     EXPECT_THAT(message_of<FileError>([&] { read_text(long_one, 1U << 20U); }),
                 HasSubstr("is greater than 1 MiB"));
+}
+
+TEST(ReadText, RefusesAFewBytesThatUnpackToMany) {
+    const TempFolder folder;
+    const std::string bomb = gzipped(folder, std::string(65U << 20U, '\n'));
+    EXPECT_THAT(message_of<FileError>([&] { read_text(bomb); }),
+                HasSubstr("unpacks to more than 64 MiB, 64 times its size"));
+    EXPECT_EQ(read_text(gzipped(folder, std::string(1U << 20U, '\n'))).size(), 1U << 20U);
+}
+
+TEST(ReadText, DoesNotWaitForTheKernel) {
+    const char* log = "/proc/kmsg";
+    if (::access(log, R_OK) != 0) GTEST_SKIP() << "only root may read it";
+    try {
+        read_text(log);
+    } catch (const FileError&) {
+        return;
+    }
+}
+
+TEST(FiniteNumber, HasBoundsBeyondWhichItIsAMistake) {
+    const std::string file = "f";
+    EXPECT_EQ(finite_number("-1e12", "x", {file, 3}), -1e12);
+    EXPECT_EQ(finite_number("1e18", "t", {file, 3}, 1e20), 1e18);
+    EXPECT_EQ(message_of<FormatError>([&] {
+                  finite_number("-1.1e12", "x", {file, 3});
+              }),
+              "f:3: x is \"-1.1e12\"; expected a number from -1e+12 to 1e+12");
+    EXPECT_THAT(message_of<FormatError>([&] {
+                    finite_number("inf", "x", {file, 3});
+                }),
+                HasSubstr("expected a finite number"));
 }
 
 TEST(Trimmed, TakesWhiteSpaceOffBothEnds) {

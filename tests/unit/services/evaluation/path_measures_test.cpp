@@ -195,6 +195,8 @@ TEST(Relations, BadFilesSayWhereAndWhat) {
     EXPECT_THAT(parse(""), HasSubstr("r.relations: no relation in the file"));
     EXPECT_THAT(parse("# only words\n\n"), HasSubstr("t1 t2 x y z roll pitch yaw"));
     EXPECT_THAT(parse("1 2 0 0 0 0 0\n"), HasSubstr("r.relations:1: "));
+    EXPECT_THAT(parse("1 2 0 0 0 0 0 0\n1 2 0 -1e308 0 0 0 0\n"),
+                HasSubstr("r.relations:2: y is \"-1e308\"; expected a number from -1e+12"));
     EXPECT_THAT(parse("1 2 0 0 0 0 0 0\n\n1 2 0 0 0 0 0 0 0\n"), HasSubstr("r.relations:3: "));
     EXPECT_THAT(parse("1 2 0 0 0 left 0 0\n"), HasSubstr("roll"));
     EXPECT_THAT(parse("1 2 0 0 0 0 0 nan\n"), HasSubstr("yaw"));

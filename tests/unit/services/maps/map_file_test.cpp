@@ -101,7 +101,8 @@ TEST(ParseMap, RefusesWhatIsNoFiniteNumber) {
               "m.map:1: rho is \"nan\"; expected a finite number");
     EXPECT_EQ(map_refusal("rho: 1 theta: -inf"),
               "m.map:1: theta is \"-inf\"; expected a finite number");
-    EXPECT_EQ(map_refusal("x: 1,5 y: 2"), "m.map:1: x is \"1,5\"; expected a finite number");
+    EXPECT_EQ(map_refusal("x: 1,5 y: 2"),
+              "m.map:1: x is \"1,5\", with a decimal comma; expected a decimal point");
     EXPECT_EQ(map_refusal("x: 1 y:"), "m.map:1: y is \"\"; expected a finite number");
     EXPECT_EQ(map_refusal("x: 1 y: 1e999"), "m.map:1: y is \"1e999\"; expected a finite number");
 }

@@ -53,7 +53,7 @@ TEST(SegmentFile, NamesTheLineOfAMistake) {
     };
     EXPECT_THAT(message("1 2 3 4 1\n1 2 3 4\n"), HasSubstr("s.txt:2: found 4 fields; expected 5"));
     EXPECT_THAT(message("1 2 nan 4 1\n"), HasSubstr("s.txt:1: x2 is \"nan\"; expected a finite"));
-    for (const char* number : {"0", "-1", "1.5", "1e30"}) {
+    for (const char* number : {"0", "-1", "1.5", "1e11"}) {
         EXPECT_THAT(message((std::string("1 2 3 4 ") + number).c_str()),
                     HasSubstr("landmark is \"" + std::string(number) + "\"; expected the number"));
     }
