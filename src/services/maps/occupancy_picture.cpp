@@ -22,7 +22,6 @@ namespace {
 constexpr double kLeastResolution = 1e-4;  // m
 constexpr double kGreatestResolution = 10.0;
 constexpr double kOpaque = 255.0;
-constexpr std::size_t kMostPixels = 100'000'000;
 
 struct Entry {
     std::string value;
@@ -153,10 +152,11 @@ class MapServerFile {
         const std::size_t behind = name.find_last_of("/\\") + 1;
         std::filesystem::path beside = path_.parent_path() / name.substr(behind);
         std::error_code error;
-        if (behind == 0 || std::filesystem::exists(said, error) ||
-            !std::filesystem::is_regular_file(beside, error)) {
-            return said;
+        if (std::filesystem::exists(said, error)) return said;
+        if (!std::filesystem::is_regular_file(beside, error)) {
+            refuse("image", entry, "the name of a picture that is there");
         }
+        if (behind == 0) return said;
         note =
             message(HITOS_TEXT("Errors",
                                "the picture is the file of that name beside %1, as there is no %2"),
@@ -199,14 +199,8 @@ class MapServerFile {
 };
 
 template <class Occupied>
-OccupancyPicture occupancy(const std::filesystem::path& file, const MeanPicture& mean,
-                           Occupied&& occupied) {
+OccupancyPicture occupancy(const MeanPicture& mean, Occupied&& occupied) {
     const Grid::Picture& picture = mean.grey;
-    if (picture.grey.size() > kMostPixels) {
-        throw FormatError(file.string(), 0,
-                          message(HITOS_TEXT("Errors", "has %1 pixels; expected at most %2"),
-                                  picture.grey.size(), kMostPixels));
-    }
     OccupancyPicture result;
     result.columns = picture.width;
     result.rows = picture.height;
@@ -247,7 +241,7 @@ OccupancyPicture read_map_server(const std::filesystem::path& yaml) {
         if (mode == "trinary" && has_alpha) pixel = (3.0 * pixel + alpha) / 4.0;
         return (negate ? pixel : 255.0 - pixel) / 255.0 > from;
     };
-    OccupancyPicture picture = occupancy(image, mean, is_wall);
+    OccupancyPicture picture = occupancy(mean, is_wall);
     picture.note = file.note;
     picture.resolution_m = resolution;
     picture.origin = origin;
@@ -261,7 +255,7 @@ OccupancyPicture read_wall_picture(const std::filesystem::path& path, double res
             message(HITOS_TEXT("Errors", "found %1, expected %2"), resolution_m,
                     fmt::format("{:g} to {:g} m", kLeastResolution, kGreatestResolution)));
     }
-    OccupancyPicture picture = occupancy(path, read_mean_picture(path), [](double pixel, double) {
+    OccupancyPicture picture = occupancy(read_mean_picture(path), [](double pixel, double) {
         return (255.0 - pixel) / 255.0 > kOccupiedFrom;
     });
     picture.resolution_m = resolution_m;

@@ -1,9 +1,14 @@
 #include "hitos/services/maps/picture_file.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <iostream>
+#include <mutex>
 #include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -12,11 +17,17 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "picture_drawing.hpp"
+#include "picture_header.hpp"
 
 namespace hitos {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Pixels of our own maps: square kilometres at 5 cm take their cells two by two, and a few seconds
+/// to write.
+constexpr std::int64_t kMostOfMap = std::int64_t{1} << 27;
+constexpr std::int64_t kMostForeign = 100'000'000;
 
 cv::Mat scaled(const Grid::Picture& picture, int scale) {
     if (scale < 1 || scale > kGreatestPictureScale) {
@@ -76,38 +87,88 @@ MapImage joined(MapImage large, int side) {
     return image;
 }
 
-/// While it lives, what is written to std::cerr goes nowhere: OpenCV says there, past every
-/// handler, what is wrong with a picture, which is told in our words.
-class Silence {
+/// While it lives, what is written to standard error is kept: the libraries of OpenCV say there,
+/// past every handler, what is wrong with a picture. What others say meanwhile is passed on.
+class Overheard {
   public:
-    Silence() { std::cerr.setstate(std::ios::failbit); }
-    ~Silence() { std::cerr.clear(); }
-    Silence(const Silence&) = delete;
-    Silence& operator=(const Silence&) = delete;
+    Overheard() : said_(::memfd_create("hitos-said", MFD_CLOEXEC)), others_(::dup(STDERR_FILENO)) {
+        std::cerr.setstate(std::ios::failbit);  // OpenCV's own words
+        if (said_ >= 0 && others_ >= 0) ::dup2(said_, STDERR_FILENO);
+    }
+    ~Overheard() {
+        std::cerr.clear();
+        if (others_ >= 0) ::dup2(others_, STDERR_FILENO);
+        pass_on();
+        for (const int file : {said_, others_}) {
+            if (file >= 0) ::close(file);
+        }
+    }
+    Overheard(const Overheard&) = delete;
+    Overheard& operator=(const Overheard&) = delete;
+
+    /// Whether pixels of a JPEG are guessed.
+    bool damage() const { return text().find("orrupt JPEG data") != std::string::npos; }
+
+  private:
+    std::string text() const {
+        std::string all(std::size_t{1} << 14, '\0');
+        const ssize_t got = said_ < 0 ? 0 : ::pread(said_, all.data(), all.size(), 0);
+        all.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+        return all;
+    }
+    void pass_on() const {
+        const std::string all = text();
+        std::string_view rest = all;
+        while (const auto line = input::next_line(rest)) {
+            constexpr std::array kTheirs = {"libpng ", "JPEG", "Adobe", "SOS parameters",
+                                            "progression"};
+            const bool theirs = std::ranges::any_of(kTheirs, [&](const char* word) {
+                return line->find(word) != std::string_view::npos;
+            });
+            if (!theirs) std::fprintf(stderr, "%s\n", std::string(*line).c_str());
+        }
+    }
+
+    static std::mutex& one_at_a_time() {
+        static std::mutex mutex;
+        return mutex;
+    }
+    std::unique_lock<std::mutex> lock_{one_at_a_time()};
+    int said_;
+    int others_;
 };
 
-cv::Mat decoded(const fs::path& path, int how) {
+[[noreturn]] void refuse(const fs::path& path) {
+    throw FormatError(path.string(), 0,
+                      message(HITOS_TEXT("Errors",
+                                         "is no picture, or a damaged one; expected PNG, JPG, "
+                                         "PGM or BMP")));
+}
+
+/// Who is told that a picture has more pixels than `most` has not made room for them.
+cv::Mat decoded(const fs::path& path, int how, std::uint64_t most) {
     std::string text = input::read_text(path);
+    const std::optional<PictureHeader> header = picture_header(text);
+    if (!header || !header->whole) refuse(path);
+    if (header->width > most / header->height) {
+        throw FormatError(path.string(), 0,
+                          message(HITOS_TEXT("Errors", "has %1 x %2 pixels; expected at most %3"),
+                                  header->width, header->height, most));
+    }
     // The last number of a PBM, PGM or PPM in letters may end the file; OpenCV wants a blank there.
     const bool in_letters =
         text.starts_with("P1") || text.starts_with("P2") || text.starts_with("P3");
     if (in_letters) text += '\n';
-    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    const cv::Mat bytes(1, static_cast<int>(text.size()), CV_8UC1, text.data());
     cv::Mat image;
     drawing::set_up_codecs();
-    const Silence silence;
+    const Overheard libraries;
     try {
         image = cv::imdecode(bytes, how);
     } catch (const cv::Exception&) {
         image.release();
     }
-    if (image.empty()) {
-        throw FormatError(
-            path.string(), 0,
-            message(HITOS_TEXT("Errors",
-                               "is no picture, or a damaged one; expected PNG, JPG, PGM or "
-                               "BMP")));
-    }
+    if (image.empty() || libraries.damage()) refuse(path);
     return image;
 }
 
@@ -123,8 +184,6 @@ MapImage shrunk(MapImage image, int longest_side) {
 }
 
 MapImage fitted(MapImage image, std::string_view kind) {
-    // Square kilometres at 5 cm take their cells two by two, and a few seconds to write.
-    constexpr std::int64_t kMostOfMap = std::int64_t{1} << 27;
     const std::int64_t width = image.picture.width;
     const std::int64_t height = image.picture.height;
     const auto fits = [&](std::int64_t side) {
@@ -175,14 +234,14 @@ void write_picture(const Grid::Picture& picture, const fs::path& path) {
 }
 
 Grid::Picture read_grey_picture(const fs::path& path) {
-    const cv::Mat image = decoded(path, cv::IMREAD_GRAYSCALE);
+    const cv::Mat image = decoded(path, cv::IMREAD_GRAYSCALE, kMostOfMap);
     return {image.cols, image.rows, {image.begin<std::uint8_t>(), image.end<std::uint8_t>()}};
 }
 
 MeanPicture read_mean_picture(const fs::path& path) {
-    cv::Mat image = decoded(path, cv::IMREAD_UNCHANGED);
+    cv::Mat image = decoded(path, cv::IMREAD_UNCHANGED, kMostForeign);
     if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257.0);
-    if (image.depth() != CV_8U) image = decoded(path, cv::IMREAD_COLOR);
+    if (image.depth() != CV_8U) image = decoded(path, cv::IMREAD_COLOR, kMostForeign);
     const int channels = image.channels();
     const int colours = channels % 2 == 0 ? channels - 1 : channels;  // the last is alpha
     MeanPicture result;

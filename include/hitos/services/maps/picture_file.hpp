@@ -54,7 +54,7 @@ void write_picture(const MapImage& map, const PictureStyle& style,
 void write_picture(const Grid& grid, const PictureStyle& style, const std::filesystem::path& path);
 void write_picture(const Grid::Picture& picture, const std::filesystem::path& path);
 
-/// Reads a PNG or JPG as grey. Throws FileError or FormatError.
+/// Reads a PNG, JPG, PGM or BMP as grey. Throws FileError or FormatError.
 Grid::Picture read_grey_picture(const std::filesystem::path& path);
 
 /// A picture's greys as map_server takes them: the mean of the colours.

@@ -278,6 +278,58 @@ TEST(PictureFile, DamagedMapsAreToldInOurWordsAlone) {
               (std::vector<std::uint8_t>{0, 100, 200, 255, 10, 20}));
 }
 
+/// A PNG's head with a good checksum, of so many pixels.
+std::string png_head(std::uint32_t width, std::uint32_t height) {
+    std::string text("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
+    for (const std::uint32_t value : {width, height}) {
+        for (int shift = 24; shift >= 0; shift -= 8)
+            text += static_cast<char>(value >> static_cast<unsigned>(shift));
+    }
+    return text + std::string("\x08\0\0\0\0\0\0\0\0", 9);
+}
+
+TEST(PictureFile, PixelsAreCountedBeforeThereIsRoomForThem) {
+    const TempFolder folder;
+    const auto refusal = [&](const std::string& name, const std::string& bytes) {
+        folder.put(name, bytes);
+        return message_of<FormatError>([&] { read_mean_picture(folder / name); });
+    };
+    EXPECT_THAT(refusal("a.png", png_head(31000, 31000)),
+                HasSubstr("a.png: has 31000 x 31000 pixels; expected at most 100000000"));
+    EXPECT_THAT(refusal("a.pgm", "P5\n# c\n40000 # d\n30000\n255\n"),
+                HasSubstr("40000 x 30000 pixels"));
+    EXPECT_THAT(refusal("b.pgm", "P5 99999999999999999999 3 255\n"), HasSubstr(" x 3 pixels"));
+    std::string bmp("BM" + std::string(12, '\0') + "\x28" + std::string(3, '\0'));
+    bmp += std::string("\0\0\1\0\0\0\1\0", 8) + std::string(40, '\0');
+    EXPECT_THAT(refusal("a.bmp", bmp), HasSubstr("65536 x 65536 pixels"));
+    const std::string frame("\xff\xd8\xff\xc0\0\x0b\x08\xff\xff\xff\xff\1\1\x11\0\xff\xd9", 17);
+    EXPECT_THAT(refusal("a.jpg", frame), HasSubstr("65535 x 65535 pixels"));
+    // No other kind of picture goes to a library at all, whatever its name.
+    EXPECT_THAT(refusal("a.png", "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\"/>"),
+                HasSubstr("expected PNG, JPG, PGM or BMP"));
+}
+
+TEST(PictureFile, HalfAPictureOrADamagedOneIsNone) {
+    const TempFolder folder;
+    for (const std::string kind : {"png", "jpg"}) {
+        const std::string whole = encode_picture(grid_map().picture(), kind);
+        const auto read = [&](const std::string& bytes) {
+            folder.put("map." + kind, bytes);
+            read_mean_picture(folder / ("map." + kind));
+        };
+        EXPECT_NO_THROW(read(whole));
+        ::testing::internal::CaptureStderr();
+        for (const std::size_t part : {2U, 3U, 10U}) {
+            EXPECT_THROW(read(whole.substr(0, whole.size() - whole.size() / part)), FormatError)
+                << kind << part;
+        }
+        std::string damaged = whole;
+        for (std::size_t i = whole.size() / 2; i < whole.size() / 2 + 40; ++i) damaged[i] = '\x55';
+        EXPECT_THROW(read(damaged), FormatError) << kind;
+        EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "in our words alone";
+    }
+}
+
 TEST(PictureFile, EndsOfThePathCanBeMarkedByCrossAndRing) {
     PictureStyle style;
     style.scale = 4;
