@@ -11,13 +11,22 @@
 
 namespace hitos {
 
-Surroundings::Surroundings(std::vector<WallSegment> walls, const World& world)
-    : walls_(std::move(walls)) {
+namespace {
+
+void append_box(const Disturbance& box, std::vector<WallSegment>& walls) {
+    const Polyline outline = box_outline(box);
+    for (std::size_t i = 1; i < outline.size(); ++i)
+        walls.push_back({outline[i - 1], outline[i], 0, box.line});
+}
+
+}  // namespace
+
+Surroundings::Surroundings(std::vector<WallSegment> walls, const World& world) {
     const Fan fan = fan_of(world.laser);
     if (world.raster.cell_m > 0.0) {
-        raster_ = std::make_shared<RasterLaser>(walls_, world.raster, fan);
+        raster_ = std::make_shared<RasterLaser>(walls, world.raster, fan);
     } else {
-        laser_ = std::make_shared<SimulatedLaser>(walls_, fan);
+        laser_ = std::make_shared<SimulatedLaser>(std::move(walls), fan);
     }
 }
 
@@ -33,23 +42,57 @@ RayHit Surroundings::hit(const Pose& pose_world_robot, std::uint32_t ray) const 
     return raster_ ? raster_->hit(pose_world_robot, ray) : laser_->hit(pose_world_robot, ray);
 }
 
-ConditionTrack::ConditionTrack(const World& world) : open_(world.doors.size(), false) {
+ConditionTrack::ConditionTrack(const World& world) {
     Conditions first;
-    first.surroundings = surroundings(world);
     first.laser_sigma_m = world.laser.sigma_m;
     first.odometry_noise = world.odometry.noise;
-    track_.push_back(std::move(first));
+    track_.push_back(first);
+    walls_ = walls_after(0, world);
+    if (world.raster.cell_m > 0.0) check_raster(walls_, world.raster);
 }
 
-std::shared_ptr<const Surroundings> ConditionTrack::surroundings(const World& world) const {
+std::vector<WallSegment> ConditionTrack::walls_after(std::size_t changes,
+                                                     const World& world) const {
+    std::vector<bool> open(world.doors.size(), false);
+    std::vector<WallSegment> boxes;
+    for (const Disturbance& change : std::span(changes_).first(changes)) {
+        if (change.kind == DisturbanceKind::box) {
+            append_box(change, boxes);
+        } else {
+            open.at(static_cast<std::size_t>(change.values[0]) - 1) =
+                change.kind == DisturbanceKind::open;
+        }
+    }
     std::vector<WallSegment> walls = world.walls;
     for (std::size_t i = 0; i < world.doors.size(); ++i) {
-        if (open_[i]) continue;
+        if (open[i]) continue;
         walls.push_back(world.doors[i]);
         walls.back().wall = -static_cast<int>(i) - 1;  // told from the walls by it
     }
-    walls.insert(walls.end(), boxes_.begin(), boxes_.end());
-    return std::make_shared<Surroundings>(std::move(walls), world);
+    walls.insert(walls.end(), boxes.begin(), boxes.end());
+    return walls;
+}
+
+std::vector<WallSegment> ConditionTrack::walls_with(const Disturbance& change,
+                                                    const World& world) const {
+    std::vector<WallSegment> walls = walls_;
+    if (change.kind == DisturbanceKind::box) append_box(change, walls);
+    if (change.kind == DisturbanceKind::close)
+        walls.push_back(world.doors.at(static_cast<std::size_t>(change.values[0]) - 1));
+    return walls;
+}
+
+std::shared_ptr<const Surroundings> ConditionTrack::surroundings(const Conditions& of,
+                                                                 const World& world) const {
+    constexpr std::size_t kKept = 4;  // for readers that are at different times
+    for (const auto& [changes, one] : kept_) {
+        if (changes == of.changes) return one;
+    }
+    if (kept_.size() == kKept) kept_.pop_front();
+    return kept_
+        .emplace_back(of.changes,
+                      std::make_shared<Surroundings>(walls_after(of.changes, world), world))
+        .second;
 }
 
 void ConditionTrack::apply(const Disturbance& disturbance, double time_s, const World& world) {
@@ -67,18 +110,18 @@ void ConditionTrack::apply(const Disturbance& disturbance, double time_s, const 
         case DisturbanceKind::blind:
             next.blind_until_s = time_s + one;
             break;
-        case DisturbanceKind::box: {
-            const Polyline outline = box_outline(disturbance);
-            for (std::size_t i = 1; i < outline.size(); ++i) {
-                boxes_.push_back({outline[i - 1], outline[i], 0, disturbance.line});
-            }
-            next.surroundings = surroundings(world);
-            break;
-        }
+        case DisturbanceKind::box:
         case DisturbanceKind::open:
         case DisturbanceKind::close:
-            open_.at(static_cast<std::size_t>(one) - 1) = disturbance.kind == DisturbanceKind::open;
-            next.surroundings = surroundings(world);
+            if (world.raster.cell_m > 0.0)
+                check_raster(walls_with(disturbance, world), world.raster);
+            changes_.push_back(disturbance);
+            next.changes = changes_.size();
+            if (disturbance.kind == DisturbanceKind::box) {
+                append_box(disturbance, walls_);
+            } else {
+                walls_ = walls_after(next.changes, world);
+            }
             break;
         case DisturbanceKind::odometry_noise:
             next.odometry_noise = one;
@@ -87,7 +130,7 @@ void ConditionTrack::apply(const Disturbance& disturbance, double time_s, const 
             next.laser_sigma_m = one;
             break;
     }
-    track_.push_back(std::move(next));
+    track_.push_back(next);
 }
 
 const Conditions& ConditionTrack::at(double time_s) const {

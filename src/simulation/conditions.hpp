@@ -1,8 +1,10 @@
 // What stands in the world at a time, and what ails robot and laser then.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "hitos/simulation/simulated_laser.hpp"
@@ -17,15 +19,12 @@ class Surroundings {
   public:
     Surroundings(std::vector<WallSegment> walls, const World& world);
 
-    /// Walls, closed doors and boxes.
-    const std::vector<WallSegment>& walls() const { return walls_; }
     /// As SimulatedLaser::cast().
     void cast(const Pose& pose_world_robot, std::vector<RayHit>& out) const;
     /// Of one ray.
     RayHit hit(const Pose& pose_world_robot, std::uint32_t ray) const;
 
   private:
-    std::vector<WallSegment> walls_;
     std::shared_ptr<const SimulatedLaser> laser_;  // of the two there is one
     std::shared_ptr<const RasterLaser> raster_;
 };
@@ -33,7 +32,7 @@ class Surroundings {
 /// What holds from one disturbance to the next.
 struct Conditions {
     double from_s = 0.0;
-    std::shared_ptr<const Surroundings> surroundings;
+    std::size_t changes = 0;  ///< of doors and boxes until then
     double laser_sigma_m = 0.0;
     double odometry_noise = 0.0;
     double blind_until_s = 0.0;
@@ -53,13 +52,22 @@ class ConditionTrack {
 
     const Conditions& at(double time_s) const;
     const Conditions& last() const { return track_.back(); }
+    /// Walls, closed doors and boxes, at the end.
+    const std::vector<WallSegment>& walls() const { return walls_; }
+    /// What stands there under these conditions. Made when it is asked for, as each holds all
+    /// walls; the last few are kept. For one thread at a time, as everything here.
+    std::shared_ptr<const Surroundings> surroundings(const Conditions& of,
+                                                     const World& world) const;
 
   private:
-    std::shared_ptr<const Surroundings> surroundings(const World& world) const;
+    /// Those of now and what this brings.
+    std::vector<WallSegment> walls_with(const Disturbance& change, const World& world) const;
+    std::vector<WallSegment> walls_after(std::size_t changes, const World& world) const;
 
     std::vector<Conditions> track_;
-    std::vector<bool> open_;  // of each door
-    std::vector<WallSegment> boxes_;
+    std::vector<Disturbance> changes_;
+    std::vector<WallSegment> walls_;
+    mutable std::deque<std::pair<std::size_t, std::shared_ptr<const Surroundings>>> kept_;
 };
 
 /// Where somebody is at a time.

@@ -60,6 +60,7 @@ class Driver {
     RobotMotion drive() {
         check_start();
         check_spacing();
+        check_length();
         for (double t = 0.0; t + 0.5 * period_s_ < world_.tour.rest_s; t += period_s_)
             motion_.command(0.0, 0.0);
         if (world_.tour.look_around) look_around();
@@ -122,7 +123,7 @@ class Driver {
 
     void check_start() const {
         const Point2 start{world_.tour.start.x, world_.tour.start.y};
-        for (const WallSegment& wall : motion_.conditions().last().surroundings->walls()) {
+        for (const WallSegment& wall : motion_.conditions().walls()) {
             const double gap = distance(wall, start);
             if (gap < robot_.radius_m) {
                 fail(world_.tour.line,
@@ -155,6 +156,31 @@ class Driver {
             }
             before = at(goal);
         }
+    }
+
+    /// What cannot be driven within the limit is told before it is tried.
+    void check_length() const {
+        const std::size_t count = world_.tour.way_points.size();
+        double least_s = world_.tour.rest_s;
+        for (const DriveCommand& command : world_.tour.commands) least_s += command.duration_s;
+        Point2 before{world_.tour.start.x, world_.tour.start.y};
+        for (std::size_t goal = 0; goal < count * static_cast<std::size_t>(world_.tour.laps);
+             ++goal) {
+            const double way = std::hypot(at(goal).x - before.x, at(goal).y - before.y);
+            least_s += std::max(0.0, way - 2.0 * robot_.tolerance_m) / robot_.max_speed;
+            if (least_s * robot_.control_rate_hz > kMostSteps) {
+                fail(way_point(goal).line,
+                     message(HITOS_TEXT("Errors",
+                                        "%1 is %2 m from %3: the tour takes more than %4 "
+                                        "control steps; expected a shorter tour or a faster robot"),
+                             name(goal), fmt::format("{:.0f}", way),
+                             goal == 0 ? message(HITOS_TEXT("Errors", "the start"))
+                                       : message(HITOS_TEXT("Errors", "the one before")),
+                             kMostSteps));
+            }
+            before = at(goal);
+        }
+        if (least_s * robot_.control_rate_hz > kMostSteps + 1.0) check_steps(kMostSteps + 1);
     }
 
     void look_around() {
@@ -210,7 +236,7 @@ class Driver {
 
     void check_clearance() const {
         if (world_.tour.way_points.empty()) return;  // it looks round before it is driven by hand
-        for (const WallSegment& wall : motion_.conditions().last().surroundings->walls()) {
+        for (const WallSegment& wall : motion_.conditions().walls()) {
             const double gap = motion_.gap(wall);
             if (gap < robot_.radius_m) {
                 fail(way_point(goal_).line,

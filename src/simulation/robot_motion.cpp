@@ -80,7 +80,7 @@ bool RobotMotion::barred(const Twist& twist) const {
     const Point2 from{pose().x, pose().y};
     const Point2 to{after.x, after.y};
     if (from == to) return false;
-    return std::ranges::any_of(conditions_.last().surroundings->walls(), [&](const auto& wall) {
+    return std::ranges::any_of(conditions_.walls(), [&](const auto& wall) {
         const double nearest = distance(wall, from, to);
         if (nearest - bulge(twist, period_s_) >= world_.robot.radius_m) return false;
         const bool leaves =

@@ -132,7 +132,7 @@ Twist SimulatedTour::twist_now() const {
 
 std::vector<WallSegment> SimulatedTour::walls_now() const {
     const std::lock_guard lock(mutex_);
-    return motion_->conditions().last().surroundings->walls();
+    return motion_->conditions().walls();
 }
 
 std::vector<Point2> SimulatedTour::people_now() const {
@@ -202,17 +202,21 @@ Scan SimulatedTour::scan(std::uint64_t k) const {
         }
     }
     const Pose& mount = fan_.pose_robot_laser;
+    const auto among = [this](const Conditions& now) {
+        const std::lock_guard lock(mutex_);
+        return motion_->conditions().surroundings(now, world_);
+    };
     std::vector<RayHit> hits;
     if (sweeps) {
         for (std::uint32_t ray = 0; ray < fan_.count; ++ray) {
             const auto& [time_s, pose, now] = moments[ray];
-            hits.push_back(now.surroundings->hit(pose, ray));
+            hits.push_back(among(now)->hit(pose, ray));
             cast_walkers(world_.walkers, time_s, compose(pose, mount),
                          std::span(laser_directions_).subspan(ray, 1), std::span(hits).last(1));
         }
     } else {
         const auto& [time_s, pose, now] = moments.front();
-        now.surroundings->cast(pose, hits);
+        among(now)->cast(pose, hits);
         cast_walkers(world_.walkers, time_s, compose(pose, mount), laser_directions_, hits);
     }
 

@@ -197,5 +197,24 @@ TEST_F(Simulate, RunTakesAWorldFile) {
     EXPECT_TRUE(std::filesystem::exists(folder_ / "results/map.txt"));
 }
 
+/// Each of them stands among all walls; kept with all that came before they would take gigabytes.
+TEST_F(Simulate, BoxesTakeTheMemoryOfBoxes) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "sanitizers need more address space than may be limited";
+#endif
+    std::ofstream world(folder_ / "boxes.toml");
+    world << "walls = [[[-50, -50], [50, -50], [50, 50], [-50, 50], [-50, -50]]]\n"
+             "[tour]\nstart = [0, 0, 0]\nrest = 0\ncommands = [[0.3, 0, 20]]\nevents = [\n";
+    constexpr int kBoxes = 4000;
+    for (int i = 0; i < kBoxes; ++i)
+        world << "{ at = " << 0.005 * i << ", box = [" << 20 + i % 60 * 0.4 << ", " << i / 60 * 0.4
+              << ", 0.3] },\n";
+    world << "]\n";
+    world.close();
+    const Result result =
+        call("simulate " + in("boxes.toml") + " --out " + in("boxes.log"), "ulimit -v 1200000; ");
+    EXPECT_EQ(result.status, 0) << result.said;
+}
+
 }  // namespace
 }  // namespace hitos

@@ -52,6 +52,18 @@ class Drawing {
 
 using WallPoints = std::vector<std::vector<Point2>>;
 
+TEST(DxfWalls, CountsThatAreStatedAreNotBelieved) {
+    const TempFolder folder;
+    const auto file = folder.put(
+        "counts.dxf",
+        "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n100000000\n70\n1\n10\n0\n20\n0\n10\n5\n"
+        "20\n5\n10\n5\n20\n0\n0\nSPLINE\n8\n0\n70\n8\n71\n3\n72\n100000000\n73\n100000000\n74\n"
+        "100000000\n40\n0\n40\n1\n10\n0\n20\n0\n30\n0\n0\nENDSEC\n0\nEOF\n");
+    const DxfWalls read = read_dxf_walls(file, {});
+    ASSERT_EQ(read.walls.size(), 1U);
+    EXPECT_EQ(read.walls[0].size(), 4U) << "closed, by the points that are there";
+}
+
 TEST(DxfWalls, ReadsBackWhatWasDrawn) {
     const TempFolder folder;
     Drawing drawing(folder / "room.dxf");

@@ -23,6 +23,24 @@ void expect_refusal(const std::string& text, const std::string& expected) {
     EXPECT_NE(message.find(expected), std::string::npos) << message;
 }
 
+TEST(World, AKeyWithoutEndIsRefusedBeforeAnybodyFollowsIt) {
+    std::string key;
+    for (int i = 0; i < 200'000; ++i) key += "a.";
+    expect_refusal(kWalls + key + "a = 1\n", "w.toml:2: has a key of more than 16 parts");
+}
+
+TEST(World, ATourOfTooManyStepsIsToldBeforeItIsDriven) {
+    World far =
+        parse_world(kWalls + "[tour]\nstart = [1000000, 0, 0]\nway_points = [[1, 2]]\n", "w.toml");
+    EXPECT_NE(message_of<FormatError>([&] { SimulatedTour{far}; })
+                  .find("w.toml:4: way point 1 at (1, 2) is 999999 m from the start: the tour "
+                        "takes more than 10000000 control steps"),
+              std::string::npos);
+    far.tour.start = {1, 1.5, 0};
+    far.tour.rest_s = 1e7;
+    EXPECT_THROW(SimulatedTour{far}, Error);
+}
+
 TEST(World, ReadsEveryKey) {
     const World world = parse_world(
         "seed = 7\n"
