@@ -7,11 +7,20 @@
 #include <string_view>
 #include <utility>
 
+#include "hitos/base/text_input.hpp"
+
 namespace hitos {
 namespace {
 
+/// Spreadsheets take a text that begins so for a formula, and run it.
+bool is_formula(std::string_view text) {
+    return !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos &&
+           !input::parse_number(text);
+}
+
 std::string csv_field(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
+    if (is_formula(text)) text.insert(text.begin(), '\'');
     if (text.find_first_of(",\"\r") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) {
@@ -33,7 +42,10 @@ std::string escaped(const std::string& text, std::string_view special, std::stri
 std::string markdown_line(const std::vector<std::string>& fields) {
     std::string text = "|";
     for (const std::string& field : fields) {
-        fmt::format_to(std::back_inserter(text), " {} |", escaped(field, "|\\", "\\"));
+        std::string cell = escaped(field, "|\\", "\\");
+        std::ranges::replace_if(
+            cell, [](unsigned char c) { return c < 0x20; }, ' ');
+        fmt::format_to(std::back_inserter(text), " {} |", cell);
     }
     return text + '\n';
 }
@@ -47,10 +59,14 @@ std::string latex_field(const std::string& text) {
             result += "\\textbackslash{}";
         } else if (c == '~') {
             result += "\\~{}";
-        } else if (c == '^' && i + 1 < text.size()) {
+        } else if (c == '^' && i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9') {
             result += fmt::format("$^{}$", text[++i]);  // of a unit such as m^2
+        } else if (c == '^') {
+            result += "\\^{}";
+        } else if (static_cast<unsigned char>(c) < 0x20) {
+            result += ' ';
         } else {
-            result += escaped(std::string(1, c), "&%$#_{}^", "\\");
+            result += escaped(std::string(1, c), "&%$#_{}", "\\");
         }
     }
     return result;

@@ -91,6 +91,24 @@ TEST_F(BatchSlam, AWrongCountOfValuesNamesWhatIsExpected) {
     EXPECT_FALSE(exists(path("q.csv")));
 }
 
+/// gnuplot runs what stands behind `<` or `|`, and lines of its script.
+TEST_F(BatchSlam, NamesOfOutputsAreNoCommands) {
+    const std::string start = config() + " ";
+    int number = 0;
+    for (const std::string name :
+         {"< cd ..; touch HURT #", "|cd ..; touch HURT #", "a\nsystem(\"cd ..; touch HURT\")\n#",
+          "`touch HURT`", "=1+1", "$(touch HURT)"}) {
+        const std::string out = "out" + std::to_string(++number);
+        test::fs::create_directory(path(out));
+        const Outcome result = shell("cd '" + path(out) + "' && " + batch_ + " " + start + "'" +
+                                     name + ".csv' - p 2 3 --runs 1");
+        EXPECT_EQ(result.status, 0) << result.output;
+        EXPECT_TRUE(exists(path(out) + "/" + name + "-landmarks.gp")) << name;
+    }
+    for (const auto& entry : test::fs::recursive_directory_iterator(path("")))
+        EXPECT_NE(entry.path().filename(), "HURT") << entry.path();
+}
+
 TEST_F(BatchSlam, AFailingRunIsReportedAndTheNextGoesOn) {
     const Outcome result =
         batch(config() + " " + path("q.csv") + " " + map_ + " dmax 0 0.02 --runs 1");

@@ -8,6 +8,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/base/text_table.hpp"
 
 namespace hitos {
 namespace {
@@ -222,9 +223,9 @@ std::string distances_csv(std::span<const MeasuredDistance> measured) {
         return value ? fmt::format("{:.6f}", *value) : std::string();
     };
     for (const MeasuredDistance& row : measured) {
-        text += fmt::format("{},{:.6f},{},{},{},{},{}\n", row.distance.name, row.distance.true_m(),
-                            number(row.slam_m), number(row.error_m()), number(row.error_percent()),
-                            place(row.line_a), place(row.line_b));
+        text += csv_line({row.distance.name, number(row.distance.true_m()), number(row.slam_m),
+                          number(row.error_m()), number(row.error_percent()), place(row.line_a),
+                          place(row.line_b)});
     }
     return text;
 }

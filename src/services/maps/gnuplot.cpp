@@ -6,8 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <exception>
 #include <fstream>
@@ -65,19 +67,40 @@ std::string read_all(const fs::path& path) {
     return text.str();
 }
 
+/// In double quotes, in which numbers stand for bytes.
+std::string in_numbers(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool means_something = byte < 0x20 || c == '"' || c == '\\' || c == '`';
+        result += means_something ? fmt::format("\\{:03o}", byte) : std::string(1, c);
+    }
+    return result + "\"";
+}
+
+/// The name of a file that is nothing but that.
+std::string plain(const std::string& name) {
+    const auto first = static_cast<unsigned char>(name.empty() ? 'x' : name[0]);
+    return std::isalnum(first) != 0 || first == '_' ? name : (fs::path(".") / name).string();
+}
+
 /// Empty where gnuplot has run the script; else why not.
 Message run_gnuplot(const fs::path& folder, const std::string& script) {
     const fs::path said = folder / "gnuplot.out";
+    const fs::path nothing = folder / "gnuplot.in";
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    // Nothing outside the folder, so that what is missing can be gnuplot alone.
+    ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, nothing.c_str(), O_RDONLY | O_CREAT,
+                                       0600);
     ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, said.c_str(),
                                        O_WRONLY | O_CREAT | O_TRUNC, 0600);
     ::posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
     ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
     std::string program = "gnuplot";
-    std::string argument = script;
-    std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+    std::string argument = plain(script);
+    std::string no_settings = "-d";  // whatever ~/.gnuplot asks for
+    std::array<char*, 4> arguments{program.data(), no_settings.data(), argument.data(), nullptr};
     pid_t process = 0;
     const int error =
         ::posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
@@ -123,12 +146,30 @@ Message draw_pictures(const fs::path& folder, std::span<const PlotFile> files,
 }
 
 std::string gnuplot_quoted(const std::string& text) {
+    std::string line = text;
+    std::ranges::replace_if(
+        line, [](unsigned char c) { return c < 0x20; }, ' ');
+    if (line.starts_with('\'')) return in_numbers(line);  // no beginning of gnuplot's own quotes
     std::string result = "'";
-    for (const char c : text) {
+    for (const char c : line) {
         if (c == '\'') result += '\'';
-        result += c == '\n' ? ' ' : c;
+        result += c;
     }
     return result + "'";
+}
+
+std::string gnuplot_file(const std::string& name) {
+    const std::string path = plain(name);
+    const bool in_one_line = std::ranges::none_of(path, [](unsigned char c) { return c < 0x20; });
+    return in_one_line ? gnuplot_quoted(path) : in_numbers(path);
+}
+
+std::string gnuplot_head(const std::string& script) {
+    std::string name = script;
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return c < 0x20; }, '?');
+    if (name.ends_with('\\')) name += '?';  // would go on in the next line
+    return fmt::format("# Draw again with: gnuplot {}\n", name);
 }
 
 }  // namespace hitos

@@ -100,7 +100,7 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
         plot += fmt::format(
             "{} index {} using 1:2:3 with yerrorlines linewidth 1.5 pointtype 7 "
             "pointsize 0.7 title {}",
-            gnuplot_quoted(stem + ".dat"), curve, gnuplot_quoted(title));
+            gnuplot_file(stem + ".dat"), curve, gnuplot_quoted(title));
     }
     if (measure.spread == &StudyCell::landmarks && plan.has_reference()) {
         plot += fmt::format(
@@ -108,7 +108,7 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
             "'in the reference'",
             plan.reference_lines + plan.reference_corners);
     }
-    std::string text = fmt::format("# Draw again with: gnuplot {}.gp\n", stem);
+    std::string text = gnuplot_head(stem + ".gp");
     text +=
         fmt::format("set xlabel {} noenhanced\n", gnuplot_quoted(study_axis_label(plan.axes[0])));
     text += fmt::format("set ylabel '{}'\n", measure.label);
@@ -120,7 +120,7 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
     for (const auto& [extension, terminal] :
          {std::pair("png", "pngcairo size 900,600"), std::pair("svg", "svg size 900,600")}) {
         text += fmt::format("set terminal {}\nset output {}\n{}\n", terminal,
-                            gnuplot_quoted(stem + "." + extension), plot);
+                            gnuplot_file(stem + "." + extension), plot);
     }
     return text + "unset output\n";
 }

@@ -11,6 +11,11 @@ TEST(TextTable, CsvQuotesWhatNeedsIt) {
     EXPECT_EQ(csv(kTable), "name,area (m^2)\n\"a|b, 50 %\",1.5\n\"\"\"x\"\" y\",\n");
 }
 
+TEST(TextTable, NothingIsAFormula) {
+    EXPECT_EQ(csv_line({"=cmd()", "+1+1", "-x", "@a", "\tb"}), "'=cmd(),'+1+1,'-x,'@a,'\tb\n");
+    EXPECT_EQ(csv_line({"-1.5", "+2", "-inf", "a=b", "", "\n=1"}), "-1.5,+2,-inf,a=b,, =1\n");
+}
+
 TEST(TextTable, TransposedTwiceItIsItself) {
     const TextTable turned = transposed(kTable);
     EXPECT_EQ(turned.head, (std::vector<std::string>{"name", "a|b, 50 %", "\"x\"\ny"}));
@@ -29,6 +34,8 @@ TEST(TextTable, LatexEscapesWhatTexReads) {
               "\\begin{tabular}{rr}\n\\hline\nm$^2$ & \\% \\\\\n\\hline\n"
               "a\\_b \\& c & -- \\\\\n\\~{}\\textbackslash{}\\{ & \\$\\# \\\\\n"
               "\\hline\n\\end{tabular}\n");
+    const std::string cell = latex({{"h"}, {{"^\\input\n^^41"}}});
+    EXPECT_NE(cell.find("\\^{}\\textbackslash{}input \\^{}$^4$1"), std::string::npos) << cell;
 }
 
 }  // namespace

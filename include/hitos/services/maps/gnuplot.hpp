@@ -23,7 +23,14 @@ Message draw_pictures(const std::filesystem::path& folder, std::span<const PlotF
                       const std::string& script, std::span<const std::string> pictures,
                       const Message& refusal = {});
 
-/// The text in gnuplot's quotes.
+/// The text in gnuplot's quotes, in one line.
 std::string gnuplot_quoted(const std::string& text);
+
+/// The name of a file in gnuplot's quotes, which runs what stands behind `<` or `|` and knows names
+/// such as `-` and `+`.
+std::string gnuplot_file(const std::string& name);
+
+/// A script's first line, a comment.
+std::string gnuplot_head(const std::string& script);
 
 }  // namespace hitos

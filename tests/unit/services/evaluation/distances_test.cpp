@@ -126,6 +126,11 @@ TEST(Distances, TableAndCsvHoldThePapersRow) {
               "d1,1.000000,1.002000,0.002000,0.200000,1,3\n");
 }
 
+TEST(Distances, ANameIsNoFormulaOfASpreadsheet) {
+    const NamedDistance distance{"=1+cmd()", {0, 0}, {1, 0}};
+    EXPECT_THAT(distances_csv(measure_distances({}, {&distance, 1})), HasSubstr("\n'=1+cmd(),1.0"));
+}
+
 TEST(Distances, ReadsItsFileAndNamesMistakes) {
     const auto read =
         parse_distances("# walls\n\nd1 0 1 0 2 # a comment\r\n  width\t-1 0.5 2e0 0.5\n", "f");
@@ -139,6 +144,8 @@ TEST(Distances, ReadsItsFileAndNamesMistakes) {
     EXPECT_THAT(message("# none\n"), HasSubstr("f: no distance in the file; expected 5 fields"));
     EXPECT_THAT(message("d 1 2 3\n"), HasSubstr("f:1: found 4 fields; expected 5"));
     EXPECT_THAT(message("d 1 2 3 inf\n"), HasSubstr("y2 is \"inf\"; expected a finite number"));
+    EXPECT_THAT(message("d 0 0 1 1\nd 1e308 1 2 3\n"),
+                HasSubstr("f:2: x1 is \"1e308\"; expected a number from -1e+12 to 1e+12"));
     EXPECT_THAT(message("d 1 2 1 2\n"), HasSubstr("0 m apart"));
     EXPECT_THAT(message("a,b 1 2 1 3\n"), HasSubstr("expected a word without commas"));
     EXPECT_THAT(message("d 1 2 1 3\nd 1 2 1 4\n"), HasSubstr("f:2: \"d\" stands twice"));
