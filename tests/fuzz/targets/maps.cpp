@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hitos/services/evaluation/distances.hpp"
+#include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/services/maps/map_file.hpp"
 #include "hitos/services/maps/segment_file.hpp"
@@ -96,6 +97,30 @@ bool check_distances(std::string_view input) {
     require(measured.size() == distances->size(), "every distance is measured");
     require(!distance_table(measured).empty() && !distances_csv(measured).empty(),
             "what is measured can be told");
+    return true;
+}
+
+bool check_relations(std::string_view input) {
+    const auto relations = unless_refused([&] { return parse_relations(input, kMapName); });
+    if (!relations) return false;
+    for (const PoseRelation& relation : *relations) {
+        require(std::isfinite(relation.from_s) && std::isfinite(relation.to_s) &&
+                    is_finite({relation.pose_from_to.x, relation.pose_from_to.y}),
+                "relations are finite");
+    }
+    require(parse_relations(relations_text(*relations), kMapName) == *relations,
+            "relations read back to the last bit");
+    const Trajectory path{{0.0, {}}, {1.0, {1.0, 2.0, 3.0}}};
+    constexpr double kAnyStamp = 1e15;
+    const auto measured = measure_relations(path, *relations, kAnyStamp);
+    const RelationErrors errors = relation_errors(measured);
+    for (const auto* figures : {&errors.translation_m, &errors.rotation_rad,
+                                &errors.translation_squared_m2, &errors.rotation_squared_rad2}) {
+        require(std::isfinite(figures->rmse) && std::isfinite(figures->deviation) &&
+                    std::isfinite(figures->maximum),
+                "figures of what is read are numbers");
+    }
+    require(!relations_csv(measured).empty(), "what is measured can be told");
     return true;
 }
 

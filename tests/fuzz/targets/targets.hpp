@@ -20,10 +20,14 @@ Check check_db3;            ///<
 Check check_gzip;           ///< packed logs and texts; what is not packed is packed first
 Check check_configuration;  ///< configuration files
 Check check_world;          ///< worlds, beside a drawing of walls
+Check check_world_edits;    ///< a world, and behind the first byte 0 what is done to it
 Check check_drawing;        ///< drawings of walls
 Check check_map;            ///< landmark maps
 Check check_segments;       ///< segments of a map
 Check check_distances;      ///< named distances
+Check check_relations;      ///< relations between poses
+Check check_map_server;     ///< YAML files of map_server, beside a picture
+Check check_picture;        ///< pictures of walls
 Check check_trajectory;     ///< TUM trajectories
 Check check_study_plan;     ///< study.json
 Check check_study_record;   ///< runs/*.json of a study

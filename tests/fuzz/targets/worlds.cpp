@@ -6,10 +6,12 @@
 #include "hitos/services/maps/dxf_file.hpp"
 #include "hitos/simulation/dxf_walls.hpp"
 #include "hitos/simulation/reference_map.hpp"
+#include "hitos/simulation/world_editing.hpp"
 #include "hitos/simulation/world_key.hpp"
 #include "hitos/simulation/world_text.hpp"
 #include "laws.hpp"
 #include "targets.hpp"
+#include "world_reading.hpp"
 
 namespace hitos::fuzz {
 namespace {
@@ -103,6 +105,36 @@ void require_editable(std::string_view input, const World& world) {
             "what was edited reads back");
 }
 
+/// One of the things that a user does to a drawn world.
+void edit(WorldText& text, unsigned what, const Point2& a, const Point2& b, unsigned number) {
+    constexpr unsigned kKinds = 8;
+    constexpr double kReach = 4.0;  // m
+    const auto item = item_at(text, a, kReach);
+    switch (what % kKinds) {
+        case 0:
+            return add_wall(text, {a, b});
+        case 1:
+            return add_door(text, a, b);
+        case 2:
+            return add_box(text, a, number / 64.0);
+        case 3:
+            return add_person(text, {a, b});
+        case 4:
+            return add_way_point(text, a);
+        case 5:
+            if (item) move_item(text, *item, b);
+            return;
+        case 6:
+            if (item) remove_item(text, number % 2 == 0 ? *item : whole_of(text, *item));
+            return;
+        default:
+            if (!item) return;
+            const std::vector<ItemNumber> numbers = numbers_of(text, *item);
+            if (numbers.empty()) return;
+            return set_number(text, *item, number % numbers.size(), b.x);
+    }
+}
+
 }  // namespace
 
 bool check_world(std::string_view input) {
@@ -112,6 +144,32 @@ bool check_world(std::string_view input) {
         require_editable(input, *world);
     }
     return world.has_value();
+}
+
+bool check_world_edits(std::string_view input) {
+    const std::size_t end = std::min(input.find('\0'), input.size());
+    const auto world =
+        unless_refused([&] { return WorldText(std::string(input.substr(0, end)), world_file()); });
+    if (!world) return false;
+    WorldText text = *world;
+    constexpr std::size_t kEdit = 6;  // bytes
+    constexpr std::size_t kMost = 30;
+    std::string_view rest = input.substr(std::min(end + 1, input.size()));
+    for (std::size_t i = 0; i < kMost && rest.size() >= kEdit; ++i, rest.remove_prefix(kEdit)) {
+        const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(rest[at]); };
+        const auto metres = [&](std::size_t at) { return (byte(at) - 128) / 8.0; };
+        const Point2 a{metres(1), metres(2)};
+        const Point2 b{metres(3), metres(4)};
+        const std::string before = text.text();
+        const auto done = unless_refused([&] {
+            edit(text, byte(0), a, b, byte(5));
+            return true;
+        });
+        require(done || text.text() == before, "what cannot be changes nothing");
+        require(same_world(parse_unfinished_world(text.text(), world_file()), text.world()),
+                "what was edited reads back");
+    }
+    return true;
 }
 
 bool check_drawing(std::string_view input) {
