@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 
 namespace hitos {
@@ -15,10 +16,19 @@ bool same_time(const timespec& a, const timespec& b) {
     return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
 }
 
-/// The time of change tells a writer who has set the time of writing back.
-bool same_state(const struct stat& a, const struct stat& b) {
+bool same_writing(const struct stat& a, const struct stat& b) {
     return a.st_dev == b.st_dev && a.st_ino == b.st_ino && a.st_size == b.st_size &&
-           same_time(a.st_mtim, b.st_mtim) && same_time(a.st_ctim, b.st_ctim);
+           same_time(a.st_mtim, b.st_mtim);
+}
+
+/// Empty where the content cannot be read.
+std::string digest_of(const fs::path& file, const struct stat& state) {
+    if (!S_ISREG(state.st_mode)) return {};
+    try {
+        return Digest().add_file(file).text();
+    } catch (const FileError&) {
+        return {};
+    }
 }
 
 bool same_place(const fs::path& a, const fs::path& b) {
@@ -54,22 +64,35 @@ void check_apart(std::span<const fs::path> outputs, std::span<const fs::path> in
 
 InputFiles::InputFiles(const std::vector<fs::path>& files) {
     for (const fs::path& file : files) {
-        Input input{file, {}, false};
-        input.there = ::stat(file.c_str(), &input.state) == 0;
-        inputs_.push_back(std::move(input));
+        const auto input = std::make_shared<Input>();
+        input->file = file;
+        input->there = ::stat(file.c_str(), &input->state) == 0;
+        if (input->there) input->digest = digest_of(file, input->state);
+        inputs_.push_back(input);
     }
 }
 
 void InputFiles::check() const {
-    for (const Input& input : inputs_) {
+    for (const std::shared_ptr<Input>& input : inputs_) {
+        const std::scoped_lock lock(input->mutex);
         struct stat now {};
-        const bool there = ::stat(input.file.c_str(), &now) == 0;
-        if (there == input.there && (!there || same_state(now, input.state))) continue;
-        throw FileError(input.file.string(),
+        const bool there = ::stat(input->file.c_str(), &now) == 0;
+        if (there == input->there && (!there || input->is_still(now))) continue;
+        throw FileError(input->file.string(),
                         message(HITOS_TEXT("Errors",
                                            "has changed while it was being worked on; start again "
                                            "when the file is complete")));
     }
+}
+
+/// The time of change tells a writer who has set the time of writing back; but it changes with a
+/// link, owner or mode too, and then the content is what it was.
+bool InputFiles::Input::is_still(const struct stat& now) {
+    if (!same_writing(now, state)) return false;
+    if (same_time(now.st_ctim, state.st_ctim)) return true;
+    if (digest.empty() || digest_of(file, now) != digest) return false;
+    state = now;
+    return true;
 }
 
 }  // namespace hitos

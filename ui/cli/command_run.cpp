@@ -147,6 +147,38 @@ void check_outputs(const RunOptions& options, std::vector<std::filesystem::path>
     }
 }
 
+/// Watches the log while it is run through: whether it is still the one that the run began with.
+class LogWatch {
+  public:
+    explicit LogWatch(const std::vector<std::filesystem::path>& files) : inputs_(files) {}
+
+    /// Whether it has changed; `scans` were read by now. The first answer that it has stays.
+    bool changed(std::uint64_t scans) {
+        try {
+            if (problem_.empty()) {
+                inputs_.check();
+                unchanged_for_ = scans;
+            }
+        } catch (const FileError& error) {
+            problem_ = error.what();
+        }
+        return !problem_.empty();
+    }
+    bool changed() const { return !problem_.empty(); }
+    const InputFiles& inputs() const { return inputs_; }
+    std::string words(std::uint64_t scans) const {
+        return fmt::format(
+            "{}; the results are of the first {} scans, of which {} were surely read "
+            "before that",
+            problem_, scans, unchanged_for_);
+    }
+
+  private:
+    InputFiles inputs_;
+    std::string problem_;
+    std::uint64_t unchanged_for_ = 0;
+};
+
 void run(const RunOptions& options) {
     const std::string source = source_named(input_named(options.log, "log"));
     Configuracion configuration = load(options.configuration, source);
@@ -166,10 +198,11 @@ void run(const RunOptions& options) {
         references.distances = read_distances(input_named(options.distances, "--distances"));
     const std::vector<std::filesystem::path> tour = tour_files(source);
     check_outputs(options, tour);
-    StagedFolder folder = results_folder(options.out);
+    const StopByRequest request;  // before there is anything to be cleared
+    std::unique_ptr<StagedFolder> folder(new StagedFolder(results_folder(options.out)));
     check_figures_file(options.figures);  // which may be in that folder
 
-    const InputFiles inputs(tour);
+    LogWatch log(tour);
     std::unique_ptr<TourReader> reader = open_tour(configuration);
     add_truth(references, reader->truth());
     AlgoritmoOptions run_options;
@@ -182,12 +215,11 @@ void run(const RunOptions& options) {
     }
     RunWorker worker(configuration, std::move(reader), run_options);
     ProgressLine line("scans");
-    const StopByRequest request;
     bool stopped = false;
     worker.run();
     Progress progress = worker.progress();
     while (progress.state == Progress::State::running) {
-        if (!stopped && StopByRequest::wanted()) {
+        if (!stopped && (StopByRequest::wanted() || log.changed(progress.steps))) {
             worker.pause();
             stopped = true;
         }
@@ -197,28 +229,48 @@ void run(const RunOptions& options) {
                   fmt::format("{} landmarks", progress.lines + progress.corners));
     }
     if (progress.state == Progress::State::failed) throw Error(progress.error);
+    // Of the last scans of all nobody would know.
+    const bool finished = progress.state == Progress::State::finished;
+    if ((finished || progress.steps == 0) && log.changed(progress.steps)) log.inputs().check();
     if (stopped && progress.steps == 0) {
         fmt::print(stderr, "stopped before the first scan; nothing is written\n");
         throw CLI::RuntimeError(StopByRequest::status());
     }
-    stopped = progress.state != Progress::State::finished;
+    stopped = !finished;
     const double seconds = line.seconds();
-    line.finish(progress.steps, fmt::format("{} landmarks", progress.lines + progress.corners));
+    const std::string landmarks = fmt::format("{} landmarks", progress.lines + progress.corners);
+    if (stopped) {
+        line.say(fmt::format("stopped: {} scans are done  {}", progress.steps, landmarks));
+    } else {
+        line.finish(progress.steps, landmarks);
+    }
 
     ProgressLine files("files");
     const WritingObserver told = [&](const WritingProgress& now) {
-        inputs.check();  // it is read once more for the grids
+        // It is read once more for the grids.
+        if (!log.changed()) log.inputs().check();
         files.show(now.number - 1,
                    static_cast<double>(now.number - 1) / static_cast<double>(now.count), now.file);
     };
-    const RunSummary summary =
-        worker
-            .with_run([&](const Algoritmo& finished) {
-                return write_results(finished, references, seconds, folder, told,
+    const auto write = [&] {
+        return worker
+            .with_run([&](const Algoritmo& run) {
+                return write_results(run, references, seconds, *folder, told,
                                      odometry_grid ? &*odometry_grid : nullptr, also,
-                                     &StopByRequest::wanted);
+                                     [&] { return log.changed() || StopByRequest::wanted(); });
             })
             .get();
+    };
+    RunSummary summary;
+    try {
+        summary = write();
+    } catch (const FileError&) {
+        if (log.changed() || !log.changed(progress.steps)) throw;
+        // All scans are of the log as it was; what reads it again is left out.
+        folder.reset();
+        folder.reset(new StagedFolder(results_folder(options.out)));
+        summary = write();
+    }
     files.finish(summary.files.size());
     Report report(options.json);
     tell_summary(summary, options.out, report);
@@ -240,6 +292,7 @@ void run(const RunOptions& options) {
         whole = false;
     }
     report.end();
+    if (log.changed()) throw Error(verbatim(log.words(progress.steps)));
     if (stopped) throw CLI::RuntimeError(StopByRequest::status());
     if (options.strict && !whole) throw CLI::RuntimeError(kNotWhole);
 }

@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,16 +23,20 @@ class InputFiles {
     explicit InputFiles(const std::vector<std::filesystem::path>& files);
 
     /// Throws FileError where one is another file now, or was written to: what was read of it is
-    /// neither the one nor the other.
+    /// neither the one nor the other. Thread-safe.
     void check() const;
 
   private:
     struct Input {
+        bool is_still(const struct stat& now);
+
         std::filesystem::path file;
+        std::mutex mutex;  // guards the state
         struct stat state {};
+        std::string digest;
         bool there = false;
     };
-    std::vector<Input> inputs_;
+    std::vector<std::shared_ptr<Input>> inputs_;
 };
 
 }  // namespace hitos
