@@ -7,6 +7,8 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/folder_entries.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "results_summary.hpp"
 #include "run_outputs.hpp"
 #include "written_files.hpp"
@@ -14,6 +16,37 @@
 namespace hitos {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// What the summary says of the run's settings is what stands in config.cfg.
+void expect_settings(const fs::path& folder) {
+    const fs::path file = folder / "config.cfg";
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return;  // which is told as missing
+    const Configuracion settings = ArchivoConfiguracion::read(file);
+    with_summary(folder, [&](const nlohmann::json& json) {
+        const std::string summary = (folder / kSummaryFile).string();
+        const auto expect = [&](const char* name, const char* parameter) {
+            if (!json.contains(name)) return;
+            const std::string set = find_parameter(parameter).text(settings);
+            const nlohmann::json& stated = json.at(name);
+            const std::string said = stated.is_string() ? stated.get<std::string>() : stated.dump();
+            if (said == set) return;
+            throw FormatError(summary, 0,
+                              message(HITOS_TEXT("Errors",
+                                                 "says %1 %2, and config.cfg beside it %3; one of "
+                                                 "the two was changed or is of another run"),
+                                      name, said, set));
+        };
+        expect("algorithm", "filter.algorithm");
+        expect("seed", "run.seed");
+        expect("particles", "filter.particles");
+        return 0;
+    });
+}
+
+}  // namespace
 
 ResultsCheck check_results(const fs::path& folder) {
     const fs::path summary = folder / kSummaryFile;
@@ -27,6 +60,7 @@ ResultsCheck check_results(const fs::path& folder) {
                                "does not name the files of the run, as summaries of Hitos "
                                "0.1.0 did not; run it again to have them checked")));
     }
+    expect_settings(folder);
     ResultsCheck check;
     check.files = files.size();
     check.finished = finished;

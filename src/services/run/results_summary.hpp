@@ -8,6 +8,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "json_input.hpp"
+#include "written_files.hpp"
 
 namespace hitos {
 
@@ -31,9 +32,16 @@ auto with_summary(const std::filesystem::path& folder, Read read) {
                                "is no folder of results: it has no summary.json; choose one that "
                                "Save all results or hitos-cli run --out has written")));
     }
+    const std::string text = input::read_text(file, input::kLargestSettings);
+    if (!is_sealed(text)) {
+        throw FormatError(
+            file.string(), 0,
+            message(HITOS_TEXT("Errors",
+                               "was changed since the run wrote it: its text is not what its own "
+                               "digest is of; do the run again")));
+    }
     try {
-        return read(
-            parsed<nlohmann::json>(input::read_text(file, input::kLargestSettings), file.string()));
+        return read(parsed<nlohmann::json>(text, file.string()));
     } catch (const nlohmann::json::exception& error) {
         throw FormatError(
             file.string(), 0,

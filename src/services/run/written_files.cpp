@@ -65,6 +65,27 @@ nlohmann::ordered_json json_of(const std::vector<WrittenFile>& files) {
     return json;
 }
 
+namespace {
+
+constexpr std::string_view kSealBegin = ",\n  \"rest_xxh3_128\": \"";
+constexpr std::string_view kSealEnd = "\"\n}\n";
+constexpr std::string_view kUnsealedEnd = "\n}\n";
+
+}  // namespace
+
+std::string sealed(std::string text) {
+    const std::string digest = Digest().add(text).text();
+    text.resize(text.size() - kUnsealedEnd.size());
+    return text.append(kSealBegin).append(digest).append(kSealEnd);
+}
+
+bool is_sealed(std::string_view text) {
+    const std::size_t at = text.rfind(kSealBegin);
+    if (at == std::string_view::npos)
+        return text.find("\"rest_xxh3_128\"") == std::string_view::npos;
+    return sealed(std::string(text.substr(0, at)).append(kUnsealedEnd)) == text;
+}
+
 std::vector<WrittenFile> files_named(const nlohmann::json& json, const fs::path& file,
                                      bool nested) {
     if (!json.contains("files")) return {};

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hitos/services/run/results.hpp"
@@ -20,6 +21,11 @@ std::vector<WrittenFile> written_files(const std::filesystem::path& folder);
 bool is_unchanged(const WrittenFile& file, const std::filesystem::path& folder);
 
 nlohmann::ordered_json json_of(const std::vector<WrittenFile>& files);
+
+/// The text of a JSON object that states the digest of the rest of it, and whether nothing was
+/// changed since; texts of versions that stated none pass.
+std::string sealed(std::string text);
+bool is_sealed(std::string_view text);
 
 /// What json_of() has written as "files"; none where `json` has no such list. Throws FormatError of
 /// `file` for a name that leads out of the folder, or into another one unless `nested`.

@@ -127,6 +127,7 @@ TEST_F(KeptRunTest, SegmentsOfAnotherMapAreRefused) {
     const fs::path file = out_.path() / "summary.json";
     nlohmann::json summary = nlohmann::json::parse(content(file));
     summary.erase("files");
+    summary.erase("rest_xxh3_128");
     write_file(file, summary.dump());
     EXPECT_EQ(refusal_of_folder(), "");
     write_file(out_.path() / "segments.txt", "0 0 1 0 4000\n");
@@ -150,9 +151,39 @@ TEST_F(KeptRunTest, AFolderIsCheckedFileByFile) {
     EXPECT_THAT(check.left_over, ElementsAre("grid_particle_7.jpg"));
 }
 
+TEST_F(KeptRunTest, AChangedSummaryIsNone) {
+    const fs::path file = out_.path() / "summary.json";
+    const std::string whole = content(file);
+    for (const char* word : {"\"finished\": true", "\"lines\": ", "\"rest_xxh3_128\": \""}) {
+        std::string changed = whole;
+        changed.insert(changed.find(word) + std::string_view(word).size(), "1");
+        write_file(file, changed);
+        EXPECT_THAT(test::message_of<FormatError>([&] { check_results(out_.path()); }),
+                    HasSubstr("summary.json: was changed since the run wrote it"))
+            << word;
+        EXPECT_THAT(refusal_of_folder(), HasSubstr("was changed since the run wrote it")) << word;
+    }
+    write_file(file, whole);
+    EXPECT_TRUE(check_results(out_.path()).whole());
+}
+
+/// Of versions whose summaries stated no digest of themselves.
+TEST_F(KeptRunTest, ASummaryThatContradictsTheConfigurationIsNone) {
+    const fs::path file = out_.path() / "summary.json";
+    auto summary = nlohmann::ordered_json::parse(content(file));
+    summary.erase("rest_xxh3_128");
+    write_file(file, summary.dump(2) + "\n");
+    EXPECT_TRUE(check_results(out_.path()).whole());
+    summary["seed"] = 99;
+    write_file(file, summary.dump(2) + "\n");
+    EXPECT_THAT(test::message_of<FormatError>([&] { check_results(out_.path()); }),
+                HasSubstr("summary.json: says seed 99, and config.cfg beside it"));
+}
+
 TEST_F(KeptRunTest, ASummaryCannotNameFilesElsewhere) {
     const fs::path file = out_.path() / "summary.json";
     nlohmann::json summary = nlohmann::json::parse(content(file));
+    summary.erase("rest_xxh3_128");
     for (const char* name : {"../map.txt", "/etc/passwd", "", "..", "a/b"}) {
         summary["files"] = {{{"name", name}, {"bytes", 1}, {"xxh3_128", ""}}};
         write_file(file, summary.dump());
