@@ -39,11 +39,15 @@ AtEarlyEnd::~AtEarlyEnd() {
 }
 
 void AtEarlyEnd::forget() {
-    if (!kept_) return;
+    if (kept_) static_cast<void>(hold());
+}
+
+std::unique_lock<std::mutex> AtEarlyEnd::hold() {
     Clearing& all = clearing();
-    const std::scoped_lock lock(all.mutex);
-    all.functions.erase(place_);
+    std::unique_lock lock(all.mutex);
+    if (kept_) all.functions.erase(place_);
     kept_ = false;
+    return lock;
 }
 
 void remove_under_way(const std::filesystem::path& folder) {

@@ -18,6 +18,7 @@
 #include <new>
 #include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "hitos/base/atomic_file.hpp"
@@ -76,6 +77,16 @@ void tell_of_memory(const char* program) {
     std::abort();
 }
 
+/// What the system says of a thread that it does not start names nothing.
+const char* words_of(const std::exception& error) {
+    const auto* of_system = dynamic_cast<const std::system_error*>(&error);
+    if (of_system == nullptr || of_system->code() != std::errc::resource_unavailable_try_again)
+        return error.what();
+    return "the system starts no further thread; raise its limit (ulimit -u, or the container's), "
+           "or "
+           "use fewer threads (--threads)";
+}
+
 void end_or_ask(int signal) {
     // timeout(1) and some schedulers send one request twice: to the process and to its group.
     constexpr std::sig_atomic_t kOneRequestMs = 200;
@@ -110,7 +121,7 @@ void prepare_process() {
     occupy_standard_streams();
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    for (const int signal : std::array{SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : std::array{SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
         // What was to be ignored (nohup) stays ignored.
         struct sigaction action {};
         ::sigaction(signal, nullptr, &action);
@@ -251,7 +262,7 @@ int run_program(const char* program, const std::function<int()>& run) {
     } catch (const std::exception& error) {
         wait_for_early_end();
         cut_short = std::ferror(stdout) != 0;  // and that is the error
-        if (!cut_short) std::fprintf(stderr, "%s: %s\n", program, error.what());
+        if (!cut_short) std::fprintf(stderr, "%s: %s\n", program, words_of(error));
     }
     wait_for_early_end();
     const int earlier = errno;

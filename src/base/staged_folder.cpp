@@ -93,6 +93,13 @@ class PutAside {
 
 fs::path made_output_folder(fs::path folder) {
     std::error_code error;
+    if (fs::is_symlink(folder, error) && !fs::exists(folder, error)) {
+        throw FileError(folder.string(),
+                        message(HITOS_TEXT("Errors",
+                                           "is a link to %1, which is not there; make that folder, "
+                                           "or give another with --out"),
+                                fs::read_symlink(folder, error).string()));
+    }
     fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder)) {
         throw FileError(
@@ -221,7 +228,7 @@ bool StagedFolder::is_former(const fs::directory_entry& entry) const {
 }
 
 void StagedFolder::commit() {
-    at_early_end_.forget();
+    const auto whole = at_early_end_.hold();  // with the former files gone
     for (const fs::directory_entry& entry : all_entries(staging_, target_)) {
         if (is_unfinished(entry.path().filename().string())) {
             std::error_code ignored;  // it then comes along, and goes with the next results

@@ -125,6 +125,31 @@ TEST_F(ResultsFolder, IsWholeAfterASecondRequest) {
     EXPECT_EQ(shell(verify()).status, 0);
 }
 
+TEST_F(ResultsFolder, IsWholeAfterEverySignalThatATerminalSends) {
+    ASSERT_EQ(shell(run(1)).status, 0);
+    // The first may come while the log is opened, the second ends at once.
+    for (const char* signals : {"QUIT INT", "INT QUIT", "INT INT"}) {
+        const Outcome ended =
+            shell(fmt::format("env --default-signal=INT,QUIT {} --set filter.particles=20000 & "
+                              "sleep 0.3; for s in {}; do kill "
+                              "-s $s $!; sleep 0.3; "
+                              "done; wait $!; echo status $?",
+                              run(2), signals));
+        EXPECT_NE(ended.output.find("status 13"), std::string::npos) << signals << ended.output;
+        EXPECT_EQ(left(), std::vector<std::string>()) << signals;
+        EXPECT_EQ(shell(verify()).status, 0) << signals;
+    }
+}
+
+TEST_F(ResultsFolder, ALinkThatLeadsNowhereIsToldAsThat) {
+    std::filesystem::create_symlink("nowhere", path("out"));
+    const Outcome outcome = shell(run(1));
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.output.find("out: is a link to nowhere, which is not there"),
+              std::string::npos)
+        << outcome.output;
+}
+
 TEST_F(ResultsFolder, IsWholeWhereARequestTakesTooLong) {
     ASSERT_EQ(shell(run(1)).status, 0);
     // No step of so many particles is done within a hundredth of a second.
@@ -182,18 +207,36 @@ TEST_F(ResultsFolder, WhatIsReadIsNotWritten) {
         << figures.output;
 }
 
-TEST_F(ResultsFolder, ALogThatChangesMeanwhileGivesNoResults) {
+TEST_F(ResultsFolder, ALogThatChangesMeanwhileGivesTheScansUntilThen) {
     ASSERT_EQ(shell(run(1)).status, 0);
     folder_.put("tour.log.gz", content(log_));
     // It is another file from when the run has begun, however late it ends.
-    const Outcome outcome = shell(
-        fmt::format("{0} run {1} --config {2} --set filter.particles=3000 --out {3} & sleep 0.5; "
-                    "cp {1} {1}.new; mv {1}.new {1}; wait $!; echo status $?",
-                    cli_, path("tour.log.gz"), config_, path("out")));
+    const Outcome outcome = shell(fmt::format(
+        "{0} run {1} --config {2} --set filter.particles=3000 --seed 2 --out {3} & sleep 0.5; "
+        "cp {1} {1}.new; mv {1}.new {1}; wait $!; echo status $?",
+        cli_, path("tour.log.gz"), config_, path("out")));
     EXPECT_NE(outcome.output.find("status 1"), std::string::npos) << outcome.output;
     EXPECT_NE(outcome.output.find("has changed while it was being worked on"), std::string::npos)
         << outcome.output;
-    EXPECT_EQ(seed_there(), 1);
+    // None where it was so early that there is no scan.
+    if (seed_there() == 2) {
+        EXPECT_NE(outcome.output.find("the results are of the first "), std::string::npos)
+            << outcome.output;
+        const auto summary = nlohmann::json::parse(content(path("out/summary.json")));
+        EXPECT_FALSE(summary["finished"]);
+        EXPECT_FALSE(summary["not_written"].empty()) << "what reads the log again";
+    }
+    EXPECT_EQ(shell(verify()).status, 0);
+}
+
+TEST_F(ResultsFolder, ALogWhoseModeChangesIsTheSame) {
+    folder_.put("tour.log.gz", content(log_));
+    const Outcome outcome = shell(fmt::format(
+        "{0} run {1} --config {2} --set filter.particles=500 --out {3} & for i in 1 2 3 4 "
+        "5 6; do sleep 0.2; chmod 64$((i % 2 * 4)) {1}; ln -f {1} {1}.backup; done; wait "
+        "$!; echo status $?",
+        cli_, path("tour.log.gz"), config_, path("out")));
+    EXPECT_NE(outcome.output.find("status 0"), std::string::npos) << outcome.output;
     EXPECT_EQ(shell(verify()).status, 0);
 }
 
@@ -282,7 +325,9 @@ TEST_F(Streams, AStudyThatWasAskedToStopGoesOnLater) {
     const std::string study = fmt::format(
         "{} study {} --config {} --vary filter.particles=5,6 --runs 12 --threads 1 --out ", cli_,
         log_, config_);
-    EXPECT_EQ(stopped_on_the_way(study, "study", "TERM").status, 143);
+    const Outcome stopped = stopped_on_the_way(study, "study", "TERM");
+    EXPECT_EQ(stopped.status, 143);
+    EXPECT_EQ(stopped.output.find("100 %"), std::string::npos) << stopped.output;
     ASSERT_EQ(shell(study + path("study")).status, 0);
     ASSERT_EQ(shell(study + path("whole")).status, 0);
     EXPECT_EQ(files("study"), files("whole"));

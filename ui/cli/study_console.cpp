@@ -96,7 +96,7 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
     const StopSource stop;
     how.stop = stop.token();
     const StudyOutcome outcome = std::move(run_studies({&study, 1}, how).front());
-    if (begun) line.finish(finished);
+    if (begun && !outcome.stopped) line.finish(finished);
     if (outcome.stopped) {
         line.say(
             fmt::format("stopped: {} of {} runs are done; the same command goes on with the rest",

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <list>
+#include <mutex>
 
 namespace hitos {
 
@@ -18,6 +19,9 @@ class AtEarlyEnd {
 
     /// From here on nothing is to be cleared. Does not return once the process is being ended.
     void forget();
+    /// As forget(); until what is returned goes, the process is not ended early, and nobody may
+    /// say what is to be cleared.
+    [[nodiscard]] std::unique_lock<std::mutex> hold();
 
   private:
     std::list<std::function<void()>>::iterator place_;

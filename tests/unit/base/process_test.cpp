@@ -4,6 +4,7 @@
 
 #include <new>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 namespace hitos {
@@ -41,6 +42,18 @@ TEST(Process, MemoryThatEndsIsTold) {
     EXPECT_EQ(run_program("some-program", []() -> int { throw std::bad_alloc(); }), 1);
     EXPECT_NE(testing::internal::GetCapturedStderr().find("some-program: out of memory"),
               std::string::npos);
+}
+
+TEST(Process, AThreadThatTheSystemDoesNotStartIsTold) {
+    ::testing::internal::CaptureStderr();
+    EXPECT_EQ(run_program("hitos-cli",
+                          []() -> int {
+                              throw std::system_error(
+                                  std::make_error_code(std::errc::resource_unavailable_try_again));
+                          }),
+              1);
+    EXPECT_EQ(::testing::internal::GetCapturedStderr().substr(0, 47),
+              "hitos-cli: the system starts no further thread;");
 }
 
 }  // namespace
