@@ -135,6 +135,16 @@ TEST_F(StudyCommand, ArraysGiveShardsAndMergeGivesTheWhole) {
     const Outcome early = shell(merge + path("shard0") + " " + path("shard2"));
     EXPECT_EQ(early.status, 1);
     EXPECT_THAT(early.output, HasSubstr("1 of 4 runs are not there: sensor=0.04/0.00122 seed 2"));
+    std::string record;
+    for (const auto& entry : test::fs::directory_iterator(path("shard1/runs")))
+        record = entry.path().string();
+    const std::string text = content(record);
+    folder_.put(test::fs::path(record).lexically_relative(path("")).string(), text.substr(1));
+    const Outcome damaged =
+        shell(merge + path("shard0") + " " + path("shard1") + " " + path("shard2"));
+    EXPECT_EQ(damaged.status, 1);
+    EXPECT_THAT(damaged.output, HasSubstr(record + ": is damaged, was changed"));
+    folder_.put(test::fs::path(record).lexically_relative(path("")).string(), text);
     const Outcome merged =
         shell(merge + path("shard0") + " " + path("shard1") + " " + path("shard2"));
     EXPECT_EQ(merged.status, 0) << merged.output;

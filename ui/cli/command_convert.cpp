@@ -17,6 +17,7 @@
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/services/run/results.hpp"
 #include "hitos/simulation/noisy_reader.hpp"
+#include "hitos/workbench/configuration_choices.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
 #include "report.hpp"
@@ -84,7 +85,8 @@ void add_convert(CLI::App& program) {
                         "Level of the noise on v and w; the thesis uses 0.1 (default: 0, none)");
     command->add_option("--odometry-noise-kind", options->noise_kind,
                         noise_kind_choices() + " (default: relative-sigma)");
-    command->add_option("--seed", options->seed, "Seed of the noise (default: 1)");
+    command->add_option("--seed", options->seed, "Seed of the noise (default: 1)")
+        ->check(&complaint_of_seed);
     add_report_option(*command, options->json);
     command->callback([options] { convert(*options); });
 }

@@ -380,6 +380,8 @@ StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout>
         outcome.records.push_back(record.value_or(StudyRecord{}));
     }
     if (!missing.empty()) {
+        for (const StudyLayout& shard : shards)
+            for (const std::size_t run : missing) study::expect_no_record(shard, outcome.plan, run);
         throw Error(message("%1: %2", layout.folder.string(), missing_runs(outcome.plan, missing)));
     }
     outcome.reused = outcome.plan.runs() - outcome.failed;

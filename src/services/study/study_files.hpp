@@ -63,6 +63,9 @@ void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t 
 std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPlan& plan,
                                        std::size_t run);
 
+/// Throws FormatError where the record of a run that read_record() knows nothing of is there.
+void expect_no_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);
+
 /// Copies what one study folder has of the run to another, the record last.
 void copy_run(const StudyLayout& from, const StudyLayout& to, const StudyPlan& plan,
               std::size_t run, const StudyRecord& record);

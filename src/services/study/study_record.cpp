@@ -123,6 +123,26 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
     }
 }
 
+void expect_no_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t run) {
+    const fs::path file = record_file(layout, plan, run);
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return;
+    try {
+        const auto json =
+            parsed<ordered_json>(input::read_text(file, input::kLargestSettings), file.string());
+        if (is_sealed(json) && json.at("run") != plan.run_digest(run)) return;  // of another study
+    } catch (const nlohmann::json::exception&) {
+        // told below
+    } catch (const FormatError&) {
+        // likewise
+    }
+    throw FormatError(
+        file.string(), 0,
+        message(HITOS_TEXT("Errors",
+                           "is damaged, was changed, or its map is missing; start the "
+                           "shard that it is of again")));
+}
+
 void copy_run(const StudyLayout& from, const StudyLayout& to, const StudyPlan& plan,
               std::size_t run, const StudyRecord& record) {
     const std::vector<fs::path> sources = run_files(from, plan, run);
