@@ -49,7 +49,7 @@ PictureHeader pnm(std::string_view bytes) {
 
 /// The frame's segment tells the size; pixels come until a marker of the end.
 PictureHeader jpeg(std::string_view bytes) {
-    constexpr auto is_frame = [](unsigned marker) {
+    const auto is_frame = [](unsigned marker) {
         return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 &&
                marker != 0xCC;
     };
