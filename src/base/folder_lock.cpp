@@ -130,8 +130,7 @@ void FolderLock::sign() const {
 
 FolderLock::FolderLock(const fs::path& folder) : file_(hidden_beside(folder, "lock")) {
     if (!take(folder, F_WRLCK)) refuse(folder);
-    sign();
-    at_early_end_.emplace([this] { remove(); });
+    begin();
 }
 
 FolderLock::FolderLock(const fs::path& folder, Shared) : file_(hidden_beside(folder, "lock")) {
@@ -147,8 +146,19 @@ FolderLock::FolderLock(const fs::path& folder, Shared) : file_(hidden_beside(fol
         ::close(descriptor_);
         alone_ = take(folder, F_WRLCK);
     }
+    begin();
+}
+
+/// It is held; without memory to note it, it is given up again.
+void FolderLock::begin() {
     sign();
-    at_early_end_.emplace([this] { remove(); });
+    try {
+        at_early_end_.emplace([this] { remove(); });
+    } catch (...) {
+        remove();
+        ::close(descriptor_);
+        throw;
+    }
 }
 
 void FolderLock::share() {

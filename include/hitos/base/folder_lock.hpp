@@ -40,6 +40,7 @@ class FolderLock {
     /// Whether it is held, as `kind` says, or cannot be held here at all.
     bool take(const std::filesystem::path& folder, short kind);
     void sign() const;
+    void begin();
     [[noreturn]] void refuse(const std::filesystem::path& folder) const;
 
     void remove() const;

@@ -127,13 +127,17 @@ class Crew {
         tell(place, 0.0, nullptr);
         Stopwatch watch;
         StudyRecord record;
+        // Nobody knows of the folder in which the work is really done.
+        const auto told = [&](const Error& error) {
+            return error.message().replaced(folders_[s].work().folder.string(),
+                                            studies_[s].layout.folder.string());
+        };
         try {
             std::optional<StudyRecord> computed = compute(place, watch);
             if (!computed) return;
             record = *std::move(computed);
         } catch (const Error& error) {
-            record.problem = error.message().replaced(folders_[s].work().folder.string(),
-                                                      studies_[s].layout.folder.string());
+            record.problem = told(error);
         } catch (const std::bad_alloc&) {
             record.problem = out_of_memory();
         } catch (const std::exception& error) {
@@ -148,7 +152,7 @@ class Crew {
             study::write_record(folders_[s].work(), plan, run, record);
         } catch (const Error& error) {
             record.ok = false;
-            record.problem = error.message();
+            record.problem = told(error);
         }
         outcomes_[s].records[run] = record;
         tell(place, 1.0, &record);
