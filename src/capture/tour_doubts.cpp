@@ -15,12 +15,14 @@ namespace {
 
 using Kind = TourFinding::Kind;
 
-constexpr std::array<std::string_view, 25> kWords{
-    "clocks-apart",      "scan-delay",     "late-stamps",      "ray-times",      "parts-of-a-turn",
-    "clock-speed",       "coarse-stamps",  "assumed-mounting", "two-publishers", "mirrored-laser",
-    "turned-laser",      "no-odometry",    "unread-odometry",  "still-odometry", "leaping-odometry",
-    "sideways-odometry", "odometry-scale", "odometry-units",   "laser-units",    "beyond-a-turn",
-    "blind-laser",       "self-hits",      "frozen-laser",     "unfit-odometry", "unsure-drawing"};
+constexpr std::array<std::string_view, 27> kWords{
+    "clocks-apart",      "scan-delay",      "late-stamps",    "ray-times",
+    "parts-of-a-turn",   "clock-speed",     "coarse-stamps",  "assumed-mounting",
+    "two-publishers",    "mirrored-laser",  "turned-laser",   "misplaced-laser",
+    "no-odometry",       "unread-odometry", "still-odometry", "leaping-odometry",
+    "sideways-odometry", "odometry-scale",  "odometry-turns", "odometry-units",
+    "laser-units",       "beyond-a-turn",   "blind-laser",    "self-hits",
+    "frozen-laser",      "unfit-odometry",  "unsure-drawing"};
 
 }  // namespace
 
@@ -57,18 +59,25 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                                "lasers are in"))});
     }
     const double turn = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
-    constexpr double kMoreThanATurn = 0.1;
-    if (fan_.count > 1 && turn > 2.0 * kPi + kMoreThanATurn) {
+    constexpr double kRounding = 0.9 * kRadiansPerDegree;
+    constexpr double kSteps = 0.75;  // a closed fan has half of one
+    constexpr double kByFar = 0.1;
+    if (fan_.count > 1 &&
+        turn > 2.0 * kPi + std::max(kRounding, kSteps * std::abs(fan_.step_rad()))) {
         found.push_back(
             {Kind::beyond_a_turn, turn,
              message(HITOS_TEXT("Errors",
                                 "the rays of a scan go over %1 degrees, more than a whole turn; "
                                 "they lie upon each other in the map"),
                      fmt::format("{:.0f}", turn * kDegreesPerRadian)),
-             marked(HITOS_TEXT("Errors",
-                               "if angles were written in degrees, record them in radians"))});
+             turn > 2.0 * kPi + kByFar
+                 ? marked(HITOS_TEXT("Errors",
+                                     "if angles were written in degrees, record them in radians"))
+                 : marked(HITOS_TEXT("Errors",
+                                     "all of them are taken; let the driver say the step between "
+                                     "rays that the laser makes (angle_increment)"))});
     }
-    constexpr double kMostSame = 0.4;
+    constexpr double kMostSame = 0.03;  // no sound laser measures the same twice
     constexpr std::uint64_t kLeastMoved = 20;
     constexpr std::uint64_t kHung = 10;  // in a row
     if ((moved_scans_ >= kLeastMoved &&
@@ -81,7 +90,11 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                                 "%1 of %2 scans taken while the robot moved are the same as the "
                                 "one before"),
                      same_scans_, moved_scans_),
-             marked(HITOS_TEXT("Errors", "look whether the laser's driver hung"))});
+             2 * same_scans_ <= moved_scans_ && longest_same_run_ < kHung
+                 ? marked(HITOS_TEXT("Errors",
+                                     "look whether scans are published twice, or the laser's "
+                                     "driver hung"))
+                 : marked(HITOS_TEXT("Errors", "look whether the laser's driver hung"))});
     }
 }
 

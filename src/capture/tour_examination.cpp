@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hitos/base/median.hpp"
+#include "turned_step.hpp"
 
 namespace hitos {
 namespace {
@@ -38,6 +39,7 @@ void TourExamination::note(const Odometria& odometry) {
     const double way = distance_of(odometry.twist, seconds);
     last_.pose = compose(last_.pose, displacement(odometry.twist, seconds));
     last_.time_s = odometry.time_s;
+    speed_ = std::hypot(odometry.twist.v, odometry.twist.v_lateral) + std::abs(odometry.twist.w);
     way_m_ += way;
     const double direction = std::atan2(odometry.twist.v_lateral, odometry.twist.v);
     along_m_ += way * std::cos(2.0 * direction);
@@ -109,14 +111,20 @@ void TourExamination::note(const Scan& scan) {
     last_scan_line_ = scan.line;
     note_pause(scan);
     note_self(scan);
+    constexpr double kMoves = 5e-3;   // [m], [rad]: less may look the same
+    constexpr double kStillSo = 0.5;  // [s]
     const double odometer = way_m_ + turned_rad_;
+    // Between two scans there need not be a reading.
+    const double since_s = scan.time_s - last_scan_s_;
+    const bool goes_on = std::abs(scan.time_s - last_.time_s) < kStillSo && since_s < kStillSo;
+    const double moved = std::max(odometer - scan_way_, goes_on ? speed_ * since_s : 0.0);
     if (scans_ == 0) {
         fan_ = scan.fan;
         first_scan_s_ = scan.time_s;
     }
     last_scan_s_ = scan.time_s;
     if (scan.points.empty()) ++empty_scans_;
-    if (scans_ > 0 && odometer > scan_way_) {
+    if (scans_ > 0 && moved > kMoves) {
         ++moved_scans_;
         if (!scan.points.empty() && scan.points == last_points_) {
             constexpr double kFarForOneView = 1.0;
@@ -144,33 +152,40 @@ void TourExamination::note(const Scan& scan) {
     keep(scan);
 }
 
-/// What is as near as before although the robot turned is a part of it.
+/// What is as near as before although the robot turned is a part of it. By direction, as some
+/// lasers' fans tremble by some rays.
 void TourExamination::note_self(const Scan& scan) {
     constexpr double kTurn = 0.1;  // a wall beside the robot keeps its distance where it does not
     constexpr double kOwn = 1.0;   // no robot of this kind is larger
-    constexpr float kSame = 0.01F;
+    constexpr float kSame = 0.03F;
+    constexpr float kNewest = 0.25F;
     constexpr std::size_t kMostRays = 100'000;
-    if (scan.rays.size() != scan.points.size() || scan.fan.count > kMostRays) return;
-    const bool first = near_ranges_.size() != scan.fan.count;
+    const double step = std::abs(scan.fan.step_rad());
+    if (scan.rays.size() != scan.points.size() || !(step > 2.0 * kPi / kMostRays)) return;
+    const bool first = near_ranges_.empty();
     if (!first && turned_rad_ - turned_at_rad_ < kTurn) return;
-    std::vector<float> ranges(scan.fan.count, 0.0F);
+    if (first) {
+        near_ranges_.resize(static_cast<std::size_t>(std::ceil(2.0 * kPi / step)) + 1);
+        same_rays_.resize(near_ranges_.size());
+    }
+    const std::size_t bins = near_ranges_.size();
+    std::vector<float> ranges(bins, 0.0F);
     const Point2 laser{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
     for (std::size_t i = 0; i < scan.points.size(); ++i) {
         const double range = distance(laser, scan.points[i]);
-        if (range < kOwn && scan.rays[i] < ranges.size()) {
-            ranges[scan.rays[i]] = static_cast<float>(range);
-        }
+        if (range >= kOwn) continue;
+        const double turns = wrap_angle(scan.fan.angle_rad(scan.rays[i])) / (2.0 * kPi) + 0.5;
+        const auto bin =
+            static_cast<std::size_t>(std::lround(turns * static_cast<double>(bins - 1)));
+        ranges[bin % bins] = static_cast<float>(range);
     }
-    if (first) {
-        same_rays_.assign(ranges.size(), 0);
-        turns_ = 0;
-    } else {
-        ++turns_;
-        for (std::size_t i = 0; i < ranges.size(); ++i) {
-            if (ranges[i] > 0.0F && std::abs(ranges[i] - near_ranges_[i]) < kSame) ++same_rays_[i];
-        }
+    if (!first) ++turns_;
+    for (std::size_t i = 0; i < bins; ++i) {
+        float& known = near_ranges_[i];
+        const bool same = known > 0.0F && std::abs(ranges[i] - known) < kSame;
+        if (same) ++same_rays_[i];
+        if (ranges[i] > 0.0F) known = same ? std::lerp(known, ranges[i], kNewest) : ranges[i];
     }
-    near_ranges_ = std::move(ranges);
     turned_at_rad_ = turned_rad_;
 }
 
@@ -209,8 +224,8 @@ std::optional<Pose> TourExamination::pose_at(double time_s, double turn_scale) c
     return pose;
 }
 
-std::optional<double> TourExamination::agreement(const Pair& pair,
-                                                 const Hypothesis& hypothesis) const {
+/// How the robot moved between the scans of a pair.
+std::optional<Pose> TourExamination::step_of(const Pair& pair, const Hypothesis& hypothesis) const {
     const auto odometry_at = [&](double time_s) {
         return pose_at(time_s + hypothesis.delay_s + hypothesis.gained * (time_s - first_scan_s_),
                        hypothesis.turn_scale);
@@ -221,7 +236,15 @@ std::optional<double> TourExamination::agreement(const Pair& pair,
     Pose step = between(*first, *second);
     step.x *= hypothesis.scale;
     step.y *= hypothesis.scale;
-    return agreement(pair, step, hypothesis);
+    if (hypothesis.pair_turn_scale == 1.0) return step;
+    return with_turn(step, hypothesis.pair_turn_scale * step.theta);
+}
+
+std::optional<double> TourExamination::agreement(const Pair& pair,
+                                                 const Hypothesis& hypothesis) const {
+    const std::optional<Pose> step = step_of(pair, hypothesis);
+    if (!step) return {};
+    return agreement(pair, *step, hypothesis);
 }
 
 std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& step,
@@ -230,6 +253,8 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
     const double sign = hypothesis.mirrored ? -1.0 : 1.0;
     const auto mounted = [&](Pose laser) {
         laser.theta += hypothesis.turn_rad;
+        laser.x += hypothesis.shift.x;
+        laser.y += hypothesis.shift.y;
         return laser;
     };
     // Points of the later scan in the earlier one's laser's frame.

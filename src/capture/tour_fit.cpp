@@ -45,6 +45,7 @@ Best best_delay(const TourExamination& examination, double begins, bool apart,
     constexpr double kLongest = 60.0;
     constexpr double kStep = 0.5;
     constexpr double kFine = 0.05;
+    constexpr double kNarrow = 0.1;
     constexpr double kAsWell = 0.01;
     const double middle = apart ? begins : 0.0;
     const auto at = [&](double delay) {
@@ -57,6 +58,8 @@ Best best_delay(const TourExamination& examination, double begins, bool apart,
     std::vector<Best> tried;
     for (double away = -kLongest; away <= kLongest; away += kStep)
         tried.push_back(at(middle + away));
+    // Of a robot that turns fast, what is nearest is narrower than a step.
+    for (int i = -4; i <= 4; ++i) tried.push_back(at(middle + i * kNarrow));
     const Best highest = *std::ranges::max_element(tried, {}, &Best::agreement);
     Best best = highest;
     for (const Best& one : tried) {
@@ -220,6 +223,7 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
              late.hypothesis.delay_s});
         return;
     }
+    if (doubt_dead(found) || doubt_turning(found)) return;
     doubt_scale(found);
 }
 

@@ -37,6 +37,8 @@ class TourExamination {
         bool mirrored = false;         ///< the rays go the other way round
         double scale = 1.0;            ///< of the way
         double turn_scale = 1.0;       ///< of the heading, from where the tour begins
+        double pair_turn_scale = 1.0;  ///< of the turn from one scan of a pair to the other
+        Point2 shift = {};             ///< of the laser on the robot [m]
         double near_m = 0.1;           ///< how far apart two points may be that are one
         double near_per_range = 0.02;  ///< and for each metre of their range
         std::size_t every = 1;         ///< asks every n-th pair only
@@ -61,6 +63,7 @@ class TourExamination {
 
     View view_of(const Scan& scan) const;
     std::optional<double> agreement(const Pair& pair, const Hypothesis& hypothesis) const;
+    std::optional<Pose> step_of(const Pair& pair, const Hypothesis& hypothesis) const;
     /// Where the robot made `step` between the two scans.
     static std::optional<double> agreement(const Pair& pair, const Pose& step,
                                            const Hypothesis& hypothesis);
@@ -74,6 +77,12 @@ class TourExamination {
     bool doubt_turns(double told, double otherwise, std::size_t every,
                      std::vector<TourFinding>& found) const;
     void doubt_scale(std::vector<TourFinding>& found) const;
+    /// What pairs of scans between which the robot turns say of its turns, and of where the laser
+    /// sits.
+    struct Turning;
+    Turning turning_pairs() const;
+    bool doubt_turning(std::vector<TourFinding>& found) const;
+    bool doubt_dead(std::vector<TourFinding>& found) const;
     bool beats_standing(double share) const;
     void doubt_whole(std::vector<TourFinding>& found) const;
     void doubt_stills(std::vector<TourFinding>& found) const;
@@ -92,6 +101,7 @@ class TourExamination {
     std::size_t path_stride_ = 1;
     std::size_t readings_ = 0;
     StampedPose last_;
+    double speed_ = 0.0;  ///< at the last reading, a radian counted as a metre
     double way_m_ = 0.0;
     double turned_rad_ = 0.0;
     double longest_step_m_ = 0.0;

@@ -24,6 +24,7 @@ struct TourFinding {
         mirrored_laser,     ///< the scans turn against the odometry; value: 1
         turned_laser,       ///< the scans move where the odometry does not; value: turn to the left
                             ///< [rad]
+        misplaced_laser,    ///< it does not sit where the recording says; value: how far off [m]
         no_odometry,        ///< there are scans and no odometry; value: the scans
         unread_odometry,    ///< its messages cannot be read, the transforms are taken; value: those
         still_odometry,     ///< the scans change and the odometry does not; value: 0, or for how
@@ -31,6 +32,8 @@ struct TourFinding {
         leaping_odometry,   ///< steps that no robot makes in their time; value: the longest [m]
         sideways_odometry,  ///< always off where the robot looks; value: by that, to the left [rad]
         odometry_scale,  ///< it counts too far or too short; value: the way by the scans over its
+                         ///< own
+        odometry_turns,  ///< it turns too far or too little; value: the turn by the scans over its
                          ///< own
         odometry_units,  ///< all of it is too fast, or turns too far; value: median speed [m/s], or
                          ///< the turn that the scans make of one [rad]
