@@ -45,17 +45,21 @@ double motion_of(const Twist& twist) {
 
 }  // namespace
 
-void OdometrySteps::Told::note(double way_m, std::uint64_t at_line) {
-    if (++count > 1 && way_m <= longest_m) return;
-    longest_m = way_m;
+void OdometrySteps::Told::note(const Pose& step, std::uint64_t at_line) {
+    const double way = way_of(step);
+    const double turn = std::abs(wrap_angle(step.theta));
+    if (++count > 1 && way + turn <= longest_m + turn_rad) return;
+    longest_m = way;
+    turn_rad = turn;
     line = at_line;
 }
 
 Pose OdometrySteps::taken(const OdometryRecord& before, const OdometryRecord& record) {
     const double seconds = record.time_s - before.time_s;
     const Pose logged = between(*before.pose_odom_robot, *record.pose_odom_robot);
+    tracks_.note({*record.pose_odom_robot});
     if (makes_up(record, logged)) {
-        made_up_.note(way_of(logged), record.line);
+        made_up_.note(logged, record.line);
         longest_halt_s_ = std::max(longest_halt_s_, record.time_s - *under_way_.begin_s);
         after_leap_ = false;
         under_way_.begin_s = record.time_s;
@@ -109,7 +113,7 @@ Pose OdometrySteps::bridged(const OdometryRecord& before, const OdometryRecord& 
         ++in_a_row_;
         return logged;
     }
-    leaps_.note(way_of(logged), record.line);
+    leaps_.note(logged, record.line);
     from_ = *before.pose_odom_robot;
     driven_ = displacement(twist_, std::clamp(seconds, 0.0, kGoesOn));
     return driven_;
@@ -134,14 +138,36 @@ void OdometrySteps::learn(const OdometryRecord& before, const OdometryRecord& re
 void OdometrySteps::tell(std::vector<TourFinding>& found) const {
     using Kind = TourFinding::Kind;
     const auto tenths = [](double value) { return std::round(value * 10.0) / 10.0; };
+    const bool told = std::ranges::count(found, Kind::two_publishers, &TourFinding::kind) > 0;
+    if (tracks_.returns() > 0) {
+        if (told) return;
+        found.push_back(
+            {Kind::two_publishers, static_cast<double>(tracks_.returns()),
+             message(HITOS_TEXT("Errors",
+                                "the odometry goes to and fro between two tracks, %1 times: two "
+                                "programs tell it, and the map is of neither"),
+                     tracks_.returns()),
+             marked(HITOS_TEXT("Errors",
+                               "record with one of them only; or take how it moved from the "
+                               "scans: --set source.odometry=scans"))});
+        return;
+    }
     if (leaps_.count > in_a_row_) {
+        constexpr double kNoWay = 0.05;  // [m]: then only the heading leaps
+        const bool turns = leaps_.longest_m < kNoWay;
+        const long degrees = std::lround(leaps_.turn_rad * kDegreesPerRadian);
         found.push_back(
             {Kind::leaping_odometry, leaps_.longest_m,
-             message(HITOS_TEXT("Errors",
-                                "the odometry leaps, by up to %1 m (line %2) and %3 in all, as "
-                                "where a driver begins anew; the robot is taken to drive on there "
-                                "as before, for a second"),
-                     tenths(leaps_.longest_m), leaps_.line, leaps_.count),
+             turns ? message(HITOS_TEXT("Errors",
+                                        "the odometry's heading leaps, by up to %1 degrees (line "
+                                        "%2) and %3 in all; the robot is taken to drive on there "
+                                        "as before, for a second"),
+                             degrees, leaps_.line, leaps_.count)
+                   : message(HITOS_TEXT("Errors",
+                                        "the odometry leaps, by up to %1 m (line %2) and %3 in "
+                                        "all, as where a driver begins anew; the robot is taken to "
+                                        "drive on there as before, for a second"),
+                             tenths(leaps_.longest_m), leaps_.line, leaps_.count),
              marked(HITOS_TEXT("Errors",
                                "map it with registration, which finds what is left of it: --preset "
                                "recorded"))});

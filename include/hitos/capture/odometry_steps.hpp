@@ -1,11 +1,13 @@
 // Which steps of a logged path a robot drives.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "hitos/capture/conversor.hpp"
+#include "hitos/capture/to_and_fro.hpp"
 #include "hitos/capture/tour_finding.hpp"
 
 namespace hitos {
@@ -24,8 +26,16 @@ class OdometrySteps {
     struct Told {
         std::uint64_t count = 0;
         double longest_m = 0.0;
+        double turn_rad = 0.0;   ///< of the longest; of turns alone, the largest
         std::uint64_t line = 0;  ///< of the longest
-        void note(double way_m, std::uint64_t at_line);
+        void note(const Pose& step, std::uint64_t at_line);
+    };
+    struct Place {
+        Pose pose;
+        friend double apart(const Place& a, const Place& b) {
+            const Pose step = between(a.pose, b.pose);
+            return std::hypot(step.x, step.y) + std::abs(wrap_angle(step.theta));
+        }
     };
     /// What was driven when the pose last changed: how a robot was under way when its
     /// odometry stops.
@@ -40,6 +50,7 @@ class OdometrySteps {
     Pose bridged(const OdometryRecord& before, const OdometryRecord& record, double seconds);
     void learn(const OdometryRecord& before, const OdometryRecord& record, const Pose& step);
 
+    ToAndFro<Place> tracks_;
     Twist twist_;  ///< of the last step that took time
     UnderWay under_way_;
     Told leaps_;

@@ -34,39 +34,35 @@ std::string_view space_of(std::string_view topic) {
     return slash == std::string_view::npos ? std::string_view{} : topic.substr(0, slash + 1);
 }
 
+double apart(const Publishers::Told& a, const Publishers::Told& b) {
+    constexpr double kOtherParent = 100.0;  // whatever the place
+    return apart(a.transform, b.transform) + (a.parent == b.parent ? 0.0 : kOtherParent);
+}
+
 void Publishers::note(const StampedTransform& told) {
-    constexpr double kJump = 0.01;    // what a robot at rest does not do between two messages
-    constexpr double kBetween = 0.5;  // of it: what it does while both senders say the same
-    Watch& watch = watches_[told.child_frame];
-    ++watch.messages;
-    if (watch.last) {
-        const bool other_parent = watch.last->parent != told.header.frame;
-        const double step = apart(watch.last->transform, told.transform);
-        const bool back = watch.before && watch.before->parent == told.header.frame &&
-                          apart(watch.before->transform, told.transform) < kBetween * step;
-        if (back && (other_parent || step > kJump)) ++watch.returns;
-    }
-    watch.before = std::move(watch.last);
-    watch.last = Told{told.header.frame, told.transform};
+    watches_[told.child_frame].note({told.header.frame, told.transform});
 }
 
 std::uint64_t Publishers::returns(const std::string& frame) const {
-    constexpr std::uint64_t kLeast = 10;
-    constexpr std::uint64_t kOneIn = 5;
     const auto watch = watches_.find(frame);
-    if (watch == watches_.end()) return 0;
-    const std::uint64_t returns = watch->second.returns;
-    return returns >= kLeast && returns * kOneIn >= watch->second.messages ? returns : 0;
+    return watch == watches_.end() ? 0 : watch->second.returns();
 }
 
 FrameChoice choose_frames(const std::map<std::string, TopicFrames>& said,
-                          std::string_view laser_topic, std::string_view same) {
+                          std::string_view laser_topic, const std::vector<std::string>& lasers,
+                          std::string_view same) {
     FrameChoice choice;
     for (const auto& [topic, frames] : said) {
         if (laser_topic.starts_with(space_of(topic))) choice.topics.push_back(topic);
     }
     if (choice.topics.empty()) {
-        for (const auto& [topic, frames] : said) choice.topics.push_back(topic);
+        choice.of_others = true;
+        for (const auto& [topic, frames] : said) {
+            const bool own_lasers = std::ranges::any_of(lasers, [&](const std::string& laser) {
+                return laser.starts_with(space_of(topic));
+            });
+            if (!own_lasers) choice.topics.push_back(topic);
+        }
     }
     for (const std::string& topic : choice.topics) choice.frames.complete(said.at(topic).frames);
     join_frames(choice.frames, same);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "hitos/capture/to_and_fro.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "ros/frame_tree.hpp"
 
@@ -22,18 +23,14 @@ class Publishers {
     /// more than chance.
     std::uint64_t returns(const std::string& frame) const;
 
-  private:
     struct Told {
         std::string parent;
         Transform transform;
+        friend double apart(const Told& a, const Told& b);
     };
-    struct Watch {
-        std::optional<Told> last;
-        std::optional<Told> before;
-        std::uint64_t messages = 0;
-        std::uint64_t returns = 0;
-    };
-    std::map<std::string, Watch> watches_;
+
+  private:
+    std::map<std::string, ToAndFro<Told>> watches_;
 };
 
 /// What a topic of transforms says.
@@ -49,14 +46,17 @@ std::string_view space_of(std::string_view topic);
 /// Topics of transforms, and what they say together.
 struct FrameChoice {
     std::vector<std::string> topics;
+    bool of_others = false;  ///< none is of the laser's namespace
     FrameTree frames;
 };
 
-/// The topics of the namespace of the laser's topic and of those it lies in; where none is, all.
-/// Frames that `same` says are one ("a=b", several with commas between them) are joined. Throws
-/// ConfigError for words that are no such pair.
+/// The topics of the namespace of the laser's topic and of those it lies in; where none is, all but
+/// those of a namespace with lasers of its own, which are another robot's. Frames that `same` says
+/// are one ("a=b", several with commas between them) are joined. Throws ConfigError for words that
+/// are no such pair.
 FrameChoice choose_frames(const std::map<std::string, TopicFrames>& said,
-                          std::string_view laser_topic, std::string_view same);
+                          std::string_view laser_topic, const std::vector<std::string>& lasers,
+                          std::string_view same);
 
 /// Throws FormatError where two of the chosen topics tell one of these frames differently.
 void check_agreement(const std::map<std::string, TopicFrames>& said, const FrameChoice& choice,

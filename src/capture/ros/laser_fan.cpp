@@ -40,13 +40,18 @@ MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_la
     mounted.stamp_ns = scan.header.stamp_ns;
     mounted.fan.pose_robot_laser = robot_laser.plane();
     mounted.fan.count = rays;
-    if (std::isfinite(scan.max_range_m)) mounted.fan.max_range_m = std::max(0.0, scan.max_range_m);
+    double least = scan.min_range_m;
+    double greatest = scan.max_range_m;
+    mounted.swapped_limits = greatest > 0.0 && greatest < least && std::isfinite(least);
+    if (mounted.swapped_limits) std::swap(least, greatest);
+    mounted.least_range_m = least;
+    if (std::isfinite(greatest)) mounted.fan.max_range_m = std::max(0.0, greatest);
     mounted.ranges_m = scan.ranges_m;
     for (float& range : mounted.ranges_m) {
-        if (!std::isfinite(range) || !(range > 0.0F) ||
-            static_cast<double>(range) < scan.min_range_m) {
-            range = kNoReading;
-        }
+        const bool measured = std::isfinite(range) && range > 0.0F;
+        if (measured) ++mounted.readings;
+        if (measured && static_cast<double>(range) < least) ++mounted.too_near;
+        if (!measured || static_cast<double>(range) < least) range = kNoReading;
     }
     if (scan.ray_time_s != 0.0) {
         for (std::uint32_t i = 0; i < rays; ++i) {

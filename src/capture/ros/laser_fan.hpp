@@ -21,6 +21,11 @@ struct MountedScan {
     std::vector<float> ranges_m;  ///< NaN where the message holds no usable reading
     /// Of each ray, from the stamp on [s]; empty where all are of one time.
     std::vector<float> ray_times_s;
+    /// Of the message: how many readings it has, and how many of them below its least range.
+    std::uint32_t readings = 0;
+    std::uint32_t too_near = 0;
+    double least_range_m = 0.0;
+    bool swapped_limits = false;  ///< the least range and the greatest, which were put right
 };
 
 /// `robot_laser` is the mounting; it may be upside down. Throws FormatError where it is tilted out

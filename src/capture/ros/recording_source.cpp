@@ -63,6 +63,7 @@ std::unique_ptr<Fuente> RecordingSource::reopen() const {
 std::vector<TourFinding> RecordingSource::findings() const {
     std::vector<TourFinding> found = plan_->topics.findings;
     parts_.tell(found);
+    limits_.tell(found);
     return found;
 }
 
@@ -119,6 +120,7 @@ void RecordingSource::take_in_scans(const RecordedMessage& found) {
         decode_odometry(found.bytes, encoding, told);
     } else {
         MountedScan scan = scan_of(found);
+        limits_.note(scan, found.topic->name);
         const std::size_t bytes = sizeof scan + scan.ranges_m.size() * sizeof(float);
         held_scans_.push(std::move(scan), bytes);
     }

@@ -15,6 +15,7 @@
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "ros/laser_fan.hpp"
+#include "ros/range_limits.hpp"
 #include "ros/stamp_queue.hpp"
 #include "ros/topic_choice.hpp"
 #include "ros/turn_parts.hpp"
@@ -81,6 +82,7 @@ class RecordingSource final : public Fuente {
     std::map<std::string, FrameTree> frames_;  ///< by the laser's topic
     StampQueue<MountedScan> held_scans_;
     TurnParts parts_;
+    RangeLimits limits_;
     StampQueue<Reading> held_readings_;
     std::string scan_text_;
     std::string odometry_text_;

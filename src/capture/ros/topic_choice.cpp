@@ -271,6 +271,22 @@ void doubt_frames(const RecordingSurvey& survey, const ReadOptions& options,
                      laser_frame, chosen.robot_frame),
              marked(HITOS_TEXT("Errors", "say where it sits: --laser-pose x,y,degrees"))});
     }
+    const std::string& laser = chosen.scans.front();
+    const FrameChoice& own = chosen.of_laser.at(laser);
+    if (own.of_others && !used.empty() && space_of(laser).size() > 1) {
+        std::string topics;
+        for (const std::string& topic : own.topics) topics += (topics.empty() ? "" : ", ") + topic;
+        chosen.findings.push_back(
+            {TourFinding::Kind::assumed_mounting, static_cast<double>(chosen.scans.size()),
+             message(HITOS_TEXT("Errors",
+                                "no transforms are of the namespace of %1, so that those of %2 are "
+                                "taken; where that is another robot, the laser sits wrongly, and "
+                                "drives its way"),
+                     laser, topics),
+             marked(HITOS_TEXT("Errors",
+                               "say where it sits (--laser-pose x,y,degrees) and take a topic for "
+                               "the odometry (--odom-topic)"))});
+    }
     for (const auto& [topic, frame] : used) {
         const std::uint64_t returns = survey.frames.at(topic).publishers.returns(frame);
         if (returns == 0) continue;
@@ -311,8 +327,10 @@ TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& optio
         return found == survey.laser_frames.end() ? std::string{} : found->second;
     };
     std::set<std::string> transforms;
+    std::vector<std::string> lasers;
+    for (const Topic* laser : with_messages(survey, is_laser)) lasers.push_back(laser->name);
     for (const std::string& laser : chosen.scans) {
-        FrameChoice own = choose_frames(survey.frames, laser, options.same_frames);
+        FrameChoice own = choose_frames(survey.frames, laser, lasers, options.same_frames);
         transforms.insert(own.topics.begin(), own.topics.end());
         chosen.of_laser.emplace(laser, std::move(own));
     }

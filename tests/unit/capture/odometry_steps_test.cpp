@@ -114,5 +114,47 @@ TEST(OdometrySteps, StepsInNoTimeSayNothingOfTheSpeed) {
     EXPECT_TRUE(read_text("radish", text).findings.empty());
 }
 
+/// Of one robot a reading each 0.05 s, and of another, that far aside, one after each `every`.
+std::string two_programs(double aside, int every) {
+    std::string text;
+    for (int i = 0; i < 1000; ++i) {
+        text += reading(0.05 * i, {0.02 * i, 0, 0});
+        if (i % every == every - 1) text += reading(0.05 * i + 0.02, {0.01 * i, aside, 0});
+    }
+    return text;
+}
+
+TEST(OdometrySteps, TwoProgramsThatTellItAreNoticedHoweverOftenEachDoes) {
+    for (const int every : {1, 2, 5, 50}) {
+        for (const double aside : {0.3, 4.0}) {
+            const Log log = read_text("radish", two_programs(aside, every));
+            ASSERT_EQ(log.findings.size(), 1U) << every << ' ' << aside;
+            EXPECT_EQ(log.findings.front().kind, TourFinding::Kind::two_publishers);
+            EXPECT_GE(log.findings.front().value, 10.0);
+        }
+    }
+    // Single poses that are wrong are on no track, and who drives to and fro is one.
+    std::string wrong;
+    std::string shuttle;
+    for (int i = 0; i < 1000; ++i) {
+        wrong += reading(0.05 * i, {0.02 * i, i % 50 == 49 ? 0.1 * (i * 37 % 101) - 5.0 : 0.0, 0});
+        shuttle += reading(i, {std::abs(i % 20 - 10.0), 0, 0});
+    }
+    for (const std::string& text : {wrong, shuttle}) {
+        for (const TourFinding& finding : read_text("radish", text).findings) {
+            EXPECT_NE(finding.kind, TourFinding::Kind::two_publishers);
+        }
+    }
+}
+
+TEST(OdometrySteps, ALeapOfTheHeadingAloneIsToldInDegrees) {
+    std::string text;
+    for (int i = 0; i < 200; ++i) text += reading(0.05 * i, {0.02 * i, 0, i < 100 ? 0.0 : 1.5708});
+    const Log log = read_text("radish", text);
+    ASSERT_EQ(log.findings.size(), 1U);
+    EXPECT_EQ(log.findings.front().kind, TourFinding::Kind::leaping_odometry);
+    EXPECT_THAT(log.findings.front().what.english(), HasSubstr("by up to 90 degrees (line 101)"));
+}
+
 }  // namespace
 }  // namespace hitos

@@ -125,6 +125,7 @@ TEST_F(DoubtfulRecording, TwoSourcesOfOneFrameThatDisagreeAreNamed) {
     for (Said& said : all) {
         if (said.topic == "/one/scan") said.topic = "/scan";  // of neither
     }
+    std::erase_if(all, [](const Said& said) { return said.topic == "/two/scan"; });
     ReadOptions options = of_robot("", "/one/odom");
     options.scan_topic = "/scan";
     EXPECT_THAT(test::message_of<FormatError>([&] { read(all, options); }),
@@ -225,6 +226,50 @@ TEST_F(DoubtfulRecording, OdometryThatCannotBeReadLeavesTheTransforms) {
     EXPECT_NEAR(test::summed(log.odometry).back().x, 1.0, 1e-12);
 }
 
+TEST_F(DoubtfulRecording, TransformsOfAnotherRobotAreNotTakenUnnoticed) {
+    std::vector<Said> all = robot("/one", 0.25);
+    for (const Said& said : robot("/two", 0.5)) all.push_back(said);
+    std::erase_if(all, [](const Said& said) { return said.topic.starts_with("/one/tf"); });
+    // Those of a namespace with a laser are that laser's.
+    const Log without = read(all, of_robot("/one", "/one/odom"));
+    ASSERT_EQ(without.scans.size(), 5U);
+    EXPECT_EQ(without.scans.front().fan.pose_robot_laser.x, 0.0);
+    ASSERT_EQ(kinds(without), std::vector{Doubt::assumed_mounting});
+    // Others may be its own.
+    std::erase_if(all, [](const Said& said) { return said.topic == "/two/scan"; });
+    const Log taken = read(all, of_robot("/one", "/one/odom"));
+    EXPECT_EQ(taken.scans.front().fan.pose_robot_laser.x, 0.5);
+    ASSERT_EQ(kinds(taken), std::vector{Doubt::assumed_mounting});
+    EXPECT_THAT(taken.findings.front().what.english(),
+                AllOf(HasSubstr("/one/scan"), HasSubstr("/two/tf_static")));
+}
+
+TEST_F(DoubtfulRecording, RangeLimitsThatAreSwappedAreTakenTheOtherWayRound) {
+    std::vector<Said> all = robot("", 0.25);
+    const auto laser = [&](float least, float greatest) {
+        for (std::uint32_t i = 0; i < 5; ++i) {
+            test::LaserFields fields;
+            fields.stamp = {kDoubtfulBegin + i, 250'000'000};
+            fields.ranges = {1.0F, 2.0F, 3.0F, 4.5F};
+            fields.min_range = least;
+            fields.max_range = greatest;
+            all[3 + 3 * i] = test::said_laser(fields, Bytes::cdr());
+        }
+        return read(all);
+    };
+    const Log sound = laser(0.1F, 12.0F);
+    EXPECT_TRUE(sound.findings.empty());
+    const Log swapped = laser(12.0F, 0.1F);
+    ASSERT_EQ(swapped.scans.size(), 5U);
+    EXPECT_EQ(swapped.scans.front().points, sound.scans.front().points);
+    ASSERT_EQ(kinds(swapped), std::vector{Doubt::blind_laser});
+    EXPECT_THAT(swapped.findings.front().what.english(), HasSubstr("the other way round"));
+    // Limits that leave hardly anything.
+    const Log near = laser(5.0F, 12.0F);
+    ASSERT_EQ(kinds(near), std::vector{Doubt::blind_laser});
+    EXPECT_EQ(near.findings.front().value, 1.0);
+}
+
 TEST_F(DoubtfulRecording, TwoSendersOfOneTransformAreNoticed) {
     const auto tour = [](double apart) {
         std::vector<Said> all;
@@ -244,6 +289,31 @@ TEST_F(DoubtfulRecording, TwoSendersOfOneTransformAreNoticed) {
     const Log log = read(tour(3.0));
     ASSERT_EQ(kinds(log), std::vector{Doubt::two_publishers});
     EXPECT_THAT(log.findings.front().what.english(), HasSubstr("\"base_link\""));
+}
+
+TEST_F(DoubtfulRecording, TwoSendersAtUnequalRatesAreNoticedToo) {
+    for (const char* child : {"base_link", "laser"}) {
+        std::vector<Said> all;
+        for (std::uint32_t i = 0; i < 200; ++i) {
+            const Stamp stamp{kDoubtfulBegin + i, 0};
+            test::LaserFields laser;
+            laser.stamp = stamp;
+            all.push_back(test::said_transforms({{stamp, "odom", "base_link", {0.2 * i, 0.0}},
+                                                 {stamp, "base_link", "laser", {0.25, 0.0, 0.1}}},
+                                                Bytes::cdr()));
+            all.push_back(test::said_laser(laser, Bytes::cdr()));
+            if (i % 7 != 6) continue;
+            const bool robot = std::string_view(child) == "base_link";
+            all.push_back(test::said_transforms({{{kDoubtfulBegin + i, 500'000'000},
+                                                  robot ? "odom" : "base_link",
+                                                  child,
+                                                  {robot ? 0.1 * i : 0.0, robot ? 8.0 : 0.4, 0.1}}},
+                                                Bytes::cdr()));
+        }
+        const Log log = read(all);
+        ASSERT_EQ(kinds(log), std::vector{Doubt::two_publishers}) << child;
+        EXPECT_THAT(log.findings.front().what.english(), HasSubstr(child));
+    }
 }
 
 TEST_F(DoubtfulRecording, StampsOfAnotherClockThanThatOfReceiptAreTold) {

@@ -1,0 +1,47 @@
+#include "ros/range_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hitos {
+
+void RangeLimits::note(const MountedScan& scan, const std::string& topic) {
+    Laser& laser = lasers_[topic];
+    laser.readings += scan.readings;
+    laser.too_near += scan.too_near;
+    laser.least_m = scan.least_range_m;
+    laser.greatest_m = scan.fan.max_range_m;
+    laser.swapped = laser.swapped || scan.swapped_limits;
+}
+
+void RangeLimits::tell(std::vector<TourFinding>& found) const {
+    constexpr double kMost = 0.8;
+    const auto metres = [](double range) { return fmt::format("{:.4g}", range); };
+    for (const auto& [topic, laser] : lasers_) {
+        const double share =
+            static_cast<double>(laser.too_near) / static_cast<double>(laser.readings);
+        if (laser.swapped) {
+            found.push_back(
+                {TourFinding::Kind::blind_laser, 0.0,
+                 message(HITOS_TEXT("Errors",
+                                    "%1 says that its least range is %2 m and its greatest %3 m; "
+                                    "they are taken the other way round, as no reading lies "
+                                    "between them"),
+                         topic, metres(laser.greatest_m), metres(laser.least_m)),
+                 marked(HITOS_TEXT("Errors",
+                                   "let the driver say range_min and range_max the right way "
+                                   "round"))});
+        } else if (share > kMost) {
+            found.push_back(
+                {TourFinding::Kind::blind_laser, share,
+                 message(HITOS_TEXT("Errors",
+                                    "%1 % of the readings of %2 are nearer than the least range of "
+                                    "%3 m that it says, and are no points"),
+                         std::lround(100.0 * share), topic, metres(laser.least_m)),
+                 marked(HITOS_TEXT("Errors", "let the driver say the laser's own range_min"))});
+        }
+    }
+}
+
+}  // namespace hitos
