@@ -47,9 +47,20 @@ std::optional<TourFinding> doubt_units(const Fuente& fuente, RangeConversor& con
     });
     const double typical = median(all);
     const double share = static_cast<double>(beyond) / static_cast<double>(all.size());
-    if (all.size() < kLeastReadings || share < kNearlyAll || typical < kFar ||
-        typical < kFarBeyond * limit_m || kOneCode * most_alike(all) > all.size()) {
+    if (all.size() < kLeastReadings || share < kNearlyAll ||
+        kOneCode * most_alike(all) > all.size()) {
         return std::nullopt;
+    }
+    if (typical < kFar || typical < kFarBeyond * limit_m) {
+        if (limit_m >= kAssumedLimit) return std::nullopt;  // outdoors
+        return TourFinding{
+            TourFinding::Kind::blind_laser, share,
+            message(HITOS_TEXT("Errors",
+                               "%1 % of the readings lie beyond the greatest range of %2 m and are "
+                               "no points; half of them are above %3 m"),
+                    std::lround(100.0 * share), fmt::format("{:.4g}", limit_m),
+                    fmt::format("{:.1f}", typical)),
+            marked(HITOS_TEXT("Errors", "set the greatest range: --set source.max_range=METRES"))};
     }
     return TourFinding{
         TourFinding::Kind::laser_units, typical,

@@ -283,6 +283,11 @@ TEST(ConversorCarmen, ReadingsInMillimetresAreTold) {
     EXPECT_TRUE(carmen(scans_from(2.0, 0.013)).findings.empty());
     EXPECT_TRUE(carmen(scans_from(50.0, 0.5)).findings.empty());    // outdoors, in metres
     EXPECT_TRUE(carmen(scans_from(8191.0, 0.0)).findings.empty());  // no return
+    // In metres, and a limit that leaves none of them.
+    const Log blind = carmen(scans_from(2.0, 0.013, "PARAM robot_front_laser_max 1.5 h 0\n"));
+    ASSERT_EQ(blind.findings.size(), 1U);
+    EXPECT_EQ(blind.findings[0].kind, TourFinding::Kind::blind_laser);
+    EXPECT_EQ(blind.findings[0].value, 1.0);
 }
 
 }  // namespace
