@@ -81,7 +81,13 @@ std::shared_ptr<const RecordedTour> record_tour(const TourReader& reader, const 
     tour->name = reader.name();
     tour->format = reader.format();
     tour->of_recording = reader.report().of_recording;
+    // Each reader doubts what it has read, and both the recording.
     tour->findings = odometry->findings();
+    for (const TourFinding& of_scans : scans->findings()) {
+        const bool known =
+            std::ranges::count(tour->findings, of_scans.kind, &TourFinding::kind) > 0;
+        if (!known) tour->findings.push_back(of_scans);
+    }
     return tour;
 }
 
