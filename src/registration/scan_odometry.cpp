@@ -62,6 +62,8 @@ class ScanOdometry final : public TourReader {
     std::vector<TourFinding> findings() const override;
 
   private:
+    void note(const Pose& step, double seconds);
+
     std::unique_ptr<TourReader> tour_;
     std::unique_ptr<TourReader> ahead_;  // whose scans are matched
     Registration registration_;
@@ -69,6 +71,7 @@ class ScanOdometry final : public TourReader {
     double last_s_ = 0.0;
     Twist twist_;  // of the last step
     std::uint64_t scans_ = 0;
+    std::uint64_t far_ = 0;  // of those, the ones far from the one before
 };
 
 std::optional<Odometria> ScanOdometry::next_odometry() {
@@ -88,12 +91,19 @@ std::optional<Odometria> ScanOdometry::next_odometry() {
         if (!first_s_) first_s_ = scan->time_s;
         last_s_ = scan->time_s;
         ++scans_;
-        if (seconds > 0.0) twist_ = twist_between(between(step.before, step.pose), seconds);
+        if (seconds > 0.0) note(between(step.before, step.pose), seconds);
         return Odometria{scan->time_s, twist_, scan->line};
     }
 }
 
+void ScanOdometry::note(const Pose& step, double seconds) {
+    constexpr double kFar = 0.15;  // [m], [rad]
+    twist_ = twist_between(step, seconds);
+    if (std::hypot(step.x, step.y) > kFar || std::abs(wrap_angle(step.theta)) > kFar) ++far_;
+}
+
 std::vector<TourFinding> ScanOdometry::findings() const {
+    constexpr std::uint64_t kOneFarIn = 20;
     std::vector<TourFinding> found = tour_->findings();
     if (scans_ < 2) return found;
     const double rate = static_cast<double>(scans_ - 1) / (last_s_ - *first_s_);
@@ -102,7 +112,8 @@ std::vector<TourFinding> ScanOdometry::findings() const {
         found.push_back({TourFinding::Kind::no_odometry, static_cast<double>(scans_),
                          std::move(what), std::move(remedy)});
     };
-    if (rate > kQuickEnough) {
+    // What counts is how much two scans see in common.
+    if (rate > kQuickEnough || far_ * kOneFarIn < scans_) {
         note(message(HITOS_TEXT("Errors",
                                 "how the robot moved is taken from the scans alone (%1 a second), "
                                 "which cannot tell it where they see the same all "
