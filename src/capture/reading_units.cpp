@@ -36,8 +36,10 @@ std::optional<TourFinding> doubt_units(const Fuente& fuente, RangeConversor& con
     std::vector<double> all;
     std::size_t beyond = 0;
     double limit_m = 0.0;
+    bool stated = false;
     look_at_readings(fuente, conversor, [&](const RangeConversor::Readings& readings) {
         limit_m = conversor.limit(readings);
+        stated = readings.fan.max_range_m > 0.0;
         for (const double range : readings.ranges_m) {
             if (!(range > 0.0) || !std::isfinite(range)) continue;
             all.push_back(range);
@@ -52,7 +54,7 @@ std::optional<TourFinding> doubt_units(const Fuente& fuente, RangeConversor& con
         return std::nullopt;
     }
     if (typical < kFar || typical < kFarBeyond * limit_m) {
-        if (limit_m >= kAssumedLimit) return std::nullopt;  // outdoors
+        if (!stated) return std::nullopt;  // outdoors
         return TourFinding{
             TourFinding::Kind::blind_laser, share,
             message(HITOS_TEXT("Errors",
