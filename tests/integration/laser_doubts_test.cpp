@@ -51,7 +51,8 @@ TEST(LaserDoubts, APartOfTheRobotIsToldThoughItsReadingsWaverAndItsRaysAreNotAsM
     constexpr std::uint32_t kRays = 8;
     for (std::size_t n = 0; n < tour.scans.size(); ++n) {
         Scan& scan = tour.scans[n];
-        scan.fan.count -= static_cast<std::uint32_t>(n % 3);  // from scan to scan a ray or two less, over the same angle
+        scan.fan.count -= static_cast<std::uint32_t>(
+            n % 3);  // from scan to scan a ray or two less, over the same angle
         for (std::uint32_t ray = kFirst; ray < kFirst + kRays; ++ray) {
             const double angle = scan.fan.angle_rad(ray);
             const double range = 0.3 + off(random);
