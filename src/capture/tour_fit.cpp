@@ -223,8 +223,9 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
              late.hypothesis.delay_s});
         return;
     }
-    if (doubt_dead(found) || doubt_turning(found)) return;
+    if (doubt_dead(found)) return;
     doubt_scale(found);
+    if (found.size() == before) doubt_turning(found);
 }
 
 /// Whether headings are in degrees, or were scaled as if they had been.

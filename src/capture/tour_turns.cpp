@@ -244,6 +244,7 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
     constexpr std::size_t kLeastPairs = 5;
     constexpr double kSlight = 0.1;   // a pair, by the odometry [m], [rad]: more is not dead
     constexpr double kLittle = 0.25;  // of what the scans say
+    constexpr double kNone = 0.05;    // of the way: more is one of its scale
     constexpr double kLeastTurn = kPi / 2.0;
     constexpr double kLeastWay = 2.0;
     constexpr Hypothesis kNear{.near_m = 0.04, .near_per_range = 0.01};
@@ -256,8 +257,8 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
             scans += std::abs(seen);
             if (std::abs(seen - told) > kSlight) ++differ;
         }
-        bool dead(double least) const {
-            return differ >= kLeastPairs && scans > least && odometry < kLittle * scans;
+        bool dead(double least, double little) const {
+            return differ >= kLeastPairs && scans > least && odometry < little * scans;
         }
     };
     Sum turn;
@@ -283,8 +284,8 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
         turn.note(step->theta, seen.theta);
         way.note(way_along(*step), way_along(seen));
     }
-    const bool turns = turn.dead(kLeastTurn);
-    const bool drives = way.dead(kLeastWay);
+    const bool turns = turn.dead(kLeastTurn, kLittle);
+    const bool drives = way.dead(kLeastWay, kNone);
     if (!turns && !drives) return false;
     const Message remedy =
         marked(HITOS_TEXT("Errors",
