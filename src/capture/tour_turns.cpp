@@ -243,7 +243,7 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
     constexpr std::size_t kAsked = 256;
     constexpr std::size_t kLeastPairs = 5;
     constexpr double kSlight = 0.1;   // a pair, by the odometry [m], [rad]: more is not dead
-    constexpr double kLittle = 0.25;  // of what the scans say
+    constexpr double kLittle = 0.15;  // of what the scans say
     constexpr double kNone = 0.05;    // of the way: more is one of its scale
     constexpr double kLeastTurn = kPi / 2.0;
     constexpr double kLeastWay = 2.0;
