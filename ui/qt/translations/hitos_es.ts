@@ -1975,10 +1975,6 @@
         <translation>no tiene %1; se esperaba una línea %1: %2, como en los ficheros YAML de map_server</translation>
     </message>
     <message>
-        <source>has %1 pixels; expected at most %2</source>
-        <translation>tiene %1 píxeles; se esperaban como mucho %2</translation>
-    </message>
-    <message>
         <source>0 m or more</source>
         <translation>0 m o más</translation>
     </message>
@@ -2589,6 +2585,122 @@
     <message>
         <source>drawing: as metres, which nothing says, it is %1, large for a place that a robot maps. By other units (--unit, dxf_unit) it is: %2</source>
         <translation>dibujo: en metros, que nada indica, mide %1, mucho para un lugar que explore un robot. Con otras unidades (--unit, dxf_unit) es: %2</translation>
+    </message>
+    <message>
+        <source>is a link to %1, which is not there; make that folder, or give another with --out</source>
+        <translation>es un enlace a %1, que no existe; cree esa carpeta o indique otra con --out</translation>
+    </message>
+    <message>
+        <source>unpacks to more than %1 MiB, %2 times its size; expected a text, which packs less well</source>
+        <translation>se descomprime en más de %1 MiB, %2 veces su tamaño; se esperaba un texto, que se comprime menos</translation>
+    </message>
+    <message>
+        <source>%1 is %2; expected a number from -%3 to %3</source>
+        <translation>%1 es %2; se esperaba un número de -%3 a %3</translation>
+    </message>
+    <message>
+        <source>has a key of more than %1 parts between dots</source>
+        <translation>tiene una clave de más de %1 partes entre puntos</translation>
+    </message>
+    <message>
+        <source>the odometry goes to and fro between two tracks, %1 times: two programs tell it, and the map is of neither</source>
+        <translation>la odometría va y viene entre dos recorridos, %1 veces: la emiten dos programas y el mapa no es de ninguno</translation>
+    </message>
+    <message>
+        <source>record with one of them only; or take how it moved from the scans: --set source.odometry=scans</source>
+        <translation>grabe con uno solo de ellos; o tome el movimiento de los barridos: --set source.odometry=scans</translation>
+    </message>
+    <message>
+        <source>the odometry&apos;s heading leaps, by up to %1 degrees (line %2) and %3 in all; the robot is taken to drive on there as before, for a second</source>
+        <translation>el rumbo de la odometría salta hasta %1 grados (línea %2), %3 veces en total; se supone que el robot sigue allí como antes, durante un segundo</translation>
+    </message>
+    <message>
+        <source>%1 % of the readings lie beyond the greatest range of %2 m and are no points; half of them are above %3 m</source>
+        <translation>el %1 % de las lecturas está más allá del alcance máximo de %2 m y no son puntos; la mitad supera %3 m</translation>
+    </message>
+    <message>
+        <source>set the greatest range: --set source.max_range=METRES</source>
+        <translation>fije el alcance máximo: --set source.max_range=METROS</translation>
+    </message>
+    <message>
+        <source>%1 says that its least range is %2 m and its greatest %3 m; they are taken the other way round, as no reading lies between them</source>
+        <translation>%1 dice que su alcance mínimo es %2 m y el máximo %3 m; se toman al revés, pues ninguna lectura está entre ellos</translation>
+    </message>
+    <message>
+        <source>let the driver say range_min and range_max the right way round</source>
+        <translation>haga que el controlador indique range_min y range_max en el orden correcto</translation>
+    </message>
+    <message>
+        <source>%1 % of the readings of %2 are nearer than the least range of %3 m that it says, and are no points</source>
+        <translation>el %1 % de las lecturas de %2 está más cerca que el alcance mínimo de %3 m que indica, y no son puntos</translation>
+    </message>
+    <message>
+        <source>let the driver say the laser&apos;s own range_min</source>
+        <translation>haga que el controlador indique el range_min propio del láser</translation>
+    </message>
+    <message>
+        <source>no transforms are of the namespace of %1, so that those of %2 are taken; where that is another robot, the laser sits wrongly, and drives its way</source>
+        <translation>ninguna transformación es del espacio de nombres de %1, por lo que se toman las de %2; si son de otro robot, el láser queda mal situado y sigue el camino de aquél</translation>
+    </message>
+    <message>
+        <source>say where it sits (--laser-pose x,y,degrees) and take a topic for the odometry (--odom-topic)</source>
+        <translation>indique dónde está (--laser-pose x,y,grados) y elija un tema para la odometría (--odom-topic)</translation>
+    </message>
+    <message>
+        <source>all of them are taken; let the driver say the step between rays that the laser makes (angle_increment)</source>
+        <translation>se toman todos; haga que el controlador indique el paso entre rayos que da el láser (angle_increment)</translation>
+    </message>
+    <message>
+        <source>look whether scans are published twice, or the laser&apos;s driver hung</source>
+        <translation>mire si los barridos se publican dos veces o si el controlador del láser se colgó</translation>
+    </message>
+    <message>
+        <source>where the robot turns, the scans fit the odometry of %1 s from theirs (%2 % of their points closely, against %3 % as they are stamped): walls move by %4 m in its turns</source>
+        <translation>donde el robot gira, los barridos encajan con la odometría de %1 s respecto a la suya (el %2 % de sus puntos de cerca, frente al %3 % con sus marcas de tiempo): las paredes se desplazan %4 m en los giros</translation>
+    </message>
+    <message>
+        <source>where the robot turns, the scans fit a laser that sits %1 m from where it is said to (%2 % of their points closely, against %3 %): walls are bent there</source>
+        <translation>donde el robot gira, los barridos encajan con un láser situado a %1 m de donde se dice (el %2 % de sus puntos de cerca, frente al %3 %): allí las paredes se doblan</translation>
+    </message>
+    <message>
+        <source>say where it sits: --laser-pose %1</source>
+        <translation>indique dónde está: --laser-pose %1</translation>
+    </message>
+    <message>
+        <source>by the scans the robot turns %1 times as far as by the odometry (%2 % of their points fit closely so, %3 % as it is told): walls fan out where it turns</source>
+        <translation>según los barridos el robot gira %1 veces lo que dice la odometría (así encaja de cerca el %2 % de sus puntos, el %3 % tal como se dice): las paredes se abren en abanico donde gira</translation>
+    </message>
+    <message>
+        <source>take how it moved from the scans: --set source.odometry=scans; or map it with registration: --preset recorded</source>
+        <translation>tome el movimiento de los barridos: --set source.odometry=scans; o cartografíe con registro: --preset recorded</translation>
+    </message>
+    <message>
+        <source>in %1 pairs of scans the robot turns %2 degrees by the scans and %3 by the odometry, as where a gyro or an encoder is dead; the map is bent straight</source>
+        <translation>en %1 pares de barridos el robot gira %2 grados según los barridos y %3 según la odometría, como cuando un giróscopo o un codificador no funciona; el mapa queda enderezado</translation>
+    </message>
+    <message>
+        <source>in %1 pairs of scans the robot drives %2 m by the scans and %3 m by the odometry, as where an encoder is dead; the map is pushed together</source>
+        <translation>en %1 pares de barridos el robot avanza %2 m según los barridos y %3 m según la odometría, como cuando un codificador no funciona; el mapa queda comprimido</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels; expected at most %3</source>
+        <translation>tiene %1 x %2 píxeles; se esperaban %3 como máximo</translation>
+    </message>
+    <message>
+        <source>says %1 %2, and config.cfg beside it %3; one of the two was changed or is of another run</source>
+        <translation>dice %1 %2, y config.cfg junto a él %3; uno de los dos ha sido modificado o es de otra ejecución</translation>
+    </message>
+    <message>
+        <source>was changed since the run wrote it: its text is not what its own digest is of; do the run again</source>
+        <translation>ha sido modificado desde que la ejecución lo escribió: su texto no corresponde a su propio resumen; repita la ejecución</translation>
+    </message>
+    <message>
+        <source>is damaged, was changed, or its map is missing; start the shard that it is of again</source>
+        <translation>está dañado, ha sido modificado o le falta su mapa; vuelva a iniciar la parte a la que pertenece</translation>
+    </message>
+    <message>
+        <source>%1 is %2 m from %3: the tour takes more than %4 control steps; expected a shorter tour or a faster robot</source>
+        <translation>%1 está a %2 m de %3: el recorrido lleva más de %4 pasos de control; se esperaba un recorrido más corto o un robot más rápido</translation>
     </message>
 </context>
 <context>
