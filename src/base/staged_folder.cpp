@@ -101,7 +101,7 @@ fs::path made_output_folder(fs::path folder) {
                                 fs::read_symlink(folder, error).string()));
     }
     fs::create_directories(folder, error);
-    if (error || !fs::is_directory(folder)) {
+    if (error || !fs::is_directory(folder, error)) {
         throw FileError(
             folder.string(),
             message(
@@ -171,7 +171,8 @@ void StagedFolder::clear() {
 
 bool StagedFolder::exchange_folders() {
     // In it, where nothing can be beside it, as at a mount point.
-    if (staging_.parent_path() == fs::weakly_canonical(target_)) return false;
+    std::error_code unknown;
+    if (staging_.parent_path() == fs::weakly_canonical(target_, unknown) || unknown) return false;
     if (somebody_is_in(target_)) return false;
     std::vector<fs::path> links;
     const auto give_up = [&links] {

@@ -68,8 +68,9 @@ void put(const fs::path& root, const Content& files) {
 
 }  // namespace
 
-UseModel::UseModel(unsigned seed)
+UseModel::UseModel(const Workplace& place, unsigned seed)
     : random_(seed),
+      place_(place),
       one_(HITOS_BIN_DIR "/hitos-cli", place_.work(), place_.work()),
       other_(HITOS_BIN_DIR "/hitos-cli", place_.work(), place_.work()) {
     for (const std::string& name : kResults) parts_[name];
@@ -182,7 +183,8 @@ Step UseModel::some_step() {
 /// The same step in a folder that holds nothing else, undisturbed.
 const UseModel::Expected& UseModel::expected(const Step& step) {
     static std::map<std::string, Expected> known;
-    std::string key = fmt::format("{}", fmt::join(step.words, " "));
+    // Results name their log with its folder.
+    std::string key = fmt::format("{} {}", place_.work().string(), fmt::join(step.words, " "));
     std::set<std::string> needed(step.reads.begin(), step.reads.end());
     needed.insert(step.writes.begin(), step.writes.end());
     for (const std::string& part : needed) key += " " + key_of(parts_[part].shown);

@@ -36,7 +36,8 @@ struct Part {
 
 class UseModel {
   public:
-    explicit UseModel(unsigned seed);
+    /// `place` is as Workplace makes it.
+    UseModel(const Workplace& place, unsigned seed);
 
     /// One step; an empty text, or what is not as it must be.
     std::string go_on();
@@ -52,7 +53,9 @@ class UseModel {
     };
 
     unsigned any(unsigned below) { return static_cast<unsigned>(random_()) % below; }
-    const std::string& one_of(const std::vector<std::string>& all) { return all[any(all.size())]; }
+    const std::string& one_of(const std::vector<std::string>& all) {
+        return all[any(static_cast<unsigned>(all.size()))];
+    }
     Step some_step();
     Harm some_harm(const Step& step);
     const Expected& expected(const Step& step);
@@ -70,7 +73,7 @@ class UseModel {
     void take_over(const std::string& name);
 
     std::mt19937 random_;
-    Workplace place_;
+    const Workplace& place_;
     Server one_, other_;
     std::map<std::string, Part> parts_;
     std::map<std::string, std::string> kept_;  ///< second names that files got, and their bytes

@@ -12,7 +12,7 @@
 namespace hitos::test {
 namespace {
 
-constexpr unsigned kParts = 8;  // tests that may run side by side
+constexpr unsigned kTests = 8;  // tests that may run side by side
 
 struct Extent {
     unsigned first = 1, sequences = 24, steps = 25;
@@ -34,8 +34,11 @@ class Use : public ::testing::TestWithParam<unsigned> {};
 TEST_P(Use, LeavesWhatAModelSaysWhateverHappens) {
     const Extent extent = wished();
     std::size_t operations = 0;
-    for (unsigned i = GetParam(); i < extent.sequences; i += kParts) {
-        UseModel model(extent.first + i);
+    const Workplace place;
+    place.keep("fresh");
+    for (unsigned i = GetParam(); i < extent.sequences; i += kTests) {
+        place.restore("fresh");
+        UseModel model(place, extent.first + i);
         for (unsigned step = 1; step <= extent.steps; ++step, ++operations) {
             const std::string wrong = model.go_on();
             if (wrong.empty()) continue;
@@ -50,7 +53,7 @@ TEST_P(Use, LeavesWhatAModelSaysWhateverHappens) {
     std::cout << fmt::format("{} operations, 0 differences\n", operations);
 }
 
-INSTANTIATE_TEST_SUITE_P(, Use, ::testing::Range(0U, kParts));
+INSTANTIATE_TEST_SUITE_P(, Use, ::testing::Range(0U, kTests));
 
 }  // namespace
 }  // namespace hitos::test
