@@ -65,7 +65,7 @@ void ViewTest::a_run_is_saved_as_frames_and_a_film() {
              QStringList({"film.mp4", "frame-000001.png", "frame-000002.png", "frame-000003.png"}));
     const QByteArray given = Fixture::read(f.path("film/film.mp4"));
     QVERIFY2(given.contains("-framerate 12 ") && given.contains("frame-000003.png"), given);
-    QVERIFY2(f.notice().contains("film.mp4"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("film.mp4"), qPrintable(f.notice()));
     // Back where it was; and the frames are of the scans asked for.
     QTRY_VERIFY(f.steps() == 60 && f.shows_everything());
     for (const auto& [frame, scan] : {std::pair(1, 10), std::pair(3, 50)}) {
@@ -89,7 +89,7 @@ void ViewTest::an_animation_needs_no_film_maker() {
     QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join(' ')));
     QCOMPARE(QDir(f.path("frames")).entryList(QDir::Files),
              QStringList({"frame-000001.png", "frame-000002.png"}));
-    QVERIFY2(f.notice().contains("ffmpeg"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("ffmpeg"), qPrintable(f.notice()));
     QTRY_COMPARE(f.steps(), quint64{20});
     // A film maker that fails leaves the frames.
     const QString program = f.write("programs/ffmpeg", "#!/bin/sh\necho no codec >&2\nexit 1\n");
@@ -98,7 +98,7 @@ void ViewTest::an_animation_needs_no_film_maker() {
     ask_for(1, 2, 1);
     f.trigger("action_save_animation");
     QCOMPARE(QDir(f.path("again")).entryList(QDir::Files).size(), 2);
-    QVERIFY2(f.notice().contains("no codec"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("no codec"), qPrintable(f.notice()));
 }
 
 void ViewTest::a_cancelled_animation_leaves_nothing() {

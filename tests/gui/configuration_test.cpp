@@ -115,7 +115,7 @@ void ConfigurationTest::the_configuration_is_saved() {
     f.trigger("action_save");
     QCOMPARE(QString::fromUtf8(Fixture::read(f.path("mine.cfg"))),
              QString::fromStdString(ArchivoConfiguracion::to_text(f.session.configuration())));
-    QVERIFY2(f.notice().contains("mine.cfg"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("mine.cfg"), qPrintable(f.notice()));
 }
 
 void ConfigurationTest::saving_asks_before_it_overwrites() {

@@ -369,7 +369,7 @@ void ContactTest::the_language_is_chosen_in_the_menu() {
     Fixture f;
     f.trigger("language_es");
     QCOMPARE(saved_language(f.files), QString("es"));
-    QVERIFY(!f.notice().isEmpty());
+    QTRY_VERIFY(!f.notice().isEmpty());
     f.trigger("language_");
     QVERIFY(saved_language(f.files).isEmpty());
 }

@@ -79,7 +79,7 @@ void DriveTest::a_log_is_saved_on_the_way() {
     QCOMPARE(f.prompts.saves_asked, 1);
     QTRY_VERIFY(f.button().isEnabled());
     QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join('\n')));
-    QVERIFY(f.notice().contains(f.path(file)));
+    QTRY_VERIFY(f.notice().contains(f.path(file)));
     QVERIFY(f.drive().tour() == tour);
     check_log(f.path("so-far.toml"), format, f.path(file));
     // And of the tour that is kept afterwards.

@@ -56,7 +56,7 @@ void KeyboardTest::the_source_is_selected() {
     });
     press(Qt::Key_O, kCtrl);
     QVERIFY(f.session.has_source());
-    QVERIFY2(f.notice().contains("1050"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("1050"), qPrintable(f.notice()));
     answer_escape<SourceDialog>();
     press(Qt::Key_O, kCtrl);
     // What was opened is in the menu.
@@ -251,7 +251,7 @@ void KeyboardTest::the_map_is_saved() {
     answer_file(f.path("map.txt"));
     press(Qt::Key_S, kCtrlShift);
     QVERIFY(QFile::exists(f.path("map.txt")));
-    QVERIFY2(f.notice().contains("map.txt"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("map.txt"), qPrintable(f.notice()));
     answer_escape<QFileDialog>();
     press(Qt::Key_S, kCtrlShift);
     answer_file(f.path("figures.csv"));

@@ -65,7 +65,7 @@ void RunTest::the_map_is_saved_as_the_command_line_writes_it() {
     f.trigger("action_save_map");
     const QByteArray mine = Fixture::read(f.path("map.txt"));
     QVERIFY(!mine.isEmpty());
-    QVERIFY2(f.notice().contains("map.txt"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("map.txt"), qPrintable(f.notice()));
     const QString cli = command_line_results(f);
     QCOMPARE(mine, Fixture::read(cli + "/map.txt"));
     // The name's ending says what is saved: the segments of the lines, or a drawing.

@@ -50,7 +50,7 @@ void SourceTest::a_log_is_chosen() {
     f.trigger("action_select_source");
     QVERIFY(f.session.has_source());
     QVERIFY(f.action("action_run")->isEnabled());
-    QVERIFY2(f.notice().contains("1050"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("1050"), qPrintable(f.notice()));
     QCOMPARE(f.files.recent().size(), 1);
     QTRY_VERIFY(f.window->findChild<QLabel*>("status_scan")->text().contains("1050"));
 }

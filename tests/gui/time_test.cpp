@@ -236,17 +236,17 @@ void TimeTest::it_runs_until_something_happens() {
     Fixture f;
     run_until(f, {{"born", 0}});
     QCOMPARE(f.steps(), 1U);
-    QVERIFY2(f.notice().contains("landmark was born"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("landmark was born"), qPrintable(f.notice()));
     run_until(f, {{"again", 20.0}});
     QCOMPARE(f.state(), State::paused);
     const std::vector<StepFigures> figures = f.session.worker()->figures_since(0);
     QCOMPARE(figures.size(), f.steps());
     QVERIFY(figures.back().unseen_s >= 20.0);
     QVERIFY(figures[figures.size() - 2].unseen_s < 20.0);
-    QVERIFY2(f.notice().contains("seen again"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("seen again"), qPrintable(f.notice()));
     run_until(f, {{"neff", 1e6}});
     QCOMPARE(f.steps(), figures.size() + 1);
-    QVERIFY2(f.notice().contains("Neff"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("Neff"), qPrintable(f.notice()));
 }
 
 void TimeTest::it_runs_until_the_error_is_too_great() {
@@ -267,7 +267,7 @@ void TimeTest::it_runs_until_the_error_is_too_great() {
     f.session.set_references(references);
     run_until(f, {{"error", 0.5}});
     QCOMPARE(f.steps(), 45U);
-    QVERIFY2(f.notice().contains("position error"), qPrintable(f.notice()));
+    QTRY_VERIFY2(f.notice().contains("position error"), qPrintable(f.notice()));
     f.trigger("action_plots");
     QTRY_COMPARE(f.window->plots().points(Plots::position_error), 45);
 }
