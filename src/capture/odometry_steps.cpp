@@ -182,8 +182,7 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
                      tenths(longest_halt_s_), tenths(made_up_.longest_m), made_up_.line,
                      made_up_.count),
              marked(HITOS_TEXT("Errors",
-                               "map it with registration, which finds where they were: --preset "
-                               "recorded"))});
+                               "take how it moved from the scans: --set source.odometry=scans"))});
     }
 }
 

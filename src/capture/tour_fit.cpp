@@ -291,8 +291,7 @@ void TourExamination::doubt_whole(std::vector<TourFinding>& found) const {
                             "points do), and no other time, mounting or scale explains it"),
                  std::lround(100.0 * told)),
          marked(HITOS_TEXT("Errors",
-                           "take how the robot moved from the scans: --set source.odometry=scans; "
-                           "or map it with registration: --preset recorded"))});
+                           "take how it moved from the scans: --set source.odometry=scans"))});
 }
 
 /// Whether the laser fits better turned or mirrored, than as it is told and than at another time.
@@ -370,9 +369,9 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
                  fmt::format("{:.2f}", scale), std::lround(100.0 * best.agreement),
                  std::lround(100.0 * told)),
          message(HITOS_TEXT("Errors",
-                            "registration finds it (--preset recorded); else --set "
-                            "source.odometry_scale=%1"),
-                 fmt::format("{:.2f}", scale))});
+                            "say so: --set source.odometry_scale=%1; or it is the laser's readings "
+                            "that are %2 times too great: let its driver tell metres"),
+                 fmt::format("{:.2f}", scale), fmt::format("{:.2f}", scale))});
 }
 
 /// Whether scans fit the odometry better as they are stamped, or by another time that was found,

@@ -287,10 +287,8 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
     const bool turns = turn.dead(kLeastTurn, kLittle);
     const bool drives = way.dead(kLeastWay, kNone);
     if (!turns && !drives) return false;
-    const Message remedy =
-        marked(HITOS_TEXT("Errors",
-                          "take how it moved from the scans: --set source.odometry=scans; "
-                          "or map it with registration: --preset recorded"));
+    const Message remedy = marked(
+        HITOS_TEXT("Errors", "take how it moved from the scans: --set source.odometry=scans"));
     found.push_back(
         {Kind::still_odometry, 0.0,
          turns ? message(HITOS_TEXT("Errors",

@@ -43,7 +43,7 @@ TEST(OdometrySteps, WhatMakesUpForAHaltOfTheOdometryIsNoLeap) {
     EXPECT_NEAR(log.findings.front().value, 1.5, 1e-6);
     EXPECT_THAT(log.findings.front().what.english(), HasSubstr("for up to 3 s"));
     EXPECT_THAT(log.findings.front().what.english(), HasSubstr("1.5 m (line 261), 1 in all"));
-    EXPECT_THAT(log.findings.front().remedy.english(), HasSubstr("--preset recorded"));
+    EXPECT_THAT(log.findings.front().remedy.english(), HasSubstr("source.odometry=scans"));
     EXPECT_TRUE(read_text("radish", hung(10.0, 0.2)).findings.empty());
 }
 

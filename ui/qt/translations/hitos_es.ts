@@ -2439,8 +2439,8 @@
         <translation>según los barridos el robot recorre %1 veces lo que dice la odometría (así encaja el %2 % de sus puntos, el %3 % como está dicho)</translation>
     </message>
     <message>
-        <source>registration finds it (--preset recorded); else --set source.odometry_scale=%1</source>
-        <translation>el registro de barridos lo encuentra (--preset recorded); si no, --set source.odometry_scale=%1</translation>
+        <source>say so: --set source.odometry_scale=%1; or it is the laser&apos;s readings that are %2 times too great: let its driver tell metres</source>
+        <translation>indíquelo: --set source.odometry_scale=%1; o son las lecturas del láser las que son %2 veces demasiado grandes: haga que su controlador dé metros</translation>
     </message>
     <message>
         <source>how the robot moved is taken from the scans alone (%1 a second), which cannot tell it where they see the same all along, as in a corridor</source>
@@ -2483,10 +2483,6 @@
         <translation>la odometría se queda quieta mientras el robot avanza, hasta %1 s, y lo recupera de un solo paso, de hasta %2 m (línea %3), %4 veces en total; los barridos de ese tiempo quedan en un mismo sitio</translation>
     </message>
     <message>
-        <source>map it with registration, which finds where they were: --preset recorded</source>
-        <translation>haga el mapa con registro de barridos, que averigua dónde estaban: --preset recorded</translation>
-    </message>
-    <message>
         <source>if its positions are millimetres: --set source.odometry_scale=0.001</source>
         <translation>si sus posiciones son milímetros: --set source.odometry_scale=0.001</translation>
     </message>
@@ -2521,10 +2517,6 @@
     <message>
         <source>the scans do not lie where the odometry puts them (%1 % of their points do), and no other time, mounting or scale explains it</source>
         <translation>los barridos no caen donde los pone la odometría (solo el %1 % de sus puntos), y ninguna otra hora, montaje ni escala lo explica</translation>
-    </message>
-    <message>
-        <source>take how the robot moved from the scans: --set source.odometry=scans; or map it with registration: --preset recorded</source>
-        <translation>tome de los barridos cómo se movió el robot: --set source.odometry=scans; o haga el mapa con registro: --preset recorded</translation>
     </message>
     <message>
         <source>the laser is upside down, or its rays go the other way round: --laser-pose %1; or the odometry counts turns to the right</source>
