@@ -369,8 +369,8 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
                  fmt::format("{:.2f}", scale), std::lround(100.0 * best.agreement),
                  std::lround(100.0 * told)),
          message(HITOS_TEXT("Errors",
-                            "say so: --set source.odometry_scale=%1; or it is the laser's readings "
-                            "that are %2 times too great: let its driver tell metres"),
+                            "say so: --set source.odometry_scale=%1; or the laser's readings are "
+                            "%2 times what they should be: let its driver tell metres"),
                  fmt::format("{:.2f}", scale), fmt::format("{:.2f}", scale))});
 }
 

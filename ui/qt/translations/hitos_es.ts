@@ -2439,8 +2439,8 @@
         <translation>según los barridos el robot recorre %1 veces lo que dice la odometría (así encaja el %2 % de sus puntos, el %3 % como está dicho)</translation>
     </message>
     <message>
-        <source>say so: --set source.odometry_scale=%1; or it is the laser&apos;s readings that are %2 times too great: let its driver tell metres</source>
-        <translation>indíquelo: --set source.odometry_scale=%1; o son las lecturas del láser las que son %2 veces demasiado grandes: haga que su controlador dé metros</translation>
+        <source>say so: --set source.odometry_scale=%1; or the laser&apos;s readings are %2 times what they should be: let its driver tell metres</source>
+        <translation>indíquelo: --set source.odometry_scale=%1; o las lecturas del láser son %2 veces lo que deberían: haga que su controlador dé metros</translation>
     </message>
     <message>
         <source>how the robot moved is taken from the scans alone (%1 a second), which cannot tell it where they see the same all along, as in a corridor</source>
