@@ -1,4 +1,5 @@
 // BatchSLAM with the arguments of the thesis [T 9.2.7], and with all that can be wrong about them.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -100,8 +101,8 @@ TEST_F(BatchSlam, NamesOfOutputsAreNoCommands) {
           "`touch HURT`", "=1+1", "$(touch HURT)"}) {
         const std::string out = "out" + std::to_string(++number);
         test::fs::create_directory(path(out));
-        const Outcome result = shell("cd '" + path(out) + "' && " + batch_ + " " + start + "'" +
-                                     name + ".csv' - p 2 3 --runs 1");
+        const Outcome result = shell(fmt::format("cd '{}' && {} {}'{}.csv' - p 2 3 --runs 1",
+                                                 path(out), batch_, start, name));
         EXPECT_EQ(result.status, 0) << result.output;
         EXPECT_TRUE(exists(path(out) + "/" + name + "-landmarks.gp")) << name;
     }

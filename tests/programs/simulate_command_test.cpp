@@ -206,9 +206,12 @@ TEST_F(Simulate, BoxesTakeTheMemoryOfBoxes) {
     world << "walls = [[[-50, -50], [50, -50], [50, 50], [-50, 50], [-50, -50]]]\n"
              "[tour]\nstart = [0, 0, 0]\nrest = 0\ncommands = [[0.3, 0, 20]]\nevents = [\n";
     constexpr int kBoxes = 4000;
-    for (int i = 0; i < kBoxes; ++i)
-        world << "{ at = " << 0.005 * i << ", box = [" << 20 + i % 60 * 0.4 << ", " << i / 60 * 0.4
+    constexpr int kRow = 60;
+    for (int i = 0; i < kBoxes; ++i) {
+        const int row = i / kRow;
+        world << "{ at = " << 0.005 * i << ", box = [" << 20 + 0.4 * (i % kRow) << ", " << 0.4 * row
               << ", 0.3] },\n";
+    }
     world << "]\n";
     world.close();
     const Result result =

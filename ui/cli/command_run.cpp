@@ -268,6 +268,7 @@ void run(const RunOptions& options) {
         if (log.changed() || !log.changed(progress.steps)) throw;
         // All scans are of the log as it was; what reads it again is left out.
         folder.reset();
+        // NOLINTNEXTLINE(modernize-make-unique): it cannot be moved
         folder.reset(new StagedFolder(results_folder(options.out)));
         summary = write();
     }

@@ -57,11 +57,11 @@ FrameChoice choose_frames(const std::map<std::string, TopicFrames>& said,
     }
     if (choice.topics.empty()) {
         choice.of_others = true;
-        for (const auto& [topic, frames] : said) {
+        for (const auto& one : said) {
             const bool own_lasers = std::ranges::any_of(lasers, [&](const std::string& laser) {
-                return laser.starts_with(space_of(topic));
+                return laser.starts_with(space_of(one.first));
             });
-            if (!own_lasers) choice.topics.push_back(topic);
+            if (!own_lasers) choice.topics.push_back(one.first);
         }
     }
     for (const std::string& topic : choice.topics) choice.frames.complete(said.at(topic).frames);

@@ -128,16 +128,16 @@ class Crew {
         Stopwatch watch;
         StudyRecord record;
         // Nobody knows of the folder in which the work is really done.
-        const auto told = [&](const Error& error) {
-            return error.message().replaced(folders_[s].work().folder.string(),
-                                            studies_[s].layout.folder.string());
+        const auto told = [&](std::size_t at, const Error& error) {
+            return error.message().replaced(folders_[at].work().folder.string(),
+                                            studies_[at].layout.folder.string());
         };
         try {
             std::optional<StudyRecord> computed = compute(place, watch);
             if (!computed) return;
             record = *std::move(computed);
         } catch (const Error& error) {
-            record.problem = told(error);
+            record.problem = told(s, error);
         } catch (const std::bad_alloc&) {
             record.problem = out_of_memory();
         } catch (const std::exception& error) {
@@ -152,7 +152,7 @@ class Crew {
             study::write_record(folders_[s].work(), plan, run, record);
         } catch (const Error& error) {
             record.ok = false;
-            record.problem = told(error);
+            record.problem = told(s, error);
         }
         outcomes_[s].records[run] = record;
         tell(place, 1.0, &record);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <sstream>
 #include <utility>
@@ -214,10 +215,10 @@ const UseModel::Expected& UseModel::expected(const Step& step) {
 
 Harm UseModel::some_harm(const Step& step) {
     if (step.writes.empty()) return Harm::none;
-    constexpr Harm kAll[]{Harm::none,  Harm::none,  Harm::none,  Harm::fault,
-                          Harm::fault, Harm::full,  Harm::cut,   Harm::kill,
-                          Harm::kill,  Harm::power, Harm::power, Harm::twice};
-    return kAll[any(std::size(kAll))];
+    constexpr std::array kAll{Harm::none,  Harm::none,  Harm::none,  Harm::fault,
+                              Harm::fault, Harm::full,  Harm::cut,   Harm::kill,
+                              Harm::kill,  Harm::power, Harm::power, Harm::twice};
+    return kAll.at(any(static_cast<unsigned>(kAll.size())));
 }
 
 std::string UseModel::go_on() {
@@ -227,14 +228,15 @@ std::string UseModel::go_on() {
 }
 
 std::string UseModel::disturbed(const Step& step, Harm harm) {
-    constexpr const char* kNames[]{"", "fault", "full", "cut", "kill", "power", "twice"};
+    constexpr std::array kNames{"", "fault", "full", "cut", "kill", "power", "twice"};
     const Expected& after = expected(step);
     const long number = 1 + any(static_cast<unsigned>(std::max(after.operations, 1L)));
     history_.push_back(fmt::format(
         "{}{}", fmt::join(step.words, " "),
-        harm == Harm::none ? ""
-                           : fmt::format("   ({} at {} of {})", kNames[static_cast<int>(harm)],
-                                         number, after.operations)));
+        harm == Harm::none
+            ? ""
+            : fmt::format("   ({} at {} of {})", kNames.at(static_cast<std::size_t>(harm)), number,
+                          after.operations)));
     if (harm == Harm::twice) return twice(step);
     Outcome outcome;
     if (harm == Harm::power) {
@@ -242,9 +244,9 @@ std::string UseModel::disturbed(const Step& step, Harm harm) {
         return wrong.empty() ? judged(step, harm, outcome) : wrong;
     }
     Words variables = path_of_programs(place_);
-    constexpr int kErrors[]{ENOSPC, EDQUOT, EIO};
+    constexpr std::array kErrors{ENOSPC, EDQUOT, EIO};
     if (harm == Harm::fault) {
-        variables.push_back(fmt::format("HITOS_FAULT_FILE={}:{}", number, kErrors[any(3)]));
+        variables.push_back(fmt::format("HITOS_FAULT_FILE={}:{}", number, kErrors.at(any(3))));
     } else if (harm == Harm::full || harm == Harm::cut) {
         variables.push_back(fmt::format("HITOS_FAULT_FILE={}:{}:{}", number,
                                         static_cast<int>(ENOSPC),
@@ -280,17 +282,17 @@ std::string UseModel::twice(const Step& step) {
     for (std::string& word : second.words) {
         if (word == "1" || word == "2") word = "3";  // another seed
     }
-    const Expected after[]{expected(step), expected(second)};
+    const std::array<Expected, 2> after{expected(step), expected(second)};
     const Words variables = path_of_programs(place_);
     one_.begin(step.words, variables);
     other_.begin(second.words, variables);
-    const Outcome outcomes[]{one_.end(), other_.end()};
+    const std::array<Outcome, 2> outcomes{one_.end(), other_.end()};
     for (const std::string& name : step.writes) {
         const Content now = shown_of(raw_of(name));
         bool known =
             now == parts_[name].shown && outcomes[0].status != 0 && outcomes[1].status != 0;
-        for (int k = 0; k < 2; ++k) {
-            known = known || (outcomes[k].status == 0 && now == after[k].shown.at(name));
+        for (std::size_t k = 0; k < outcomes.size(); ++k) {
+            known = known || (outcomes.at(k).status == 0 && now == after.at(k).shown.at(name));
         }
         // What the first one made was before the second.
         if (!known && !step.resumes && after[0].status == 0) {
@@ -328,7 +330,7 @@ std::string UseModel::judged(const Step& step, Harm harm, const Outcome& outcome
     for (auto& [name, part] : parts_) {
         if (std::ranges::find(step.writes, name) != step.writes.end()) {
             const std::string wrong = judged_part(name, step, after, undisturbed, outcome);
-            if (!wrong.empty()) return wrong + "\n" + said;
+            if (!wrong.empty()) return fmt::format("{}\n{}", wrong, said);
         } else if (!part.begun && raw_of(name) != part.raw) {
             return fmt::format("{} has nothing to do with it, and has changed:\n{}{}", name,
                                difference(part.raw, raw_of(name)), said);

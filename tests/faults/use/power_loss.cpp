@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "support.hpp"
 
@@ -42,8 +43,8 @@ bool read_line(const std::string& text, Line& line) {
 
 }  // namespace
 
-Disk::Disk(const fs::path& root, const fs::path& copy) : root_(root), copy_(copy) {
-    top_ = add_tree(root, {});
+Disk::Disk(fs::path root, fs::path copy) : root_(std::move(root)), copy_(std::move(copy)) {
+    top_ = add_tree(root_, {});
     for (const auto& [number, node] : nodes_) start_[number] = node.entries;
 }
 

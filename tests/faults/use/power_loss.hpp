@@ -17,7 +17,7 @@ namespace hitos::test {
 class Disk {
   public:
     /// All that is in `root` now is on the disk. `copy` keeps its bytes.
-    Disk(const std::filesystem::path& root, const std::filesystem::path& copy);
+    Disk(std::filesystem::path root, std::filesystem::path copy);
 
     void follow(const std::vector<std::string>& journal);
     /// Makes `root` what it may be after the loss; `kept` is the journal's folder.

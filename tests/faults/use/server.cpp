@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/wait.h>
 
+#include <array>
 #include <csignal>
 #include <cstdint>
 #include <sstream>
@@ -23,16 +24,12 @@ constexpr int kReplies = 199;
     ::dup2(requests, kRequests);
     ::dup2(replies, kReplies);
     const std::string name = program.string();
-    const std::string variables[] = {"LD_PRELOAD=" HITOS_FAULTS_LIBRARY, "HITOS_FAULT_SERVE=1",
-                                     "HITOS_FAULT_BELOW=" + below.string(), "PATH=/usr/bin:/bin",
-                                     "LC_ALL=C.UTF-8"};
-    std::vector<char*> environment;
-    for (const std::string& variable : variables) {
-        environment.push_back(const_cast<char*>(variable.c_str()));
-    }
-    environment.push_back(nullptr);
-    char* const words[] = {const_cast<char*>(name.c_str()), nullptr};
-    ::execve(name.c_str(), words, environment.data());
+    const std::string preloaded = HITOS_FAULTS_LIBRARY;
+    ::setenv("LD_PRELOAD", preloaded.c_str(), 1);              // NOLINT(concurrency-mt-unsafe)
+    ::setenv("HITOS_FAULT_SERVE", "1", 1);                     // NOLINT(concurrency-mt-unsafe)
+    ::setenv("HITOS_FAULT_BELOW", below.string().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    ::setenv("LC_ALL", "C.UTF-8", 1);                          // NOLINT(concurrency-mt-unsafe)
+    ::execl(name.c_str(), name.c_str(), nullptr);
     ::_exit(127);
 }
 
@@ -48,9 +45,9 @@ int answer_of(int replies) {
 
 Server::Server(const fs::path& program, fs::path folder, const fs::path& below)
     : folder_(std::move(folder)) {
-    int to[2];
-    int from[2];
-    if (::pipe2(to, O_CLOEXEC) != 0 || ::pipe2(from, O_CLOEXEC) != 0) {
+    std::array<int, 2> to{};
+    std::array<int, 2> from{};
+    if (::pipe2(to.data(), O_CLOEXEC) != 0 || ::pipe2(from.data(), O_CLOEXEC) != 0) {
         throw std::runtime_error("no pipes");
     }
     process_ = ::fork();

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <array>
+
 #include "hitos/base/error.hpp"
 #include "support.hpp"
 
@@ -41,8 +43,8 @@ TEST(InputFiles, AWriterWhoSetsTheTimeBackIsSeen) {
     ASSERT_EQ(::stat(log.c_str(), &before), 0);
     wait_for_another_time();
     folder.put("tour.log", "CONTENT");
-    const timespec times[2] = {before.st_atim, before.st_mtim};
-    ASSERT_EQ(::utimensat(AT_FDCWD, log.c_str(), times, 0), 0);
+    const std::array<timespec, 2> times{before.st_atim, before.st_mtim};
+    ASSERT_EQ(::utimensat(AT_FDCWD, log.c_str(), times.data(), 0), 0);
     EXPECT_THROW(inputs.check(), FileError);
 }
 

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "hitos/base/error.hpp"
 #include "support.hpp"
 
@@ -19,7 +22,7 @@ std::string repeated(std::string_view what, int times) {
 }
 
 TEST(TextLimits, WhatIsWithinThemIsHandedOnAsItIs) {
-    const std::string files[] = {
+    const std::vector<std::string> files{
         "a.b.c = 1.5\n[x.y]\nz = [[1, 2.5], [3]]\n",
         "s = \"" + repeated("[", 100) + "\" # " + repeated("{", 100) + "\n",
         "s = '" + repeated(".", 100) + "'\nt = '''" + repeated("[\n", 100) + "'''\n",

@@ -246,7 +246,7 @@ TEST_F(DoubtfulRecording, TransformsOfAnotherRobotAreNotTakenUnnoticed) {
 
 TEST_F(DoubtfulRecording, RangeLimitsThatAreSwappedAreTakenTheOtherWayRound) {
     std::vector<Said> all = robot("", 0.25);
-    const auto laser = [&](float least, float greatest) {
+    const auto laser = [&](double least, double greatest) {
         for (std::uint32_t i = 0; i < 5; ++i) {
             test::LaserFields fields;
             fields.stamp = {kDoubtfulBegin + i, 250'000'000};
@@ -257,15 +257,15 @@ TEST_F(DoubtfulRecording, RangeLimitsThatAreSwappedAreTakenTheOtherWayRound) {
         }
         return read(all);
     };
-    const Log sound = laser(0.1F, 12.0F);
+    const Log sound = laser(0.1, 12.0);
     EXPECT_TRUE(sound.findings.empty());
-    const Log swapped = laser(12.0F, 0.1F);
+    const Log swapped = laser(12.0, 0.1);
     ASSERT_EQ(swapped.scans.size(), 5U);
     EXPECT_EQ(swapped.scans.front().points, sound.scans.front().points);
     ASSERT_EQ(kinds(swapped), std::vector{Doubt::blind_laser});
     EXPECT_THAT(swapped.findings.front().what.english(), HasSubstr("the other way round"));
     // Limits that leave hardly anything.
-    const Log near = laser(5.0F, 12.0F);
+    const Log near = laser(5.0, 12.0);
     ASSERT_EQ(kinds(near), std::vector{Doubt::blind_laser});
     EXPECT_EQ(near.findings.front().value, 1.0);
 }

@@ -86,10 +86,9 @@ TEST(GnuplotFile, NoNameIsACommand) {
 /// With gnuplot itself, where there is one.
 TEST(GnuplotFile, HostileNamesAreNamesOfFiles) {
     const TempFolder folder;
-    for (const std::string name :
+    for (const std::string stem :
          {"< touch HURT #", "|touch HURT #", "a\nsystem(\"touch HURT\")\n#", "`touch HURT`", "-",
           "+", "'; system('touch HURT'); '", "a\\", "$x", "@x"}) {
-        const std::string stem = name;
         const std::string script = gnuplot_head(stem + ".gp") + "set terminal svg\nset output " +
                                    gnuplot_file(stem + ".svg") + "\nplot " +
                                    gnuplot_file(stem + ".dat") + " title " + gnuplot_quoted(stem) +
@@ -99,8 +98,8 @@ TEST(GnuplotFile, HostileNamesAreNamesOfFiles) {
         const std::string said =
             draw_pictures(folder.path(), files, stem + ".gp", std::span(&picture, 1)).english();
         if (said.find("gnuplot-nox") != std::string::npos) GTEST_SKIP() << said;
-        EXPECT_EQ(said, "") << name;
-        EXPECT_THAT(content(folder / picture), HasSubstr("<svg")) << name;
+        EXPECT_EQ(said, "") << stem;
+        EXPECT_THAT(content(folder / picture), HasSubstr("<svg")) << stem;
     }
     EXPECT_EQ(folder.files(), 30U) << "nothing else was made";
 }

@@ -299,7 +299,7 @@ TEST(PictureFile, PixelsAreCountedBeforeThereIsRoomForThem) {
     EXPECT_THAT(refusal("a.pgm", "P5\n# c\n40000 # d\n30000\n255\n"),
                 HasSubstr("40000 x 30000 pixels"));
     EXPECT_THAT(refusal("b.pgm", "P5 99999999999999999999 3 255\n"), HasSubstr(" x 3 pixels"));
-    std::string bmp("BM" + std::string(12, '\0') + "\x28" + std::string(3, '\0'));
+    std::string bmp("BM" + std::string(12, '\0') + "(" + std::string(3, '\0'));
     bmp += std::string("\0\0\1\0\0\0\1\0", 8) + std::string(40, '\0');
     EXPECT_THAT(refusal("a.bmp", bmp), HasSubstr("65536 x 65536 pixels"));
     const std::string frame("\xff\xd8\xff\xc0\0\x0b\x08\xff\xff\xff\xff\1\1\x11\0\xff\xd9", 17);

@@ -154,7 +154,7 @@ TEST_F(KeptRunTest, AFolderIsCheckedFileByFile) {
 TEST_F(KeptRunTest, AChangedSummaryIsNone) {
     const fs::path file = out_.path() / "summary.json";
     const std::string whole = content(file);
-    for (const char* word : {"\"finished\": true", "\"lines\": ", "\"rest_xxh3_128\": \""}) {
+    for (const char* word : {R"("finished": true)", R"("lines": )", R"("rest_xxh3_128": ")"}) {
         std::string changed = whole;
         changed.insert(changed.find(word) + std::string_view(word).size(), "1");
         write_file(file, changed);
