@@ -11,6 +11,11 @@ namespace hitos {
 struct LaserPose {
     Pose pose_robot_laser;     ///< [m], [rad]
     bool upside_down = false;  ///< its rays go the other way round
+
+    /// What the laser sees there, on the robot.
+    Point2 mounted(const Point2& seen) const {
+        return transform(pose_robot_laser, {seen.x, upside_down ? -seen.y : seen.y});
+    }
 };
 
 /// "x,y,degrees" or "x,y,degrees,upside-down"; nothing of an empty text. Throws ConfigError, under

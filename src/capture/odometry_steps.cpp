@@ -39,6 +39,14 @@ bool is_leap(const Pose& step, const Pose& pose, double seconds) {
            (turn > (time_s > 0.0 ? kTurn : kTurnInNoTime) && turn > kGreatestTurn * time_s);
 }
 
+/// From one end of a turn to the other in degrees, which no heading in radians does.
+bool steps_a_turn_of_degrees(const Pose& before, const Pose& pose) {
+    constexpr double kTurn = 360.0;
+    constexpr double kOff = 60.0;
+    return std::abs(std::abs(pose.theta - before.theta) - kTurn) < kOff &&
+           std::max(std::abs(pose.theta), std::abs(before.theta)) <= kTurn;
+}
+
 double motion_of(const Twist& twist) {
     return std::hypot(twist.v, twist.v_lateral) + std::abs(twist.w);
 }
@@ -58,6 +66,9 @@ Pose OdometrySteps::taken(const OdometryRecord& before, const OdometryRecord& re
     const double seconds = record.time_s - before.time_s;
     const Pose logged = between(*before.pose_odom_robot, *record.pose_odom_robot);
     tracks_.note({*record.pose_odom_robot});
+    if (steps_a_turn_of_degrees(*before.pose_odom_robot, *record.pose_odom_robot)) {
+        if (turns_of_degrees_++ == 0) turn_line_ = record.line;
+    }
     if (makes_up(record, logged)) {
         made_up_.note(logged, record.line);
         longest_halt_s_ = std::max(longest_halt_s_, record.time_s - *under_way_.begin_s);
@@ -138,6 +149,20 @@ void OdometrySteps::learn(const OdometryRecord& before, const OdometryRecord& re
 void OdometrySteps::tell(std::vector<TourFinding>& found) const {
     using Kind = TourFinding::Kind;
     const auto tenths = [](double value) { return std::round(value * 10.0) / 10.0; };
+    if (turns_of_degrees_ > 0) {
+        found.push_back(
+            {Kind::odometry_units, kDegreesPerRadian,
+             message(HITOS_TEXT("Errors",
+                                "the odometry's headings go from one end of a turn to the other in "
+                                "steps of 360, %1 times (first in line %2): they are in degrees, "
+                                "and are read as radians"),
+                     turns_of_degrees_, turn_line_),
+             marked(
+                 HITOS_TEXT("Errors",
+                            "record them in radians; or take how the robot moved from the scans: "
+                            "--set source.odometry=scans"))});
+        return;
+    }
     const bool told = std::ranges::count(found, Kind::two_publishers, &TourFinding::kind) > 0;
     if (tracks_.returns() > 0) {
         if (told) return;

@@ -29,8 +29,7 @@ std::size_t most_alike(std::vector<double> values) {
 
 std::optional<TourFinding> doubt_units(const Fuente& fuente, RangeConversor& conversor) {
     constexpr double kNearlyAll = 0.8;   // of centimetres a few lie within
-    constexpr double kFar = 100.0;       // less may be metres,
-    constexpr double kFarBeyond = 2.0;   // or just beyond the limit
+    constexpr double kFar = 100.0;       // less may be metres
     constexpr std::size_t kOneCode = 2;  // half of them are alike
     constexpr std::size_t kLeastReadings = 100;
     std::vector<double> all;
@@ -53,7 +52,7 @@ std::optional<TourFinding> doubt_units(const Fuente& fuente, RangeConversor& con
         kOneCode * most_alike(all) > all.size()) {
         return std::nullopt;
     }
-    if (typical < kFar || typical < kFarBeyond * limit_m) {
+    if (typical < kFar) {
         if (!stated) return std::nullopt;  // outdoors
         return TourFinding{
             TourFinding::Kind::blind_laser, share,

@@ -15,14 +15,13 @@ namespace {
 
 using Kind = TourFinding::Kind;
 
-constexpr std::array<std::string_view, 27> kWords{
-    "clocks-apart",      "scan-delay",      "late-stamps",    "ray-times",
-    "parts-of-a-turn",   "clock-speed",     "coarse-stamps",  "assumed-mounting",
-    "two-publishers",    "mirrored-laser",  "turned-laser",   "misplaced-laser",
-    "no-odometry",       "unread-odometry", "still-odometry", "leaping-odometry",
-    "sideways-odometry", "odometry-scale",  "odometry-turns", "odometry-units",
-    "laser-units",       "beyond-a-turn",   "blind-laser",    "self-hits",
-    "frozen-laser",      "unfit-odometry",  "unsure-drawing"};
+constexpr std::array<std::string_view, 29> kWords{
+    "clocks-apart",    "scan-delay",     "late-stamps",      "ray-times",         "parts-of-a-turn",
+    "clock-speed",     "clock-set",      "coarse-stamps",    "assumed-mounting",  "two-publishers",
+    "mirrored-laser",  "turned-laser",   "wrong-fan",        "misplaced-laser",   "no-odometry",
+    "unread-odometry", "still-odometry", "leaping-odometry", "sideways-odometry", "odometry-scale",
+    "odometry-turns",  "odometry-units", "laser-units",      "beyond-a-turn",     "blind-laser",
+    "self-hits",       "frozen-laser",   "unfit-odometry",   "unsure-drawing"};
 
 }  // namespace
 
@@ -61,7 +60,7 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
     const double turn = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
     constexpr double kRounding = 0.9 * kRadiansPerDegree;
     constexpr double kSteps = 0.75;  // a closed fan has half of one
-    constexpr double kByFar = 0.1;
+    constexpr double kByFar = 2.0 * kPi;
     if (fan_.count > 1 &&
         turn > 2.0 * kPi + std::max(kRounding, kSteps * std::abs(fan_.step_rad()))) {
         found.push_back(
@@ -98,18 +97,8 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
     }
 }
 
-void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
-    if (readings_ == 0) {
-        if (scans_ < 2) return;
-        found.push_back(
-            {Kind::no_odometry, static_cast<double>(scans_),
-             marked(HITOS_TEXT("Errors",
-                               "there is no odometry, so that all scans are put on one place")),
-             marked(HITOS_TEXT("Errors",
-                               "record it too: of ROS the topic of the odometry, or /tf together "
-                               "with /tf_static"))});
-        return;
-    }
+/// Whether all of it is too fast.
+void TourExamination::doubt_speed(std::vector<TourFinding>& found) const {
     constexpr double kNoRobot = 20.0;
     constexpr double kMillimetres = 120.0;  // hardly a robot drives slower than 0.12 m/s all along
     const auto speed = static_cast<double>(median(speeds_));
@@ -126,7 +115,22 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
                                   : marked(HITOS_TEXT("Errors",
                                                       "if its positions are centimetres: --set "
                                                       "source.odometry_scale=0.01"))});
-    } else if (leaps_ > 0) {
+    }
+}
+
+void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
+    if (readings_ == 0) {
+        if (scans_ < 2) return;
+        found.push_back(
+            {Kind::no_odometry, static_cast<double>(scans_),
+             marked(HITOS_TEXT("Errors",
+                               "there is no odometry, so that all scans are put on one place")),
+             marked(HITOS_TEXT("Errors",
+                               "record it too: of ROS the topic of the odometry, or /tf together "
+                               "with /tf_static"))});
+        return;
+    }
+    if (leaps_ > 0 && std::ranges::count(found, Kind::odometry_units, &TourFinding::kind) == 0) {
         found.push_back(
             {Kind::leaping_odometry, longest_step_m_,
              message(
@@ -229,18 +233,20 @@ void TourExamination::doubt_heading(std::vector<TourFinding>& found) const {
 }
 
 std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told) const {
-    std::vector<TourFinding> own;
-    doubt_readings(own);
-    doubt_stamps(own);
-    if (own.empty()) doubt_fit(own);
-    doubt_odometry(own);
-    if (own.empty()) doubt_stills(own);
-    doubt_self_hits(own);
-    doubt_heading(own);
-    if (own.empty() && told.empty()) doubt_whole(own);
     const auto holds = [](const std::vector<TourFinding>& all, Kind kind) {
         return std::ranges::count(all, kind, &TourFinding::kind) > 0;
     };
+    std::vector<TourFinding> own;
+    doubt_readings(own);
+    doubt_stamps(own);
+    doubt_speed(own);
+    const bool sees = !holds(told, Kind::laser_units) && !holds(told, Kind::blind_laser);
+    if (own.empty() && sees) doubt_fit(own);
+    doubt_odometry(own);
+    if (own.empty() && sees) doubt_stills(own);
+    doubt_self_hits(own);
+    doubt_heading(own);
+    if (own.empty() && told.empty()) doubt_whole(own);
     std::erase_if(told, [&](const TourFinding& finding) {
         return finding.kind == Kind::late_stamps && prefers_stamps(finding, own);
     });
@@ -249,8 +255,10 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
             return finding.kind == Kind::scan_delay || finding.kind == Kind::clocks_apart;
         });
     }
+    // A heading that is off turns the scans too.
+    const bool sideways = holds(own, Kind::sideways_odometry);
     std::erase_if(own, [&](const TourFinding& finding) {
-        return holds(told, finding.kind) ||
+        return holds(told, finding.kind) || (sideways && finding.kind == Kind::turned_laser) ||
                (finding.kind == Kind::blind_laser && holds(told, Kind::laser_units));
     });
     // What the reader told of leaps does not hold for these.

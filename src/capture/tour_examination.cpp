@@ -227,8 +227,10 @@ std::optional<Pose> TourExamination::pose_at(double time_s, double turn_scale) c
 /// How the robot moved between the scans of a pair.
 std::optional<Pose> TourExamination::step_of(const Pair& pair, const Hypothesis& hypothesis) const {
     const auto odometry_at = [&](double time_s) {
-        return pose_at(time_s + hypothesis.delay_s + hypothesis.gained * (time_s - first_scan_s_),
-                       hypothesis.turn_scale);
+        const double set_by_s = time_s < hypothesis.set_at_s ? 0.0 : hypothesis.set_by_s;
+        return pose_at(
+            time_s + hypothesis.delay_s + set_by_s + hypothesis.gained * (time_s - first_scan_s_),
+            hypothesis.turn_scale);
     };
     const std::optional<Pose> first = odometry_at(pair.first.time_s);
     const std::optional<Pose> second = odometry_at(pair.second.time_s);
@@ -251,6 +253,12 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
                                                  const Hypothesis& hypothesis) {
     constexpr int kLeastPoints = 10;
     const double sign = hypothesis.mirrored ? -1.0 : 1.0;
+    const double scale = hypothesis.fan_scale;
+    const double middle = hypothesis.fan_middle_rad;
+    const auto direction_of = [&](float told) {
+        const auto angle = static_cast<double>(told);
+        return sign * (scale == 1.0 ? angle : middle + scale * wrap_angle(angle - middle));
+    };
     const auto mounted = [&](Pose laser) {
         laser.theta += hypothesis.turn_rad;
         laser.x += hypothesis.shift.x;
@@ -265,11 +273,17 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
     int asked = 0;
     int lie = 0;
     for (std::size_t i = 0; i < pair.second.directions.size(); ++i) {
-        const double direction = sign * static_cast<double>(pair.second.directions[i]);
+        const double direction = direction_of(pair.second.directions[i]);
         const auto range = static_cast<double>(pair.second.distances[i]);
         const Point2 at =
             transform(lasers, {range * std::cos(direction), range * std::sin(direction)});
-        const double turns = (sign * std::atan2(at.y, at.x) + kPi) / (2.0 * kPi);
+        double seen = sign * std::atan2(at.y, at.x);
+        if (scale != 1.0) {
+            const double off = wrap_angle(seen - middle) / scale;
+            if (std::abs(off) > kPi) continue;
+            seen = wrap_angle(middle + off);
+        }
+        const double turns = (seen + kPi) / (2.0 * kPi);
         const auto bin = static_cast<std::size_t>(std::lround(turns * bins)) % ranges.size();
         if (ranges[bin] == 0.0F) continue;
         const double expected = std::hypot(at.x, at.y);
@@ -283,21 +297,31 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
     return static_cast<double>(lie) / asked;
 }
 
-std::optional<double> TourExamination::agreement(const Hypothesis& hypothesis) const {
+std::vector<const TourExamination::Pair*> TourExamination::some_pairs(std::size_t asked) const {
+    std::vector<const Pair*> some;
+    const std::size_t every = std::max<std::size_t>(pairs_.size() / asked, 1);
+    for (std::size_t i = 0; i < pairs_.size(); i += every) some.push_back(&pairs_[i]);
+    return some;
+}
+
+std::optional<double> TourExamination::agreement(const std::vector<const Pair*>& asked,
+                                                 const Hypothesis& hypothesis) const {
     constexpr std::size_t kLeastPairs = 10;
     double sum = 0.0;
     std::size_t pairs = 0;
-    std::size_t asked = 0;
-    for (std::size_t i = 0; i < pairs_.size(); i += hypothesis.every) {
-        ++asked;
-        const std::optional<double> one = agreement(pairs_[i], hypothesis);
+    for (const Pair* pair : asked) {
+        const std::optional<double> one = agreement(*pair, hypothesis);
         if (!one) continue;
         sum += *one;
         ++pairs;
     }
     // Few of them fit anywhere, by chance.
-    if (pairs < std::max(kLeastPairs, asked / 2)) return {};
+    if (pairs < std::max(kLeastPairs, asked.size() / 2)) return {};
     return sum / static_cast<double>(pairs);
+}
+
+std::optional<double> TourExamination::agreement(const Hypothesis& hypothesis) const {
+    return agreement(some_pairs(pairs_.size()), hypothesis);
 }
 
 }  // namespace hitos

@@ -23,21 +23,19 @@ Pose nearest_fit(const Agreement& agreement) {
     double highest = agreement(best);
     constexpr double kCoarsest = 0.2;  // [m], [rad / 2]
     constexpr double kFinest = 0.02;
-    for (double step = kCoarsest; step > kFinest; step /= 2.0) {
-        for (bool better = true; better;) {
-            better = false;
-            const Pose from = best;
-            for (const double to : {-step, step}) {
-                for (const Pose& way : {Pose{to, 0, 0}, Pose{0, to, 0}, Pose{0, 0, to / 2.0}}) {
-                    const Pose next{from.x + way.x, from.y + way.y, from.theta + way.theta};
-                    const double found = agreement(next);
-                    if (found <= highest) continue;
-                    highest = found;
-                    best = next;
-                    better = true;
-                }
+    double step = kCoarsest;
+    while (step > kFinest) {
+        const Pose from = best;
+        for (const double to : {-step, step}) {
+            for (const Pose& way : {Pose{to, 0, 0}, Pose{0, to, 0}, Pose{0, 0, to / 2.0}}) {
+                const Pose next{from.x + way.x, from.y + way.y, from.theta + way.theta};
+                const double found = agreement(next);
+                if (found <= highest) continue;
+                highest = found;
+                best = next;
             }
         }
+        if (best == from) step /= 2.0;
     }
     return best;
 }

@@ -51,7 +51,9 @@ class OdometrySteps {
     void learn(const OdometryRecord& before, const OdometryRecord& record, const Pose& step);
 
     ToAndFro<Place> tracks_;
-    Twist twist_;  ///< of the last step that took time
+    std::uint64_t turns_of_degrees_ = 0;  ///< steps of 360
+    std::uint64_t turn_line_ = 0;         ///< of the first
+    Twist twist_;                         ///< of the last step that took time
     UnderWay under_way_;
     Told leaps_;
     std::uint64_t in_a_row_ = 0;  ///< other leaps, right behind another

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "hitos/capture/tour_finding.hpp"
 
 namespace hitos {
+
+struct BestFit;
 
 /// Takes what is read of a tour, in any order of scans and odometry, and doubts it at the end; what
 /// is not later than what was noted is left out, so that a tour may be read again in part. It
@@ -33,18 +36,23 @@ class TourExamination {
     struct Hypothesis {
         double delay_s = 0.0;          ///< added to the scans' times
         double gained = 0.0;           ///< added besides, for each second since the first scan
+        double set_by_s = 0.0;         ///< added besides, to scans
+        double set_at_s = 0.0;         ///< from that time on
         double turn_rad = 0.0;         ///< of the laser on the robot, to the left
         bool mirrored = false;         ///< the rays go the other way round
+        double fan_scale = 1.0;        ///< of the angles between them,
+        double fan_middle_rad = 0.0;   ///< to either side of this one
         double scale = 1.0;            ///< of the way
         double turn_scale = 1.0;       ///< of the heading, from where the tour begins
         double pair_turn_scale = 1.0;  ///< of the turn from one scan of a pair to the other
         Point2 shift = {};             ///< of the laser on the robot [m]
         double near_m = 0.1;           ///< how far apart two points may be that are one
         double near_per_range = 0.02;  ///< and for each metre of their range
-        std::size_t every = 1;         ///< asks every n-th pair only
     };
+    using Fit = std::function<double(const Hypothesis&)>;
+
     /// The mean share of a pair's points that lie on the earlier scan, 0 … 1; nothing where fewer
-    /// than 10 pairs, or than half of those that are asked, lie in the odometry.
+    /// than 10 pairs, or than half of them, lie in the odometry.
     std::optional<double> agreement(const Hypothesis& hypothesis) const;
 
   private:
@@ -70,19 +78,41 @@ class TourExamination {
     std::optional<Pose> pose_at(double time_s, double turn_scale = 1.0) const;
     void keep(const Scan& scan);
     void doubt_readings(std::vector<TourFinding>& found) const;
+    void doubt_speed(std::vector<TourFinding>& found) const;
     void doubt_odometry(std::vector<TourFinding>& found) const;
     void doubt_fit(std::vector<TourFinding>& found) const;
-    void doubt_mounting(double told, double late, std::size_t every,
+    /// A clock that does not stay as it is, where with it these pairs fit by `least` or better:
+    /// looked for in so many steps of the delay to either side.
+    std::optional<TourFinding> changing_clock(const std::vector<const Pair*>& pairs,
+                                              const Hypothesis& asked, double step_s, int steps,
+                                              double least) const;
+    std::optional<double> agreement(const std::vector<const Pair*>& pairs,
+                                    const Hypothesis& hypothesis) const;
+    /// As many as are asked, evenly over the tour.
+    std::vector<const Pair*> some_pairs(std::size_t asked) const;
+    void doubt_mounting(const Fit& fit, double told, const BestFit& mounted,
                         std::vector<TourFinding>& found) const;
-    bool doubt_turns(double told, double otherwise, std::size_t every,
+    bool doubt_turns(const Fit& fit, double told, double otherwise,
                      std::vector<TourFinding>& found) const;
     void doubt_scale(std::vector<TourFinding>& found) const;
     /// What pairs of scans between which the robot turns say of its turns, and of where the laser
     /// sits.
-    struct Turning;
+    struct Turning {
+        std::vector<const Pair*> pairs;
+        double rad_per_s = 0.0;  ///< how fast half of them turn, or faster
+    };
     Turning turning_pairs() const;
+    /// The same of short delays, where it fits turns better than as well as `otherwise`.
+    std::optional<TourFinding> turning_clock(const Turning& turning, double otherwise) const;
     bool doubt_turning(std::vector<TourFinding>& found) const;
+    /// Of some pairs: how the robot moved by the odometry and by the scans.
+    struct Motion {
+        Pose told;
+        Pose seen;
+    };
+    std::vector<Motion> motions() const;
     bool doubt_dead(std::vector<TourFinding>& found) const;
+    void doubt_motion(std::vector<TourFinding>& found) const;
     bool beats_standing(double share) const;
     void doubt_whole(std::vector<TourFinding>& found) const;
     void doubt_stills(std::vector<TourFinding>& found) const;

@@ -18,12 +18,14 @@ struct TourFinding {
         ray_times,     ///< a sweep that takes longer than from scan to scan; value: its time [s]
         parts_of_a_turn,  ///< messages that hold some and cannot be joined; value: those
         clock_speed,  ///< the laser's clock runs at another speed; value: seconds it gains a second
+        clock_set,    ///< it was set during the tour; value: by so much [s]
         coarse_stamps,      ///< several scans share a time; value: share of those
         assumed_mounting,   ///< nothing says where the laser sits; value: the lasers
         two_publishers,     ///< a frame goes to and fro between two places; value: how often
         mirrored_laser,     ///< the scans turn against the odometry; value: 1
         turned_laser,       ///< the scans move where the odometry does not; value: turn to the left
                             ///< [rad]
+        wrong_fan,          ///< its rays go over another angle; value: that, by the scans [rad]
         misplaced_laser,    ///< it does not sit where the recording says; value: how far off [m]
         no_odometry,        ///< there are scans and no odometry; value: the scans
         unread_odometry,    ///< its messages cannot be read, the transforms are taken; value: those
@@ -43,6 +45,7 @@ struct TourFinding {
         self_hits,       ///< rays that always end on the robot; value: how many
         frozen_laser,    ///< the same ranges while the robot drives; value: share of such scans
         unfit_odometry,  ///< the scans do not lie where it puts them; value: share of their points
+                         ///< that do, or how far it is off, of what is driven
         unsure_drawing   ///< a world's drawing may have other walls; value: its place of those
     };
     Kind kind = Kind::clocks_apart;

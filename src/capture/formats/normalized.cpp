@@ -33,25 +33,18 @@ LineKind classify_normalized(std::string_view text) {
     return other_or_damaged(text);
 }
 
+/// Where the laser sat is not known any more. A place that is given is where the points' origin is.
 class ConversorNormalized final : public Conversor {
   public:
-    explicit ConversorNormalized(ReadOptions options);
+    explicit ConversorNormalized(ReadOptions options)
+        : options_(std::move(options)), laser_pose_(laser_pose_of(options_.laser_pose)) {}
     std::optional<Scan> scan(const RawLine& line) override;
     std::optional<OdometryRecord> odometry(const RawLine& line) override;
 
   private:
     ReadOptions options_;
+    std::optional<LaserPose> laser_pose_;  // of the options
 };
-
-ConversorNormalized::ConversorNormalized(ReadOptions options) : options_(std::move(options)) {
-    if (!laser_pose_of(options_.laser_pose)) return;
-    throw ConfigError(
-        kLaserPoseKey,
-        message(HITOS_TEXT("Errors",
-                           "found \"%1\" for a normalised log, expected nothing: its points are in "
-                           "the robot's frame, and where the laser sat is not known any more"),
-                options_.laser_pose));
-}
 
 std::optional<Scan> ConversorNormalized::scan(const RawLine& line) {
     Fields fields(line);
@@ -59,6 +52,7 @@ std::optional<Scan> ConversorNormalized::scan(const RawLine& line) {
     Scan scan;
     scan.line = line.number;
     scan.time_s = fields.number("time");
+    if (laser_pose_) scan.fan.pose_robot_laser = laser_pose_->pose_robot_laser;
     // A scan that hit nothing is one too.
     const std::uint32_t count = fields.count("n", 0);
     const double greatest = options_.max_range_m;
@@ -73,7 +67,7 @@ std::optional<Scan> ConversorNormalized::scan(const RawLine& line) {
         }
         if (!run_open) scan.run_starts.push_back(static_cast<std::uint32_t>(scan.points.size()));
         run_open = true;
-        scan.points.push_back({x, y});
+        scan.points.push_back(laser_pose_ ? laser_pose_->mounted({x, y}) : Point2{x, y});
     }
     fields.expect_end(HITOS_TEXT("Errors", "the points that n announces"));
     return scan;

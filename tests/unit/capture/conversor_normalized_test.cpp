@@ -47,16 +47,14 @@ TEST(ConversorNormalized, ReadingsThatNoSensorMakesAreNoPoints) {
     EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 1));
 }
 
-TEST(ConversorNormalized, RefusesAPlaceOfTheLaserThatItCannotTake) {
+TEST(ConversorNormalized, APlaceOfTheLaserIsThatOfItsPointsOrigin) {
     ReadOptions options;
-    options.laser_pose = "0.1,0,5";
-    try {
-        test::read_text("normalized", "LASER 1 1 1 1\n", options);
-        FAIL() << "taken in silence";
-    } catch (const ConfigError& error) {
-        EXPECT_THAT(error.what(), ::testing::HasSubstr("source.laser_pose"));
-        EXPECT_THAT(error.what(), ::testing::HasSubstr("robot's frame"));
-    }
+    options.laser_pose = "0.5,0,90,upside-down";
+    const Log log = test::read_text("normalized", "LASER 1 2 1 0 1 2\n", options);
+    const std::vector<Point2>& points = log.scans.at(0).points;
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_NEAR(distance(points[0], {0.5, 1.0}), 0.0, 1e-12);
+    EXPECT_NEAR(distance(points[1], {2.5, 1.0}), 0.0, 1e-12);
 }
 
 TEST(ConversorNormalized, DamagedLines) {

@@ -1,0 +1,159 @@
+// When the scans were taken, by the odometry.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "hypothesis_search.hpp"
+#include "tour_clocks.hpp"
+
+namespace hitos {
+
+namespace {
+
+using Kind = TourFinding::Kind;
+
+/// From a clock of the table's to where the scans fit best: its begin, its end, and both.
+BestFit refined(const Fit& fit, const Hypothesis& start, double Hypothesis::*change, double unit,
+                double step_s) {
+    constexpr double kParts = 10.0;
+    BestFit best;
+    best.try_out(fit, start);
+    return climbed(fit, best, step_s, step_s / kParts, [&](const Hypothesis& from, double step) {
+        std::vector<Hypothesis> others;
+        for (const double off : {-step, step}) {
+            Hypothesis other = from;
+            other.delay_s += off;
+            others.push_back(other);
+            other.*change -= off * unit;
+            others.push_back(other);
+            other.delay_s -= off;
+            others.push_back(other);
+        }
+        return others;
+    });
+}
+
+}  // namespace
+
+std::string seconds_words(double seconds) {
+    constexpr double kNone = 0.005;  // else "-0.00"
+    return fmt::format("{:.{}f} s", std::abs(seconds) < kNone ? 0.0 : seconds,
+                       std::abs(seconds) < 10.0 ? 2 : 1);
+}
+
+BestFit best_delay(const Fit& fit, double middle) {
+    constexpr int kSteps = 120;
+    constexpr double kStep = 0.5;
+    constexpr double kFinest = 0.02;
+    constexpr double kNarrow = 0.1;
+    constexpr double kAsWell = 0.01;
+    std::vector<BestFit> tried;
+    const auto try_out = [&](double away) {
+        tried.emplace_back().try_out(fit, {.delay_s = middle + away});
+    };
+    for (int i = -kSteps; i <= kSteps; ++i) try_out(i * kStep);
+    // Of a robot that turns fast, what is nearest is narrower than a step.
+    for (int i = -4; i <= 4; ++i) try_out(i * kNarrow);
+    const BestFit highest = *std::ranges::max_element(tried, {}, &BestFit::agreement);
+    BestFit best = highest;
+    for (const BestFit& one : tried) {
+        if (one.agreement >= highest.agreement - kAsWell &&
+            std::abs(one.hypothesis.delay_s - middle) <
+                std::abs(best.hypothesis.delay_s - middle)) {
+            best = one;
+        }
+    }
+    return climbed(fit, best, kStep, kFinest, [](const Hypothesis& from, double step) {
+        return std::array<Hypothesis, 2>{
+            {{.delay_s = from.delay_s - step}, {.delay_s = from.delay_s + step}}};
+    });
+}
+
+std::optional<TourFinding> TourExamination::changing_clock(const std::vector<const Pair*>& pairs,
+                                                           const Hypothesis& asked, double step_s,
+                                                           int steps, double least) const {
+    constexpr double kMostGained = 10.0;  // [s] over the tour
+    constexpr double kSideClearly = 0.1;
+    constexpr double kPromising =
+        0.05;  // below what is wanted: between the table's steps lies more
+    const double seconds = last_scan_s_ - first_scan_s_;
+    if (least > 1.0 || pairs.empty() || !(seconds > 0.0)) return std::nullopt;
+    DelayTable table(step_s, steps);
+    std::vector<double> fits(table.columns());
+    for (const Pair* pair : pairs) {
+        for (std::size_t i = 0; i < fits.size(); ++i) {
+            Hypothesis other = asked;
+            other.delay_s = table.delay_s(i);
+            fits[i] = agreement(*pair, other).value_or(0.0);
+        }
+        table.add(pair->second.time_s, fits);
+    }
+    const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
+    BestFit drifting;
+    BestFit set;
+    if (const DelayTable::Clock clock = table.drifting(kMostGained);
+        clock.agreement + kPromising >= least) {
+        Hypothesis start = asked;
+        start.delay_s = clock.delay_s;
+        start.gained = clock.gained_s / seconds;
+        drifting = refined(fit, start, &Hypothesis::gained, 1.0 / seconds, step_s);
+    }
+    if (const DelayTable::Clock clock = table.set(kSideClearly);
+        clock.agreement + kPromising >= least) {
+        Hypothesis start = asked;
+        start.delay_s = clock.delay_s;
+        start.set_by_s = clock.set_by_s;
+        start.set_at_s = clock.set_at_s;
+        set = refined(fit, start, &Hypothesis::set_by_s, 1.0, step_s);
+    }
+    const double gained_s = drifting.hypothesis.gained * seconds;
+    if (std::abs(gained_s) < kShortestDelay) drifting.agreement = 0.0;
+    if (std::abs(set.hypothesis.set_by_s) < kShortestDelay) set.agreement = 0.0;
+    const BestFit& best = set.agreement > drifting.agreement ? set : drifting;
+    if (best.agreement < least) return std::nullopt;
+    const long told = percent(agreement(pairs, asked).value_or(0.0));
+    const std::string begin = seconds_words(best.hypothesis.delay_s);
+    Message remedy = marked(HITOS_TEXT(
+        "Errors",
+        "set the clocks of both computers alike before recording; or take how the robot moved from "
+        "the scans: --set source.odometry=scans"));
+    if (&best == &set) {
+        return TourFinding{
+            Kind::clock_set, best.hypothesis.set_by_s,
+            message(HITOS_TEXT("Errors",
+                               "the scans' clock was set during the tour: they fit the odometry "
+                               "where %1 are added up to second %2 and %3 from there on (%4 % of "
+                               "their points, against %5 % as they are stamped)"),
+                    begin, std::lround(best.hypothesis.set_at_s - first_scan_s_),
+                    seconds_words(best.hypothesis.delay_s + best.hypothesis.set_by_s),
+                    percent(best.agreement), told),
+            std::move(remedy)};
+    }
+    return TourFinding{
+        Kind::clock_speed, best.hypothesis.gained,
+        message(HITOS_TEXT("Errors",
+                           "the scans' clock does not run as fast as the odometry's: they fit it "
+                           "where %1 are added at the beginning and %2 at the end (%3 % of their "
+                           "points, against %4 % as they are stamped)"),
+                begin, seconds_words(best.hypothesis.delay_s + gained_s), percent(best.agreement),
+                told),
+        std::move(remedy)};
+}
+
+std::optional<TourFinding> TourExamination::turning_clock(const Turning& turning,
+                                                          double otherwise) const {
+    constexpr std::size_t kLeastPairs = 10;
+    constexpr double kStep = 0.025;  // [s]
+    constexpr int kSteps = 48;
+    constexpr double kSure = 0.5;  // scans that lie a metre apart fit less, at any time
+    constexpr double kTimes = 1.12;
+    constexpr double kMore = 0.02;
+    if (turning.pairs.size() < kLeastPairs) return std::nullopt;
+    return changing_clock(turning.pairs, closely(), kStep, kSteps,
+                          std::max(kSure, kTimes * otherwise + kMore));
+}
+
+}  // namespace hitos

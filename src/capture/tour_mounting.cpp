@@ -1,0 +1,185 @@
+// How the laser sits on the robot, and in which directions its rays go, by the odometry.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hypothesis_search.hpp"
+
+namespace hitos {
+namespace {
+
+using Kind = TourFinding::Kind;
+
+constexpr int kSectors = 36;
+
+/// The turn of the laser, as told plus what is found, in the middle of those that fit as well.
+double middle_turn(const Fit& fit, const Hypothesis& found) {
+    constexpr int kDegrees = 15;
+    constexpr double kAsWell = 0.01;
+    Hypothesis near = closely(found);
+    std::array<double, 2 * kDegrees + 1> fits{};
+    for (int i = 0; i <= 2 * kDegrees; ++i) {
+        near.turn_rad = found.turn_rad + (i - kDegrees) * kRadiansPerDegree;
+        fits.at(static_cast<std::size_t>(i)) = fit(near);
+    }
+    const double least = std::ranges::max(fits) - kAsWell;
+    double sum = 0.0;
+    int count = 0;
+    for (int i = 0; i <= 2 * kDegrees; ++i) {
+        if (fits.at(static_cast<std::size_t>(i)) < least) continue;
+        sum += i - kDegrees;
+        ++count;
+    }
+    return wrap_angle(found.turn_rad + sum / count * kRadiansPerDegree);
+}
+
+/// With the rays over another angle than is told, about the same middle or, as most are, about
+/// where the laser looks.
+BestFit best_fan(const Fit& fit, const Fan& fan) {
+    constexpr int kFewest = 6;
+    constexpr int kMost = 36;
+    constexpr double kStep = 10.0 * kRadiansPerDegree;
+    constexpr double kFinest = 0.5 * kRadiansPerDegree;
+    constexpr double kTheSame = 0.04;  // of the told angle
+    BestFit best;
+    const double told = fan.max_angle_rad - fan.min_angle_rad;
+    if (fan.count < 2 || std::abs(told) > 2.0 * kPi + kStep) return best;
+    const double middle = wrap_angle(fan.min_angle_rad + told / 2.0);
+    const auto try_out = [&](double angle, double turn_rad) {
+        const double scale = angle / std::abs(told);
+        if (std::abs(scale - 1.0) < kTheSame) return;
+        best.try_out(fit, {.turn_rad = turn_rad, .fan_scale = scale, .fan_middle_rad = middle});
+    };
+    for (int i = kFewest; i <= kMost; ++i) {
+        try_out(i * kStep, 0.0);
+        if (std::abs(middle) > kFinest) try_out(i * kStep, -middle);
+    }
+    if (best.agreement == 0.0) return best;
+    BestFit near;
+    near.try_out(fit, closely(best.hypothesis));
+    near = climbed(fit, near, kStep / 2.0, kFinest, [told](const Hypothesis& from, double step) {
+        std::array<Hypothesis, 2> others{from, from};
+        others[0].fan_scale -= step / std::abs(told);
+        others[1].fan_scale += step / std::abs(told);
+        return others;
+    });
+    best.hypothesis.fan_scale = near.hypothesis.fan_scale;
+    best.agreement = fit(best.hypothesis);
+    return best;
+}
+
+}  // namespace
+
+BestFit best_mounting(const Fit& fit, const Fan& fan) {
+    constexpr double kFanClearly = 0.02;  // better than one that is turned: two numbers are more
+    BestFit best;
+    for (int i = 0; i < kSectors; ++i) {
+        const double turn_rad = wrap_angle(2.0 * kPi * i / kSectors);
+        best.try_out(fit, {.turn_rad = turn_rad});
+        best.try_out(fit, {.turn_rad = turn_rad, .mirrored = true});
+    }
+    const BestFit other = best_fan(fit, fan);
+    return other.agreement > best.agreement + kFanClearly ? other : best;
+}
+
+/// Whether the laser fits better turned or mirrored, or with rays over another angle.
+void TourExamination::doubt_mounting(const Fit& fit, double told, const BestFit& mounted,
+                                     std::vector<TourFinding>& found) const {
+    if (mounted.agreement < std::max(kLeastFit, told + kClearly) ||
+        !beats_standing(mounted.agreement)) {
+        return;
+    }
+    const Hypothesis& other = mounted.hypothesis;
+    const long fits = percent(mounted.agreement);
+    const auto degrees = [](double rad) { return std::lround(rad * kDegreesPerRadian); };
+    if (other.fan_scale != 1.0) {
+        const double angle = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
+        found.push_back(
+            {Kind::wrong_fan, angle * other.fan_scale,
+             message(HITOS_TEXT("Errors",
+                                "the scans fit the odometry where their rays go over %1 degrees, "
+                                "not over %2 as is told (%3 % of their points, against %4 %): "
+                                "walls are bent"),
+                     degrees(angle * other.fan_scale), degrees(angle), fits, percent(told)),
+             message(
+                 HITOS_TEXT("Errors",
+                            "let the recording say the angles that the laser measures at: %1 "
+                            "degrees from ray to ray, from %2 on"),
+                 fmt::format("{:.3g}",
+                             std::abs(fan_.step_rad()) * other.fan_scale * kDegreesPerRadian),
+                 degrees(other.fan_middle_rad + other.turn_rad - angle * other.fan_scale / 2.0))});
+        return;
+    }
+    const double turn_rad = middle_turn(fit, other);
+    const Pose& told_pose = pairs_.front().first.pose_robot_laser;
+    const std::string place = fmt::format("{:.3g},{:.3g},{}{}", told_pose.x, told_pose.y,
+                                          degrees(wrap_angle(told_pose.theta + turn_rad)),
+                                          other.mirrored ? ",upside-down" : "");
+    if (other.mirrored) {
+        found.push_back(
+            {Kind::mirrored_laser, 1.0,
+             message(HITOS_TEXT("Errors",
+                                "the scans turn against the odometry (%1 % of their points fit "
+                                "mirrored, %2 % as they are): the map is a mirror image"),
+                     fits, percent(told)),
+             message(HITOS_TEXT("Errors",
+                                "the laser is upside down, or its rays go the other way round: "
+                                "--laser-pose %1; or the odometry counts turns to the right"),
+                     place)});
+        return;
+    }
+    found.push_back(
+        {Kind::turned_laser, turn_rad,
+         message(HITOS_TEXT("Errors",
+                            "the scans move %1 degrees off where the odometry drives (%2 % of "
+                            "their points fit turned so, %3 % as they are): the map's path and "
+                            "walls do not fit each other"),
+                 degrees(turn_rad), fits, percent(told)),
+         message(HITOS_TEXT("Errors",
+                            "the laser is mounted otherwise than the recording says: --laser-pose "
+                            "%1"),
+                 place)});
+}
+
+/// Whether headings are in degrees, or were scaled as if they had been.
+bool TourExamination::doubt_turns(const Fit& fit, double told, double otherwise,
+                                  std::vector<TourFinding>& found) const {
+    constexpr double kMuchBetter = 0.2;
+    constexpr double kBetterThanNone = 0.1;
+    if (std::max(told, otherwise) + kMuchBetter > 1.0 + kMuchBetter - kClearly) return false;
+    const auto best_of = [&](double scale) {
+        BestFit best;  // where the first heading points is not known then
+        for (int i = 0; i < kSectors; ++i) {
+            best.try_out(fit,
+                         {.turn_rad = wrap_angle(2.0 * kPi * i / kSectors), .turn_scale = scale});
+        }
+        return best;
+    };
+    const BestFit less = best_of(kRadiansPerDegree);
+    const BestFit more = best_of(kDegreesPerRadian);
+    const BestFit& best = less.agreement > more.agreement ? less : more;
+    // Who never turned, and drove now ahead and now aside, fits by chance too.
+    if (best.agreement < told + kMuchBetter || best.agreement <= otherwise ||
+        !beats_standing(best.agreement) ||
+        best.agreement < best_of(0.0).agreement + kBetterThanNone) {
+        return false;
+    }
+    const double scale = best.hypothesis.turn_scale;
+    found.push_back(
+        {Kind::odometry_units, scale,
+         message(HITOS_TEXT("Errors",
+                            "by the scans the robot turns %1 times as far as by the odometry (%2 % "
+                            "of their points fit so, %3 % as it is told): headings are %4"),
+                 fmt::format("{:.3g}", scale), percent(best.agreement), percent(told),
+                 scale < 1.0
+                     ? marked(HITOS_TEXT("Errors", "in degrees"))
+                     : marked(HITOS_TEXT("Errors", "taken for degrees and turned into radians"))),
+         marked(HITOS_TEXT("Errors",
+                           "record them in radians; or take how the robot moved from the scans: "
+                           "--set source.odometry=scans"))});
+    return true;
+}
+
+}  // namespace hitos
