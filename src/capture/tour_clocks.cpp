@@ -9,7 +9,7 @@ namespace {
 /// The column with the highest sum; of those that are about as high the one nearest to `middle`, as
 /// on straight ways many are.
 std::size_t highest(const std::vector<double>& sums, double count, std::size_t middle) {
-    constexpr double kAsWell = 0.01;
+    constexpr double kAsWell = 0.003;
     const double least = std::ranges::max(sums) - kAsWell * count;
     const auto away = [middle](std::size_t i) { return i > middle ? i - middle : middle - i; };
     std::size_t best = sums.size();

@@ -114,6 +114,14 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
     if (std::abs(set.hypothesis.set_by_s) < kShortestDelay) set.agreement = 0.0;
     const BestFit& best = set.agreement > drifting.agreement ? set : drifting;
     if (best.agreement < least) return std::nullopt;
+    if (&best == &set) {
+        // In the midst of a turn one time is as good as another: all pairs tell it better.
+        const std::vector<const Pair*> all = some_pairs(2 * pairs.size());
+        const double agreed = set.agreement;
+        set = refined([&](const Hypothesis& other) { return agreement(all, other).value_or(0.0); },
+                      set.hypothesis, &Hypothesis::set_by_s, 1.0, step_s);
+        set.agreement = agreed;
+    }
     const long told = percent(agreement(pairs, asked).value_or(0.0));
     const std::string begin = seconds_words(best.hypothesis.delay_s);
     Message remedy = marked(HITOS_TEXT(

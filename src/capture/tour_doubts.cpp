@@ -247,6 +247,7 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     doubt_self_hits(own);
     doubt_heading(own);
     if (own.empty() && told.empty()) doubt_whole(own);
+    if (own.empty() && told.empty()) doubt_motion(own);
     std::erase_if(told, [&](const TourFinding& finding) {
         return finding.kind == Kind::late_stamps && prefers_stamps(finding, own);
     });
@@ -256,9 +257,16 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
         });
     }
     // A heading that is off turns the scans too.
-    const bool sideways = holds(own, Kind::sideways_odometry);
+    const auto sideways = [by = own](double turn_rad) {
+        constexpr double kSame = 0.2;  // [rad]
+        return std::ranges::any_of(by, [turn_rad](const TourFinding& finding) {
+            return finding.kind == Kind::sideways_odometry &&
+                   std::abs(wrap_angle(finding.value - turn_rad)) < kSame;
+        });
+    };
     std::erase_if(own, [&](const TourFinding& finding) {
-        return holds(told, finding.kind) || (sideways && finding.kind == Kind::turned_laser) ||
+        return holds(told, finding.kind) ||
+               (finding.kind == Kind::turned_laser && sideways(finding.value)) ||
                (finding.kind == Kind::blind_laser && holds(told, Kind::laser_units));
     });
     // What the reader told of leaps does not hold for these.

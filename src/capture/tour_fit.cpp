@@ -52,8 +52,20 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     const double otherwise = std::max({told, late.agreement, mounted.agreement});
     constexpr double kTableStep = 0.25;  // [s]
     constexpr int kTableSteps = 60;
-    if (std::optional<TourFinding> clock = changing_clock(
-            pairs, {}, kTableStep, kTableSteps, std::max(kLeastFit, otherwise + kClearly))) {
+    std::optional<TourFinding> clock = changing_clock(pairs, {}, kTableStep, kTableSteps,
+                                                      std::max(kLeastFit, otherwise + kClearly));
+    // Where the robot mostly drives straight on, as in corridors, turns alone tell the time.
+    constexpr std::size_t kEnough = 32;
+    constexpr double kFarBetter = 0.2;
+    const Turning turning = turning_pairs();
+    if (!clock && turning.pairs.size() >= kEnough) {
+        double simply = kLeastFit;
+        for (const Hypothesis& other : {Hypothesis{}, late.hypothesis, mounted.hypothesis}) {
+            simply = std::max(simply, agreement(turning.pairs, other).value_or(0.0));
+        }
+        clock = changing_clock(turning.pairs, {}, kTableStep, kTableSteps, simply + kFarBetter);
+    }
+    if (clock) {
         found.push_back(*std::move(clock));
         return;
     }
@@ -63,10 +75,9 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     if (found.size() > before) return;
     if (late.agreement >= kLeastFit && beats_standing(late.agreement) &&
         late.agreement >= told + kClearly && std::abs(delay_s) >= kShortestDelay) {
-        const Turning turning = turning_pairs();
-        if (std::optional<TourFinding> clock = turning_clock(
+        if (std::optional<TourFinding> slow = turning_clock(
                 turning, agreement(turning.pairs, closely(late.hypothesis)).value_or(0.0))) {
-            found.push_back(*std::move(clock));
+            found.push_back(*std::move(slow));
             return;
         }
         found.push_back(
@@ -83,7 +94,7 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     }
     if (doubt_dead(found)) return;
     doubt_scale(found);
-    if (found.size() == before && !doubt_turning(found)) doubt_motion(found);
+    if (found.size() == before) doubt_turning(found);
 }
 
 /// Whether so many points fit that the odometry says more than that the robot stands: by chance,

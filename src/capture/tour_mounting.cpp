@@ -81,7 +81,10 @@ BestFit best_mounting(const Fit& fit, const Fan& fan) {
         best.try_out(fit, {.turn_rad = turn_rad, .mirrored = true});
     }
     const BestFit other = best_fan(fit, fan);
-    return other.agreement > best.agreement + kFanClearly ? other : best;
+    if (other.agreement < best.agreement + kFanClearly) return best;
+    // Seen by such a fan, all turns are too long or too short: so may be those of the odometry.
+    const Hypothesis turns{.pair_turn_scale = 1.0 / other.hypothesis.fan_scale};
+    return fit(closely(other.hypothesis)) > fit(closely(turns)) + kFanClearly ? other : best;
 }
 
 /// Whether the laser fits better turned or mirrored, or with rays over another angle.
@@ -126,7 +129,8 @@ void TourExamination::doubt_mounting(const Fit& fit, double told, const BestFit&
                      fits, percent(told)),
              message(HITOS_TEXT("Errors",
                                 "the laser is upside down, or its rays go the other way round: "
-                                "--laser-pose %1; or the odometry counts turns to the right"),
+                                "--laser-pose %1; or the odometry counts turns to the right: --set "
+                                "source.odometry=scans"),
                      place)});
         return;
     }

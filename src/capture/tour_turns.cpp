@@ -88,27 +88,27 @@ TourExamination::Turning TourExamination::turning_pairs() const {
 }
 
 /// Of what fits turns clearly better than what the tour says, the best.
-bool TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
+void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
     constexpr std::size_t kLeastPairs = 10;
     constexpr double kTimes = 1.2;  // better than as it is told
     constexpr double kMore = 0.03;
     constexpr double kLeast = 0.15;
     const Turning turning = turning_pairs();
-    if (turning.pairs.size() < kLeastPairs) return false;
+    if (turning.pairs.size() < kLeastPairs) return;
     const Fit fit = [&](const Hypothesis& other) {
         return agreement(turning.pairs, other).value_or(0.0);
     };
     const double told = fit(closely());
-    if (kTimes * told + kMore > 1.0) return false;
+    if (kTimes * told + kMore > 1.0) return;
     const BestFit turned = best_turn_scale(fit);
     const BestFit late = best_short_delay(fit);
     const BestFit placed = best_place(fit);
     const double best = std::max({turned.agreement, late.agreement, placed.agreement});
     if (std::optional<TourFinding> clock = turning_clock(turning, std::max(best, told))) {
         found.push_back(*std::move(clock));
-        return true;
+        return;
     }
-    if (best < kLeast || best < kTimes * told + kMore) return false;
+    if (best < kLeast || best < kTimes * told + kMore) return;
     if (late.agreement == best) {
         constexpr double kShortest = 0.08;  // [s]: a sweep takes as long
         constexpr double kFar = 0.12;       // what it moves in the map [m]
@@ -116,7 +116,7 @@ bool TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
         const double delay_s = late.hypothesis.delay_s;
         const double moved_m =
             std::abs(delay_s) * turning.rad_per_s * static_cast<double>(median(medians_));
-        if (best < kSure || std::abs(delay_s) < kShortest || moved_m < kFar) return false;
+        if (best < kSure || std::abs(delay_s) < kShortest || moved_m < kFar) return;
         found.push_back(
             {Kind::scan_delay, delay_s,
              message(HITOS_TEXT("Errors",
@@ -128,13 +128,13 @@ bool TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
              message(HITOS_TEXT("Errors", "add that to their times: --scan-delay %1"),
                      fmt::format("{:.2f}", delay_s)),
              delay_s});
-        return true;
+        return;
     }
     if (placed.agreement == best) {
         constexpr double kNear = 0.2;  // [m]
         const Point2 shift = placed.hypothesis.shift;
         const double off_m = std::hypot(shift.x, shift.y);
-        if (off_m < kNear) return false;
+        if (off_m < kNear) return;
         const Pose& laser = pairs_.front().first.pose_robot_laser;
         found.push_back(
             {Kind::misplaced_laser, off_m,
@@ -146,11 +146,11 @@ bool TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
              message(HITOS_TEXT("Errors", "say where it sits: --laser-pose %1"),
                      fmt::format("{:.2f},{:.2f},{:.3g}", laser.x + shift.x, laser.y + shift.y,
                                  laser.theta * kDegreesPerRadian))});
-        return true;
+        return;
     }
     constexpr double kNearlyOne = 0.07;
     const double scale = turned.hypothesis.pair_turn_scale;
-    if (std::abs(scale - 1.0) < kNearlyOne) return false;
+    if (std::abs(scale - 1.0) < kNearlyOne) return;
     found.push_back(
         {Kind::odometry_turns, scale,
          message(HITOS_TEXT("Errors",
@@ -161,7 +161,6 @@ bool TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
          marked(HITOS_TEXT("Errors",
                            "take how it moved from the scans: --set source.odometry=scans; "
                            "or map it with registration: --preset recorded"))});
-    return true;
 }
 
 }  // namespace hitos

@@ -33,7 +33,11 @@ double interval_of(const TourReader& tour) {
 /// grows with the square of the interval: at ten scans a second by half of what wheels are.
 RegistrationParams without_odometry(double interval_s) {
     constexpr double kPerSquareSecond = 50.0;
+    // The end of a corridor is a few points: with the weight that they have beside wheels they are
+    // followed too late, and the robot swings about where it is.
+    constexpr double kPointSigma = 0.05;
     RegistrationParams params;
+    params.point_sigma_m = kPointSigma;
     params.loops = false;
     params.final_passes = 0;
     params.calibrate = false;  // nothing is driven

@@ -104,7 +104,7 @@ class TourExamination {
     Turning turning_pairs() const;
     /// The same of short delays, where it fits turns better than as well as `otherwise`.
     std::optional<TourFinding> turning_clock(const Turning& turning, double otherwise) const;
-    bool doubt_turning(std::vector<TourFinding>& found) const;
+    void doubt_turning(std::vector<TourFinding>& found) const;
     /// Of some pairs: how the robot moved by the odometry and by the scans.
     struct Motion {
         Pose told;

@@ -2431,10 +2431,6 @@
         <translation>el reloj de los barridos no va tan deprisa como el de la odometría: encajan si se suman %1 al principio y %2 al final (%3 % de sus puntos, frente a %4 % como están sellados)</translation>
     </message>
     <message>
-        <source>set the clocks of both computers alike, and record again; mapped in parts, each with its --scan-delay, it is less wrong</source>
-        <translation>ponga igual los relojes de ambos ordenadores y grabe de nuevo; por partes, cada una con su --scan-delay, el mapa es menos falso</translation>
-    </message>
-    <message>
         <source>by the scans the robot drives %1 times as far as by the odometry (%2 % of their points fit so, %3 % as it is told)</source>
         <translation>según los barridos el robot recorre %1 veces lo que dice la odometría (así encaja el %2 % de sus puntos, el %3 % como está dicho)</translation>
     </message>
@@ -2519,10 +2515,6 @@
         <translation>los barridos no caen donde los pone la odometría (solo el %1 % de sus puntos), y ninguna otra hora, montaje ni escala lo explica</translation>
     </message>
     <message>
-        <source>the laser is upside down, or its rays go the other way round: --laser-pose %1; or the odometry counts turns to the right</source>
-        <translation>el láser está boca abajo, o sus rayos van en el otro sentido: --laser-pose %1; o la odometría cuenta los giros a la derecha</translation>
-    </message>
-    <message>
         <source>the laser is mounted otherwise than the recording says: --laser-pose %1</source>
         <translation>el láser está montado de otro modo que lo que dice la grabación: --laser-pose %1</translation>
     </message>
@@ -2549,10 +2541,6 @@
     <message>
         <source>by the logger&apos;s times the stamps of %1 are %2 s behind those of %3: the clocks of their computers differ</source>
         <translation>según los tiempos del registrador, los sellos de tiempo de %1 van %2 s por detrás de los de %3: los relojes de sus ordenadores difieren</translation>
-    </message>
-    <message>
-        <source>found &quot;%1&quot; for a normalised log, expected nothing: its points are in the robot&apos;s frame, and where the laser sat is not known any more</source>
-        <translation>se encontró «%1» para un registro normalizado y no se esperaba nada: sus puntos están en el sistema de referencia del robot y ya no se sabe dónde estaba el láser</translation>
     </message>
     <message>
         <source>is a DWG drawing, no log; save it as DXF, of which hitos-cli world makes a world</source>
@@ -2693,6 +2681,34 @@
     <message>
         <source>%1 is %2 m from %3: the tour takes more than %4 control steps; expected a shorter tour or a faster robot</source>
         <translation>%1 está a %2 m de %3: el recorrido lleva más de %4 pasos de control; se esperaba un recorrido más corto o un robot más rápido</translation>
+    </message>
+    <message>
+        <source>the odometry&apos;s headings go from one end of a turn to the other in steps of 360, %1 times (first in line %2): they are in degrees, and are read as radians</source>
+        <translation>los rumbos de la odometría pasan de un extremo de la vuelta al otro en pasos de 360, %1 veces (la primera en la línea %2): están en grados y se leen como radianes</translation>
+    </message>
+    <message>
+        <source>set the clocks of both computers alike before recording; or take how the robot moved from the scans: --set source.odometry=scans</source>
+        <translation>ponga en hora los relojes de ambos ordenadores antes de grabar; o tome el movimiento del robot de los barridos: --set source.odometry=scans</translation>
+    </message>
+    <message>
+        <source>the scans&apos; clock was set during the tour: they fit the odometry where %1 are added up to second %2 and %3 from there on (%4 % of their points, against %5 % as they are stamped)</source>
+        <translation>el reloj de los barridos se cambió durante el recorrido: encajan con la odometría si se les suman %1 hasta el segundo %2 y %3 a partir de ahí (el %4 % de sus puntos, frente al %5 % con sus marcas de tiempo)</translation>
+    </message>
+    <message>
+        <source>from scan to scan the odometry is off by %1 % of what the robot drives and turns by the scans, now this way and now that (by more than a hand&apos;s breadth in %2 of %3 pairs), as where stamps waver or poses are rounded: walls are blurred</source>
+        <translation>de barrido a barrido la odometría se desvía un %1 % de lo que el robot avanza y gira según los barridos, unas veces hacia un lado y otras hacia otro (más de un palmo en %2 de %3 pares), como cuando las marcas de tiempo oscilan o las posiciones se redondean: las paredes quedan borrosas</translation>
+    </message>
+    <message>
+        <source>the scans fit the odometry where their rays go over %1 degrees, not over %2 as is told (%3 % of their points, against %4 %): walls are bent</source>
+        <translation>los barridos encajan con la odometría si sus rayos abarcan %1 grados, no %2 como se dice (el %3 % de sus puntos, frente al %4 %): las paredes se doblan</translation>
+    </message>
+    <message>
+        <source>let the recording say the angles that the laser measures at: %1 degrees from ray to ray, from %2 on</source>
+        <translation>haga que la grabación indique los ángulos en que mide el láser: %1 grados de rayo a rayo, desde %2</translation>
+    </message>
+    <message>
+        <source>the laser is upside down, or its rays go the other way round: --laser-pose %1; or the odometry counts turns to the right: --set source.odometry=scans</source>
+        <translation>el láser está boca abajo o sus rayos van en sentido contrario: --laser-pose %1; o la odometría cuenta los giros a la derecha: --set source.odometry=scans</translation>
     </message>
 </context>
 <context>

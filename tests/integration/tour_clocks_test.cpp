@@ -1,0 +1,84 @@
+// Clocks that do not stay as they are, fans of other angles and odometry that wavers: told with
+// their numbers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "integration/wrong_tours.hpp"
+
+namespace hitos {
+namespace {
+
+using Kind = TourFinding::Kind;
+using test::Readings;
+
+class OfClocks : public testing::TestWithParam<std::string> {
+  protected:
+    Readings tour_ = test::read(source_named(GetParam()));
+    double begin_s_ = tour_.scans.front().time_s;
+    double seconds_ = tour_.scans.back().time_s - begin_s_;
+};
+
+TEST_P(OfClocks, AClockThatRunsAtAnotherSpeedIsTold) {
+    for (const double seconds : {-1.0, 6.0}) {
+        Readings fast = tour_;
+        const double gained = seconds / seconds_;
+        for (Scan& scan : fast.scans)
+            scan.time_s = begin_s_ + (scan.time_s - begin_s_) * (1.0 + gained);
+        const auto found = fast.of_kind(Kind::clock_speed);
+        ASSERT_TRUE(found) << seconds << '\n' << fast.said();
+        EXPECT_NEAR(found->value, -gained, 0.2 * std::abs(gained)) << seconds;
+    }
+}
+
+TEST_P(OfClocks, AClockThatIsSetDuringTheTourIsTold) {
+    for (const double by_s : {-3.0, 5.0}) {
+        Readings set = tour_;
+        for (Scan& scan : set.scans) {
+            if (scan.time_s > begin_s_ + 0.6 * seconds_) scan.time_s += by_s;
+        }
+        const auto found = set.of_kind(Kind::clock_set);
+        ASSERT_TRUE(found) << by_s << '\n' << set.said();
+        EXPECT_NEAR(found->value, -by_s, 0.3) << by_s;
+    }
+}
+
+TEST_P(OfClocks, AFanOfOtherAnglesIsTold) {
+    for (const double factor : {0.75, 1.3}) {
+        Readings stated = tour_;
+        for (Scan& scan : stated.scans) {
+            for (Point2& point : scan.points) {
+                const Pose& mount = scan.fan.pose_robot_laser;
+                const Point2 seen = transform(inverse(mount), point);
+                const double angle = factor * std::atan2(seen.y, seen.x);
+                const double range = std::hypot(seen.x, seen.y);
+                point = transform(mount, Point2{range * std::cos(angle), range * std::sin(angle)});
+            }
+            scan.fan.min_angle_rad *= factor;
+            scan.fan.max_angle_rad *= factor;
+        }
+        const auto found = stated.of_kind(Kind::wrong_fan);
+        ASSERT_TRUE(found) << factor << '\n' << stated.said();
+        const Fan& fan = tour_.scans.front().fan;
+        EXPECT_NEAR(found->value, fan.max_angle_rad - fan.min_angle_rad, 0.07) << factor;
+    }
+}
+
+TEST_P(OfClocks, StampsThatWaverAreTold) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> late(0.0, 0.8);
+    Readings wavering = tour_;
+    for (Scan& scan : wavering.scans) scan.time_s += late(random);
+    std::ranges::sort(wavering.scans, {}, &Scan::time_s);
+    for (std::size_t i = 0; i < tour_.scans.size(); ++i)
+        wavering.scans[i].line = tour_.scans[i].line;
+    EXPECT_TRUE(wavering.of_kind(Kind::unfit_odometry)) << wavering.said();
+}
+
+INSTANTIATE_TEST_SUITE_P(Worlds, OfClocks, testing::Values("recinto", "bigloop", "complex"),
+                         [](const auto& world) { return world.param; });
+
+}  // namespace
+}  // namespace hitos
