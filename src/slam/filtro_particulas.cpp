@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/validate.hpp"
 #include "hitos/slam/robot.hpp"
 
 namespace hitos {
@@ -72,6 +73,7 @@ void FiltroParticulas::step(const SlamInput& input) {
     remember_poses();
     if (!seen_.empty()) resample();
     ++steps_;
+    if constexpr (kValidates) check_structures();
 }
 
 void FiltroParticulas::begin_work(std::size_t particles, std::size_t work_each) {

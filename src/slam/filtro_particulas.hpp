@@ -60,6 +60,9 @@ class FiltroParticulas final : public SlamFilter {
     /// For tests and benchmarks: leaves of the maps and nodes held by histories.
     std::size_t map_leaves() const { return maps_.leaves(); }
     std::size_t history_nodes() const { return history_.size(); }
+    /// Throws std::logic_error where histories or maps contradict themselves; builds that check
+    /// (hitos/base/validate.hpp) do it after every step.
+    void check_structures();
 
   private:
     /// What one of those that work at the same time needs to write maps and histories.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "filtro_particulas.hpp"
+#include "hitos/base/validate.hpp"
 #include "map_correction.hpp"
 
 namespace hitos {
@@ -92,7 +93,19 @@ std::unique_ptr<SlamFilter> FiltroParticulas::clone() const {
     copy->searches_cut_ = searches_cut_.load();
     copy->noted_ = noted_;
     copy->associations_ = associations_;
+    if constexpr (kValidates) copy->check_structures();
     return copy;
+}
+
+void FiltroParticulas::check_structures() {
+    std::vector<PoseHistory::Node> leaves;
+    leaves.reserve(particles_.size());
+    for (const Particula& particle : particles_) leaves.push_back(particle.history);
+    history_.check(leaves, steps_);
+    std::vector<MapStore::Worker*> workers;
+    workers.reserve(workers_.size());
+    for (Worker& worker : workers_) workers.push_back(&worker);
+    maps_.check(std::move(workers));
 }
 
 std::size_t FiltroParticulas::bytes() const {
@@ -135,6 +148,7 @@ void FiltroParticulas::correct(const PathCorrection& correction) {
         }
     });
     publish_associations();
+    if constexpr (kValidates) check_structures();
 }
 
 void FiltroParticulas::note_associations() {

@@ -124,6 +124,10 @@ class MapStore {
     const typename S::Columns landmarks(Handle handle) const {     // NOLINT(*-const-return-type)
         return const_cast<MapStore&>(*this).landmarks<S>(handle);  // NOLINT(*-const-cast)
     }
+    /// Throws std::logic_error where maps contradict themselves (map_check.hpp); `workers` are all
+    /// that write them. To be called between steps.
+    void check(std::vector<Worker*> workers);
+
     /// Landmarks of all kinds in a map.
     std::size_t size(Handle handle) const {
         std::size_t sum = 0;

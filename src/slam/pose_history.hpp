@@ -137,6 +137,11 @@ class PoseHistory {
         return branches;
     }
 
+    /// Throws std::logic_error where the tree is not what these leaves, of so many scans, hold:
+    /// counts that are others than the holders, nodes that are held and free, or neither, ways of
+    /// another length.
+    void check(std::span<const Node> leaves, std::size_t scans) const;
+
     std::size_t bytes() const {
         return poses_.size() * (sizeof(Pose) + sizeof(Node) + sizeof(std::uint32_t)) +
                free_.size() * sizeof(Node);

@@ -1,11 +1,87 @@
 #include "hitos/services/run/run_checkpoint.hpp"
 
+#include <fmt/format.h>
+
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 
+#include "hitos/base/digest.hpp"
+#include "hitos/base/validate.hpp"
 #include "hitos/slam/association_record.hpp"
 
 namespace hitos {
+namespace {
+
+/// Adds values of types without padding, byte by byte.
+template <class... Values>
+void put(std::string& bytes, const Values&... values) {
+    (bytes.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
+}
+
+Trajectory path_of(const RunCheckpoint& checkpoint, const SlamFilter& filter) {
+    Trajectory path = checkpoint.odometry.trajectory();
+    const std::vector<Pose> poses = filter.best_history();
+    for (std::size_t i = 0; i < path.size(); ++i) path[i].pose = poses[i];
+    return path;
+}
+
+}  // namespace
+
+std::vector<StatePart> parts_of(const RunCheckpoint& checkpoint, const SlamFilter& filter) {
+    const LandmarkMap map = filter.best_map();
+    const Trajectory path = path_of(checkpoint, filter);
+    std::vector<StatePart> parts;
+    std::string bytes;
+    const auto end = [&](const char* name) {
+        parts.push_back({name, Digest().add(std::exchange(bytes, {})).text()});
+    };
+    const auto note = [&](const char* name, const auto& row) {
+        for (const auto& one : row) put(bytes, one);
+        end(name);
+    };
+    for (const WeightedPose& one : filter.hypotheses()) {
+        put(bytes, one.pose, one.weight, one.weight_before, one.from);
+    }
+    end("hypotheses");
+    for (const ICaracteristica& one : map) {
+        put(bytes, one.point(), one.covariance, one.observations, one.from_m, one.to_m,
+            one.first_seen, one.last_seen);
+    }
+    end("landmarks");
+    note("path", path);
+    note("path as it was driven", checkpoint.online);
+    note("odometry", checkpoint.odometry.trajectory());
+    note("scan", checkpoint.scan.points);
+    note("lines seen", checkpoint.observation.lines);
+    note("corners seen", checkpoint.observation.corners);
+    for (const LineExtent& one : checkpoint.line_extents.of(map, path)) put(bytes, one.a, one.b);
+    end("extents of lines");
+    if (checkpoint.registration) {  // its grid is drawn when it is asked for
+        note("registration", checkpoint.registration->keys());
+        return parts;
+    }
+    const Grid& grid = checkpoint.step_grid;
+    for (int row = 0; row < grid.rows(); ++row) {
+        for (int column = 0; column < grid.columns(); ++column) {
+            put(bytes, grid.log_odds(column, row));
+        }
+    }
+    end("grid");
+    return parts;
+}
+
+void check_same(const std::vector<StatePart>& expected, const std::vector<StatePart>& found,
+                const std::string& what) {
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        if (i < found.size() && found[i].name == expected[i].name &&
+            found[i].digest == expected[i].digest) {
+            continue;
+        }
+        throw std::logic_error(
+            fmt::format("{}: the {} is not what it was", what, expected[i].name));
+    }
+}
 
 std::size_t RunCheckpoint::bytes() const {
     return filter->bytes() + (registration ? registration->bytes() : 0) + step_grid.bytes() +
@@ -14,10 +90,7 @@ std::size_t RunCheckpoint::bytes() const {
 }
 
 Trajectory RunCheckpoint::best_trajectory() const {
-    Trajectory path = odometry.trajectory();
-    const std::vector<Pose> poses = filter->best_history();
-    for (std::size_t i = 0; i < path.size(); ++i) path[i].pose = poses[i];
-    return path;
+    return path_of(*this, *filter);
 }
 
 std::shared_ptr<const RunCheckpoint> Algoritmo::checkpoint() const {
@@ -29,13 +102,19 @@ std::shared_ptr<const RunCheckpoint> Algoritmo::checkpoint() const {
 std::optional<RunCheckpoint> Algoritmo::state() const {
     std::unique_ptr<const SlamFilter> filter = filter_->clone();
     if (!filter) return std::nullopt;
-    return RunCheckpoint{
+    RunCheckpoint now{
         remembered_->place(), *controls_,
         registration_ ? std::make_unique<const Registration>(*registration_) : nullptr,
         std::move(filter),
         // With registration it can be drawn of the key scans, which takes far less memory.
         registration_ ? Grid(configuration_.grid) : step_grid_, key_scans_, key_poses_, online_,
         line_extents_, suitability_, uncertainty_, scan_, observation_, odometry_};
+    if constexpr (kValidates) {
+        now.parts = parts_of(now, *filter_);
+        check_same(now.parts, parts_of(now, *now.filter),
+                   fmt::format("copy of the state after {} scans", steps()));
+    }
+    return now;
 }
 
 void Algoritmo::go_to(const RunCheckpoint& checkpoint) {
@@ -59,6 +138,10 @@ void Algoritmo::go_to(const RunCheckpoint& checkpoint) {
     observation_ = checkpoint.observation;
     odometry_ = checkpoint.odometry;
     finished_ = false;
+    if constexpr (kValidates) {
+        check_same(checkpoint.parts, state()->parts,
+                   fmt::format("return to the state after {} scans", steps()));
+    }
 }
 
 std::unique_ptr<const AssociationRecord> Algoritmo::weighed(const RunCheckpoint* before) {

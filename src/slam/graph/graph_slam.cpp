@@ -7,6 +7,7 @@
 
 #include "graph_merging.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/validate.hpp"
 #include "hitos/slam/association_record.hpp"
 
 namespace hitos {
@@ -83,6 +84,7 @@ void GraphSlam::add_key(const RegisteredStep& registered, AssociationRecord* rec
     add_sightings();
     window_.solve(graph_);
     merge_bridged(record);
+    if constexpr (kValidates) check(graph_);
     pose_ = graph_.keys().back().pose;
     map_.reset();
 }
@@ -264,6 +266,7 @@ void GraphSlam::correct(const PathCorrection& correction) {
                      since_key_.pose, since_key_.covariance);
     }
     window_.solve(graph_);
+    if constexpr (kValidates) check(graph_);
     pose_ = compose(graph_.keys().back().pose, since_key_.pose);
     const std::vector<std::int32_t> places = places_in_map();
     for (std::size_t i = 0; i < associations_.size(); ++i) {

@@ -83,4 +83,9 @@ class LandmarkGraph {
     std::vector<std::vector<std::uint32_t>> sightings_of_;
 };
 
+/// Throws std::logic_error where a graph contradicts itself: an edge or sighting of what is not
+/// there, lists of a key or landmark that are not those of its edges and sightings, what is no
+/// number, information that is none.
+void check(const LandmarkGraph& graph);
+
 }  // namespace hitos

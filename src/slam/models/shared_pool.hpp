@@ -114,6 +114,12 @@ class SharedPool {
     }
     /// Pieces in use, and those that are ready to be.
     std::size_t size() const { return next_; }
+    /// For checks: how many hold it, and pieces that nobody holds and no worker has.
+    std::uint32_t holders(Id id) const {
+        const Place place(id);
+        return chunks_.at(place.chunk).holds[place.offset];
+    }
+    const std::vector<Id>& free() const { return free_; }
 
   private:
     static constexpr std::size_t kBytes = sizeof(T) + sizeof(std::uint32_t);

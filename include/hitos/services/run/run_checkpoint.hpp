@@ -5,11 +5,18 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "hitos/services/run/algoritmo.hpp"
 
 namespace hitos {
+
+/// A part of a run's state: its name, and the digest of its numbers.
+struct StatePart {
+    std::string name;
+    std::string digest;
+};
 
 struct RunCheckpoint {
     RememberedTour::Place place;
@@ -26,6 +33,8 @@ struct RunCheckpoint {
     Scan scan;
     Observation observation;
     OdometryPath odometry;
+    /// As they were when it was written; of builds that check (hitos/base/validate.hpp).
+    std::vector<StatePart> parts = {};
 
     /// Scans taken.
     std::uint64_t steps() const { return odometry.trajectory().size(); }
@@ -34,6 +43,13 @@ struct RunCheckpoint {
     /// Memory that it takes, about.
     std::size_t bytes() const;
 };
+
+/// What can be seen of the state, with this filter for the checkpoint's own.
+std::vector<StatePart> parts_of(const RunCheckpoint& checkpoint, const SlamFilter& filter);
+
+/// Throws std::logic_error of the first part that differs, `what` says of what.
+void check_same(const std::vector<StatePart>& expected, const std::vector<StatePart>& found,
+                const std::string& what);
 
 /// The checkpoints of a run: every so many scans one, further and further apart so that all
 /// together stay within a limit of memory and of number.

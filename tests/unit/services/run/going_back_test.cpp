@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 
+#include "hitos/base/validate.hpp"
 #include "hitos/services/run/run_checkpoint.hpp"
 #include "hitos/services/run/run_worker.hpp"
 #include "ready_tour.hpp"
@@ -195,6 +197,49 @@ TEST(RunWorker, AtRestTheGridIsTheOneOfTheRun) {
         worker.request_snapshot();  // on the way
         expect_whole(shown());
     }
+}
+
+RunCheckpoint copy_of(const RunCheckpoint& from) {
+    return {from.place,        from.controls,    nullptr,          from.filter->clone(),
+            from.step_grid,    from.key_scans,   from.key_poses,   from.online,
+            from.line_extents, from.suitability, from.uncertainty, from.scan,
+            from.observation,  from.odometry,    from.parts};
+}
+
+TEST(RunCheckpoint, OneThatHasChangedIsSeen) {
+    const Configuracion configuration = small_tour();
+    Algoritmo run(configuration, open_source(configuration.source), {.go_back = true});
+    while (run.steps() < 20) run.step();
+    const auto kept = run.checkpoint();
+    const std::vector<StatePart> parts = parts_of(*kept, run.filter());
+    EXPECT_EQ(kept->parts.empty(), !kValidates);
+    run.step();
+    EXPECT_NO_THROW(check_same(parts, parts_of(*kept, *kept->filter), "copy"));
+    const auto expect_seen = [&](const char* part, const auto& change) {
+        RunCheckpoint changed = copy_of(*kept);
+        change(changed);
+        const auto seen = [&](const auto& check) {
+            try {
+                check();
+                ADD_FAILURE() << "nothing was seen of the " << part;
+            } catch (const std::logic_error& error) {
+                EXPECT_EQ(std::string(error.what()), "return to the state after 20 scans: the " +
+                                                         std::string(part) + " is not what it was");
+            }
+        };
+        seen([&] {
+            check_same(parts, parts_of(changed, *changed.filter),
+                       "return to the state after 20 scans");
+        });
+        if (kValidates) seen([&] { run.go_to(changed); });
+    };
+    expect_seen("path as it was driven",
+                [](RunCheckpoint& changed) { changed.online.back().pose.x += 1e-12; });
+    expect_seen("scan", [](RunCheckpoint& changed) { changed.scan.points.pop_back(); });
+    expect_seen("grid", [](RunCheckpoint& changed) { changed.step_grid.clear(); });
+    // And in builds that check, a whole one is come back to.
+    run.go_to(*kept);
+    EXPECT_EQ(run.steps(), 20U);
 }
 
 TEST(RunCheckpoints, StayWithinTheirMemoryAndGrowApart) {
