@@ -56,21 +56,24 @@ class UseModel {
     const std::string& one_of(const std::vector<std::string>& all) {
         return all[any(static_cast<unsigned>(all.size()))];
     }
+    // What is done (model.cpp).
     Step some_step();
     Harm some_harm(const Step& step);
+    Words path_of_programs() const { return {"PATH=" + place_.programs() + ":/usr/bin:/bin"}; }
     const Expected& expected(const Step& step);
-    Content raw_of(const std::string& part) const;
-    Content shown_of(const Content& raw) const;
     std::string other_hand();
     std::string disturbed(const Step& step, Harm harm);
-    std::string twice(const Step& step);
     std::string power_lost(const Step& step, long number, Outcome& outcome);
+    void take_over(const std::string& name);
+    // What is judged (judgement.cpp).
+    Content raw_of(const std::string& part) const;
+    Content shown_of(const Content& raw) const;
+    std::string twice(const Step& step);
     std::string judged(const Step& step, Harm harm, const Outcome& outcome);
     std::string judged_part(const std::string& name, const Step& step, const Expected& after,
                             bool undisturbed, const Outcome& outcome);
     std::string verified(const std::string& name);
     std::string leftovers(const Step& step) const;
-    void take_over(const std::string& name);
 
     std::mt19937 random_;
     const Workplace& place_;
