@@ -19,6 +19,10 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
+std::string percent_text(double fraction) {
+    return fmt::format("{:3.0f} %", std::floor(100.0 * fraction));
+}
+
 ProgressLine::ProgressLine(std::string_view unit)
     : unit_(unit),
       terminal_(isatty(STDERR_FILENO) != 0),
@@ -60,10 +64,10 @@ void ProgressLine::print(std::uint64_t count, std::optional<double> fraction,
     if (fraction) {
         if (terminal_) {
             constexpr int kWidth = 24;
-            const int full = static_cast<int>(std::lround(*fraction * kWidth));
+            const int full = static_cast<int>(*fraction * kWidth);
             line += fmt::format("[{:#<{}}{:.<{}}] ", "", full, "", kWidth - full);
         }
-        line += fmt::format("{:3.0f} %  ", 100.0 * *fraction);
+        line += percent_text(*fraction) + "  ";
     }
     line += fmt::format("{} {}", count, unit_);
     if (elapsed > 0.05) {

@@ -9,6 +9,9 @@
 
 namespace hitos::cli {
 
+/// " 37 %"; 100 is said of nothing but the whole.
+std::string percent_text(double fraction);
+
 /// On a terminal one line on stderr that is written over, ten times a second, with a bar, the rate
 /// and the time left; elsewhere a plain line every ten seconds.
 class ProgressLine {

@@ -295,7 +295,7 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     finished.segments = run.line_extents().of(finished.map, finished.best);
     try {
         write_files(finished, summary, folder, told);
-        write_file(folder.path() / kSummaryFile, sealed(to_json(summary, seconds)));
+        write_file(folder.path() / kSummaryFile, sealed(to_json(summary, seconds), kSummarySeal));
     } catch (const FileError& error) {
         // Nobody knows of the folder in which it really was.
         throw error.replaced(folder.path().string(), folder.target().string());

@@ -65,25 +65,17 @@ nlohmann::ordered_json json_of(const std::vector<WrittenFile>& files) {
     return json;
 }
 
-namespace {
-
-constexpr std::string_view kSealBegin = ",\n  \"rest_xxh3_128\": \"";
-constexpr std::string_view kSealEnd = "\"\n}\n";
-constexpr std::string_view kUnsealedEnd = "\n}\n";
-
-}  // namespace
-
-std::string sealed(std::string text) {
+std::string sealed(std::string text, std::string_view seal) {
+    constexpr std::string_view kEnd = "\n}\n";
     const std::string digest = Digest().add(text).text();
-    text.resize(text.size() - kUnsealedEnd.size());
-    return text.append(kSealBegin).append(digest).append(kSealEnd);
+    text.resize(text.size() - kEnd.size());
+    return text.append(seal).append(digest).append("\"").append(kEnd);
 }
 
-bool is_sealed(std::string_view text) {
-    const std::size_t at = text.rfind(kSealBegin);
-    if (at == std::string_view::npos)
-        return text.find("\"rest_xxh3_128\"") == std::string_view::npos;
-    return sealed(std::string(text.substr(0, at)).append(kUnsealedEnd)) == text;
+bool is_sealed(std::string_view text, std::string_view seal) {
+    const std::size_t at = text.rfind(seal);
+    return at != std::string_view::npos &&
+           sealed(std::string(text.substr(0, at)).append("\n}\n"), seal) == text;
 }
 
 std::vector<WrittenFile> files_named(const nlohmann::json& json, const fs::path& file,

@@ -22,10 +22,12 @@ bool is_unchanged(const WrittenFile& file, const std::filesystem::path& folder);
 
 nlohmann::ordered_json json_of(const std::vector<WrittenFile>& files);
 
-/// The text of a JSON object that states the digest of the rest of it, and whether nothing was
-/// changed since; texts of versions that stated none pass.
-std::string sealed(std::string text);
-bool is_sealed(std::string_view text);
+/// How the last member of a JSON object begins that states the digest of the rest of its text.
+inline constexpr std::string_view kSummarySeal = ",\n  \"rest_xxh3_128\": \"";
+inline constexpr std::string_view kStudySeal = ",\n \"checksum\": \"";
+/// The object's text with that member, and whether it has it and nothing was changed since.
+std::string sealed(std::string text, std::string_view seal);
+bool is_sealed(std::string_view text, std::string_view seal);
 
 /// What json_of() has written as "files"; none where `json` has no such list. Throws FormatError of
 /// `file` for a name that leads out of the folder, or into another one unless `nested`.

@@ -16,9 +16,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/thread_clock.hpp"
-#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/algoritmo.hpp"
-#include "hitos/services/run/open_source.hpp"
 #include "json_input.hpp"
 #include "shared_readings.hpp"
 #include "study_files.hpp"
@@ -95,6 +93,15 @@ class Crew {
             for (std::size_t i = 0; i < count; ++i) crew.emplace_back([this] { work_on(); });
         }
         if (broken_) std::rethrow_exception(broken_);
+        if (changed_.empty()) return;
+        throw FileError(
+            changed_,
+            message(HITOS_TEXT("Errors",
+                               "has changed while it was being worked on; %1 of %2 runs were done "
+                               "before, of the file as it was, and the others are left out; start "
+                               "again when the file is complete"),
+                    progress_.finished + progress_.reused - progress_.failed,
+                    progress_.runs + progress_.reused));
     }
 
   private:
@@ -147,7 +154,14 @@ class Crew {
             record.problem = verbatim(in_utf8(record.problem.english()));
         }
         watch.note(record);
-        inputs_[s].check();
+        try {
+            inputs_[s].check();
+        } catch (const FileError& error) {
+            const std::scoped_lock lock(mutex_);
+            changed_ = error.path();  // told when all have ended, for they are counted
+            stopped_ = true;
+            return;
+        }
         try {
             study::write_record(folders_[s].work(), plan, run, record);
         } catch (const Error& error) {
@@ -223,6 +237,7 @@ class Crew {
     std::vector<double> parts_;
     double sum_ = 0.0;
     std::exception_ptr broken_;
+    std::string changed_;  // the file that is no longer what it was
 };
 
 Message missing_runs(const StudyPlan& plan, const std::vector<std::size_t>& missing) {
@@ -270,32 +285,6 @@ void publish(StudyFolder& folder, StudyOutcome& outcome) {
 }
 
 }  // namespace
-
-std::uint64_t StudySource::seed_of(const StudyJob& job) const {
-    return seeded && seeded(job.configuration.source) ? job.seed : 0;
-}
-
-std::unique_ptr<TourReader> StudySource::open_shared(const StudyJob& job) const {
-    const SourceParams& source = job.configuration.source;
-    return open ? open(source, seed_of(job)) : open_source(source);
-}
-
-std::unique_ptr<TourReader> StudySource::changed(std::unique_ptr<TourReader> tour,
-                                                 const StudyJob& job) const {
-    return change ? change(std::move(tour), job) : std::move(tour);
-}
-
-StudyJob job_of(const Study& study, const StudyPlan& plan, std::size_t run) {
-    StudyJob job{run, plan.seed_of(run), study.configuration};
-    const std::vector<std::string> keys = plan.keys();
-    const std::vector<std::string> texts = plan.texts(plan.cell_of(run));
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        find_parameter(keys[i]).set(job.configuration, texts[i]);
-    job.configuration.run.seed = job.seed;
-    job.configuration.run.threads = 1;  // the runs themselves are spread over the threads
-    check(job.configuration);
-    return job;
-}
 
 void check_whole(std::span<const StudyOutcome> outcomes) {
     std::size_t done = 0;

@@ -18,12 +18,6 @@ using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* kPlanFormat = "hitos-study 3";
-constexpr const char* kSeal = "checksum";
-
-std::string dumped(const ordered_json& json) {
-    // Values from a command line may be no UTF-8.
-    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
 
 /// Whether there are runs, and the lists of values fit the keys.
 bool is_consistent(const StudyPlan& plan) {
@@ -74,7 +68,7 @@ auto with_plan(const StudyLayout& layout, Read read) {
                 message(HITOS_TEXT("Errors", "is a plan of more than %1 runs; the plan is damaged"),
                         StudyPlan::kMostRuns));
         }
-        if (!sound || !is_sealed(json)) {
+        if (!sound || !is_sealed(text, kStudySeal)) {
             throw FormatError(path.string(), 0,
                               message(HITOS_TEXT("Errors", "the plan is damaged")));
         }
@@ -179,15 +173,10 @@ bool same(const StudyPlan& a, const StudyPlan& b) {
     return plan_text(a, {}) == plan_text(b, {});
 }
 
-std::string sealed(ordered_json json) {
-    json[kSeal] = Digest().add(dumped(json)).text();
-    return dumped(json);
-}
-
-bool is_sealed(ordered_json json) {
-    const std::string seal = json.at(kSeal);
-    json.erase(kSeal);
-    return Digest().add(dumped(json)).text() == seal;
+std::string sealed(const ordered_json& json) {
+    // Values from a command line may be no UTF-8.
+    return hitos::sealed(json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n",
+                         kStudySeal);
 }
 
 }  // namespace hitos::study

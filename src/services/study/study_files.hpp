@@ -70,9 +70,7 @@ void expect_no_record(const StudyLayout& layout, const StudyPlan& plan, std::siz
 void copy_run(const StudyLayout& from, const StudyLayout& to, const StudyPlan& plan,
               std::size_t run, const StudyRecord& record);
 
-/// JSON that states the digest of the rest of it.
-std::string sealed(nlohmann::ordered_json json);
-/// Whether nothing was changed since sealed() wrote it.
-bool is_sealed(nlohmann::ordered_json json);
+/// The text of a plan or record, sealed (run/written_files.hpp).
+std::string sealed(const nlohmann::ordered_json& json);
 
 }  // namespace hitos::study

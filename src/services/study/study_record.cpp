@@ -6,6 +6,7 @@
 #include "hitos/base/text_input.hpp"
 #include "json_input.hpp"
 #include "run/report_json.hpp"
+#include "run/written_files.hpp"
 #include "study_files.hpp"
 
 namespace hitos::study {
@@ -106,11 +107,11 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) return std::nullopt;
     try {
-        const auto json =
-            parsed<ordered_json>(input::read_text(path, input::kLargestSettings), path.string());
+        const std::string text = input::read_text(path, input::kLargestSettings);
+        const auto json = parsed<ordered_json>(text, path.string());
         if (json.at("run") != plan.run_digest(run)) return std::nullopt;
         const StudyRecord record = record_of(json, path.string());
-        if (!is_sealed(json)) return std::nullopt;
+        if (!is_sealed(text, kStudySeal)) return std::nullopt;
         if (record.ok && !has_map(layout, plan, run, record)) return std::nullopt;
         if (record.ok && plan.pictured(run) && !has_picture(layout, plan, run, record)) {
             return std::nullopt;
@@ -128,9 +129,11 @@ void expect_no_record(const StudyLayout& layout, const StudyPlan& plan, std::siz
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) return;
     try {
-        const auto json =
-            parsed<ordered_json>(input::read_text(file, input::kLargestSettings), file.string());
-        if (is_sealed(json) && json.at("run") != plan.run_digest(run)) return;  // of another study
+        const std::string text = input::read_text(file, input::kLargestSettings);
+        const auto json = parsed<ordered_json>(text, file.string());
+        if (is_sealed(text, kStudySeal) && json.at("run") != plan.run_digest(run)) {
+            return;  // of another study
+        }
     } catch (const nlohmann::json::exception&) {
         // told below
     } catch (const FormatError&) {

@@ -1,12 +1,42 @@
 #include "study_run.hpp"
 
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/maps/picture_file.hpp"
 #include "hitos/services/run/grid_builder.hpp"
+#include "hitos/services/run/open_source.hpp"
 #include "study_files.hpp"
 
-namespace hitos::study {
+namespace hitos {
+
+std::uint64_t StudySource::seed_of(const StudyJob& job) const {
+    return seeded && seeded(job.configuration.source) ? job.seed : 0;
+}
+
+std::unique_ptr<TourReader> StudySource::open_shared(const StudyJob& job) const {
+    const SourceParams& source = job.configuration.source;
+    return open ? open(source, seed_of(job)) : open_source(source);
+}
+
+std::unique_ptr<TourReader> StudySource::changed(std::unique_ptr<TourReader> tour,
+                                                 const StudyJob& job) const {
+    return change ? change(std::move(tour), job) : std::move(tour);
+}
+
+StudyJob job_of(const Study& study, const StudyPlan& plan, std::size_t run) {
+    StudyJob job{run, plan.seed_of(run), study.configuration};
+    const std::vector<std::string> keys = plan.keys();
+    const std::vector<std::string> texts = plan.texts(plan.cell_of(run));
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        find_parameter(keys[i]).set(job.configuration, texts[i]);
+    job.configuration.run.seed = job.seed;
+    job.configuration.run.threads = 1;  // the runs themselves are spread over the threads
+    check(job.configuration);
+    return job;
+}
+
+namespace study {
 namespace {
 
 constexpr int kLongestPicture = 2000;  // pixels a side: a kept picture is some 100 kB, not 1 GB
@@ -67,4 +97,5 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
     return record;
 }
 
-}  // namespace hitos::study
+}  // namespace study
+}  // namespace hitos

@@ -1,4 +1,4 @@
-// What a finished run of a study is measured by.
+// What a run of a study is, and what it is measured by.
 #pragma once
 
 #include <optional>

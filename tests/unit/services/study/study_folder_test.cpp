@@ -121,6 +121,31 @@ TEST_F(StudyFolderTest, ARecordThatSomebodyChangedIsNone) {
                 HasSubstr("study.json: the plan is damaged"));
 }
 
+/// A whole plan of other settings than the files were made by.
+TEST_F(StudyFolderTest, APlanThatContradictsItsFilesIsNoticed) {
+    run(study("out"));
+    const study::PlanState state = study::read_plan_state(layout());
+    const auto expect_noticed = [&](const char* what, const auto& change) {
+        Study another = study("out");
+        change(another);
+        study::write_plan(layout(), plan_study(another), state);
+        EXPECT_FALSE(check_study(layout()).whole()) << what;
+    };
+    expect_noticed("seeds", [](Study& s) { s.seeds = 2; });
+    expect_noticed("first seed", [](Study& s) { s.first_seed = 2; });
+    expect_noticed("value", [](Study& s) { s.parameters[0] = parse_study_parameter("dmax=0.03"); });
+    expect_noticed("parameter",
+                   [](Study& s) { s.configuration.extraction.lines.min_length_m = 0.25; });
+    expect_noticed("setting", [](Study& s) { s.setting = "odometry noise 0.1"; });
+    expect_noticed("pictures", [](Study& s) { s.pictures = StudyPictures::all; });
+    expect_noticed("reference", [](Study& s) { s.reference.pop_back(); });
+    folder_.put("other.log", small_log() + "ODOM 9 0 0\n");
+    expect_noticed(
+        "log", [&](Study& s) { s.configuration.source.file = (folder_ / "other.log").string(); });
+    study::write_plan(layout(), plan_study(study("out")), state);
+    EXPECT_TRUE(check_study(layout()).whole());
+}
+
 TEST_F(StudyFolderTest, PlansOfImpossibleSizesAreRefused) {
     run(study("out"));
     auto plan = nlohmann::ordered_json::parse(content(out("study.json")));
@@ -277,7 +302,8 @@ TEST_F(StudyFolderTest, ALogThatChangesMeanwhileEndsTheStudy) {
         if (run == 2) folder_.put("small.log", small_log() + "ODOM 9 0 0\n");
     };
     EXPECT_THAT(message_of<FileError>([&] { run(study("out"), options); }),
-                HasSubstr("small.log: has changed while it was being worked on"));
+                HasSubstr("small.log: has changed while it was being worked on; 3 of 12 runs were "
+                          "done before, of the file as it was, and the others are left out"));
     folder_.put("small.log", small_log());
     EXPECT_EQ(run(study("out")).reused, 3U) << "no run of the changed log was kept";
 }
