@@ -5,6 +5,7 @@
 
 #include "app/application.hpp"
 #include "gui_fixture.hpp"
+#include "runs/run_keeper.hpp"
 #include "tests.hpp"
 
 namespace {
@@ -14,6 +15,14 @@ int run(QStringList arguments) {
     arguments.removeAt(1);
     Tests tests;
     return QTest::qExec(&tests, arguments);
+}
+
+/// A window with a run that it keeps; kept_runs_test.cpp ends it from outside.
+int run_until_killed() {
+    hitos::window::Fixture window;
+    window.window->run_keeper().set_long_run(0.0);
+    window.session.run();
+    return QApplication::exec();
 }
 
 }  // namespace
@@ -33,6 +42,7 @@ int main(int argc, char** argv) {
     apply_theme(application, Theme::light);
     const QStringList arguments = QApplication::arguments();
     const QString name = arguments.value(1);
+    if (name == "until_killed") return run_until_killed();
     if (name == "contact") return run<ContactTest>(arguments);
     if (name == "fit") return run<FitTest>(arguments);
     if (name == "source") return run<SourceTest>(arguments);

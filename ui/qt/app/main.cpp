@@ -21,6 +21,7 @@
 #include "language.hpp"
 #include "main_window.hpp"
 #include "measure/measurements.hpp"
+#include "runs/run_keeper.hpp"
 #include "runs/runs.hpp"
 #include "screen_fit.hpp"
 #include "screenshot.hpp"
@@ -106,11 +107,13 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
         window.show();
         if (!line.vary.empty()) prepare_study(window.open_study(), line);
         if (line.run) session.run();
+        QTimer::singleShot(0, &window, &MainWindow::tell_left_runs);
         const StopByRequest request(StopByRequest::Patience::endless);
         QTimer watch;
         QObject::connect(&watch, &QTimer::timeout, &window, [&window] {
             if (!StopByRequest::wanted()) return;
             window.leave();
+            window.run_keeper().let_stay();
             QApplication::exit(StopByRequest::status());
         });
         constexpr std::chrono::milliseconds kLook(100);

@@ -21,6 +21,7 @@
 #include "icons.hpp"
 #include "inspect/inspection.hpp"
 #include "language.hpp"
+#include "runs/run_keeper.hpp"
 #include "runs/runs.hpp"
 #include "screen_fit.hpp"
 #include "status_line.hpp"
@@ -102,6 +103,7 @@ void MainWindow::make_parts() {
     const DockPlace place{this, dock_, ui_->menu_view, ui_->menu_theme->menuAction()};
     inspection_ = new Inspection(session_, place);
     runs_ = new Runs(session_, files_, prompts_, *view_settings_, place);
+    keeper_ = new RunKeeper(session_, this);
     set_up_measuring(place);
     ui_->menu_view->insertSeparator(ui_->menu_theme->menuAction());
     ui_->views->setSizes({500, 500});

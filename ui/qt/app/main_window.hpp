@@ -26,6 +26,7 @@ struct PickedLandmark;
 class Plots;
 class ReferenceMeter;
 class ResultActions;
+class RunKeeper;
 class Runs;
 class ScanView;
 class StatusLine;
@@ -49,6 +50,9 @@ class MainWindow final : public QMainWindow {
     ScanView& scan_view() const;
     GridView& grid_view() const;
     Runs& runs() const { return *runs_; }
+    RunKeeper& run_keeper() const { return *keeper_; }
+    /// Tells of runs that windows have left which were ended from outside, and shows them.
+    void tell_left_runs();
     Measurements& measurements() const { return *measurements_; }
     /// Adds a file's distances to what is measured, and shows the table.
     void open_distances(const QString& path);
@@ -104,6 +108,7 @@ class MainWindow final : public QMainWindow {
     QDockWidget* dock_ = nullptr;
     Inspection* inspection_ = nullptr;
     Runs* runs_ = nullptr;
+    RunKeeper* keeper_ = nullptr;
     MeasureTool* measure_ = nullptr;
     Measurements* measurements_ = nullptr;
     MeasurementTable* measurement_table_ = nullptr;

@@ -1,10 +1,13 @@
 // Runs to compare, studies of many and tours to drive, and what the window does with them.
 
+#include <QDir>
+
 #include "actions/configuration_actions.hpp"
 #include "actions/result_actions.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "main_window.hpp"
 #include "runs/compare_window.hpp"
+#include "runs/run_keeper.hpp"
 #include "runs/runs.hpp"
 #include "runs/runs_panel.hpp"
 #include "status_line.hpp"
@@ -15,6 +18,17 @@
 #include "world/world_window.hpp"
 
 namespace hitos::window {
+
+void MainWindow::tell_left_runs() {
+    for (const QString& folder : RunKeeper::take_left()) {
+        const bool look = prompts_.confirm(
+            this, {tr("A run was kept"), tr("Look at the run that was kept?"),
+                   tr("Hitos was ended from outside after a long run. Its results are in %1.")
+                       .arg(QDir::toNativeSeparators(folder)),
+                   tr("Look")});
+        if (look) runs_->open(folder);
+    }
+}
 
 void MainWindow::connect_runs() {
     connect(configuration_, &ConfigurationActions::results_named, runs_, &Runs::open);

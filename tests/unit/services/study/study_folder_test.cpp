@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using test::content;
 using test::message_of;
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
