@@ -234,6 +234,30 @@ TEST_P(FaultsOneByOne, AreTakenBack) {
     expect_each_fault_harmless(command, "before");
 }
 
+/// That its summary cannot be looked at for once makes nobody else's of what a run has left.
+TEST_P(FaultsOneByOne, OfTheFormerSummaryLeaveNoneOfItsFiles) {
+    const Command command = command_named(GetParam(), place_);
+    ASSERT_EQ(place_.run(command.before).status, 0);
+    place_.keep("before");
+    Words fewer = command.words;
+    std::erase(fewer, "--uncertainty");
+    ASSERT_EQ(place_.run(fewer, watching("HITOS_FAULT_FILE=0:0")).status, 0);
+    ASSERT_FALSE(fs::exists(place_.path("out/uncertainty.csv")));
+    int faults = 0;
+    for (const std::string& line : place_.take_report()) {
+        const std::optional<Operation> operation = operation_in(line);
+        if (!operation || operation->path != place_.path("out/summary.json")) continue;
+        place_.restore("before");
+        const Fault fault{*operation, EIO, ""};
+        const Outcome outcome = place_.run(fewer, watching(fault.order()));
+        EXPECT_EQ(fs::exists(place_.path("out/uncertainty.csv")), outcome.status != 0)
+            << fault.order() << ' ' << operation->what << ", said:\n"
+            << outcome.output;
+        ++faults;
+    }
+    EXPECT_GT(faults, 5);
+}
+
 INSTANTIATE_TEST_SUITE_P(, FaultsOneByOne, ::testing::Values("run"),
                          [](const auto& command) { return command.param; });
 

@@ -250,8 +250,10 @@ class FormerFiles {
   private:
     void read() {
         known_.emplace();
-        std::error_code ignored;
-        if (!std::filesystem::is_regular_file(folder_ / kSummaryFile, ignored)) return;
+        std::error_code problem;
+        const bool there = std::filesystem::is_regular_file(folder_ / kSummaryFile, problem);
+        // One that cannot be looked at is there.
+        if (!there && (!problem || problem == std::errc::no_such_file_or_directory)) return;
         try {
             const auto files = with_summary(folder_, [this](const nlohmann::json& json) {
                 return files_named(json, folder_ / kSummaryFile);
