@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <optional>
 
 #include "actions/configuration_actions.hpp"
@@ -82,7 +83,10 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
     NobodyThere nobody;
     Prompts& prompts = without_display(line) ? static_cast<Prompts&>(nobody) : user;
     MainWindow window(session, files, prompts);
-    if (without_display(line)) window.resize(kWithoutScreen);
+    if (without_display(line)) {
+        window.resize(kWithoutScreen);
+        window.run_keeper().set_long_run(std::numeric_limits<double>::infinity());
+    }
     apply_size(window, line.size);
 
     ConfigurationActions& actions = window.configuration_actions();
