@@ -2710,6 +2710,10 @@
         <source>the laser is upside down, or its rays go the other way round: --laser-pose %1; or the odometry counts turns to the right: --set source.odometry=scans</source>
         <translation>el láser está boca abajo o sus rayos van en sentido contrario: --laser-pose %1; o la odometría cuenta los giros a la derecha: --set source.odometry=scans</translation>
     </message>
+    <message>
+        <source>has changed while it was being worked on; %1 of %2 runs were done before, of the file as it was, and the others are left out; start again when the file is complete</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -5677,6 +5681,22 @@
     <message>
         <source>draw a world, drive a robot through it</source>
         <translation>dibujar un mundo, conducir un robot por él</translation>
+    </message>
+    <message>
+        <source>A run was kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the run that was kept?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hitos was ended from outside after a long run. Its results are in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
