@@ -2712,7 +2712,7 @@
     </message>
     <message>
         <source>has changed while it was being worked on; %1 of %2 runs were done before, of the file as it was, and the others are left out; start again when the file is complete</source>
-        <translation type="unfinished"></translation>
+        <translation>ha cambiado mientras se trabajaba con él; %1 de %2 ejecuciones estaban hechas antes, con el archivo tal como era, y las demás se dejan; empiece otra vez cuando el archivo esté completo</translation>
     </message>
 </context>
 <context>
@@ -5684,19 +5684,19 @@
     </message>
     <message>
         <source>A run was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Se ha guardado una ejecución</translation>
     </message>
     <message>
         <source>Look at the run that was kept?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Ver la ejecución que se ha guardado?</translation>
     </message>
     <message>
         <source>Hitos was ended from outside after a long run. Its results are in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hitos fue terminado desde fuera después de una ejecución larga. Sus resultados están en %1.</translation>
     </message>
     <message>
         <source>Look</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver</translation>
     </message>
 </context>
 <context>
