@@ -93,6 +93,16 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
             return differ >= kLeastPairs && scans > least && odometry < little * scans;
         }
     };
+    constexpr double kSlight = 0.1;  // a pair, by the odometry: more is not dead
+    double turned_rad = 0.0;
+    double driven_m = 0.0;
+    for (const Pair& pair : pairs_) {
+        const Pose step = step_of(pair, {}).value_or(Pose{});
+        turned_rad += std::abs(step.theta);
+        driven_m += std::abs(way_along(step));
+    }
+    const double slight = kSlight * static_cast<double>(pairs_.size());
+    if (turned_rad > slight && driven_m > slight) return false;
     Sum turn;
     Sum way;
     const std::vector<Motion> all = motions();

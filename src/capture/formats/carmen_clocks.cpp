@@ -187,7 +187,8 @@ std::vector<TourFinding> carmen_doubts(const Fuente& fuente, const ReadOptions& 
          message(HITOS_TEXT("Errors",
                             "by the logger's times the stamps of %1 are %2 s behind those of "
                             "%3: the clocks of their computers differ"),
-                 clocks.scans, fmt::format("{:.2f}", late_s), "ODOM"),
+                 late_s < 0.0 ? "ODOM" : clocks.scans, fmt::format("{:.2f}", std::abs(late_s)),
+                 late_s < 0.0 ? clocks.scans : "ODOM"),
          message(HITOS_TEXT("Errors", "add the difference to the scans' times: --scan-delay %1"),
                  fmt::format("{:.2f}", late_s)),
          late_s}};

@@ -22,7 +22,7 @@ std::string with_seal(std::string_view input) {
         auto json = parsed<nlohmann::ordered_json>(text, "input");
         if (!json.is_object()) return text;
         json.erase("checksum");
-        return study::sealed(std::move(json));
+        return study::sealed(json);
     } catch (const std::exception&) {
         return text;
     }
