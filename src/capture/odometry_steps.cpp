@@ -149,9 +149,10 @@ void OdometrySteps::learn(const OdometryRecord& before, const OdometryRecord& re
 void OdometrySteps::tell(std::vector<TourFinding>& found) const {
     using Kind = TourFinding::Kind;
     const auto tenths = [](double value) { return std::round(value * 10.0) / 10.0; };
-    if (turns_of_degrees_ > 0) {
+    constexpr std::uint64_t kMoreThanOneMistake = 2;
+    if (turns_of_degrees_ >= kMoreThanOneMistake) {
         found.push_back(
-            {Kind::odometry_units, kDegreesPerRadian,
+            {Kind::odometry_units, kRadiansPerDegree,
              message(HITOS_TEXT("Errors",
                                 "the odometry's headings go from one end of a turn to the other in "
                                 "steps of 360, %1 times (first in line %2): they are in degrees, "

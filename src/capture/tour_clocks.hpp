@@ -21,9 +21,13 @@ class DelayTable {
     /// A pair's agreement by column, 0 where there is none; in the order of their times.
     void add(double time_s, const std::vector<double>& agreements);
 
+    /// From the first pair to the last.
+    double begin_s() const { return times_s_.front(); }
+    double seconds() const { return times_s_.back() - times_s_.front(); }
+
     /// A clock, and the mean agreement with it.
     struct Clock {
-        double delay_s = 0.0;   ///< at the first scan
+        double delay_s = 0.0;   ///< at the first pair
         double gained_s = 0.0;  ///< besides, from the first pair to the last, evenly
         double set_by_s = 0.0;  ///< besides, from `set_at_s` on
         double set_at_s = 0.0;

@@ -84,7 +84,7 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
     DelayTable table(step_s, steps);
     std::vector<double> fits(table.columns());
     constexpr std::size_t kTabled = 64;  // to begin from
-    const std::size_t every = pairs.size() / kTabled + 1;
+    const std::size_t every = (pairs.size() + kTabled - 1) / kTabled;
     for (std::size_t place = 0; place < pairs.size(); place += every) {
         for (std::size_t i = 0; i < fits.size(); ++i) {
             Hypothesis other = asked;
@@ -99,8 +99,8 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
     if (const DelayTable::Clock clock = table.drifting(kMostGained);
         clock.agreement + kPromising >= least) {
         Hypothesis start = asked;
-        start.delay_s = clock.delay_s;
-        start.gained = clock.gained_s / seconds;
+        start.gained = clock.gained_s / table.seconds();
+        start.delay_s = clock.delay_s - start.gained * (table.begin_s() - first_scan_s_);
         drifting = refined(fit, start, &Hypothesis::gained, 1.0 / seconds, step_s);
     }
     if (const DelayTable::Clock clock = table.set(kSideClearly);
@@ -120,9 +120,11 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
         // In the midst of a turn one time is as good as another: all pairs tell it better.
         const std::vector<const Pair*> all = some_pairs(2 * pairs.size());
         const double agreed = set.agreement;
-        set = refined([&](const Hypothesis& other) { return agreement(all, other).value_or(0.0); },
-                      set.hypothesis, &Hypothesis::set_by_s, 1.0, step_s);
-        set.agreement = agreed;
+        const BestFit by_all =
+            refined([&](const Hypothesis& other) { return agreement(all, other).value_or(0.0); },
+                    set.hypothesis, &Hypothesis::set_by_s, 1.0, step_s);
+        if (std::abs(by_all.hypothesis.set_by_s) >= kShortestDelay)
+            set = {by_all.hypothesis, agreed};
     }
     const long told = percent(agreement(pairs, asked).value_or(0.0));
     const std::string begin = seconds_words(best.hypothesis.delay_s);

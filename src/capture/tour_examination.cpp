@@ -299,7 +299,8 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
 
 std::vector<const TourExamination::Pair*> TourExamination::some_pairs(std::size_t asked) const {
     std::vector<const Pair*> some;
-    const std::size_t every = std::max<std::size_t>(pairs_.size() / asked, 1);
+    if (asked == 0) return some;
+    const std::size_t every = (pairs_.size() + asked - 1) / asked;
     for (std::size_t i = 0; i < pairs_.size(); i += every) some.push_back(&pairs_[i]);
     return some;
 }

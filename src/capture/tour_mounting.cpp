@@ -45,7 +45,7 @@ BestFit best_fan(const Fit& fit, const Fan& fan) {
     constexpr double kTheSame = 0.04;  // of the told angle
     BestFit best;
     const double told = fan.max_angle_rad - fan.min_angle_rad;
-    if (fan.count < 2 || std::abs(told) > 2.0 * kPi + kStep) return best;
+    if (fan.count < 2 || told == 0.0 || std::abs(told) > 2.0 * kPi + kStep) return best;
     const double middle = wrap_angle(fan.min_angle_rad + told / 2.0);
     const auto try_out = [&](double angle, double turn_rad) {
         const double scale = angle / std::abs(told);
@@ -65,6 +65,7 @@ BestFit best_fan(const Fit& fit, const Fan& fan) {
         others[1].fan_scale += step / std::abs(told);
         return others;
     });
+    if (std::abs(near.hypothesis.fan_scale - 1.0) < kTheSame) return {};
     best.hypothesis.fan_scale = near.hypothesis.fan_scale;
     best.agreement = fit(best.hypothesis);
     return best;
@@ -106,13 +107,12 @@ void TourExamination::doubt_mounting(const Fit& fit, double told, const BestFit&
                                 "not over %2 as is told (%3 % of their points, against %4 %): "
                                 "walls are bent"),
                      degrees(angle * other.fan_scale), degrees(angle), fits, percent(told)),
-             message(
-                 HITOS_TEXT("Errors",
-                            "let the recording say the angles that the laser measures at: %1 "
-                            "degrees from ray to ray, from %2 on"),
-                 fmt::format("{:.3g}",
-                             std::abs(fan_.step_rad()) * other.fan_scale * kDegreesPerRadian),
-                 degrees(other.fan_middle_rad + other.turn_rad - angle * other.fan_scale / 2.0))});
+             message(HITOS_TEXT("Errors",
+                                "let the recording say the angles that the laser measures at: %1 "
+                                "degrees from ray to ray, the middle one at %2"),
+                     fmt::format("{:.3g}",
+                                 std::abs(fan_.step_rad()) * other.fan_scale * kDegreesPerRadian),
+                     degrees(wrap_angle(other.fan_middle_rad + other.turn_rad)))});
         return;
     }
     const double turn_rad = middle_turn(fit, other);

@@ -36,7 +36,7 @@ void start_other(QProcess& other) {
     QVERIFY(other.waitForStarted());
     QTRY_VERIFY(is_kept() || other.state() == QProcess::NotRunning);
     QCOMPARE(other.state(), QProcess::Running);
-    QCOMPARE(RunKeeper::take_left(), QStringList());  // it is that window's
+    QCOMPARE(RunKeeper::take_left(), QString());  // it is that window's
 }
 
 /// The next window tells of it once, and shows it.
@@ -68,7 +68,7 @@ void RunsTest::a_long_run_is_kept_until_it_is_left() {
     f.window->run_keeper().set_long_run(0.0);
     f.run_to_end();
     QTRY_VERIFY(is_kept());
-    QCOMPARE(RunKeeper::take_left(), QStringList());
+    QCOMPARE(RunKeeper::take_left(), QString());
     f.trigger("action_restart");
     QTRY_COMPARE(everything_kept(), QStringList());
     f.run_to_end();

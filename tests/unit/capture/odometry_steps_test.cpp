@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "test_files.hpp"
 
 namespace hitos {
@@ -55,6 +57,27 @@ TEST(OdometrySteps, ATurnIsMadeUpForToo) {
     }
     EXPECT_NEAR(end_of(text).theta, wrap_angle(0.5 * 9.95), 1e-5);
     EXPECT_EQ(read_text("radish", text).findings.size(), 1U);
+}
+
+TEST(OdometrySteps, HeadingsThatStepByATurnOfDegreesAreDegrees) {
+    std::string text;
+    for (int i = 0; i < 400; ++i) {
+        text += reading(0.05 * i, {0.02 * i, 0, std::remainder(5.0 * i, 360.0)});
+    }
+    const Log log = read_text("radish", text);
+    ASSERT_EQ(log.findings.size(), 1U);
+    EXPECT_EQ(log.findings.front().kind, TourFinding::Kind::odometry_units);
+    EXPECT_NEAR(log.findings.front().value, kRadiansPerDegree, 1e-9);
+}
+
+TEST(OdometrySteps, OneHeadingThatIsWrongMakesNoDegrees) {
+    std::string text;
+    for (int i = 0; i < 400; ++i) {
+        text += reading(0.05 * i, {0.02 * i, 0, i < 200 ? 0.0 : 350.0});
+    }
+    for (const TourFinding& finding : read_text("radish", text).findings) {
+        EXPECT_NE(finding.kind, TourFinding::Kind::odometry_units);
+    }
 }
 
 TEST(OdometrySteps, ALeapAfterAHaltStaysALeap) {

@@ -92,5 +92,18 @@ TEST(TourPauses, NothingIsToldOfARobotThatRestsOrIsDriven) {
     EXPECT_TRUE(told({5.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, 1000.0).empty());
 }
 
+TEST(TourExamination, OfHardlyAnythingNothingIsSaid) {
+    TourExamination examination;
+    EXPECT_TRUE(examination.findings().empty());
+    examination.note(Odometria{0.0, {0.5, 0.0}, 1});
+    examination.note(Odometria{0.1, {0.5, 0.0}, 2});
+    Scan scan;
+    scan.time_s = 0.05;
+    scan.points = {{1, 0}, {1, 1}};
+    scan.run_starts = {0};
+    examination.note(scan);
+    EXPECT_TRUE(examination.findings().empty());
+}
+
 }  // namespace
 }  // namespace hitos

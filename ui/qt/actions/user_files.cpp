@@ -63,8 +63,8 @@ QString new_file_of_data(const QString& folder, const QString& name, const QStri
     place.mkpath(QStringLiteral("."));
     QString path;
     for (int number = 1; path.isEmpty() || QFileInfo::exists(path); ++number) {
-        path = place.filePath(
-            QStringLiteral("%1-%2.%3").arg(name.left(kLongestName)).arg(number).arg(ending));
+        path = place.filePath(QStringLiteral("%1-%2.%3")
+                                  .arg(name.left(kLongestName), QString::number(number), ending));
     }
     return path;
 }

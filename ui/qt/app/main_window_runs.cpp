@@ -20,7 +20,8 @@
 namespace hitos::window {
 
 void MainWindow::tell_left_runs() {
-    for (const QString& folder : RunKeeper::take_left()) {
+    // One after the other: what is not told of stays for the next start.
+    for (QString folder; !(folder = RunKeeper::take_left()).isEmpty();) {
         const bool look = prompts_.confirm(
             this, {tr("A run was kept"), tr("Look at the run that was kept?"),
                    tr("Hitos was ended from outside after a long run. Its results are in %1.")

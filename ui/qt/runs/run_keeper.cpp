@@ -61,6 +61,7 @@ void RunKeeper::keep() {
     try {
         lock_ = std::make_shared<FolderLock>(folder);
     } catch (const Error&) {
+        place_.clear();  // it is another window's
         return;
     }
     writing_ = session_.worker()->with_run(write).share();
@@ -74,6 +75,8 @@ void RunKeeper::give_up() {
                                           writing = std::exchange(writing_, {})] {
         if (writing.valid()) writing.wait();
         std::error_code ignored;
+        // First what makes them results: nobody is told of what was taken away half.
+        std::filesystem::remove(results_in(place.toStdString()) / "summary.json", ignored);
         std::filesystem::remove_all(place.toStdString(), ignored);
     });
 }
@@ -84,26 +87,25 @@ void RunKeeper::let_stay() {
     lock_ = nullptr;
 }
 
-QStringList RunKeeper::take_left() {
+QString RunKeeper::take_left() {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + '/' +
                       kFolder);
-    QStringList taken;
-    for (const QString& name : folder.entryList({"*.run"}, QDir::Dirs)) {
+    for (const QString& name : folder.entryList({"*.run"}, QDir::Dirs | QDir::Hidden)) {
         const std::filesystem::path place = folder.filePath(name).toStdString();
         try {
             const FolderLock lock(place);
+            QString own;
             if (std::filesystem::exists(results_in(place) / "summary.json")) {
-                const QString own =
-                    new_file_of_data("results", QFileInfo(name).completeBaseName(), "run");
+                own = new_file_of_data("results", QFileInfo(name).completeBaseName(), "run");
                 std::filesystem::rename(results_in(place), own.toStdString());
-                taken << own;
             }
             std::filesystem::remove_all(place);
+            if (!own.isEmpty()) return own;
         } catch (const std::exception&) {
             continue;  // of a window that is open, or not to be moved
         }
     }
-    return taken;
+    return {};
 }
 
 }  // namespace hitos::window

@@ -3,7 +3,6 @@
 
 #include <QObject>
 #include <QString>
-#include <QStringList>
 #include <future>
 #include <memory>
 
@@ -29,9 +28,9 @@ class RunKeeper final : public QObject {
     /// The window ends without anybody having been asked: what is kept stays.
     void let_stay();
 
-    /// Folders of results that windows which are no more have left. Each is given once: from then
-    /// on they are the user's, in another folder of the program's data.
-    static QStringList take_left();
+    /// A folder of results that a window which is no more has left; empty where there is none. It
+    /// is given once: from then on it is the user's, in another folder of the program's data.
+    static QString take_left();
 
   private:
     void look();

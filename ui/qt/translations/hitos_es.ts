@@ -2703,16 +2703,16 @@
         <translation>los barridos encajan con la odometría si sus rayos abarcan %1 grados, no %2 como se dice (el %3 % de sus puntos, frente al %4 %): las paredes se doblan</translation>
     </message>
     <message>
-        <source>let the recording say the angles that the laser measures at: %1 degrees from ray to ray, from %2 on</source>
-        <translation>haga que la grabación indique los ángulos en que mide el láser: %1 grados de rayo a rayo, desde %2</translation>
-    </message>
-    <message>
         <source>the laser is upside down, or its rays go the other way round: --laser-pose %1; or the odometry counts turns to the right: --set source.odometry=scans</source>
         <translation>el láser está boca abajo o sus rayos van en sentido contrario: --laser-pose %1; o la odometría cuenta los giros a la derecha: --set source.odometry=scans</translation>
     </message>
     <message>
         <source>has changed while it was being worked on; %1 of %2 runs were done before, of the file as it was, and the others are left out; start again when the file is complete</source>
         <translation>ha cambiado mientras se trabajaba con él; %1 de %2 ejecuciones estaban hechas antes, con el archivo tal como era, y las demás se dejan; empiece otra vez cuando el archivo esté completo</translation>
+    </message>
+    <message>
+        <source>let the recording say the angles that the laser measures at: %1 degrees from ray to ray, the middle one at %2</source>
+        <translation>haga que la grabación indique los ángulos en que mide el láser: %1 grados de rayo a rayo, el central a %2</translation>
     </message>
 </context>
 <context>
