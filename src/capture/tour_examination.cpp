@@ -300,7 +300,7 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
 std::vector<const TourExamination::Pair*> TourExamination::some_pairs(std::size_t asked) const {
     std::vector<const Pair*> some;
     if (asked == 0) return some;
-    const std::size_t every = (pairs_.size() + asked - 1) / asked;
+    const std::size_t every = std::max<std::size_t>(pairs_.size() / asked, 1);
     for (std::size_t i = 0; i < pairs_.size(); i += every) some.push_back(&pairs_[i]);
     return some;
 }

@@ -88,7 +88,7 @@ class TourExamination {
                                               double least) const;
     std::optional<double> agreement(const std::vector<const Pair*>& pairs,
                                     const Hypothesis& hypothesis) const;
-    /// No more than are asked, evenly over the tour.
+    /// At least as many as are asked, where there are so many, evenly over the tour.
     std::vector<const Pair*> some_pairs(std::size_t asked) const;
     void doubt_mounting(const Fit& fit, double told, const BestFit& mounted,
                         std::vector<TourFinding>& found) const;
