@@ -94,23 +94,17 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
         table.add(pairs[place]->second.time_s, fits);
     }
     const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
-    BestFit drifting;
-    BestFit set;
-    if (const DelayTable::Clock clock = table.drifting(kMostGained);
-        clock.agreement + kPromising >= least) {
+    const auto from = [&](const DelayTable::Clock& clock, double Hypothesis::*change, double unit) {
+        if (clock.agreement + kPromising < least) return BestFit{};
         Hypothesis start = asked;
         start.gained = clock.gained_s / table.seconds();
         start.delay_s = clock.delay_s - start.gained * (table.begin_s() - first_scan_s_);
-        drifting = refined(fit, start, &Hypothesis::gained, 1.0 / seconds, step_s);
-    }
-    if (const DelayTable::Clock clock = table.set(kSideClearly);
-        clock.agreement + kPromising >= least) {
-        Hypothesis start = asked;
-        start.delay_s = clock.delay_s;
         start.set_by_s = clock.set_by_s;
         start.set_at_s = clock.set_at_s;
-        set = refined(fit, start, &Hypothesis::set_by_s, 1.0, step_s);
-    }
+        return refined(fit, start, change, unit, step_s);
+    };
+    BestFit drifting = from(table.drifting(kMostGained), &Hypothesis::gained, 1.0 / seconds);
+    BestFit set = from(table.set(kSideClearly), &Hypothesis::set_by_s, 1.0);
     const double gained_s = drifting.hypothesis.gained * seconds;
     if (std::abs(gained_s) < kShortestDelay) drifting.agreement = 0.0;
     if (std::abs(set.hypothesis.set_by_s) < kShortestDelay) set.agreement = 0.0;

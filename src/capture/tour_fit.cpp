@@ -115,7 +115,7 @@ void TourExamination::doubt_whole(std::vector<TourFinding>& found) const {
          message(HITOS_TEXT("Errors",
                             "the scans do not lie where the odometry puts them (%1 % of their "
                             "points do), and no other time, mounting or scale explains it"),
-                 std::lround(100.0 * told)),
+                 percent(told)),
          marked(HITOS_TEXT("Errors",
                            "take how it moved from the scans: --set source.odometry=scans"))});
 }
@@ -150,8 +150,7 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
          message(HITOS_TEXT("Errors",
                             "by the scans the robot drives %1 times as far as by the odometry (%2 "
                             "% of their points fit so, %3 % as it is told)"),
-                 fmt::format("{:.2f}", scale), std::lround(100.0 * best.agreement),
-                 std::lround(100.0 * told)),
+                 fmt::format("{:.2f}", scale), percent(best.agreement), percent(told)),
          message(HITOS_TEXT("Errors",
                             "say so: --set source.odometry_scale=%1; or the laser's readings are "
                             "%2 times what they should be: let its driver tell metres"),

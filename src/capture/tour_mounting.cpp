@@ -152,7 +152,7 @@ bool TourExamination::doubt_turns(const Fit& fit, double told, double otherwise,
                                   std::vector<TourFinding>& found) const {
     constexpr double kMuchBetter = 0.2;
     constexpr double kBetterThanNone = 0.1;
-    if (std::max(told, otherwise) + kMuchBetter > 1.0 + kMuchBetter - kClearly) return false;
+    if (told + kMuchBetter > 1.0) return false;
     const auto best_of = [&](double scale) {
         BestFit best;  // where the first heading points is not known then
         for (int i = 0; i < kSectors; ++i) {

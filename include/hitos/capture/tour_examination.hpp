@@ -102,7 +102,7 @@ class TourExamination {
         double rad_per_s = 0.0;  ///< how fast half of them turn, or faster
     };
     Turning turning_pairs() const;
-    /// The same of short delays, where it fits turns better than as well as `otherwise`.
+    /// The same of short delays, where it fits turns clearly better than `otherwise` does.
     std::optional<TourFinding> turning_clock(const Turning& turning, double otherwise) const;
     void doubt_turning(std::vector<TourFinding>& found) const;
     /// Of some pairs: how the robot moved by the odometry and by the scans.

@@ -18,7 +18,7 @@ struct TourFinding {
         ray_times,     ///< a sweep that takes longer than from scan to scan; value: its time [s]
         parts_of_a_turn,  ///< messages that hold some and cannot be joined; value: those
         clock_speed,  ///< the laser's clock runs at another speed; value: to be added a second [s]
-        clock_set,    ///< it was set during the tour; value: by so much [s]
+        clock_set,    ///< it was set during the tour; value: to be added besides from then on [s]
         coarse_stamps,      ///< several scans share a time; value: share of those
         assumed_mounting,   ///< nothing says where the laser sits; value: the lasers
         two_publishers,     ///< a frame goes to and fro between two places; value: how often
