@@ -152,22 +152,28 @@ TEST_F(ResultsFolder, ALinkThatLeadsNowhereIsToldAsThat) {
 
 TEST_F(ResultsFolder, IsWholeWhereARequestTakesTooLong) {
     ASSERT_EQ(shell(run(1)).status, 0);
-    // No step of so many particles is done within a hundredth of a second.
-    const Outcome ended = shell(fmt::format(
-        "HITOS_STOP_SECONDS=0.01 {} --set filter.particles=200000 & sleep 0.7; kill -TERM $!; wait "
-        "$!; echo status $?",
-        run(2)));
-    EXPECT_NE(ended.output.find("status 143"), std::string::npos) << ended.output;
-    EXPECT_EQ(left(), std::vector<std::string>());
-    EXPECT_EQ(shell(verify()).status, 0);
-    EXPECT_EQ(seed_there(), 1);
-    // What was made for it goes too.
-    const Outcome fresh = shell(fmt::format(
-        "HITOS_STOP_SECONDS=0.01 {} run {} --set filter.particles=200000 --out {} & sleep 0.7; "
-        "kill -TERM $!; wait $!; echo status $?",
-        cli_, log_, path("fresh")));
-    EXPECT_NE(fresh.output.find("status 143"), std::string::npos) << fresh.output;
-    EXPECT_EQ(left(), std::vector<std::string>());
+    // What was there stays; what was made for a folder that was not there goes. However fast or
+    // slow the machine, some request falls into a step that takes longer than its patience.
+    for (const char* out : {"out", "fresh"}) {
+        Outcome ended;
+        for (int delay = 0;
+             delay < 40 && ended.output.find("ended before all was written") == std::string::npos;
+             ++delay) {
+            std::filesystem::remove_all(path("fresh"));
+            ASSERT_EQ(shell(run(1)).status, 0);
+            ended =
+                shell(fmt::format("HITOS_STOP_SECONDS=0.01 {} run {} --seed 2 --set "
+                                  "filter.particles=200000 --out {} & sleep {:.2f}; kill -TERM "
+                                  "$!; wait $!; echo status $?",
+                                  cli_, log_, path(out), 0.3 + 0.07 * delay));
+            ASSERT_NE(ended.output.find("status 143"), std::string::npos) << ended.output;
+            ASSERT_EQ(shell(verify()).status, 0);
+        }
+        EXPECT_NE(ended.output.find("ended before all was written"), std::string::npos)
+            << ended.output;
+        EXPECT_EQ(left(), std::vector<std::string>());
+        EXPECT_EQ(seed_there(), 1);
+    }
 }
 
 TEST_F(ResultsFolder, ALogThatCannotBeReadLeavesNoFolder) {
@@ -211,10 +217,14 @@ TEST_F(ResultsFolder, ALogThatChangesMeanwhileGivesTheScansUntilThen) {
     ASSERT_EQ(shell(run(1)).status, 0);
     folder_.put("tour.log.gz", content(log_));
     // It is another file from when the run has begun, however late it ends.
-    const Outcome outcome = shell(fmt::format(
-        "{0} run {1} --config {2} --set filter.particles=3000 --seed 2 --out {3} & sleep 0.5; "
-        "cp {1} {1}.new; mv {1}.new {1}; wait $!; echo status $?",
-        cli_, path("tour.log.gz"), config_, path("out")));
+    Outcome outcome;
+    for (double delay = 0.5; delay < 20.0; delay *= 2.0) {
+        outcome = shell(fmt::format(
+            "{0} run {1} --config {2} --set filter.particles=3000 --seed 2 --out {3} & sleep {4}; "
+            "cp {1} {1}.new; mv {1}.new {1}; wait $!; echo status $?",
+            cli_, path("tour.log.gz"), config_, path("out"), delay));
+        if (outcome.output.find("status 0") == std::string::npos) break;  // before it was opened
+    }
     EXPECT_NE(outcome.output.find("status 1"), std::string::npos) << outcome.output;
     EXPECT_NE(outcome.output.find("has changed while it was being worked on"), std::string::npos)
         << outcome.output;

@@ -79,10 +79,16 @@ std::string UseModel::twice(const Step& step) {
     one_.begin(step.words, variables);
     other_.begin(second.words, variables);
     const std::array<Outcome, 2> outcomes{one_.end(), other_.end()};
+    const bool both_failed = outcomes[0].status != 0 && outcomes[1].status != 0;
     for (const std::string& name : step.writes) {
+        Part& part = parts_[name];
         const Content now = shown_of(raw_of(name));
-        bool known =
-            now == parts_[name].shown && outcomes[0].status != 0 && outcomes[1].status != 0;
+        if (both_failed && now == part.shown) continue;  // begun, or not, as it was
+        if (step.part_of_one) {                          // as in judged_part
+            part.begun = true;
+            continue;
+        }
+        bool known = false;
         for (std::size_t k = 0; k < outcomes.size(); ++k) {
             known = known || (outcomes.at(k).status == 0 && now == after.at(k).shown.at(name));
         }
@@ -92,9 +98,9 @@ std::string UseModel::twice(const Step& step) {
                                apart(after[0].shown.at(name), now), outcomes[0].output,
                                outcomes[1].output);
         }
-        parts_[name].begun = !known;
+        part.begun = !known;
         if (known) {
-            if (now != parts_[name].shown) parts_[name].changed = false;
+            if (now != part.shown) part.changed = false;
             take_over(name);
         }
     }
