@@ -98,11 +98,11 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
     if (std::filesystem::is_directory(target_, ignored)) {
         throw FileError(
             target_.string(),
-            message(HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name")));
+            HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name"));
     }
     if (!target_.has_filename()) {
         throw FileError(target_.string(),
-                        message(HITOS_TEXT("Errors", "cannot be written: it names no file")));
+                        HITOS_TEXT("Errors", "cannot be written: it names no file"));
     }
     struct stat old {};
     const bool replaces = ::stat(target_.c_str(), &old) == 0;
@@ -110,8 +110,8 @@ AtomicFile::AtomicFile(std::filesystem::path target, bool compress_gz)
         // A rename would put a file where the system keeps a device, or where someone reads a pipe.
         throw FileError(
             target_.string(),
-            message(HITOS_TEXT("Errors",
-                               "cannot be written: it is a device or a pipe; choose a file name")));
+            HITOS_TEXT("Errors",
+                       "cannot be written: it is a device or a pipe; choose a file name"));
     }
     open_beside();
     if (replaces) ::fchmod(descriptor_, old.st_mode & 07777U);
@@ -225,9 +225,8 @@ void AtomicFile::fail(const Message& doing) const {
     const int error = errno;
     std::error_code ignored;
     const bool folder_exists = std::filesystem::exists(target_.parent_path(), ignored);
-    throw FileError(target_.string(),
-                    message("%1: %2%3", doing, system_message(error == 0 ? EIO : error),
-                            advice(error, folder_exists)));
+    throw FileError(target_.string(), "%1: %2%3", doing, system_message(error == 0 ? EIO : error),
+                    advice(error, folder_exists));
 }
 
 void remove_temporary_files() noexcept {

@@ -32,14 +32,14 @@ Digest& Digest::add(std::string_view text) {
 
 Digest& Digest::add_file(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read")));
+    if (!file) throw FileError(path.string(), HITOS_TEXT("Errors", "cannot be read"));
     std::string buffer(std::size_t{1} << 16, '\0');
     while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
            file.gcount() > 0) {
         mix(std::string_view(buffer).substr(0, static_cast<std::size_t>(file.gcount())));
     }
     if (file.bad()) {
-        throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read to its end")));
+        throw FileError(path.string(), HITOS_TEXT("Errors", "cannot be read to its end"));
     }
     return *this;
 }

@@ -24,9 +24,8 @@ bool is_there(const fs::path& path) {
 void check_no_folder(const fs::path& place) {
     std::error_code ignored;
     if (!fs::is_directory(place, ignored)) return;
-    throw FileError(
-        place.string(),
-        message(HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name")));
+    throw FileError(place.string(),
+                    HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name"));
 }
 
 FileExchange::FileExchange(fs::path from, fs::path to)
@@ -44,9 +43,8 @@ void FileExchange::add(const std::string& name) {
     if (turn(done_.back())) return;
     const int reason = errno;
     done_.pop_back();
-    throw FileError(
-        (to_ / name).string(),
-        message(HITOS_TEXT("Errors", "cannot be put in place: %1"), system_message(reason)));
+    throw FileError((to_ / name).string(), HITOS_TEXT("Errors", "cannot be put in place: %1"),
+                    system_message(reason));
 }
 
 void FileExchange::flush() const {

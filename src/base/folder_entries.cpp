@@ -45,8 +45,8 @@ std::vector<fs::directory_entry> folder_entries(const fs::path& folder) {
     std::error_code error;
     std::vector<fs::directory_entry> found = folder_entries(folder, error);
     if (!error) return found;
-    throw FileError(folder.string(), message(HITOS_TEXT("Errors", "cannot read: %1"),
-                                             system_message(error.value())));
+    throw FileError(folder.string(), HITOS_TEXT("Errors", "cannot read: %1"),
+                    system_message(error.value()));
 }
 
 void remove_leftovers(const fs::path& folder) {

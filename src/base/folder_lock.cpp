@@ -87,12 +87,11 @@ bool FolderLock::take(const fs::path& folder, short kind) {
     for (;;) {
         descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (descriptor_ < 0) {
-            throw FileError(
-                folder.string(),
-                message(HITOS_TEXT("Errors",
-                                   "cannot be kept for this process: %1: %2; choose a folder that "
-                                   "you may write to"),
-                        file_.string(), system_message(errno)));
+            throw FileError(folder.string(),
+                            HITOS_TEXT("Errors",
+                                       "cannot be kept for this process: %1: %2; choose a folder "
+                                       "that you may write to"),
+                            file_.string(), system_message(errno));
         }
         ::fchmod(descriptor_, 0666);  // whoever may write here may take it over
         const bool held = hold(kind);
@@ -108,11 +107,11 @@ bool FolderLock::take(const fs::path& folder, short kind) {
 void FolderLock::refuse(const fs::path& folder) const {
     const std::string who = holder(descriptor_);
     ::close(descriptor_);
-    throw FileError(folder.string(),
-                    message(HITOS_TEXT("Errors",
-                                       "is being written by %1; wait until it is done, or choose "
-                                       "another folder"),
-                            who));
+    throw FileError(
+        folder.string(),
+        HITOS_TEXT("Errors",
+                   "is being written by %1; wait until it is done, or choose another folder"),
+        who);
 }
 
 void FolderLock::sign() const {

@@ -48,16 +48,16 @@ void check_apart(std::span<const fs::path> outputs, std::span<const fs::path> in
             return !other.empty() && same_place(*output, other);
         };
         if (std::ranges::any_of(inputs, is_it)) {
-            throw FileError(output->string(),
-                            message(HITOS_TEXT("Errors",
-                                               "is read by this very command; choose another name "
-                                               "for what it writes")));
+            throw FileError(
+                output->string(),
+                HITOS_TEXT("Errors",
+                           "is read by this very command; choose another name for what it writes"));
         }
         if (std::any_of(outputs.begin(), output, is_it)) {
-            throw FileError(output->string(),
-                            message(HITOS_TEXT("Errors",
-                                               "is to be written twice; choose another name for "
-                                               "one of the two")));
+            throw FileError(
+                output->string(),
+                HITOS_TEXT("Errors",
+                           "is to be written twice; choose another name for one of the two"));
         }
     }
 }
@@ -78,10 +78,11 @@ void InputFiles::check() const {
         struct stat now {};
         const bool there = ::stat(input->file.c_str(), &now) == 0;
         if (there == input->there && (!there || input->is_still(now))) continue;
-        throw FileError(input->file.string(),
-                        message(HITOS_TEXT("Errors",
-                                           "has changed while it was being worked on; start again "
-                                           "when the file is complete")));
+        throw FileError(
+            input->file.string(),
+            HITOS_TEXT(
+                "Errors",
+                "has changed while it was being worked on; start again when the file is complete"));
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <iterator>
 #include <system_error>
@@ -10,17 +9,13 @@
 namespace hitos {
 namespace {
 
-/// What was found in a file may hold what ends a C string or steers a terminal.
-std::string without_control(std::string words) {
-    const auto steers = [](char c) {
-        const auto byte = static_cast<unsigned char>(c);
-        return (byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f;
-    };
-    if (std::ranges::none_of(words, steers)) return words;
+std::string escaped(std::string_view words, std::string_view but) {
     std::string shown;
     for (const char c : words) {
-        if (steers(c)) {
-            fmt::format_to(std::back_inserter(shown), "\\x{:02x}", static_cast<unsigned char>(c));
+        const auto byte = static_cast<unsigned char>(c);
+        const bool steers = byte < 0x20 || byte == 0x7f;
+        if (steers && but.find(c) == std::string_view::npos) {
+            fmt::format_to(std::back_inserter(shown), "\\x{:02x}", byte);
         } else {
             shown += c;
         }
@@ -29,6 +24,14 @@ std::string without_control(std::string words) {
 }
 
 }  // namespace
+
+std::string without_control(std::string_view words) {
+    return escaped(words, "\n\t");
+}
+
+std::string on_one_line(std::string_view name) {
+    return escaped(name, {});
+}
 
 Message verbatim(std::string words) {
     Message message;

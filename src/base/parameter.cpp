@@ -21,8 +21,8 @@ std::int64_t as_integer(double bound) {
 }
 
 [[noreturn]] void refuse(const ParameterFacts& parameter, const Message& problem) {
-    throw ConfigError(std::string(parameter.key), message(HITOS_TEXT("Errors", "%1; allowed: %2"),
-                                                          problem, parameter.allowed_message()));
+    throw ConfigError(std::string(parameter.key), HITOS_TEXT("Errors", "%1; allowed: %2"), problem,
+                      parameter.allowed_message());
 }
 
 Message out_of_range(std::string_view text) {

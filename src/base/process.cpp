@@ -210,8 +210,8 @@ void keep_standard_input(NamelessFile& file) {
         if (got == 0) return;
         if (got < 0) {
             if (errno == EINTR) continue;
-            throw FileError("/dev/stdin", message(HITOS_TEXT("Errors", "cannot be read: %1"),
-                                                  system_message(errno)));
+            throw FileError("/dev/stdin", HITOS_TEXT("Errors", "cannot be read: %1"),
+                            system_message(errno));
         }
         file.write(std::span(block).first(static_cast<std::size_t>(got)));
     }
@@ -231,10 +231,9 @@ std::string input_named(const std::string& name, const std::string& what) {
     struct stat state {};
     if (::fstat(STDIN_FILENO, &state) != 0 || S_ISREG(state.st_mode)) return kStandardInput;
     if (isatty(STDIN_FILENO) != 0) {
-        throw FileError(kStandardInput,
-                        message(HITOS_TEXT("Errors",
-                                           "is a terminal; expected a file or what another "
-                                           "program writes: hitos-cli … - < FILE")));
+        throw FileError(kStandardInput, HITOS_TEXT("Errors",
+                                                   "is a terminal; expected a file or what another "
+                                                   "program writes: hitos-cli … - < FILE"));
     }
     NamelessFile file(kStandardInput,
                       HITOS_TEXT("Errors",
@@ -243,8 +242,8 @@ std::string input_named(const std::string& name, const std::string& what) {
     keep_standard_input(file);
     // From here on standard input is that file, also for who asks again.
     if (::dup2(file.descriptor(), STDIN_FILENO) < 0) {
-        throw FileError(kStandardInput,
-                        message(HITOS_TEXT("Errors", "cannot be read: %1"), system_message(errno)));
+        throw FileError(kStandardInput, HITOS_TEXT("Errors", "cannot be read: %1"),
+                        system_message(errno));
     }
     return kStandardInput;
 }

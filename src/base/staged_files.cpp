@@ -43,12 +43,11 @@ StagedFiles::File::File(fs::path file)
     std::error_code error;
     fs::remove_all(staging, error);  // whoever left it is no more: the lock was free
     if (!fs::create_directory(staging, error)) {
-        throw FileError(given.string(),
-                        message(HITOS_TEXT("Errors",
-                                           "cannot be written: %1; choose a folder that you may "
-                                           "write to"),
-                                error ? system_message(error.value())
-                                      : message(HITOS_TEXT("Errors", "a file is in its place"))));
+        throw FileError(
+            given.string(),
+            HITOS_TEXT("Errors", "cannot be written: %1; choose a folder that you may write to"),
+            error ? system_message(error.value())
+                  : message(HITOS_TEXT("Errors", "a file is in its place")));
     }
 }
 

@@ -95,19 +95,19 @@ fs::path made_output_folder(fs::path folder) {
     std::error_code error;
     if (fs::is_symlink(folder, error) && !fs::exists(folder, error)) {
         throw FileError(folder.string(),
-                        message(HITOS_TEXT("Errors",
-                                           "is a link to %1, which is not there; make that folder, "
-                                           "or give another with --out"),
-                                fs::read_symlink(folder, error).string()));
+                        HITOS_TEXT("Errors",
+                                   "is a link to %1, which is not there; make that folder, or give "
+                                   "another with --out"),
+                        fs::read_symlink(folder, error).string());
     }
     fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder, error)) {
         throw FileError(
             folder.string(),
-            message(
-                HITOS_TEXT("Errors", "cannot make this output folder: %1; give another with --out"),
-                error ? system_message(error.value())
-                      : message(HITOS_TEXT("Errors", "a file is in its place"))));
+
+            HITOS_TEXT("Errors", "cannot make this output folder: %1; give another with --out"),
+            error ? system_message(error.value())
+                  : message(HITOS_TEXT("Errors", "a file is in its place")));
     }
     return folder;
 }
@@ -127,19 +127,18 @@ StagedFolder::StagedFolder(fs::path folder, Owned owned, std::string seal)
     std::error_code error;
     if (is_there(staging_)) {
         throw FileError(target_.string(),
-                        message(HITOS_TEXT("Errors",
-                                           "cannot be written: %1, which a process has left, "
-                                           "cannot be removed; remove it by hand"),
-                                staging_.string()));
+                        HITOS_TEXT("Errors",
+                                   "cannot be written: %1, which a process has left, cannot be "
+                                   "removed; remove it by hand"),
+                        staging_.string());
     }
     if (::access(target_.c_str(), W_OK) != 0) error = {errno, std::generic_category()};
     if (error || !fs::create_directory(staging_, error)) {
-        throw FileError(target_.string(),
-                        message(HITOS_TEXT("Errors",
-                                           "cannot be written: %1; choose a folder that you may "
-                                           "write to"),
-                                error ? system_message(error.value())
-                                      : message(HITOS_TEXT("Errors", "a file is in its place"))));
+        throw FileError(
+            target_.string(),
+            HITOS_TEXT("Errors", "cannot be written: %1; choose a folder that you may write to"),
+            error ? system_message(error.value())
+                  : message(HITOS_TEXT("Errors", "a file is in its place")));
     }
 }
 

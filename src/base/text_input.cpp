@@ -35,9 +35,8 @@ bool is_bomb(gzFile file, std::size_t unpacked) {
 }
 
 [[noreturn]] void refuse_endless(const std::filesystem::path& path) {
-    throw FileError(
-        path.string(),
-        message(HITOS_TEXT("Errors", "is a device or a pipe; expected a file on a disk")));
+    throw FileError(path.string(),
+                    HITOS_TEXT("Errors", "is a device or a pipe; expected a file on a disk"));
 }
 
 }  // namespace
@@ -46,11 +45,10 @@ std::string read_text(const std::filesystem::path& path, std::size_t largest) {
     std::error_code problem;
     const auto status = std::filesystem::status(path, problem);
     if (status.type() == std::filesystem::file_type::not_found) {
-        throw FileError(path.string(), message(HITOS_TEXT("Errors", "no such file")));
+        throw FileError(path.string(), HITOS_TEXT("Errors", "no such file"));
     }
     if (std::filesystem::is_directory(status)) {
-        throw FileError(path.string(),
-                        message(HITOS_TEXT("Errors", "is a directory; expected a file")));
+        throw FileError(path.string(), HITOS_TEXT("Errors", "is a directory; expected a file"));
     }
     if (!problem && !std::filesystem::is_regular_file(status)) refuse_endless(path);
     errno = 0;
@@ -60,8 +58,8 @@ std::string read_text(const std::filesystem::path& path, std::size_t largest) {
                                                                     : gzdopen(descriptor, "rb"));
     if (!file) {
         if (descriptor >= 0) ::close(descriptor);
-        throw FileError(path.string(),
-                        message(HITOS_TEXT("Errors", "cannot open: %1"), system_message(errno)));
+        throw FileError(path.string(), HITOS_TEXT("Errors", "cannot open: %1"),
+                        system_message(errno));
     }
     std::string text;
     for (;;) {
@@ -71,27 +69,26 @@ std::string read_text(const std::filesystem::path& path, std::size_t largest) {
         text.resize(used + static_cast<std::size_t>(got > 0 ? got : 0));
         if (got <= 0) break;
         if (text.size() > largest) {
-            throw FileError(path.string(), message(HITOS_TEXT("Errors", "is greater than %1 MiB"),
-                                                   largest >> 20U));
+            throw FileError(path.string(), HITOS_TEXT("Errors", "is greater than %1 MiB"),
+                            largest >> 20U);
         }
         if (text.size() > kMuch && is_bomb(file.get(), text.size())) {
             throw FileError(path.string(),
-                            message(HITOS_TEXT("Errors",
-                                               "unpacks to more than %1 MiB, %2 times its size; "
-                                               "expected a text, which packs less well"),
-                                    kMuch >> 20U, kMostTimes));
+                            HITOS_TEXT("Errors",
+                                       "unpacks to more than %1 MiB, %2 times its size; expected a "
+                                       "text, which packs less well"),
+                            kMuch >> 20U, kMostTimes);
         }
     }
     int code = Z_OK;
     const char* reason = gzerror(file.get(), &code);
     if (code == Z_ERRNO && errno == EAGAIN) refuse_endless(path);
     if (code == Z_ERRNO) {
-        throw FileError(path.string(),
-                        message(HITOS_TEXT("Errors", "cannot read: %1"), system_message(errno)));
+        throw FileError(path.string(), HITOS_TEXT("Errors", "cannot read: %1"),
+                        system_message(errno));
     }
     if (code != Z_OK && code != Z_STREAM_END) {
-        throw FileError(path.string(),
-                        message(HITOS_TEXT("Errors", "damaged gzip file: %1"), reason));
+        throw FileError(path.string(), HITOS_TEXT("Errors", "damaged gzip file: %1"), reason);
     }
     return text;
 }
@@ -168,17 +165,8 @@ std::string in_quotes(std::string_view text) {
            (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
         --length;
     }
-    std::string out = "\"";
-    for (const char c : text.substr(0, length)) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 || byte == 0x7f) {
-            out += fmt::format("\\x{:02x}", byte);
-        } else {
-            out += c;
-        }
-    }
-    out += length < text.size() ? "...\"" : "\"";
-    return out;
+    return fmt::format("\"{}{}\"", on_one_line(text.substr(0, length)),
+                       length < text.size() ? "..." : "");
 }
 
 double finite_number(std::string_view word, std::string_view column, const Place& place,
@@ -186,29 +174,27 @@ double finite_number(std::string_view word, std::string_view column, const Place
     const std::optional<double> value = parse_number(word);
     if (value && std::abs(*value) <= greatest) return *value;
     if (value && std::isfinite(*value)) {
-        throw FormatError(
-            place.file, place.line,
-            message(HITOS_TEXT("Errors", "%1 is %2; expected a number from -%3 to %3"), column,
-                    in_quotes(word), fmt::format("{:g}", greatest)));
+        throw FormatError(place.file, place.line,
+                          HITOS_TEXT("Errors", "%1 is %2; expected a number from -%3 to %3"),
+                          column, in_quotes(word), fmt::format("{:g}", greatest));
     }
     if (has_decimal_comma(word)) {
-        throw FormatError(place.file, place.line,
-                          message(HITOS_TEXT("Errors",
-                                             "%1 is %2, with a decimal comma; expected a decimal "
-                                             "point"),
-                                  column, in_quotes(word)));
+        throw FormatError(
+            place.file, place.line,
+            HITOS_TEXT("Errors", "%1 is %2, with a decimal comma; expected a decimal point"),
+            column, in_quotes(word));
     }
     throw FormatError(place.file, place.line,
-                      message(HITOS_TEXT("Errors", "%1 is %2; expected a finite number"), column,
-                              in_quotes(word)));
+                      HITOS_TEXT("Errors", "%1 is %2; expected a finite number"), column,
+                      in_quotes(word));
 }
 
 void require_columns(std::size_t found, std::span<const std::string_view> columns,
                      const Place& place) {
     if (found == columns.size()) return;
     throw FormatError(place.file, place.line,
-                      message(HITOS_TEXT("Errors", "found %1 fields; expected %2 numbers, %3"),
-                              found, columns.size(), fmt::format("{}", fmt::join(columns, " "))));
+                      HITOS_TEXT("Errors", "found %1 fields; expected %2 numbers, %3"), found,
+                      columns.size(), fmt::format("{}", fmt::join(columns, " ")));
 }
 
 }  // namespace hitos::input

@@ -98,9 +98,8 @@ class Scan {
 
 std::string_view checked_toml(std::string_view text, const std::string& file) {
     if (text.size() > kLargestSettings) {
-        throw FormatError(
-            file, 0,
-            message(HITOS_TEXT("Errors", "is greater than %1 MiB"), kLargestSettings >> 20U));
+        throw FormatError(file, 0, HITOS_TEXT("Errors", "is greater than %1 MiB"),
+                          kLargestSettings >> 20U);
     }
     Scan(text, file, true).run();
     return text;

@@ -96,10 +96,10 @@ Fan fitted_fan(const std::vector<double>& bearings, double smallest) {
 
 void FanFitter::fail(const Scan& scan, const Message& problem) const {
     throw FormatError(path_, 0,
-                      message(HITOS_TEXT("Errors",
-                                         "the scan of line %1 (time %2) cannot be written as "
-                                         "ranges: %3; write it in the normalized format"),
-                              scan.line, std::to_string(scan.time_s), problem));
+                      HITOS_TEXT("Errors",
+                                 "the scan of line %1 (time %2) cannot be written as ranges: %3; "
+                                 "write it in the normalized format"),
+                      scan.line, std::to_string(scan.time_s), problem);
 }
 
 void FanFitter::derive(const Scan& scan) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "hitos/base/geometry.hpp"
@@ -21,5 +22,7 @@ struct LaserPose {
 /// "x,y,degrees" or "x,y,degrees,upside-down"; nothing of an empty text. Throws ConfigError, under
 /// the parameter's key, for another one.
 std::optional<LaserPose> laser_pose_of(std::string_view text);
+/// Such a text, to centimetres.
+std::string text_of(const LaserPose& pose);
 
 }  // namespace hitos

@@ -29,8 +29,8 @@ std::string log_format_choices() {
 
 std::string checked_log_format(std::string_view word, const std::string& option) {
     if (word == kAutoFormat || log_formats().knows(word)) return std::string(word);
-    throw ConfigError(option, message(HITOS_TEXT("Errors", "found \"%1\", expected %2"), word,
-                                      message("%1, %2", kAutoFormat, log_formats().either())));
+    throw ConfigError(option, HITOS_TEXT("Errors", "found \"%1\", expected %2"), word,
+                      message("%1, %2", kAutoFormat, log_formats().either()));
 }
 
 std::string log_endings() {
@@ -54,8 +54,8 @@ std::string checked_target_format(std::string_view word, const std::string& opti
     if (log_formats().knows(word) && log_formats().find(word).make_writer != nullptr) {
         return std::string(word);
     }
-    throw ConfigError(option, message(HITOS_TEXT("Errors", "found \"%1\", expected %2"), word,
-                                      log_formats().either(writable)));
+    throw ConfigError(option, HITOS_TEXT("Errors", "found \"%1\", expected %2"), word,
+                      log_formats().either(writable));
 }
 
 std::string format_by_ending(const std::filesystem::path& path, std::string_view wished) {

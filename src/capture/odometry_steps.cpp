@@ -151,17 +151,15 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
     const auto tenths = [](double value) { return std::round(value * 10.0) / 10.0; };
     constexpr std::uint64_t kMoreThanOneMistake = 2;
     if (turns_of_degrees_ >= kMoreThanOneMistake) {
-        found.push_back(
-            {Kind::odometry_units, kRadiansPerDegree,
-             message(HITOS_TEXT("Errors",
-                                "the odometry's headings go from one end of a turn to the other in "
-                                "steps of 360, %1 times (first in line %2): they are in degrees, "
-                                "and are read as radians"),
-                     turns_of_degrees_, turn_line_),
-             marked(
-                 HITOS_TEXT("Errors",
-                            "record them in radians; or take how the robot moved from the scans: "
-                            "--set source.odometry=scans"))});
+        found.push_back({Kind::odometry_units, kRadiansPerDegree,
+                         message(HITOS_TEXT("Errors",
+                                            "the odometry's headings go from one end of a turn to "
+                                            "the other in steps of 360, %1 times (first in line "
+                                            "%2): they are in degrees, and are read as radians"),
+                                 turns_of_degrees_, turn_line_),
+                         marked(HITOS_TEXT("Errors",
+                                           "record them in radians; or take how the robot moved "
+                                           "from the scans: --set source.odometry=scans"))});
         return;
     }
     const bool told = std::ranges::count(found, Kind::two_publishers, &TourFinding::kind) > 0;
@@ -174,8 +172,8 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
                                 "programs tell it, and the map is of neither"),
                      tracks_.returns()),
              marked(HITOS_TEXT("Errors",
-                               "record with one of them only; or take how it moved from the "
-                               "scans: --set source.odometry=scans"))});
+                               "record with one of them only; or take how it moved from the scans: "
+                               "--set source.odometry=scans"))});
         return;
     }
     if (leaps_.count > in_a_row_) {
@@ -184,19 +182,21 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
         const long degrees = std::lround(leaps_.turn_rad * kDegreesPerRadian);
         found.push_back(
             {Kind::leaping_odometry, leaps_.longest_m,
-             turns ? message(HITOS_TEXT("Errors",
-                                        "the odometry's heading leaps, by up to %1 degrees (line "
-                                        "%2) and %3 in all; the robot is taken to drive on there "
-                                        "as before, for a second"),
-                             degrees, leaps_.line, leaps_.count)
-                   : message(HITOS_TEXT("Errors",
-                                        "the odometry leaps, by up to %1 m (line %2) and %3 in "
-                                        "all, as where a driver begins anew; the robot is taken to "
-                                        "drive on there as before, for a second"),
-                             tenths(leaps_.longest_m), leaps_.line, leaps_.count),
-             marked(HITOS_TEXT("Errors",
-                               "map it with registration, which finds what is left of it: --preset "
-                               "recorded"))});
+             turns
+                 ? message(
+                       HITOS_TEXT(
+                           "Errors",
+                           "the odometry's heading leaps, by up to %1 degrees (line %2) and %3 in "
+                           "all; the robot is taken to drive on there as before, for a second"),
+                       degrees, leaps_.line, leaps_.count)
+                 : message(HITOS_TEXT("Errors",
+                                      "the odometry leaps, by up to %1 m (line %2) and %3 in all, "
+                                      "as where a driver begins anew; the robot is taken to drive "
+                                      "on there as before, for a second"),
+                           tenths(leaps_.longest_m), leaps_.line, leaps_.count),
+             marked(HITOS_TEXT(
+                 "Errors",
+                 "map it with registration, which finds what is left of it: --preset recorded"))});
     }
     if (made_up_.count > 0) {
         found.push_back(

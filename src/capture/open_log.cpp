@@ -152,19 +152,18 @@ Message problem_of(const Probe& found) {
 }
 
 [[noreturn]] void refuse_unknown(const std::string& path, const Probe& found) {
-    throw FormatError(path, 0,
-                      message(HITOS_TEXT("Errors", "%1, expected a log (%2); text may be gzip"),
-                              problem_of(found), log_formats().either()));
+    throw FormatError(path, 0, HITOS_TEXT("Errors", "%1, expected a log (%2); text may be gzip"),
+                      problem_of(found), log_formats().either());
 }
 
 [[noreturn]] void refuse_commas(const std::string& path, const Probe& found) {
     throw FormatError(
         path, 0,
-        message(HITOS_TEXT("Errors",
-                           "is written with decimal commas, as programs do under the settings of "
-                           "some languages; expected decimal points, as sed -E "
-                           "'s/([0-9]),([0-9])/\\1.\\2/g' makes of them; the first line is \"%1\""),
-                found.first_line));
+        HITOS_TEXT("Errors",
+                   "is written with decimal commas, as programs do under the settings of some "
+                   "languages; expected decimal points, as sed -E 's/([0-9]),([0-9])/\\1.\\2/g' "
+                   "makes of them; the first line is \"%1\""),
+        found.first_line);
 }
 
 /// Drawings are where worlds come from, but no tours.
@@ -172,27 +171,27 @@ void refuse_drawing(const std::filesystem::path& path, const Probe& found) {
     const std::string& beginning = found.raw_beginning;
     if (beginning.starts_with("AC10")) {
         throw FormatError(path.string(), 0,
-                          message(HITOS_TEXT("Errors",
-                                             "is a DWG drawing, no log; save it as DXF, of which "
-                                             "hitos-cli world makes a world")));
+                          HITOS_TEXT("Errors",
+                                     "is a DWG drawing, no log; save it as DXF, of which hitos-cli "
+                                     "world makes a world"));
     }
     const bool text = found.first_line == "0" && beginning.find("\nSE") != std::string::npos;
     const bool commented = found.first_line == "999" && path.extension() == ".dxf";
     if (!text && !commented && !beginning.starts_with("AutoCAD ")) return;
     throw FormatError(path.string(), 0,
-                      message(HITOS_TEXT("Errors",
-                                         "is a DXF drawing, no log; hitos-cli world makes a world "
-                                         "of it, in which a tour can be driven")));
+                      HITOS_TEXT("Errors",
+                                 "is a DXF drawing, no log; hitos-cli world makes a world of it, "
+                                 "in which a tour can be driven"));
 }
 
 [[noreturn]] void refuse_format(const std::string& path, std::string_view said,
                                 const LogFormat& likely) {
     throw FormatError(
         path, 0,
-        message(
-            HITOS_TEXT("Errors",
-                       "is not in the format %1 but looks like %2; choose the format %2 or auto"),
-            said, likely.word));
+
+        HITOS_TEXT("Errors",
+                   "is not in the format %1 but looks like %2; choose the format %2 or auto"),
+        said, likely.word);
 }
 
 }  // namespace

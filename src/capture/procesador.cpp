@@ -176,13 +176,12 @@ std::vector<TourFinding> Procesador::findings() const {
     steps_.tell(found);
     if (velocities_move_ && !poses_move_ && report_.odometry > 1 &&
         options_.odometry == OdometryFrom::poses) {
-        found.push_back(
-            {TourFinding::Kind::still_odometry, 0.0,
-             marked(HITOS_TEXT("Errors",
-                               "the odometry's poses never change although its velocities do; all "
-                               "scans are put on one place")),
-             marked(
-                 HITOS_TEXT("Errors", "take the velocities: --set source.odometry=velocities"))});
+        found.push_back({TourFinding::Kind::still_odometry, 0.0,
+                         marked(HITOS_TEXT("Errors",
+                                           "the odometry's poses never change although its "
+                                           "velocities do; all scans are put on one place")),
+                         marked(HITOS_TEXT(
+                             "Errors", "take the velocities: --set source.odometry=velocities"))});
     }
     return found;
 }

@@ -31,6 +31,7 @@ void RangeConversor::mount(Readings& readings) const {
     if (!laser_pose_) return;
     Fan& fan = readings.fan;
     fan.pose_robot_laser = laser_pose_->pose_robot_laser;
+    fan.upside_down = laser_pose_->upside_down;
     if (!laser_pose_->upside_down) return;
     fan.min_angle_rad = -fan.min_angle_rad;
     fan.max_angle_rad = -fan.max_angle_rad;

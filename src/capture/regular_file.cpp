@@ -17,11 +17,10 @@ RegularFile::RegularFile(const std::filesystem::path& path) : path_(path) {
         const int error = errno;
         if (error == ENOENT || error == ENOTDIR) {
             throw FileError(path.string(),
-                            message(HITOS_TEXT("Errors", "there is no such file; check the path")));
+                            HITOS_TEXT("Errors", "there is no such file; check the path"));
         }
-        throw FileError(path.string(),
-                        message(HITOS_TEXT("Errors", "cannot be opened for reading: %1"),
-                                system_message(error)));
+        throw FileError(path.string(), HITOS_TEXT("Errors", "cannot be opened for reading: %1"),
+                        system_message(error));
     }
     struct stat status {};
     const bool known = ::fstat(descriptor_, &status) == 0;
@@ -54,8 +53,8 @@ std::size_t RegularFile::read(std::span<char> out) {
         const ssize_t got = ::read(descriptor_, out.data(), out.size());
         if (got >= 0) return static_cast<std::size_t>(got);
         if (errno == EINTR) continue;
-        throw FileError(path_.string(),
-                        message(HITOS_TEXT("Errors", "reading fails: %1"), system_message(errno)));
+        throw FileError(path_.string(), HITOS_TEXT("Errors", "reading fails: %1"),
+                        system_message(errno));
     }
 }
 
@@ -68,8 +67,8 @@ std::size_t RegularFile::read_at(std::uint64_t offset, std::span<char> out) cons
         if (got > 0) {
             done += static_cast<std::size_t>(got);
         } else if (errno != EINTR) {
-            throw FileError(path_.string(), message(HITOS_TEXT("Errors", "reading fails: %1"),
-                                                    system_message(errno)));
+            throw FileError(path_.string(), HITOS_TEXT("Errors", "reading fails: %1"),
+                            system_message(errno));
         }
     }
     return done;
@@ -77,8 +76,8 @@ std::size_t RegularFile::read_at(std::uint64_t offset, std::span<char> out) cons
 
 void RegularFile::seek(std::uint64_t offset) {
     if (::lseek(descriptor_, static_cast<off_t>(offset), SEEK_SET) < 0) {
-        throw FileError(path_.string(),
-                        message(HITOS_TEXT("Errors", "reading fails: %1"), system_message(errno)));
+        throw FileError(path_.string(), HITOS_TEXT("Errors", "reading fails: %1"),
+                        system_message(errno));
     }
 }
 

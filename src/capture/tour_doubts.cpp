@@ -9,6 +9,7 @@
 
 #include "hitos/base/median.hpp"
 #include "hitos/capture/tour_examination.hpp"
+#include "laser_pose.hpp"
 
 namespace hitos {
 namespace {
@@ -36,10 +37,11 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
     if (empty > kMostEmpty) {
         found.push_back(
             {Kind::blind_laser, empty,
-             message(HITOS_TEXT("Errors",
-                                "%1 of %2 scans have no reading that can be used, so there is "
-                                "nothing to map"),
-                     empty_scans_, scans_),
+             message(
+                 HITOS_TEXT(
+                     "Errors",
+                     "%1 of %2 scans have no reading that can be used, so there is nothing to map"),
+                 empty_scans_, scans_),
              marked(HITOS_TEXT("Errors",
                                "look whether the range limits of the recording are swapped or "
                                "tiny; source.max_range sets the greatest range"))});
@@ -47,15 +49,14 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
     const auto typical = static_cast<double>(median(medians_));
     constexpr double kFarthest = 200.0;
     if (typical > kFarthest) {
-        found.push_back(
-            {Kind::laser_units, typical,
-             message(HITOS_TEXT("Errors",
-                                "half of the readings are beyond %1 m, which no such laser sees; "
-                                "the map is that many times too large"),
-                     fmt::format("{:.0f}", typical)),
-             marked(HITOS_TEXT("Errors",
-                               "if they are millimetres, record them as metres, which messages of "
-                               "lasers are in"))});
+        found.push_back({Kind::laser_units, typical,
+                         message(HITOS_TEXT("Errors",
+                                            "half of the readings are beyond %1 m, which no such "
+                                            "laser sees; the map is that many times too large"),
+                                 fmt::format("{:.0f}", typical)),
+                         marked(HITOS_TEXT("Errors",
+                                           "if they are millimetres, record them as metres, which "
+                                           "messages of lasers are in"))});
     }
     const double turn = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
     constexpr double kRounding = 0.9 * kRadiansPerDegree;
@@ -85,14 +86,15 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
         found.push_back(
             {Kind::frozen_laser,
              static_cast<double>(same_scans_) / static_cast<double>(moved_scans_),
-             message(HITOS_TEXT("Errors",
-                                "%1 of %2 scans taken while the robot moved are the same as the "
-                                "one before"),
-                     same_scans_, moved_scans_),
+             message(
+                 HITOS_TEXT(
+                     "Errors",
+                     "%1 of %2 scans taken while the robot moved are the same as the one before"),
+                 same_scans_, moved_scans_),
              2 * same_scans_ <= moved_scans_ && longest_same_run_ < kHung
-                 ? marked(HITOS_TEXT("Errors",
-                                     "look whether scans are published twice, or the laser's "
-                                     "driver hung"))
+                 ? marked(HITOS_TEXT(
+                       "Errors",
+                       "look whether scans are published twice, or the laser's driver hung"))
                  : marked(HITOS_TEXT("Errors", "look whether the laser's driver hung"))});
     }
 }
@@ -106,15 +108,16 @@ void TourExamination::doubt_speed(std::vector<TourFinding>& found) const {
         found.push_back(
             {Kind::odometry_units, speed,
              message(HITOS_TEXT("Errors",
-                                "by the odometry the robot mostly drives at %1 m/s, which none "
-                                "of its kind does"),
+                                "by the odometry the robot mostly drives at %1 m/s, which none of "
+                                "its kind does"),
                      fmt::format("{:.0f}", speed)),
-             speed > kMillimetres ? marked(HITOS_TEXT("Errors",
-                                                      "if its positions are millimetres: --set "
-                                                      "source.odometry_scale=0.001"))
-                                  : marked(HITOS_TEXT("Errors",
-                                                      "if its positions are centimetres: --set "
-                                                      "source.odometry_scale=0.01"))});
+             speed > kMillimetres
+                 ? marked(HITOS_TEXT(
+                       "Errors",
+                       "if its positions are millimetres: --set source.odometry_scale=0.001"))
+                 : marked(HITOS_TEXT(
+                       "Errors",
+                       "if its positions are centimetres: --set source.odometry_scale=0.01"))});
     }
 }
 
@@ -133,11 +136,10 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
     if (leaps_ > 0 && std::ranges::count(found, Kind::odometry_units, &TourFinding::kind) == 0) {
         found.push_back(
             {Kind::leaping_odometry, longest_step_m_,
-             message(
-                 HITOS_TEXT("Errors",
-                            "the odometry leaps, by up to %1 m (line %2) and %3 in all, as where a "
-                            "driver begins anew; the map falls in pieces there"),
-                 fmt::format("{:.1f}", longest_step_m_), longest_step_line_, leaps_),
+             message(HITOS_TEXT("Errors",
+                                "the odometry leaps, by up to %1 m (line %2) and %3 in all, as "
+                                "where a driver begins anew; the map falls in pieces there"),
+                     fmt::format("{:.1f}", longest_step_m_), longest_step_line_, leaps_),
              marked(HITOS_TEXT("Errors", "map it with registration: --preset recorded"))});
     }
     if (way_m_ > 0.0 || turned_rad_ > 0.0) return;
@@ -147,8 +149,8 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
     found.push_back(
         {Kind::still_odometry, 0.0,
          marked(HITOS_TEXT("Errors",
-                           "the scans change and the odometry says that the robot never moved; "
-                           "all scans are put on one place")),
+                           "the scans change and the odometry says that the robot never moved; all "
+                           "scans are put on one place")),
          marked(HITOS_TEXT("Errors",
                            "take how it moved from the scans: --set source.odometry=scans"))});
 }
@@ -160,11 +162,11 @@ void TourExamination::doubt_stamps(std::vector<TourFinding>& found) const {
     if (static_cast<double>(scans_of_one_time_) > kMostOfOneTime * scans) {
         found.push_back(
             {Kind::coarse_stamps, static_cast<double>(scans_of_one_time_) / scans,
-             message(HITOS_TEXT("Errors",
-                                "%1 of %2 scans have the time of the one before: their stamps have "
-                                "too few digits, and how the robot moved between them is not "
-                                "known"),
-                     scans_of_one_time_, scans_ + scans_of_one_time_),
+             message(
+                 HITOS_TEXT("Errors",
+                            "%1 of %2 scans have the time of the one before: their stamps have too "
+                            "few digits, and how the robot moved between them is not known"),
+                 scans_of_one_time_, scans_ + scans_of_one_time_),
              marked(
                  HITOS_TEXT("Errors", "record times with milliseconds, as numbers of 64 bits"))});
         return;
@@ -174,10 +176,10 @@ void TourExamination::doubt_stamps(std::vector<TourFinding>& found) const {
         way_in_no_time_m_ > kMostOfOneTime * way_m_) {
         found.push_back(
             {Kind::coarse_stamps, static_cast<double>(of_no_time_) / readings,
-             message(HITOS_TEXT("Errors",
-                                "%1 of %2 odometry readings are stamped no later than the one "
-                                "before: too coarsely, or by two clocks; how fast the robot moved "
-                                "is not known"),
+             message(HITOS_TEXT(
+                         "Errors",
+                         "%1 of %2 odometry readings are stamped no later than the one before: too "
+                         "coarsely, or by two clocks; how fast the robot moved is not known"),
                      of_no_time_, readings_),
              marked(HITOS_TEXT("Errors",
                                "record times of one clock with milliseconds; or take how it moved "
@@ -218,17 +220,19 @@ void TourExamination::doubt_heading(std::vector<TourFinding>& found) const {
     const double off_rad = std::atan2(across_m_, along_m_) / 2.0;
     if (way_m_ > kLeastWay && std::hypot(along_m_, across_m_) > kOneDirection * way_m_ &&
         std::abs(off_rad) > kOff) {
+        const double whole = std::round(off_rad * kDegreesPerRadian) * kRadiansPerDegree;
+        const Pose turned = compose({0.0, 0.0, whole}, fan_.pose_robot_laser);
         found.push_back(
             {Kind::sideways_odometry, off_rad,
+             message(
+                 HITOS_TEXT("Errors",
+                            "by the odometry the robot always drives %1 degrees off where it "
+                            "looks, which no robot on wheels does: its headings are off by that"),
+                 std::lround(off_rad * kDegreesPerRadian)),
              message(HITOS_TEXT("Errors",
-                                "by the odometry the robot always drives %1 degrees off where it "
-                                "looks, which no robot on wheels does: its headings are off by "
-                                "that"),
-                     std::lround(off_rad * kDegreesPerRadian)),
-             message(HITOS_TEXT("Errors",
-                                "mend the odometry's heading; or, where the scans are to be "
-                                "turned with it: --laser-pose 0,0,%1"),
-                     std::lround(off_rad * kDegreesPerRadian))});
+                                "mend the odometry's heading; or, where the scans are to be turned "
+                                "with it: --laser-pose %1"),
+                     text_of({turned, fan_.upside_down}))});
     }
 }
 

@@ -28,13 +28,13 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     const BestFit late = best_delay(fit, apart != 0.0 ? path_.front().time_s - first_scan_s_ : 0.0);
     const double delay_s = late.hypothesis.delay_s;
     if (apart != 0.0) {
-        Message when = message(
-            HITOS_TEXT("Errors",
-                       "scans are stamped from %1 to %2 s and the odometry from %3 to %4 s: they "
-                       "share no time, so that the robot stands still in the map"),
-            fmt::format("{:.3f}", first_scan_s_), fmt::format("{:.3f}", last_scan_s_),
-            fmt::format("{:.3f}", path_.front().time_s),
-            fmt::format("{:.3f}", path_.back().time_s));
+        Message when =
+            message(HITOS_TEXT("Errors",
+                               "scans are stamped from %1 to %2 s and the odometry from %3 to %4 "
+                               "s: they share no time, so that the robot stands still in the map"),
+                    fmt::format("{:.3f}", first_scan_s_), fmt::format("{:.3f}", last_scan_s_),
+                    fmt::format("{:.3f}", path_.front().time_s),
+                    fmt::format("{:.3f}", path_.back().time_s));
         const bool fits = late.agreement > kLeastFit;
         found.push_back(
             {Kind::clocks_apart, fits ? delay_s : apart, std::move(when),

@@ -116,20 +116,20 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
         found.push_back(
             {Kind::still_odometry, 0.0,
              message(
-                 HITOS_TEXT("Errors",
-                            "in %1 pairs of scans the robot turns %2 degrees by the scans and "
-                            "%3 by the odometry, as where a gyro or an encoder is dead; the map "
-                            "is bent straight"),
+                 HITOS_TEXT(
+                     "Errors",
+                     "in %1 pairs of scans the robot turns %2 degrees by the scans and %3 by the "
+                     "odometry, as where a gyro or an encoder is dead; the map is bent straight"),
                  all.size(), std::lround(turn.scans * kDegreesPerRadian),
                  std::lround(turn.odometry * kDegreesPerRadian)),
              remedy});
     } else if (way.dead(kLeastWay, kNone)) {
         found.push_back(
             {Kind::still_odometry, 0.0,
-             message(HITOS_TEXT("Errors",
-                                "in %1 pairs of scans the robot drives %2 m by the scans and %3 m "
-                                "by the odometry, as where an encoder is dead; the map is pushed "
-                                "together"),
+             message(HITOS_TEXT(
+                         "Errors",
+                         "in %1 pairs of scans the robot drives %2 m by the scans and %3 m by the "
+                         "odometry, as where an encoder is dead; the map is pushed together"),
                      all.size(), fmt::format("{:.1f}", way.scans),
                      fmt::format("{:.1f}", way.odometry)),
              remedy});
@@ -159,12 +159,13 @@ void TourExamination::doubt_motion(std::vector<TourFinding>& found) const {
     if (differ < kLeastPairs || off < kMost * seen_m) return;
     found.push_back(
         {Kind::unfit_odometry, off / seen_m,
-         message(HITOS_TEXT("Errors",
-                            "from scan to scan the odometry is off by %1 % of what the robot "
-                            "drives and turns by the scans, now this way and now that (by more "
-                            "than a hand's breadth in %2 of %3 pairs), as where stamps waver or "
-                            "poses are rounded: walls are blurred"),
-                 percent(off / seen_m), differ, all.size()),
+         message(
+             HITOS_TEXT(
+                 "Errors",
+                 "from scan to scan the odometry is off by %1 % of what the robot drives and turns "
+                 "by the scans, now this way and now that (by more than a hand's breadth in %2 of "
+                 "%3 pairs), as where stamps waver or poses are rounded: walls are blurred"),
+             percent(off / seen_m), differ, all.size()),
          marked(HITOS_TEXT("Errors", "map it with registration: --preset recorded"))});
 }
 

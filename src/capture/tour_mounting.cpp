@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hypothesis_search.hpp"
+#include "laser_pose.hpp"
 
 namespace hitos {
 namespace {
@@ -102,10 +103,10 @@ void TourExamination::doubt_mounting(const Fit& fit, double told, const BestFit&
         const double angle = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
         found.push_back(
             {Kind::wrong_fan, angle * other.fan_scale,
-             message(HITOS_TEXT("Errors",
-                                "the scans fit the odometry where their rays go over %1 degrees, "
-                                "not over %2 as is told (%3 % of their points, against %4 %): "
-                                "walls are bent"),
+             message(HITOS_TEXT(
+                         "Errors",
+                         "the scans fit the odometry where their rays go over %1 degrees, not over "
+                         "%2 as is told (%3 % of their points, against %4 %): walls are bent"),
                      degrees(angle * other.fan_scale), degrees(angle), fits, percent(told)),
              message(HITOS_TEXT("Errors",
                                 "let the recording say the angles that the laser measures at: %1 "
@@ -116,10 +117,9 @@ void TourExamination::doubt_mounting(const Fit& fit, double told, const BestFit&
         return;
     }
     const double turn_rad = middle_turn(fit, other);
-    const Pose& told_pose = pairs_.front().first.pose_robot_laser;
-    const std::string place = fmt::format("{:.3g},{:.3g},{}{}", told_pose.x, told_pose.y,
-                                          degrees(wrap_angle(told_pose.theta + turn_rad)),
-                                          other.mirrored ? ",upside-down" : "");
+    Pose pose = fan_.pose_robot_laser;
+    pose.theta = static_cast<double>(degrees(pose.theta + turn_rad)) * kRadiansPerDegree;
+    const std::string place = text_of({pose, fan_.upside_down != other.mirrored});
     if (other.mirrored) {
         found.push_back(
             {Kind::mirrored_laser, 1.0,
@@ -127,11 +127,12 @@ void TourExamination::doubt_mounting(const Fit& fit, double told, const BestFit&
                                 "the scans turn against the odometry (%1 % of their points fit "
                                 "mirrored, %2 % as they are): the map is a mirror image"),
                      fits, percent(told)),
-             message(HITOS_TEXT("Errors",
-                                "the laser is upside down, or its rays go the other way round: "
-                                "--laser-pose %1; or the odometry counts turns to the right: --set "
-                                "source.odometry=scans"),
-                     place)});
+             message(
+                 HITOS_TEXT(
+                     "Errors",
+                     "the laser is upside down, or its rays go the other way round: --laser-pose "
+                     "%1; or the odometry counts turns to the right: --set source.odometry=scans"),
+                 place)});
         return;
     }
     found.push_back(
@@ -141,10 +142,10 @@ void TourExamination::doubt_mounting(const Fit& fit, double told, const BestFit&
                             "their points fit turned so, %3 % as they are): the map's path and "
                             "walls do not fit each other"),
                  degrees(turn_rad), fits, percent(told)),
-         message(HITOS_TEXT("Errors",
-                            "the laser is mounted otherwise than the recording says: --laser-pose "
-                            "%1"),
-                 place)});
+         message(
+             HITOS_TEXT("Errors",
+                        "the laser is mounted otherwise than the recording says: --laser-pose %1"),
+             place)});
 }
 
 /// Whether headings are in degrees, or were scaled as if they had been.

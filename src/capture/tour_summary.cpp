@@ -34,16 +34,15 @@ class Stamps {
     if (report.examples.empty()) {
         throw FormatError(
             reader.name(), 0,
-            message(
-                HITOS_TEXT("Errors",
-                           "nothing in it can be read as %1; it holds neither scans nor odometry"),
-                reader.format()));
+
+            HITOS_TEXT("Errors",
+                       "nothing in it can be read as %1; it holds neither scans nor odometry"),
+            reader.format());
     }
     const ReadReport::Skip& first = report.examples.front();
-    throw FormatError(
-        reader.name(), report.of_recording ? 0 : first.line,
-        message(HITOS_TEXT("Errors", "nothing in it can be read as %1: %2"), reader.format(),
-                report.of_recording ? report.placed(first) : first.reason));
+    throw FormatError(reader.name(), report.of_recording ? 0 : first.line,
+                      HITOS_TEXT("Errors", "nothing in it can be read as %1: %2"), reader.format(),
+                      report.of_recording ? report.placed(first) : first.reason);
 }
 
 /// A message tells all other control characters in words.

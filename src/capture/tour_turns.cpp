@@ -8,6 +8,7 @@
 
 #include "hitos/base/median.hpp"
 #include "hypothesis_search.hpp"
+#include "laser_pose.hpp"
 #include "turned_step.hpp"
 
 namespace hitos {
@@ -135,17 +136,19 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
         const Point2 shift = placed.hypothesis.shift;
         const double off_m = std::hypot(shift.x, shift.y);
         if (off_m < kNear) return;
-        const Pose& laser = pairs_.front().first.pose_robot_laser;
+        Pose laser = fan_.pose_robot_laser;
+        laser.x += shift.x;
+        laser.y += shift.y;
         found.push_back(
             {Kind::misplaced_laser, off_m,
-             message(HITOS_TEXT("Errors",
-                                "where the robot turns, the scans fit a laser that sits %1 m from "
-                                "where it is said to (%2 % of their points closely, against %3 %): "
-                                "walls are bent there"),
-                     fmt::format("{:.2f}", off_m), percent(best), percent(told)),
+             message(
+                 HITOS_TEXT(
+                     "Errors",
+                     "where the robot turns, the scans fit a laser that sits %1 m from where it is "
+                     "said to (%2 % of their points closely, against %3 %): walls are bent there"),
+                 fmt::format("{:.2f}", off_m), percent(best), percent(told)),
              message(HITOS_TEXT("Errors", "say where it sits: --laser-pose %1"),
-                     fmt::format("{:.2f},{:.2f},{:.3g}", laser.x + shift.x, laser.y + shift.y,
-                                 laser.theta * kDegreesPerRadian))});
+                     text_of({laser, fan_.upside_down}))});
         return;
     }
     constexpr double kNearlyOne = 0.07;
@@ -153,14 +156,15 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
     if (std::abs(scale - 1.0) < kNearlyOne) return;
     found.push_back(
         {Kind::odometry_turns, scale,
-         message(HITOS_TEXT("Errors",
-                            "by the scans the robot turns %1 times as far as by the odometry (%2 % "
-                            "of their points fit closely so, %3 % as it is told): walls fan out "
-                            "where it turns"),
-                 fmt::format("{:.2f}", scale), percent(best), percent(told)),
+         message(
+             HITOS_TEXT(
+                 "Errors",
+                 "by the scans the robot turns %1 times as far as by the odometry (%2 % of their "
+                 "points fit closely so, %3 % as it is told): walls fan out where it turns"),
+             fmt::format("{:.2f}", scale), percent(best), percent(told)),
          marked(HITOS_TEXT("Errors",
-                           "take how it moved from the scans: --set source.odometry=scans; "
-                           "or map it with registration: --preset recorded"))});
+                           "take how it moved from the scans: --set source.odometry=scans; or map "
+                           "it with registration: --preset recorded"))});
 }
 
 }  // namespace hitos

@@ -84,35 +84,34 @@ void add_features(Table& table) {
                   .label = HITOS_TEXT("ParameterLabel", "Corner distance (Es)"),
                   .symbol = "Es"}),
              {where(detect, {"corners", "both"})}));
+    table.push_back(used(real<&ExtractionParams::corner_angle_rad>(
+                             {.key = "features.corner_angle",
+                              .unit = "rad",
+                              .minimum = 0.0,
+                              .maximum = kPi / 2.0,
+                              .description = HITOS_TEXT(
+                                  "Parameter",
+                                  "Least angle between the lines of a corner, modulo pi; a higher "
+                                  "value takes fewer bends for corners, among them those of a wall "
+                                  "that noise has broken; 0 takes any, as the thesis does."),
+                              .label = HITOS_TEXT("ParameterLabel", "Corner angle")}),
+                         {where(detect, {"corners", "both"})}));
     table.push_back(
-        used(real<&ExtractionParams::corner_angle_rad>(
-                 {.key = "features.corner_angle",
-                  .unit = "rad",
-                  .minimum = 0.0,
-                  .maximum = kPi / 2.0,
-                  .description = HITOS_TEXT(
-                      "Parameter",
-                      "Least angle between the lines of a corner, modulo pi; a higher value "
-                      "takes fewer bends for corners, among them those of a wall that noise has "
-                      "broken; 0 takes any, as the thesis does."),
-                  .label = HITOS_TEXT("ParameterLabel", "Corner angle")}),
-             {where(detect, {"corners", "both"})}));
-    table.push_back(used(
-        choice<&ExtractionParams::corner_lines>(
-            {.key = "features.corner_lines",
-             .description = HITOS_TEXT(
-                 "Parameter",
-                 "What corners are the intersections of: the lines as they are detected, or least "
-                 "squares lines over all points of each, which differ where lines go through "
-                 "their end points."),
-             .label = HITOS_TEXT("ParameterLabel", "Corners of"),
-             .choices = {{"detected", HITOS_TEXT("ParameterChoice", "Detected lines")},
-                         {"fitted", HITOS_TEXT("ParameterChoice", "Fitted walls")}}}),
-        {where(detect, {"corners", "both"}),
-         {"split_merge.fit", "endpoints, by which no line of ransac is fitted",
-          [](const Extraction& e) {
-              return e.method != "ransac" && e.split_merge.fit == LineFit::endpoints;
-          }}}));
+        used(choice<&ExtractionParams::corner_lines>(
+                 {.key = "features.corner_lines",
+                  .description =
+                      HITOS_TEXT("Parameter",
+                                 "What corners are the intersections of: the lines as they are "
+                                 "detected, or least squares lines over all points of each, which "
+                                 "differ where lines go through their end points."),
+                  .label = HITOS_TEXT("ParameterLabel", "Corners of"),
+                  .choices = {{"detected", HITOS_TEXT("ParameterChoice", "Detected lines")},
+                              {"fitted", HITOS_TEXT("ParameterChoice", "Fitted walls")}}}),
+             {where(detect, {"corners", "both"}),
+              {"split_merge.fit", "endpoints, by which no line of ransac is fitted",
+               [](const Extraction& e) {
+                   return e.method != "ransac" && e.split_merge.fit == LineFit::endpoints;
+               }}}));
 }
 
 void add_split_merge(Table& table) {

@@ -118,19 +118,18 @@ std::vector<TourFinding> ScanOdometry::findings() const {
     };
     // What counts is how much two scans see in common.
     if (rate > kQuickEnough || far_ * kOneFarIn < scans_) {
-        note(message(HITOS_TEXT("Errors",
-                                "how the robot moved is taken from the scans alone (%1 a second), "
-                                "which cannot tell it where they see the same all "
-                                "along, as in a corridor"),
+        note(message(HITOS_TEXT(
+                         "Errors",
+                         "how the robot moved is taken from the scans alone (%1 a second), which "
+                         "cannot tell it where they see the same all along, as in a corridor"),
                      rounded),
              marked(HITOS_TEXT("Errors",
-                               "record the odometry too where there is some: of ROS its topic, "
-                               "or /tf together with /tf_static")));
+                               "record the odometry too where there is some: of ROS its topic, or "
+                               "/tf together with /tf_static")));
     } else {
         note(message(HITOS_TEXT("Errors",
-                                "how the robot moved is taken from the scans alone, which at "
-                                "%1 a second lie so far apart that they may be matched "
-                                "wrongly"),
+                                "how the robot moved is taken from the scans alone, which at %1 a "
+                                "second lie so far apart that they may be matched wrongly"),
                      rounded),
              marked(HITOS_TEXT("Errors",
                                "record 10 scans a second, or drive slowly, or record the odometry "

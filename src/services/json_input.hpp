@@ -43,10 +43,9 @@ Number whole_number(const Json& json, const char* name, const std::string& file,
     }
     // What is no number at all is refused in JSON's words.
     if (!value.is_number() && !value.is_boolean()) static_cast<void>(value.template get<Number>());
-    throw FormatError(
-        file, 0,
-        message(HITOS_TEXT("Errors", "%1 is %2; expected a whole number from %3 to %4"), name,
-                value.dump(), least, greatest));
+    throw FormatError(file, 0,
+                      HITOS_TEXT("Errors", "%1 is %2; expected a whole number from %3 to %4"), name,
+                      value.dump(), least, greatest);
 }
 
 }  // namespace hitos

@@ -171,8 +171,8 @@ class Driver {
             if (least_s * robot_.control_rate_hz > kMostSteps) {
                 fail(way_point(goal).line,
                      message(HITOS_TEXT("Errors",
-                                        "%1 is %2 m from %3: the tour takes more than %4 "
-                                        "control steps; expected a shorter tour or a faster robot"),
+                                        "%1 is %2 m from %3: the tour takes more than %4 control "
+                                        "steps; expected a shorter tour or a faster robot"),
                              name(goal), fmt::format("{:.0f}", way),
                              goal == 0 ? message(HITOS_TEXT("Errors", "the start"))
                                        : message(HITOS_TEXT("Errors", "the one before")),
@@ -265,10 +265,11 @@ Twist towards(const Pose& pose, const Point2& goal, const RobotParams& robot) {
 
 void check_steps(std::size_t steps) {
     if (steps <= kMostSteps) return;
-    throw ConfigError("tour", message(HITOS_TEXT("Errors",
-                                                 "takes more than %1 control steps; expected a "
-                                                 "shorter tour or a faster robot"),
-                                      kMostSteps));
+    throw ConfigError(
+        "tour",
+        HITOS_TEXT("Errors",
+                   "takes more than %1 control steps; expected a shorter tour or a faster robot"),
+        kMostSteps);
 }
 
 RobotMotion driven(const World& world) {

@@ -211,10 +211,10 @@ void Drawing::read() {
         } else if (section == "ENTITIES" || block != nullptr) {
             if (++count > kMostEntities) {
                 throw FormatError(path_, 0,
-                                  message(HITOS_TEXT("Errors",
-                                                     "holds more than %1 entities; save the layers "
-                                                     "of the walls as a drawing of their own"),
-                                          kMostEntities));
+                                  HITOS_TEXT("Errors",
+                                             "holds more than %1 entities; save the layers of the "
+                                             "walls as a drawing of their own"),
+                                  kMostEntities);
             }
             // What a sheet's block holds is counted with what stands on the sheet itself.
             entity.paper = entity.paper || (block != nullptr && on_sheet);

@@ -89,11 +89,10 @@ std::vector<Wall> without_strays(std::vector<Wall> walls, DxfWalls& result) {
     std::vector<std::string> names;
     names.reserve(strays.size());
     for (const auto& [name, count] : strays) names.push_back(fmt::format("{} {}", count, name));
-    result.warnings.push_back(
-        message(HITOS_TEXT("Errors",
-                           "drawing: left out, farther from the rest than a world reaches: %1; are "
-                           "they in the right place?"),
-                fmt::format("{}", fmt::join(names, ", "))));
+    result.warnings.push_back(message(HITOS_TEXT("Errors",
+                                                 "drawing: left out, farther from the rest than a "
+                                                 "world reaches: %1; are they in the right place?"),
+                                      fmt::format("{}", fmt::join(names, ", "))));
     return walls;
 }
 
@@ -121,8 +120,8 @@ void tell_size(const Bounds& box, const Unit& unit, DxfWalls& result) {
     if (!unit.known && reasonable(std::max(width, height)) && !others.empty()) {
         result.warnings.push_back(message(
             HITOS_TEXT("Errors",
-                       "drawing: as metres, which nothing says, it is %1, large for a place "
-                       "that a robot maps. By other units (--unit, dxf_unit) it is: %2"),
+                       "drawing: as metres, which nothing says, it is %1, large for a place that a "
+                       "robot maps. By other units (--unit, dxf_unit) it is: %2"),
             size, others));
         return;
     }

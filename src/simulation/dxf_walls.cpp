@@ -96,10 +96,10 @@ class Draughtsman {
         budget += amount;
         if (budget <= most) return;
         throw FormatError(path_, 0,
-                          message(HITOS_TEXT("Errors",
-                                             "shows more than %1 pieces, blocks as often as they "
-                                             "are inserted; name the layer of the walls"),
-                                  most));
+                          HITOS_TEXT("Errors",
+                                     "shows more than %1 pieces, blocks as often as they are "
+                                     "inserted; name the layer of the walls"),
+                          most);
     }
 
     /// `on` is the layer that stands for 0 in a block.
@@ -251,11 +251,10 @@ void tell_what_was_drawn(const Draughtsman& by, DxfWalls& result) {
             HITOS_TEXT("Errors", "drawing: left out, of no length seen from above: %1"), by.flat));
     }
     if (by.wide > 0) {
-        result.warnings.push_back(
-            message(HITOS_TEXT("Errors",
-                               "drawing: polylines drawn with a width: %1; their middle lines are "
-                               "taken for walls"),
-                    by.wide));
+        result.warnings.push_back(message(HITOS_TEXT("Errors",
+                                                     "drawing: polylines drawn with a width: %1; "
+                                                     "their middle lines are taken for walls"),
+                                          by.wide));
     }
     warn(by.unread, HITOS_TEXT("Errors",
                                "drawing: %1 cannot be read and may be walls that are missing; "
@@ -277,21 +276,21 @@ void tell_what_was_drawn(const Draughtsman& by, DxfWalls& result) {
     }
     if (rest.empty()) {
         throw FormatError(path.string(), 0,
-                          message(HITOS_TEXT("Errors",
-                                             "%1 holds no wall; expected LINE, LWPOLYLINE or "
-                                             "POLYLINE entities of an ASCII DXF drawing"),
-                                  place));
+                          HITOS_TEXT("Errors",
+                                     "%1 holds no wall; expected LINE, LWPOLYLINE or POLYLINE "
+                                     "entities of an ASCII DXF drawing"),
+                          place);
     }
     throw FormatError(
         path.string(), 0,
-        message(!by.elsewhere.empty()
-                    ? MessageText<2>(HITOS_TEXT(
-                          "Errors", "%1 holds no wall; expected one of the layers that do: %2"))
-                    : MessageText<2>(HITOS_TEXT(
-                          "Errors",
-                          "%1 holds no wall; found %2 that are none, cannot be read, or are hidden "
-                          "(name their layer to have them)")),
-                place, listed(by.elsewhere.empty() ? rest : by.elsewhere)));
+        message(
+            !by.elsewhere.empty()
+                ? MessageText<2>(HITOS_TEXT(
+                      "Errors", "%1 holds no wall; expected one of the layers that do: %2"))
+                : MessageText<2>(HITOS_TEXT("Errors",
+                                            "%1 holds no wall; found %2 that are none, cannot be "
+                                            "read, or are hidden (name their layer to have them)")),
+            place, listed(by.elsewhere.empty() ? rest : by.elsewhere)));
 }
 
 }  // namespace
@@ -300,7 +299,7 @@ DxfWalls read_dxf_walls(const std::filesystem::path& path, const DxfOptions& opt
     std::error_code problem;
     if (std::filesystem::is_directory(path, problem)) {
         throw FileError(path.string(),
-                        message(HITOS_TEXT("Errors", "is a directory; expected a DXF drawing")));
+                        HITOS_TEXT("Errors", "is a directory; expected a DXF drawing"));
     }
     const dxf::Drawing drawing(input::read_text(path, kLargestDrawing), path);
     const dxf::Unit unit = dxf::unit_of(drawing.insunits, options.unit_m);
@@ -312,10 +311,10 @@ DxfWalls read_dxf_walls(const std::filesystem::path& path, const DxfOptions& opt
     if (result.walls.empty()) refuse(path, options, by);
     tell_what_was_drawn(by, result);
     if (!drawing.ended) {
-        result.warnings.push_back(message(
-            HITOS_TEXT("Errors",
-                       "drawing: breaks off before its end (EOF); what followed is missing, its "
-                       "last entity too")));
+        result.warnings.push_back(
+            message(HITOS_TEXT("Errors",
+                               "drawing: breaks off before its end (EOF); what followed is "
+                               "missing, its last entity too")));
     }
     return result;
 }

@@ -13,8 +13,7 @@ OdometryNoiseKind parse_noise_kind(std::string_view word, const std::string& opt
         if (kOdometryNoiseKinds[i].word == word) return static_cast<OdometryNoiseKind>(i);
         words += (i == 0 ? "" : " or ") + std::string(kOdometryNoiseKinds[i].word);
     }
-    throw ConfigError(option,
-                      message(HITOS_TEXT("Errors", "found \"%1\", expected %2"), word, words));
+    throw ConfigError(option, HITOS_TEXT("Errors", "found \"%1\", expected %2"), word, words);
 }
 
 std::string noise_kind_choices() {
@@ -30,8 +29,8 @@ OdometryNoise::OdometryNoise(double level, OdometryNoiseKind kind, std::uint64_t
     : level_(level), kind_(kind), seed_(seed) {
     if (!(level >= 0.0) || !std::isfinite(level)) {
         throw ConfigError("odometry noise",
-                          message(HITOS_TEXT("Errors", "found %1, expected a number of 0 or more"),
-                                  std::to_string(level)));
+                          HITOS_TEXT("Errors", "found %1, expected a number of 0 or more"),
+                          std::to_string(level));
     }
 }
 

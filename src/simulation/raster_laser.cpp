@@ -183,24 +183,22 @@ void check_raster(const std::vector<WallSegment>& walls, const RasterParams& par
     const double columns = (box.most.x - box.least.x) / params.cell_m + 2.0;
     const double rows = (box.most.y - box.least.y) / params.cell_m + 2.0;
     if (columns * rows > kMostCells) {
-        throw ConfigError(
-            "raster.cell",
-            message(HITOS_TEXT("Errors",
-                               "found %1 m for walls over %2 x %3 m, which is %4 cells; expected "
-                               "at most %5, so take greater cells"),
-                    fmt::format("{:g}", params.cell_m),
-                    fmt::format("{:g}", box.most.x - box.least.x),
-                    fmt::format("{:g}", box.most.y - box.least.y),
-                    fmt::format("{:.3g}", columns * rows), fmt::format("{:.3g}", kMostCells)));
+        throw ConfigError("raster.cell",
+                          HITOS_TEXT("Errors",
+                                     "found %1 m for walls over %2 x %3 m, which is %4 cells; "
+                                     "expected at most %5, so take greater cells"),
+                          fmt::format("{:g}", params.cell_m),
+                          fmt::format("{:g}", box.most.x - box.least.x),
+                          fmt::format("{:g}", box.most.y - box.least.y),
+                          fmt::format("{:.3g}", columns * rows), fmt::format("{:.3g}", kMostCells));
     }
 }
 
 WallRaster::WallRaster(const std::vector<WallSegment>& walls, const RasterParams& params)
     : cell_m_(params.cell_m) {
     if (!(cell_m_ > 0.0)) {
-        throw ConfigError("raster.cell",
-                          message(HITOS_TEXT("Errors", "found %1, expected more than 0"),
-                                  fmt::format("{:g}", cell_m_)));
+        throw ConfigError("raster.cell", HITOS_TEXT("Errors", "found %1, expected more than 0"),
+                          fmt::format("{:g}", cell_m_));
     }
     if (walls.empty()) return;
     check_raster(walls, params);

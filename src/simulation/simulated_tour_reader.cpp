@@ -53,11 +53,10 @@ SimulatedTourReader::SimulatedTourReader(std::shared_ptr<const SimulatedTour> to
     if (input::trimmed(options_.laser_pose).empty()) return;
     throw ConfigError(
         kLaserPoseKey,
-        message(HITOS_TEXT("Errors",
-                           "found \"%1\" for the world %2, expected nothing: a world says itself "
-                           "where its laser sits, by laser.mount_x, laser.mount_y and "
-                           "laser.mount_heading"),
-                options_.laser_pose, tour_->world().file));
+        HITOS_TEXT("Errors",
+                   "found \"%1\" for the world %2, expected nothing: a world says itself where its "
+                   "laser sits, by laser.mount_x, laser.mount_y and laser.mount_heading"),
+        options_.laser_pose, tour_->world().file);
 }
 
 std::optional<Scan> SimulatedTourReader::next_scan() {

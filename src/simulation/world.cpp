@@ -46,10 +46,10 @@ class Reading {
         }
         if (!drawing_.empty()) add_drawing();
         if (!world_.tour.way_points.empty() && !world_.tour.commands.empty()) {
-            throw FormatError(path_.string(), world_.tour.commands.front().line,
-                              message(HITOS_TEXT("Errors",
-                                                 "found way_points and commands in [tour], "
-                                                 "expected one of them")));
+            throw FormatError(
+                path_.string(), world_.tour.commands.front().line,
+                HITOS_TEXT("Errors",
+                           "found way_points and commands in [tour], expected one of them"));
         }
         world_lists::check_events(world_, path_);
         return std::move(world_);
@@ -87,8 +87,8 @@ class Reading {
                  message(
                      HITOS_TEXT(
                          "Errors",
-                         "%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, "
-                         "doors, people, seed, [tour], [robot], [laser], [raster] or [odometry]"),
+                         "%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, doors, "
+                         "people, seed, [tour], [robot], [laser], [raster] or [odometry]"),
                      name));
         }
     }
@@ -158,10 +158,10 @@ class Reading {
     void add_segment(const Point2& a, const Point2& b, std::uint64_t line) {
         if (a == b) {
             throw FormatError(path_.string(), line,
-                              message(HITOS_TEXT("Errors",
-                                                 "wall %1: found the point (%2, %3) twice in a "
-                                                 "row, expected two different ones"),
-                                      walls_, fmt::format("{:g}", a.x), fmt::format("{:g}", a.y)));
+                              HITOS_TEXT("Errors",
+                                         "wall %1: found the point (%2, %3) twice in a row, "
+                                         "expected two different ones"),
+                              walls_, fmt::format("{:g}", a.x), fmt::format("{:g}", a.y));
         }
         world_.walls.push_back({a, b, walls_, line});
     }
@@ -251,7 +251,7 @@ World parse_world(std::string_view text, const std::filesystem::path& path) {
     if (world.walls.empty()) {
         throw FormatError(
             path.string(), 0,
-            message(HITOS_TEXT("Errors", "found no walls; expected the key walls or walls_dxf")));
+            HITOS_TEXT("Errors", "found no walls; expected the key walls or walls_dxf"));
     }
     return world;
 }
@@ -260,7 +260,7 @@ std::string read_world_text(const std::filesystem::path& path) {
     std::error_code problem;
     if (std::filesystem::is_directory(path, problem)) {
         throw FileError(path.string(),
-                        message(HITOS_TEXT("Errors", "is a directory; expected a world file")));
+                        HITOS_TEXT("Errors", "is a directory; expected a world file"));
     }
     return input::read_text(path, input::kLargestSettings);
 }

@@ -101,9 +101,7 @@ std::vector<Message> sentences_of(const WorldCheck& check, const World& world) {
                       nearest, radius));
     sentences.push_back(
         check.closed()
-            ? message(HITOS_TEXT("Errors",
-                                 "room: closed, every ray from the start meets a "
-                                 "wall"))
+            ? message(HITOS_TEXT("Errors", "room: closed, every ray from the start meets a wall"))
             : message(HITOS_TEXT("Errors",
                                  "room: open, a ray from the start at %1 degrees meets no wall"),
                       fmt::format("{:.1f}", *check.way_out_rad * 180.0 / kPi)));

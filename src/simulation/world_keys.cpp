@@ -181,8 +181,8 @@ std::vector<WorldKey> make_keys() {
 }
 
 [[noreturn]] void refuse(const WorldKey& key, std::string_view found) {
-    throw ConfigError(std::string(key.key), message(HITOS_TEXT("Errors", "found %1, expected %2"),
-                                                    found, world_values::allowed(key)));
+    throw ConfigError(std::string(key.key), HITOS_TEXT("Errors", "found %1, expected %2"), found,
+                      world_values::allowed(key));
 }
 
 void refuse(const char* key, const Message& problem) {
@@ -216,9 +216,8 @@ const WorldKey& find(std::string_view key) {
     if (near.empty()) {
         for (const WorldKey& other : world_keys()) near.push_back(other.key);
     }
-    throw ConfigError(std::string(key),
-                      message(HITOS_TEXT("Errors", "no such key; expected one of %1"),
-                              fmt::format("{}", fmt::join(near, ", "))));
+    throw ConfigError(std::string(key), HITOS_TEXT("Errors", "no such key; expected one of %1"),
+                      fmt::format("{}", fmt::join(near, ", ")));
 }
 
 void set_number(World& world, const WorldKey& key, double value) {
@@ -243,7 +242,7 @@ void set_world_value(World& world, std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos) {
         throw ConfigError(std::string(assignment),
-                          message(HITOS_TEXT("Errors", "found no \"=\", expected KEY=VALUE")));
+                          HITOS_TEXT("Errors", "found no \"=\", expected KEY=VALUE"));
     }
     const WorldKey& key = world_values::find(assignment.substr(0, equals));
     const std::string_view text = assignment.substr(equals + 1);
@@ -265,15 +264,13 @@ void check(const World& world) {
         if (!key.allows(key.get(world))) refuse(key, key.text(world));
     }
     if (world.walls.empty()) {
-        throw ConfigError("walls",
-                          message(HITOS_TEXT("Errors", "found none, expected one or more")));
+        throw ConfigError("walls", HITOS_TEXT("Errors", "found none, expected one or more"));
     }
     if (world.tour.way_points.empty() && world.tour.commands.empty()) {
-        throw FormatError(
-            world.file, 0,
-            message(HITOS_TEXT("Errors",
-                               "has no tour to drive; expected way_points = [[x, y], ...] or "
-                               "commands in [tour], or drive it by hand in the window")));
+        throw FormatError(world.file, 0,
+                          HITOS_TEXT("Errors",
+                                     "has no tour to drive; expected way_points = [[x, y], ...] or "
+                                     "commands in [tour], or drive it by hand in the window"));
     }
     for (const DriveCommand& command : world.tour.commands) {
         refuse("tour.commands", problem_of(command, world.robot));

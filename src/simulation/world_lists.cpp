@@ -125,11 +125,11 @@ Disturbance event_of(const Path& path, const toml::node& node) {
     const toml::table* table = node.as_table();
     const toml::node* at = table != nullptr ? table->get("at") : nullptr;
     if (at == nullptr || !at->value<double>() || table->size() != 2) {
-        fail(path, node,
-             message(HITOS_TEXT("Errors",
-                                "tour.events: expected { at = SECONDS, KIND = ... } with one of "
-                                "%1"),
-                     words_of_all()));
+        fail(
+            path, node,
+            message(HITOS_TEXT("Errors",
+                               "tour.events: expected { at = SECONDS, KIND = ... } with one of %1"),
+                    words_of_all()));
     }
     Disturbance event;
     event.at_s = *at->value<double>();
@@ -168,9 +168,9 @@ void read_commands(World& world, const Path& path, const toml::node& node) {
         const auto values = numbers(entry, 3);
         if (!values) {
             fail(path, entry,
-                 message(HITOS_TEXT("Errors",
-                                    "tour.commands: expected [speed in m/s, turn rate in rad/s, "
-                                    "seconds]")));
+                 message(HITOS_TEXT(
+                     "Errors",
+                     "tour.commands: expected [speed in m/s, turn rate in rad/s, seconds]")));
         }
         world.tour.commands.push_back(
             {values->at(0), values->at(1), values->at(2), entry.source().begin.line});
@@ -190,9 +190,9 @@ void read_people(World& world, const Path& path, const toml::node& node) {
         const toml::node* way = table != nullptr ? table->get("way") : nullptr;
         if (way == nullptr) {
             fail(path, entry,
-                 message(HITOS_TEXT("Errors",
-                                    "%1: expected { way = [[x, y], [x, y]], speed = 0.8, "
-                                    "radius = 0.25 }"),
+                 message(HITOS_TEXT(
+                             "Errors",
+                             "%1: expected { way = [[x, y], [x, y]], speed = 0.8, radius = 0.25 }"),
                          name));
         }
         Walker walker;

@@ -239,17 +239,17 @@ class WorldText::Change {
         World now = parse_unfinished_world(text_.text(), owner_.path_);
         if (now.walls.size() != expected_.walls.size() && drawn(now) != drawn(expected_)) {
             throw FormatError(owner_.path_.string(), 0,
-                              message(HITOS_TEXT("Errors",
-                                                 "the drawing %1 has changed meanwhile; save the "
-                                                 "world under another name, or open it again"),
-                                      now.drawing.string()));
+                              HITOS_TEXT("Errors",
+                                         "the drawing %1 has changed meanwhile; save the world "
+                                         "under another name, or open it again"),
+                              now.drawing.string());
         }
         if (!same_world(now, expected_)) {
-            throw FormatError(owner_.path_.string(), 0,
-                              message(HITOS_TEXT("Errors",
-                                                 "this change cannot be written as TOML that reads "
-                                                 "back the same; expected finite numbers, and "
-                                                 "polylines of two points or more")));
+            throw FormatError(
+                owner_.path_.string(), 0,
+                HITOS_TEXT("Errors",
+                           "this change cannot be written as TOML that reads back the same; "
+                           "expected finite numbers, and polylines of two points or more"));
         }
         owner_.text_ = text_.text();
         owner_.world_ = std::move(now);
@@ -380,10 +380,10 @@ void WorldText::set(const World& world) {
                                 return same(a.a, b.a) && same(a.b, b.b);
                             })) {
         throw ConfigError("walls_dxf",
-                          message(HITOS_TEXT("Errors",
-                                             "the walls of %1 are changed in the drawing, or "
-                                             "written into the world file in its place"),
-                                  world_.drawing.string()));
+                          HITOS_TEXT("Errors",
+                                     "the walls of %1 are changed in the drawing, or written into "
+                                     "the world file in its place"),
+                          world_.drawing.string());
     }
     change.walls(polylines_of(std::span(world.walls).first(own)));
     Walls doors;

@@ -48,9 +48,8 @@ void add_association(Table& table) {
          .description = HITOS_TEXT(
              "Parameter",
              "How an observation finds its landmark: ml takes the maximum likelihood, with p0 for "
-             "a "
-             "new landmark, and is gnn where an algorithm has no p0; gnn the nearest one inside a "
-             "chi-square gate; jcbb pairs all observations of a scan together."),
+             "a new landmark, and is gnn where an algorithm has no p0; gnn the nearest one inside "
+             "a chi-square gate; jcbb pairs all observations of a scan together."),
          .label = HITOS_TEXT("ParameterLabel", "Association"),
          .card = "observation",
          .choices = {{"ml", HITOS_TEXT("ParameterChoice", "Maximum likelihood")},
@@ -101,8 +100,8 @@ void add_association(Table& table) {
          .maximum = 0.999999999999,
          .description = HITOS_TEXT("Parameter",
                                    "ekf-slam: probability of the chi-square gate outside which an "
-                                   "observation is a new landmark, and between the two "
-                                   "gates nothing; a higher value makes fewer new landmarks."),
+                                   "observation is a new landmark, and between the two gates "
+                                   "nothing; a higher value makes fewer new landmarks."),
          .label = HITOS_TEXT("ParameterLabel", "New landmark gate"),
          .card = "filter"}));
     table.push_back(choice<&Filter::association, &AssociationParams::ambiguity>(
@@ -122,11 +121,10 @@ void add_association(Table& table) {
         {.key = "association.ambiguity_ratio",
          .minimum = 0.0,
          .maximum = 1.0,
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Second best likelihood over the best from which an observation is ambiguous, and "
-             "from "
-             "which two new ones of a scan are one landmark; a higher value does both less often."),
+         .description = HITOS_TEXT("Parameter",
+                                   "Second best likelihood over the best from which an observation "
+                                   "is ambiguous, and from which two new ones of a scan are one "
+                                   "landmark; a higher value does both less often."),
          .label = HITOS_TEXT("ParameterLabel", "Ambiguity ratio")}));
     add_bounded_association(table);
     add_landmarks(table);
@@ -151,11 +149,11 @@ void add_motion(Table& table) {
          .choices = choices_of(motion_models())}));
     table.push_back(choice<&Filter::motion, &MotionParams::unit>(
         {.key = "motion.unit",
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Whether sigma_x, sigma_y and sigma_theta are standard deviations or variances; the "
-             "thesis calls its numbers variances, but only as standard deviations do they give its "
-             "figures."),
+         .description =
+             HITOS_TEXT("Parameter",
+                        "Whether sigma_x, sigma_y and sigma_theta are standard deviations or "
+                        "variances; the thesis calls its numbers variances, but only as standard "
+                        "deviations do they give its figures."),
          .label = HITOS_TEXT("ParameterLabel", "Noise given as"),
          .choices = {{"sigma", HITOS_TEXT("ParameterChoice", "Standard deviations")},
                      {"variance", HITOS_TEXT("ParameterChoice", "Variances")}}}));
@@ -165,11 +163,10 @@ void add_motion(Table& table) {
              .unit = "m or m^2",
              .minimum = 0.0,
              .maximum = 10.0,
-             .description =
-                 HITOS_TEXT("Parameter",
-                            "Constant noise: standard deviation of the motion noise in x per "
-                            "step, or its variance as motion.unit says; a higher value "
-                            "spreads the particles more."),
+             .description = HITOS_TEXT(
+                 "Parameter",
+                 "Constant noise: standard deviation of the motion noise in x per step, or its "
+                 "variance as motion.unit says; a higher value spreads the particles more."),
              .label = HITOS_TEXT("ParameterLabel", "σ x"),
              .symbol = "σ²x",
              .card = "motion"}),
@@ -180,11 +177,10 @@ void add_motion(Table& table) {
              .unit = "m or m^2",
              .minimum = 0.0,
              .maximum = 10.0,
-             .description =
-                 HITOS_TEXT("Parameter",
-                            "Constant noise: standard deviation of the motion noise in y per "
-                            "step, or its variance as motion.unit says; a higher value "
-                            "spreads the particles more."),
+             .description = HITOS_TEXT(
+                 "Parameter",
+                 "Constant noise: standard deviation of the motion noise in y per step, or its "
+                 "variance as motion.unit says; a higher value spreads the particles more."),
              .label = HITOS_TEXT("ParameterLabel", "σ y"),
              .symbol = "σ²y",
              .card = "motion"}),
@@ -195,11 +191,10 @@ void add_motion(Table& table) {
              .unit = "rad or rad^2",
              .minimum = 0.0,
              .maximum = 10.0,
-             .description =
-                 HITOS_TEXT("Parameter",
-                            "Constant noise: standard deviation of the heading noise per step, "
-                            "or its variance as motion.unit says; a higher value spreads "
-                            "the headings more."),
+             .description = HITOS_TEXT(
+                 "Parameter",
+                 "Constant noise: standard deviation of the heading noise per step, or its "
+                 "variance as motion.unit says; a higher value spreads the headings more."),
              .label = HITOS_TEXT("ParameterLabel", "σ θ"),
              .symbol = "σ²θ",
              .card = "motion"}),
@@ -372,10 +367,10 @@ void check_motion(const MotionParams& motion) {
         motion.sigma_theta_rad == 0.0) {
         throw ConfigError(
             "motion.model",
-            message(
-                HITOS_TEXT("Errors",
-                           "no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta "
-                           "all 0 can never move; give at least one of them a value above 0")));
+
+            HITOS_TEXT("Errors",
+                       "no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta all "
+                       "0 can never move; give at least one of them a value above 0"));
     }
 }
 
@@ -393,10 +388,10 @@ void check(const FilterParams& params) {
     if (slam_algorithms().reads(params.algorithm, "association.new_probability") &&
         association.new_probability < association.gate_probability) {
         throw ConfigError("association.new_probability",
-                          message(HITOS_TEXT("Errors",
-                                             "%1 is less than association.gate_probability %2; an "
-                                             "observation inside that gate cannot be new"),
-                                  association.new_probability, association.gate_probability));
+                          HITOS_TEXT("Errors",
+                                     "%1 is less than association.gate_probability %2; an "
+                                     "observation inside that gate cannot be new"),
+                          association.new_probability, association.gate_probability);
     }
 }
 

@@ -32,10 +32,10 @@ void add_registered_motion(FilterTable& table) {
          .unit = "m",
          .minimum = 0.0,
          .maximum = 10.0,
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Registered path: standard deviation that the particles' positions have about it "
-             "besides; a higher value spreads them more everywhere."),
+         .description =
+             HITOS_TEXT("Parameter",
+                        "Registered path: standard deviation that the particles' positions have "
+                        "about it besides; a higher value spreads them more everywhere."),
          .label = HITOS_TEXT("ParameterLabel", "σ position"),
          .card = "motion"}));
     table.push_back(real<&Filter::motion, &MotionParams::registered_heading_rad>(
@@ -43,10 +43,10 @@ void add_registered_motion(FilterTable& table) {
          .unit = "rad",
          .minimum = 0.0,
          .maximum = 3.0,
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Registered path: standard deviation that the particles' headings have about it "
-             "besides; a higher value spreads them more everywhere."),
+         .description =
+             HITOS_TEXT("Parameter",
+                        "Registered path: standard deviation that the particles' headings have "
+                        "about it besides; a higher value spreads them more everywhere."),
          .label = HITOS_TEXT("ParameterLabel", "σ heading"),
          .card = "motion"}));
 }

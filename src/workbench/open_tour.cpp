@@ -29,9 +29,9 @@ std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t 
     if (source.format != kAutoFormat && source.format != "normalized") {
         throw ConfigError(
             "source.format",
-            message(
-                HITOS_TEXT("Errors", "found \"%1\" for the world %2, expected auto: it is no log"),
-                source.format, source.file));
+
+            HITOS_TEXT("Errors", "found \"%1\" for the world %2, expected auto: it is no log"),
+            source.format, source.file);
     }
     auto reader = std::make_unique<SimulatedTourReader>(
         std::make_shared<const SimulatedTour>(open_world(source, run_seed)), source.read);

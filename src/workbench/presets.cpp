@@ -60,8 +60,8 @@ std::string preset_words() {
 const Preset& find_preset(std::string_view word) {
     const auto found = std::ranges::find(presets(), word, &Preset::word);
     if (found != presets().end()) return *found;
-    throw ConfigError("--preset", message(HITOS_TEXT("Errors", "found '%1', expected one of %2"),
-                                          word, preset_words()));
+    throw ConfigError("--preset", HITOS_TEXT("Errors", "found '%1', expected one of %2"), word,
+                      preset_words());
 }
 
 Configuracion preset_configuration(std::string_view word) {
@@ -70,8 +70,8 @@ Configuracion preset_configuration(std::string_view word) {
     if (file.empty()) {
         throw FileError(
             name,
-            message(HITOS_TEXT(
-                "Errors", "is not there; it comes with Hitos: start the program from its folder")));
+            HITOS_TEXT("Errors",
+                       "is not there; it comes with Hitos: start the program from its folder"));
     }
     return ArchivoConfiguracion::read(file);
 }

@@ -74,9 +74,8 @@ std::filesystem::path find_world(const std::string& name) {
         return worlds_folder() / (name + ".toml");
     }
     throw FileError(
-        name,
-        message(HITOS_TEXT("Errors", "no such world file; the worlds that come with Hitos are %1"),
-                fmt::format("{}", fmt::join(worlds, ", "))));
+        name, HITOS_TEXT("Errors", "no such world file; the worlds that come with Hitos are %1"),
+        fmt::format("{}", fmt::join(worlds, ", ")));
 }
 
 std::string source_named(const std::string& name) {
@@ -88,11 +87,10 @@ std::string source_named(const std::string& name) {
     if (std::ranges::find(worlds, name) != worlds.end()) return find_world(name).string();
     throw FileError(
         name,
-        message(
-            HITOS_TEXT(
-                "Errors",
-                "no such log, nor a world of that name; the worlds that come with Hitos are %1"),
-            fmt::format("{}", fmt::join(worlds, ", "))));
+
+        HITOS_TEXT("Errors",
+                   "no such log, nor a world of that name; the worlds that come with Hitos are %1"),
+        fmt::format("{}", fmt::join(worlds, ", ")));
 }
 
 std::filesystem::path Lesson::page(std::string_view language) const {
@@ -125,8 +123,8 @@ std::filesystem::path find_thesis_results() {
     if (path.empty()) {
         throw FileError(
             "data/results.csv",
-            message(HITOS_TEXT(
-                "Errors", "is not there; it comes with Hitos: start the program from its folder")));
+            HITOS_TEXT("Errors",
+                       "is not there; it comes with Hitos: start the program from its folder"));
     }
     return path;
 }

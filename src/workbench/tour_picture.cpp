@@ -167,15 +167,13 @@ void write_tour_picture(const SimulatedTour& tour, const std::filesystem::path& 
     if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
         throw FileError(
             path.string(),
-            message(HITOS_TEXT(
-                        "Errors",
-                        "found the extension \"%1\"; pictures are written as .png, .jpg or .jpeg"),
-                    path.extension().string()));
+            HITOS_TEXT("Errors",
+                       "found the extension \"%1\"; pictures are written as .png, .jpg or .jpeg"),
+            path.extension().string());
     }
     std::vector<std::uint8_t> bytes;
     if (!cv::imencode(extension, drawn(tour), bytes)) {
-        throw FileError(path.string(),
-                        message(HITOS_TEXT("Errors", "the picture could not be encoded")));
+        throw FileError(path.string(), HITOS_TEXT("Errors", "the picture could not be encoded"));
     }
     write_file(path, std::string(bytes.begin(), bytes.end()));
 }

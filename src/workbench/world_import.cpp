@@ -153,11 +153,11 @@ std::vector<Polyline> walls_of_drawing(const std::filesystem::path& file,
 }
 
 [[noreturn]] void refuse_layer_and_unit(const std::filesystem::path& source) {
-    throw ConfigError("layer, unit",
-                      message(HITOS_TEXT("Errors",
-                                         "%1 is no drawing; layers and units are chosen of DXF "
-                                         "drawings (.dxf) alone"),
-                              source.string()));
+    throw ConfigError(
+        "layer, unit",
+        HITOS_TEXT("Errors",
+                   "%1 is no drawing; layers and units are chosen of DXF drawings (.dxf) alone"),
+        source.string());
 }
 
 std::vector<Polyline> walls_of_picture(const OccupancyPicture& picture, double tolerance_m) {
@@ -203,22 +203,21 @@ void refuse_stage_world(const std::filesystem::path& file) {
     if (bitmap.empty()) return;
     throw FormatError(
         file.string(), 0,
-        message(
-            HITOS_TEXT("Errors",
-                       "is a world of Stage, which Hitos does not read; give the picture of its "
-                       "walls, %1, with --resolution: its width in metres (size %2) divided by "
-                       "that in pixels"),
-            bitmap, size.empty() ? "?" : size));
+
+        HITOS_TEXT(
+            "Errors",
+            "is a world of Stage, which Hitos does not read; give the picture of its walls, %1, "
+            "with --resolution: its width in metres (size %2) divided by that in pixels"),
+        bitmap, size.empty() ? "?" : size);
 }
 
 OccupancyPicture picture_of(const std::filesystem::path& source, double resolution_m) {
     if (resolution_m != 0.0) return read_wall_picture(source, resolution_m);
     throw ConfigError("resolution",
-                      message(HITOS_TEXT("Errors",
-                                         "%1 does not tell how large a pixel is; expected the "
-                                         "metres of a pixel, or the YAML file of map_server that "
-                                         "names the picture"),
-                              source.string()));
+                      HITOS_TEXT("Errors",
+                                 "%1 does not tell how large a pixel is; expected the metres of a "
+                                 "pixel, or the YAML file of map_server that names the picture"),
+                      source.string());
 }
 
 }  // namespace
@@ -264,15 +263,15 @@ std::vector<Polyline> import_walls(const std::filesystem::path& source,
             walls = walls_of_picture(picture_of(source, options.resolution_m), options.tolerance_m);
             break;
         case WallSource::world:
-            throw FormatError(source.string(), 0,
-                              message(HITOS_TEXT("Errors",
-                                                 "is a world; expected a drawing, a map, "
-                                                 "a finished run or a picture")));
+            throw FormatError(
+                source.string(), 0,
+                HITOS_TEXT("Errors",
+                           "is a world; expected a drawing, a map, a finished run or a picture"));
     }
     if (walls.empty()) {
         throw FormatError(
             source.string(), 0,
-            message(HITOS_TEXT("Errors", "found no wall; expected straight walls of some length")));
+            HITOS_TEXT("Errors", "found no wall; expected straight walls of some length"));
     }
     return walls;
 }

@@ -77,10 +77,26 @@ TEST_P(OfWorld, ALaserMountedOtherwiseIsTold) {
         const double off = wrap_angle(found->value - degrees * kRadiansPerDegree);
         EXPECT_LE(std::abs(off), 4.0 * kRadiansPerDegree) << degrees;
         EXPECT_NE(found->remedy.english().find("--laser-pose"), std::string::npos);
+        EXPECT_EQ(found->remedy.english().find("upside-down"), std::string::npos);
     }
     Readings mirrored = tour_;
     for (Scan& scan : mirrored.scans) scan = mounted(scan, 0.0, true);
     EXPECT_TRUE(mirrored.of_kind(Kind::mirrored_laser)) << mirrored.said();
+}
+
+TEST_P(OfWorld, WhatIsUpsideDownAlreadyIsAdvisedAsThat) {
+    if (GetParam() == "corridor") GTEST_SKIP() << "it looks alike from its other end";
+    for (const bool mirrored : {false, true}) {
+        Readings turned = tour_;
+        for (Scan& scan : turned.scans) {
+            scan = mounted(scan, mirrored ? 0.0 : kPi / 2.0, mirrored);
+            scan.fan.upside_down = true;
+        }
+        const auto found = turned.of_kind(mirrored ? Kind::mirrored_laser : Kind::turned_laser);
+        ASSERT_TRUE(found) << turned.said();
+        EXPECT_EQ(found->remedy.english().find("upside-down") != std::string::npos, !mirrored)
+            << found->remedy.english();
+    }
 }
 
 TEST_P(OfWorld, UnitsAndBrokenDriversAreTold) {

@@ -281,6 +281,22 @@ TEST_F(CommandLine, ColoursAreForTerminalsAlone) {
     EXPECT_EQ(on_terminal("TERM=dumb NO_COLOR=").find('\033'), std::string::npos);
 }
 
+TEST_F(CommandLine, ANameStaysOnItsLineAndSteersNoTerminal) {
+    const std::string name = "a\nwarning: b\x1b[31m\t.log";
+    folder_.put(name, content(log_));
+    folder_.put("no\nlog", "nothing of a log\n");
+    const std::string known = "'" + path(name) + "'";
+    for (const std::string& command :
+         {"info " + known, "check " + known, "run " + known + " --out '" + path("r\ns") + "'",
+          "convert " + known + " --to carmen --out '" + path("c\nd") + "'",
+          "info '" + path("no\nlog") + "'"}) {
+        const Outcome said = shell(cli_ + " " + command);
+        EXPECT_NE(said.output.find("\\x0a"), std::string::npos) << said.output;
+        EXPECT_EQ(said.output.find("\nwarning: b"), std::string::npos) << said.output;
+        EXPECT_EQ(said.output.find_first_of("\x1b\t"), std::string::npos) << said.output;
+    }
+}
+
 TEST_F(CommandLine, SlipsOfThePenAreToldWithWhatWasMeant) {
     for (const auto& [line, words] : std::vector<std::pair<std::string, std::string>>{
              {"rnu x", "rnu: hitos-cli has no such command; did you mean run?"},

@@ -59,8 +59,8 @@ void convert(const ConvertOptions& options) {
     writer->finish();
     line.finish(report.scans);
     Report said(options.json);
-    said.say("{}: {} scans, {} odometry readings\n{}", options.out, report.scans, report.odometry,
-             damage_text(report));
+    said.say("{}: {} scans, {} odometry readings\n{}", on_one_line(options.out), report.scans,
+             report.odometry, damage_text(report));
     said.object() = {{"file", options.out}, {"format", target}, {"scans", report.scans}};
     said.object()["log"] = parsed_object(to_json(report));
     said.end();

@@ -69,7 +69,7 @@ void tell_first_lines(const SourceInspection& found, Report& report) {
 
 /// Of a recording whose topics are still to be chosen.
 void tell_choice(const std::string& source, const SourceInspection& found, Report& report) {
-    report.say("{}: {}\n", source, found.tour.format);
+    report.say("{}: {}\n", on_one_line(source), found.tour.format);
     report.warn(found.choice.english());
     report.object() = {
         {"source", source}, {"format", found.tour.format}, {"choice", found.choice.english()}};
@@ -80,7 +80,7 @@ void tell(const std::string& source, const SourceInspection& found, Report& repo
     const TourSummary& tour = found.tour;
     const double scan_rate = per_second(tour.report.scans, tour.duration_s);
     const double odometry_rate = per_second(tour.report.odometry, tour.duration_s);
-    report.say("{}: {}\n", source, tour.format);
+    report.say("{}: {}\n", on_one_line(source), tour.format);
     report.say("{} scans ({:.1f}/s), {} odometry readings ({:.1f}/s)\n", tour.report.scans,
                scan_rate, tour.report.odometry, odometry_rate);
     report.say("{:.1f} s from {:.6f} s on, {:.1f} m by the odometry\n", tour.duration_s,
@@ -134,7 +134,7 @@ void check_source(const InfoOptions& options) {
     const SourceInspection found = inspected(options, source);
     if (!found.choice.empty()) throw ConfigError("log", found.choice);
     Report report(options.json);
-    report.say("{}: {}, {} scans, {} odometry readings\n", source, found.tour.format,
+    report.say("{}: {}, {} scans, {} odometry readings\n", on_one_line(source), found.tour.format,
                found.tour.report.scans, found.tour.report.odometry);
     report.say("{}", damage_text(found.tour.report));
     report.object() = {{"source", source},

@@ -56,7 +56,7 @@ void make_relations(RelationsOptions options) {
     write_file(out, relations_text(relations));
     Report report(options.json);
     report.say("{} relations of {} poses in {}\n", relations.size(), trajectory.size(),
-               options.out);
+               on_one_line(options.out));
     report.object() = {
         {"file", options.out}, {"relations", relations.size()}, {"poses", trajectory.size()}};
     report.end();

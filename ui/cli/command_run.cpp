@@ -96,7 +96,7 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
     if (!summary.finished) {
         report.say("stopped: these are the results of the first {} scans\n", summary.scans);
     }
-    report.say("results in {}\n", folder);
+    report.say("results in {}\n", on_one_line(folder));
 }
 
 void check_particle(const std::optional<std::size_t>& particle,

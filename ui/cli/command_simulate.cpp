@@ -74,8 +74,9 @@ void simulate(const SimulateOptions& options) {
     if (!options.out.empty()) line.finish(tour->scans());
     Report report(options.json);
     for (const Message& warning : tour->world().drawing_warnings) report.warn(warning.english());
-    report.say("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n", tour->world().name,
-               tour->path().length_m(), tour->path().duration_s(), tour->scans(), tour->readings());
+    report.say("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n",
+               on_one_line(tour->world().name), tour->path().length_m(), tour->path().duration_s(),
+               tour->scans(), tour->readings());
     report.object() = {{"world", tour->world().name},
                        {"distance_m", tour->path().length_m()},
                        {"duration_s", tour->path().duration_s()},

@@ -32,7 +32,7 @@ StudyLayout study_at(const std::string& place) {
 /// Files with what is wrong with them; `name` is that of their list with --json.
 void tell(Report& report, const std::string& part, const char* name,
           const std::vector<std::string>& files, const char* what) {
-    for (const std::string& file : files) report.say("{}: {}\n", file, what);
+    for (const std::string& file : files) report.say("{}: {}\n", on_one_line(file), what);
     report.object()[part][name] = files;
 }
 

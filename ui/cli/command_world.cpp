@@ -120,8 +120,9 @@ void make_world(WorldOptions options) {
     const World& world = text.world();
     const WorldCheck check = check_world(world);
     Report report(options.json);
-    report.say("{}: {} walls in {} polylines\n", out.empty() ? source.string() : options.out,
-               world.walls.size(), text.walls().size());
+    report.say("{}: {} walls in {} polylines\n",
+               on_one_line(out.empty() ? source.string() : options.out), world.walls.size(),
+               text.walls().size());
     report.object() = {{"source", source.string()},
                        {"file", options.out},
                        {"walls", world.walls.size()},

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "hitos/base/message.hpp"
+
 namespace hitos::cli {
 namespace {
 
@@ -53,7 +55,7 @@ void ProgressLine::finish(std::uint64_t count, const std::string& detail) {
 }
 
 void ProgressLine::say(const std::string& message) {
-    fmt::print(stderr, "{}{}\n", open_ ? "\r\033[K" : "", message);
+    fmt::print(stderr, "{}{}\n", open_ ? "\r\033[K" : "", without_control(message));
     open_ = false;
 }
 

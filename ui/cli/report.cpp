@@ -22,12 +22,16 @@ bool wants_colour() {
 
 }  // namespace
 
+void Report::print(std::string_view words) {
+    fmt::print("{}", without_control(words));
+}
+
 void Report::tell(std::string_view word, const char* colour, std::string_view words) const {
     if (json_) return;
     if (wants_colour()) {
-        fmt::print("\033[{}m{}\033[0m {}\n", colour, word, words);
+        fmt::print("\033[{}m{}\033[0m {}\n", colour, word, without_control(words));
     } else {
-        fmt::print("{} {}\n", word, words);
+        fmt::print("{} {}\n", word, without_control(words));
     }
 }
 

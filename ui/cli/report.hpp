@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "hitos/base/message.hpp"
+
 namespace hitos::cli {
 
 /// Lines appear as they are said; the object appears whole, at end().
@@ -22,7 +24,7 @@ class Report {
     /// Words for people; nothing with --json.
     template <class... Args>
     void say(fmt::format_string<Args...> format, Args&&... args) const {
-        if (!json_) fmt::print(format, std::forward<Args>(args)...);
+        if (!json_) print(fmt::format(format, std::forward<Args>(args)...));
     }
     /// A line "warning: …" or "note: …", its first word in colour where a terminal shows it.
     void warn(std::string_view words) const;
@@ -44,6 +46,7 @@ class Report {
     void end() const;
 
   private:
+    static void print(std::string_view words);
     void tell(std::string_view word, const char* colour, std::string_view words) const;
 
     bool json_;

@@ -15,7 +15,7 @@
 namespace hitos {
 
 /// Base of every error that bad data, bad arguments or the file system can cause. `what()` says it
-/// in English.
+/// in English. Those below take their problem as a message, or as its text and what stands in it.
 class Error : public std::runtime_error {
   public:
     explicit Error(Message message)
@@ -30,8 +30,12 @@ class Error : public std::runtime_error {
 /// A file that cannot be opened, read, written or renamed.
 class FileError : public Error {
   public:
+    template <class... Arguments>
+    FileError(std::string path, MessageText<sizeof...(Arguments)> text,
+              const Arguments&... arguments)
+        : FileError(std::move(path), hitos::message(text, arguments...)) {}
     FileError(std::string path, const Message& problem)
-        : Error(hitos::message("%1: %2", path, problem)), path_(std::move(path)) {}
+        : Error(hitos::message("%1: %2", on_one_line(path), problem)), path_(std::move(path)) {}
     const std::string& path() const { return path_; }
     /// The same of another place: wherever it says `words`, it says `others`.
     FileError replaced(std::string_view words, std::string_view others) const {
@@ -56,6 +60,10 @@ class FormatError : public Error {
           path_(std::move(path)),
           line_(line),
           problem_(std::move(problem)) {}
+    template <class... Arguments>
+    FormatError(std::string path, std::uint64_t line, MessageText<sizeof...(Arguments)> text,
+                const Arguments&... arguments)
+        : FormatError(std::move(path), line, hitos::message(text, arguments...)) {}
     const std::string& path() const { return path_; }
     std::uint64_t line() const { return line_; }
     /// The message without the place.
@@ -67,8 +75,8 @@ class FormatError : public Error {
         if (path.empty()) {
             return hitos::message(HITOS_TEXT("Errors", "line %1: %2"), line, problem);
         }
-        if (line == 0) return hitos::message("%1: %2", path, problem);
-        return hitos::message("%1:%2: %3", path, line, problem);
+        if (line == 0) return hitos::message("%1: %2", on_one_line(path), problem);
+        return hitos::message("%1:%2: %3", on_one_line(path), line, problem);
     }
 
     std::string path_;
@@ -80,7 +88,11 @@ class FormatError : public Error {
 class ConfigError : public Error {
   public:
     ConfigError(std::string key, const Message& problem)
-        : Error(hitos::message("%1: %2", key, problem)), key_(std::move(key)) {}
+        : Error(hitos::message("%1: %2", on_one_line(key), problem)), key_(std::move(key)) {}
+    template <class... Arguments>
+    ConfigError(std::string key, MessageText<sizeof...(Arguments)> text,
+                const Arguments&... arguments)
+        : ConfigError(std::move(key), hitos::message(text, arguments...)) {}
     const std::string& key() const { return key_; }
 
   private:

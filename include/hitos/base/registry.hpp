@@ -41,24 +41,22 @@ class Registry {
         if (closed_) {
             throw ConfigError(
                 key_,
-                message(HITOS_TEXT(
-                            "Errors",
-                            "the %1 \"%2\" comes too late; add it before anything is read or run"),
-                        what_, entry.word));
+                HITOS_TEXT("Errors",
+                           "the %1 \"%2\" comes too late; add it before anything is read or run"),
+                what_, entry.word);
         }
         if (entry.word.empty() || entry.word == "auto") {
             throw ConfigError(
-                key_, message(HITOS_TEXT("Errors",
-                                         "found a %1 of the word \"%2\"; give it one of its own"),
-                              what_, entry.word));
+                key_, HITOS_TEXT("Errors", "found a %1 of the word \"%2\"; give it one of its own"),
+                what_, entry.word);
         }
         if (const Entry* known = look_up(entry.word)) {
             throw ConfigError(
                 key_,
-                message(
-                    HITOS_TEXT("Errors",
-                               "the %1 \"%2\" (%3) is known already as %4; give it another word"),
-                    what_, entry.word, entry.label, known->label));
+
+                HITOS_TEXT("Errors",
+                           "the %1 \"%2\" (%3) is known already as %4; give it another word"),
+                what_, entry.word, entry.label, known->label);
         }
         entries_.push_back(std::move(entry));
     }
@@ -72,8 +70,7 @@ class Registry {
     const Entry& find(std::string_view word) const {
         closed_ = true;
         if (const Entry* entry = look_up(word)) return *entry;
-        throw ConfigError(
-            key_, message(HITOS_TEXT("Errors", "found \"%1\", expected %2"), word, either()));
+        throw ConfigError(key_, HITOS_TEXT("Errors", "found \"%1\", expected %2"), word, either());
     }
     bool knows(std::string_view word) const {
         closed_ = true;

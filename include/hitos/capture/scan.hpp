@@ -19,6 +19,7 @@ struct Fan {
     std::uint32_t count = 0;
     double max_range_m = 0.0;  ///< 0 where the log does not say
     Pose pose_robot_laser;     ///< mounting of the laser; identity where the log does not say
+    bool upside_down = false;  ///< its rays are those of a laser that sits so, turned over already
 
     /// From one ray to the next; 0 where there is one ray only.
     double step_rad() const {

@@ -47,16 +47,15 @@ struct DisturbanceFacts {
 inline constexpr double kFarthest = 1e6;  ///< m; keeps every product of coordinates exact enough
 
 inline constexpr std::array kDisturbances = {
-    DisturbanceFacts{
-        "push",
-        HITOS_TEXT("Disturbance", "Push the robot"),
-        HITOS_TEXT("Disturbance",
-                   "carries the robot ahead [m], to its left [m] and round to its left "
-                   "[degrees]; its wheels do not notice"),
-        {{{HITOS_TEXT("Disturbance", "ahead"), -kFarthest, kFarthest, 1.0},
-          {HITOS_TEXT("Disturbance", "left"), -kFarthest, kFarthest, 0.0},
-          {HITOS_TEXT("Disturbance", "turn"), -360.0, 360.0, 20.0}}},
-        3},
+    DisturbanceFacts{"push",
+                     HITOS_TEXT("Disturbance", "Push the robot"),
+                     HITOS_TEXT("Disturbance",
+                                "carries the robot ahead [m], to its left [m] and round to its "
+                                "left [degrees]; its wheels do not notice"),
+                     {{{HITOS_TEXT("Disturbance", "ahead"), -kFarthest, kFarthest, 1.0},
+                       {HITOS_TEXT("Disturbance", "left"), -kFarthest, kFarthest, 0.0},
+                       {HITOS_TEXT("Disturbance", "turn"), -360.0, 360.0, 20.0}}},
+                     3},
     DisturbanceFacts{
         "slip",
         HITOS_TEXT("Disturbance", "Let a wheel slip"),

@@ -169,24 +169,23 @@ CarmenClocks carmen_clocks(const Fuente& fuente) {
 std::vector<TourFinding> carmen_doubts(const Fuente& fuente, const ReadOptions& options) {
     const CarmenClocks clocks = carmen_clocks(fuente);
     if (clocks.from_logger_s && options.mend == Mend::all) {
-        return {
-            {TourFinding::Kind::coarse_stamps,
-             static_cast<double>(clocks.of_one_time) / static_cast<double>(clocks.asked),
-             message(HITOS_TEXT("Errors",
-                                "%1 of the first %2 stamps are the same as the one before: they "
-                                "have too few digits; the logger's times, the last number of "
-                                "each line, are taken in their place"),
-                     clocks.of_one_time, clocks.asked),
-             marked(
-                 HITOS_TEXT("Errors", "record times with milliseconds, as numbers of 64 bits"))}};
+        return {{TourFinding::Kind::coarse_stamps,
+                 static_cast<double>(clocks.of_one_time) / static_cast<double>(clocks.asked),
+                 message(HITOS_TEXT("Errors",
+                                    "%1 of the first %2 stamps are the same as the one before: "
+                                    "they have too few digits; the logger's times, the last number "
+                                    "of each line, are taken in their place"),
+                         clocks.of_one_time, clocks.asked),
+                 marked(HITOS_TEXT("Errors",
+                                   "record times with milliseconds, as numbers of 64 bits"))}};
     }
     if (!clocks.scans_late_s) return {};
     const double late_s = *clocks.scans_late_s;
     return {
         {TourFinding::Kind::late_stamps, late_s,
          message(HITOS_TEXT("Errors",
-                            "by the logger's times the stamps of %1 are %2 s behind those of "
-                            "%3: the clocks of their computers differ"),
+                            "by the logger's times the stamps of %1 are %2 s behind those of %3: "
+                            "the clocks of their computers differ"),
                  late_s < 0.0 ? "ODOM" : clocks.scans, fmt::format("{:.2f}", std::abs(late_s)),
                  late_s < 0.0 ? clocks.scans : "ODOM"),
          message(HITOS_TEXT("Errors", "add the difference to the scans' times: --scan-delay %1"),

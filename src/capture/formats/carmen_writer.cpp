@@ -88,9 +88,11 @@ TourWriter::Prepared LogWriterCarmen::prepare(const Scan& scan) {
     std::string& out = prepared.text;
     if (!flaser_) flaser_ = is_implied(fan);
     if (*flaser_ && !is_implied(fan)) {
-        fitter_.fail(scan, message(HITOS_TEXT("Errors",
-                                              "its rays are none that FLASER says, as which the "
-                                              "scans before it are written")));
+        fitter_.fail(
+            scan,
+            message(HITOS_TEXT(
+                "Errors",
+                "its rays are none that FLASER says, as which the scans before it are written")));
     }
     if (*flaser_) {
         out += "FLASER ";

@@ -41,10 +41,9 @@ McapWords offered(bool latched) {
 std::filesystem::path without_gz(const std::filesystem::path& path) {
     if (path.extension() != ".gz") return path;
     throw FileError(path.string(),
-                    message(HITOS_TEXT("Errors",
-                                       "cannot be written: MCAP is compressed inside, and no "
-                                       "program reads it inside of gzip; choose a name without "
-                                       ".gz")));
+                    HITOS_TEXT("Errors",
+                               "cannot be written: MCAP is compressed inside, and no program reads "
+                               "it inside of gzip; choose a name without .gz"));
 }
 
 class LogWriterMcap final : public TourWriter {
@@ -134,10 +133,10 @@ std::int64_t LogWriterMcap::stamp(double time_s) const {
     constexpr double kEnd = 2147483648.0;  // a stamp has 32 bits of seconds, with a sign
     if (time_s >= 0.0 && time_s < kEnd - 1.0) return stamp_of(time_s);
     throw FormatError(path_, 0,
-                      message(HITOS_TEXT("Errors",
-                                         "the time %1 cannot be a stamp of ROS, which has 0 to %2 "
-                                         "seconds; write the normalized format"),
-                              time_s, static_cast<std::int64_t>(kEnd) - 2));
+                      HITOS_TEXT("Errors",
+                                 "the time %1 cannot be a stamp of ROS, which has 0 to %2 seconds; "
+                                 "write the normalized format"),
+                      time_s, static_cast<std::int64_t>(kEnd) - 2);
 }
 
 template <class Message>
@@ -155,11 +154,11 @@ const std::string& LogWriterMcap::laser_frame(std::string& out, const Pose& pose
         mounts_, [&](const auto& mount) { return mount.first == pose_robot_laser; });
     if (known != mounts_.end()) return known->second.child_frame;
     if (mounts_.size() == kMostMounts) {
-        throw FormatError(path_, 0,
-                          message(HITOS_TEXT("Errors",
-                                             "its lasers sit in more than %1 places; write the "
-                                             "normalized format"),
-                                  kMostMounts));
+        throw FormatError(
+            path_, 0,
+            HITOS_TEXT("Errors",
+                       "its lasers sit in more than %1 places; write the normalized format"),
+            kMostMounts);
     }
     StampedTransform mount{{stamp_ns, kRobotFrame}, "laser", transform_of(pose_robot_laser)};
     if (!mounts_.empty()) mount.child_frame += "_" + std::to_string(mounts_.size() + 1);

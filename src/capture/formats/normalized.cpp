@@ -52,7 +52,10 @@ std::optional<Scan> ConversorNormalized::scan(const RawLine& line) {
     Scan scan;
     scan.line = line.number;
     scan.time_s = fields.number("time");
-    if (laser_pose_) scan.fan.pose_robot_laser = laser_pose_->pose_robot_laser;
+    if (laser_pose_) {
+        scan.fan.pose_robot_laser = laser_pose_->pose_robot_laser;
+        scan.fan.upside_down = laser_pose_->upside_down;
+    }
     // A scan that hit nothing is one too.
     const std::uint32_t count = fields.count("n", 0);
     const double greatest = options_.max_range_m;

@@ -52,8 +52,8 @@ class Header {
     const std::string& text(const char* name) const {
         const auto found = fields_.find(name);
         if (found != fields_.end()) return found->second;
-        throw FormatError(
-            {}, 0, message(HITOS_TEXT("Errors", "found a record without the field \"%1\""), name));
+        throw FormatError({}, 0, HITOS_TEXT("Errors", "found a record without the field \"%1\""),
+                          name);
     }
     /// A field of so many bytes. Throws FormatError.
     template <class Number>
@@ -61,9 +61,8 @@ class Header {
         const std::string& bytes = text(name);
         if (bytes.size() != sizeof(Number)) {
             throw FormatError(
-                {}, 0,
-                message(HITOS_TEXT("Errors", "found %2 bytes in the field \"%1\", expected %3"),
-                        name, bytes.size(), sizeof(Number)));
+                {}, 0, HITOS_TEXT("Errors", "found %2 bytes in the field \"%1\", expected %3"),
+                name, bytes.size(), sizeof(Number));
         }
         std::uint64_t value = 0;
         for (std::size_t i = sizeof(Number); i-- > 0;) {
@@ -75,8 +74,7 @@ class Header {
 
   private:
     [[noreturn]] static void fail() {
-        throw FormatError({}, 0,
-                          message(HITOS_TEXT("Errors", "the header of a record is damaged")));
+        throw FormatError({}, 0, HITOS_TEXT("Errors", "the header of a record is damaged"));
     }
     std::map<std::string, std::string, std::less<>> fields_;
 };
@@ -88,13 +86,12 @@ class Bag final : public ChunkedRecording {
         const std::size_t got = records().read(magic);
         const std::string_view found{magic.data(), got};
         if (found == kBagMagic) return;
-        throw FormatError(
-            path.string(), 0,
-            message(
-                HITOS_TEXT("Errors",
-                           "is a ROS bag that begins with \"%1\", expected version 2.0; convert "
-                           "it with \"rosbag fix\""),
-                found.substr(0, found.find('\n'))));
+        throw FormatError(path.string(), 0,
+
+                          HITOS_TEXT("Errors",
+                                     "is a ROS bag that begins with \"%1\", expected version 2.0; "
+                                     "convert it with \"rosbag fix\""),
+                          found.substr(0, found.find('\n')));
     }
 
   protected:
@@ -103,7 +100,7 @@ class Bag final : public ChunkedRecording {
         const std::size_t got = from.read(length);
         if (got == 0) return Step::end;
         if (got < length.size()) {
-            throw FormatError({}, 0, message(HITOS_TEXT("Errors", "the data end early")));
+            throw FormatError({}, 0, HITOS_TEXT("Errors", "the data end early"));
         }
         std::uint32_t header_length = 0;
         for (std::size_t i = length.size(); i-- > 0;) {
@@ -130,10 +127,9 @@ class Bag final : public ChunkedRecording {
             case Op::chunk_info:
                 break;
             default:
-                throw FormatError(
-                    {}, 0,
-                    message(HITOS_TEXT("Errors", "found a record of the unknown kind %1"),
-                            unsigned{op}));
+                throw FormatError({}, 0,
+                                  HITOS_TEXT("Errors", "found a record of the unknown kind %1"),
+                                  unsigned{op});
         }
         data.finish();
         return Step::passed;
@@ -155,9 +151,9 @@ class Bag final : public ChunkedRecording {
         if (known == connections_.end()) {
             throw FormatError(
                 {}, 0,
-                message(HITOS_TEXT("Errors",
-                                   "found a message of the connection %1, which nothing describes"),
-                        id));
+                HITOS_TEXT("Errors",
+                           "found a message of the connection %1, which nothing describes"),
+                id);
         }
         constexpr std::int64_t kSecond = 1'000'000'000;
         const auto seconds = static_cast<std::int64_t>(time & 0xffff'ffffU);
@@ -169,16 +165,14 @@ class Bag final : public ChunkedRecording {
         const auto id = header.number<std::uint32_t>("conn");
         if (connections_.contains(id)) return;  // each chunk and the index tell it again
         if (connections_.size() == kMostTopics) {
-            throw FormatError({}, 0,
-                              message(HITOS_TEXT("Errors", "more than %1 topics"), kMostTopics));
+            throw FormatError({}, 0, HITOS_TEXT("Errors", "more than %1 topics"), kMostTopics);
         }
         // Behind a message definition of any length comes what matters: its fields are pairs too.
         constexpr std::uint64_t kLongest = std::uint64_t{8} << 20;
         if (data.left() > kLongest) {
             throw FormatError(
-                {}, 0,
-                message(HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most %2"),
-                        data.left(), kLongest));
+                {}, 0, HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most %2"),
+                data.left(), kLongest);
         }
         std::string type;
         while (data.left() > 0) {
@@ -194,9 +188,8 @@ class Bag final : public ChunkedRecording {
         }
         if (header.text("topic").size() > kLongestWord) {
             throw FormatError(
-                {}, 0,
-                message(HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most %2"),
-                        header.text("topic").size(), kLongestWord));
+                {}, 0, HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most %2"),
+                header.text("topic").size(), kLongestWord);
         }
         connections_.emplace(id, &topics().of(header.text("topic"), std::move(type), "ros1"));
     }

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 
 [[noreturn]] void fail_early() {
-    throw FormatError({}, 0, message(HITOS_TEXT("Errors", "the data end early")));
+    throw FormatError({}, 0, HITOS_TEXT("Errors", "the data end early"));
 }
 
 }  // namespace
@@ -80,9 +80,9 @@ Section Section::section(std::uint64_t length) {
     if (length > left_) {
         throw FormatError(
             {}, 0,
-            message(
-                HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most the %2 left"),
-                length, left_));
+
+            HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most the %2 left"),
+            length, left_);
     }
     return {*this, length};
 }
@@ -93,10 +93,9 @@ void Section::take(std::span<char> out) {
 
 std::string Section::take_text(std::uint64_t length, std::uint64_t most) {
     if (length > left_ || length > most) {
-        throw FormatError(
-            {}, 0,
-            message(HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most %2"), length,
-                    std::min(left_, most)));
+        throw FormatError({}, 0,
+                          HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most %2"),
+                          length, std::min(left_, most));
     }
     std::string text(length, '\0');
     take(text);

@@ -123,14 +123,13 @@ Section ChunkedRecording::open_record(Section& from, std::uint64_t length, bool 
 void ChunkedRecording::enter_chunk(Section& record, std::string_view compression,
                                    std::uint64_t size, std::uint32_t checksum) {
     if (chunk_) {
-        throw FormatError({}, 0, message(HITOS_TEXT("Errors", "found a chunk inside a chunk")));
+        throw FormatError({}, 0, HITOS_TEXT("Errors", "found a chunk inside a chunk"));
     }
     if (size > kLargestChunk) {
         throw FormatError(
             {}, 0,
-            message(HITOS_TEXT("Errors",
-                               "found a chunk of %1 bytes once unpacked, expected at most %2"),
-                    size, kLargestChunk));
+            HITOS_TEXT("Errors", "found a chunk of %1 bytes once unpacked, expected at most %2"),
+            size, kLargestChunk);
     }
     // The record's own section ends with the caller: the same bytes from the file.
     auto chunk = std::make_unique<Chunk>(records_, record.left(), compression, size, record_begin_);

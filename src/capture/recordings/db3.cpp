@@ -115,10 +115,9 @@ class Db3 final : public Recording {
 
     [[noreturn]] void fail() const {
         if (sqlite3_errcode(database_.get()) == SQLITE_NOMEM) throw std::bad_alloc();
-        throw FormatError(path_.string(), 0,
-                          message(HITOS_TEXT("Errors", "cannot be read as a recording: %1"),
-                                  pages_.cut() ? pages_.problems().front()
-                                               : verbatim(sqlite3_errmsg(database_.get()))));
+        throw FormatError(
+            path_.string(), 0, HITOS_TEXT("Errors", "cannot be read as a recording: %1"),
+            pages_.cut() ? pages_.problems().front() : verbatim(sqlite3_errmsg(database_.get())));
     }
 
     Statement prepare(const char* sql) const {
@@ -137,10 +136,9 @@ class Db3 final : public Recording {
         if (result != SQLITE_DONE) fail();
         throw FormatError(
             path_.string(), 0,
-            message(HITOS_TEXT("Errors",
-                               "is an SQLite file without the table \"%1\", expected a recording "
-                               "of ROS 2"),
-                    name));
+            HITOS_TEXT("Errors",
+                       "is an SQLite file without the table \"%1\", expected a recording of ROS 2"),
+            name);
     }
 
     static std::string column(const Statement& row, int place) {
@@ -182,10 +180,11 @@ class Db3 final : public Recording {
         const auto topic = ids_.find(sqlite3_column_int64(rows_.get(), 1));
         if (topic == ids_.end()) {
             note(use_.topics.count_damage(),
-                 message(HITOS_TEXT("Errors",
-                                    "found a message of the topic %1 in the row %2, which nothing "
-                                    "describes"),
-                         sqlite3_column_int64(rows_.get(), 1), id_));
+                 message(
+                     HITOS_TEXT(
+                         "Errors",
+                         "found a message of the topic %1 in the row %2, which nothing describes"),
+                     sqlite3_column_int64(rows_.get(), 1), id_));
             return std::nullopt;
         }
         const auto length = sqlite3_column_int64(rows_.get(), 4);

@@ -138,8 +138,8 @@ Db3Pages::Db3Pages(const std::filesystem::path& path) : path_(path), file_(open_
         big_endian(header.substr(16, 2)) == 1 ? 65536 : big_endian(header.substr(16, 2));
     if (!whole || !header.starts_with("SQLite format 3") || !is_page_size(stated)) {
         throw FormatError(path.string(), 0,
-                          message(HITOS_TEXT("Errors", "cannot be read as a recording: %1"),
-                                  message(HITOS_TEXT("Errors", "its header is damaged"))));
+                          HITOS_TEXT("Errors", "cannot be read as a recording: %1"),
+                          message(HITOS_TEXT("Errors", "its header is damaged")));
     }
     if (page_size_ != stated) changed_.clear();  // they are of another file
     page_size_ = static_cast<std::uint32_t>(stated);
@@ -171,11 +171,10 @@ Db3Pages::Db3Pages(const std::filesystem::path& path) : path_(path), file_(open_
     std::error_code error;
     const std::string journal = path.string() + "-journal";
     if (const std::uint64_t size = std::filesystem::file_size(journal, error); !error && size > 0) {
-        problems_.push_back(
-            message(HITOS_TEXT("Errors",
-                               "a recorder was broken off while it wrote, as %1 tells; what it "
-                               "wrote last may be in part"),
-                    std::filesystem::path(journal).filename().string()));
+        problems_.push_back(message(HITOS_TEXT("Errors",
+                                               "a recorder was broken off while it wrote, as %1 "
+                                               "tells; what it wrote last may be in part"),
+                                    std::filesystem::path(journal).filename().string()));
     }
 }
 
@@ -189,11 +188,11 @@ void Db3Pages::take_changes() {
     changes_.emplace(log);
     const std::uint64_t size = changes_->size();
     const auto left_out = [&](std::uint64_t from) {
-        problems_.push_back(message(
-            HITOS_TEXT("Errors",
-                       "%1 holds changes from byte %2 to byte %3 that were never finished, or "
-                       "are cut off or damaged; they are left out"),
-            log.filename().string(), from, size));
+        problems_.push_back(
+            message(HITOS_TEXT("Errors",
+                               "%1 holds changes from byte %2 to byte %3 that were never finished, "
+                               "or are cut off or damaged; they are left out"),
+                    log.filename().string(), from, size));
     };
     std::string head(kChangesHeader, '\0');
     changes_->read_at(0, head);

@@ -19,16 +19,15 @@ class Mcap final : public ChunkedRecording {
         std::array<char, kMcapMagic.size()> magic{};
         const std::string_view found{magic.data(), records().read(magic)};
         if (found != kMcapMagic && found.starts_with(kMcapMagicOfAny)) {
-            throw FormatError(
-                path.string(), 0,
-                message(HITOS_TEXT("Errors",
-                                   "is MCAP of the version \"%1\", expected version 0; convert it "
-                                   "with a program that knows both"),
-                        found.substr(kMcapMagicOfAny.size(), 1)));
+            throw FormatError(path.string(), 0,
+                              HITOS_TEXT("Errors",
+                                         "is MCAP of the version \"%1\", expected version 0; "
+                                         "convert it with a program that knows both"),
+                              found.substr(kMcapMagicOfAny.size(), 1));
         }
         if (found != kMcapMagic) {
             throw FormatError(path.string(), 0,
-                              message(HITOS_TEXT("Errors", "does not begin as MCAP does")));
+                              HITOS_TEXT("Errors", "does not begin as MCAP does"));
         }
         if (file().size() < 2 * kMcapMagic.size()) return;
         const std::string_view last{magic.data(), file().read_end(magic)};
@@ -46,8 +45,8 @@ class Mcap final : public ChunkedRecording {
         const std::uint64_t length = from.take_u64();
         // Before its length is believed: zeros would be a record each nine.
         if (op == McapOp::none) {
-            throw FormatError(
-                {}, 0, message(HITOS_TEXT("Errors", "found a record of the unknown kind %1"), 0));
+            throw FormatError({}, 0, HITOS_TEXT("Errors", "found a record of the unknown kind %1"),
+                              0);
         }
         Section record = open_record(from, length, op == McapOp::chunk && outside);
         switch (op) {
@@ -88,8 +87,7 @@ class Mcap final : public ChunkedRecording {
     void read_schema(Section& record) {
         const std::uint16_t id = record.take_u16();
         if (types_.size() == kMostTopics && !types_.contains(id)) {
-            throw FormatError({}, 0,
-                              message(HITOS_TEXT("Errors", "more than %1 types"), kMostTopics));
+            throw FormatError({}, 0, HITOS_TEXT("Errors", "more than %1 types"), kMostTopics);
         }
         types_.insert_or_assign(id, take_word(record));
     }
@@ -124,9 +122,8 @@ class Mcap final : public ChunkedRecording {
         if (known == channels_.end()) {
             throw FormatError(
                 {}, 0,
-                message(HITOS_TEXT("Errors",
-                                   "found a message of the channel %1, which nothing describes"),
-                        id));
+                HITOS_TEXT("Errors", "found a message of the channel %1, which nothing describes"),
+                id);
         }
         return take_message(record, *known->second, static_cast<std::int64_t>(log_time_ns), out);
     }

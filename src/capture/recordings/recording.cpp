@@ -18,7 +18,7 @@ Topic& Topics::of(std::string name, std::string type, std::string encoding) {
     std::tuple key(name, type, encoding);
     if (const auto known = known_.find(key); known != known_.end()) return *known->second;
     if (topics_.size() == kMostTopics) {
-        throw FormatError({}, 0, message(HITOS_TEXT("Errors", "more than %1 topics"), kMostTopics));
+        throw FormatError({}, 0, HITOS_TEXT("Errors", "more than %1 topics"), kMostTopics);
     }
     topics_.push_back({std::move(name), std::move(type), std::move(encoding)});
     known_.emplace(std::move(key), &topics_.back());

@@ -96,8 +96,8 @@ std::vector<fs::path> files_found(const fs::path& folder) {
         }
         if (error) {
             throw FileError(folder.string(),
-                            message(HITOS_TEXT("Errors", "cannot be opened for reading: %1"),
-                                    system_message(error.value())));
+                            HITOS_TEXT("Errors", "cannot be opened for reading: %1"),
+                            system_message(error.value()));
         }
         if (!files.empty()) break;
     }
@@ -120,9 +120,9 @@ fs::path file_in(const fs::path& folder, const std::string& name) {
     }
     throw FormatError(
         (folder / kMetadata).string(), 0,
-        message(
-            HITOS_TEXT("Errors", "names the file \"%1\", which is not in its folder; put it there"),
-            name));
+
+        HITOS_TEXT("Errors", "names the file \"%1\", which is not in its folder; put it there"),
+        name);
 }
 
 class Rosbag2Folder final : public Recording {
@@ -193,12 +193,11 @@ std::vector<fs::path> rosbag2_files(const fs::path& path) {
             return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
         });
         if (!mode.empty() && mode != "none" && mode != "file") {
-            throw FormatError(
-                (folder / kMetadata).string(), 0,
-                message(HITOS_TEXT("Errors",
-                                   "says that the recording is compressed by %1, which Hitos does "
-                                   "not read; convert it with \"ros2 bag convert\""),
-                        metadata.compression));
+            throw FormatError((folder / kMetadata).string(), 0,
+                              HITOS_TEXT("Errors",
+                                         "says that the recording is compressed by %1, which Hitos "
+                                         "does not read; convert it with \"ros2 bag convert\""),
+                              metadata.compression);
         }
         std::set<std::string> named;  // a file belongs to the recording once
         for (const std::string& name : metadata.files) {
@@ -209,12 +208,12 @@ std::vector<fs::path> rosbag2_files(const fs::path& path) {
     // A recorder that was killed leaves a metadata.yaml that says nothing, or none.
     if (files.empty()) files = files_found(folder);
     if (!files.empty()) return files;
-    throw FileError(folder.string(),
-                    message(HITOS_TEXT(
-                        "Errors",
-                        "is a folder without a recording: found neither a metadata.yaml that "
-                        "names files nor files *.mcap or *.db3, plain or as *.zstd; choose a log "
-                        "file inside it")));
+    throw FileError(
+        folder.string(),
+        HITOS_TEXT(
+            "Errors",
+            "is a folder without a recording: found neither a metadata.yaml that names files nor "
+            "files *.mcap or *.db3, plain or as *.zstd; choose a log file inside it"));
 }
 
 bool is_rosbag2_folder(const fs::path& folder) {

@@ -17,7 +17,7 @@ namespace hitos {
 namespace {
 
 [[noreturn]] void fail_damaged() {
-    throw FormatError({}, 0, message(HITOS_TEXT("Errors", "the compressed data are damaged")));
+    throw FormatError({}, 0, HITOS_TEXT("Errors", "the compressed data are damaged"));
 }
 
 /// What all have in common: input comes in pieces, and must not end before the unpacked data do.
@@ -42,8 +42,7 @@ class Unpacker : public ByteSource {
             done += got;
             if (ended_ || frame_ended_ || got > 0 || input_.size() < before) continue;
             if (drained_) {
-                throw FormatError({}, 0,
-                                  message(HITOS_TEXT("Errors", "the compressed data end early")));
+                throw FormatError({}, 0, HITOS_TEXT("Errors", "the compressed data end early"));
             }
             fail_damaged();  // neither eats nor gives
         }
@@ -161,9 +160,9 @@ std::unique_ptr<ByteSource> make_unpacker(std::string_view compression, ByteSour
     if (compression == "zstd") return std::make_unique<Zstd>(packed);
     throw FormatError(
         {}, 0,
-        message(
-            HITOS_TEXT("Errors", "found the compression \"%1\", expected none, bz2, lz4 or zstd"),
-            compression));
+
+        HITOS_TEXT("Errors", "found the compression \"%1\", expected none, bz2, lz4 or zstd"),
+        compression);
 }
 
 RegularFile open_unpacked(const std::filesystem::path& path) {
@@ -171,10 +170,11 @@ RegularFile open_unpacked(const std::filesystem::path& path) {
     if (!begins_zstd(file)) return file;
     FileBytes packed(std::move(file));
     Zstd unpacker(packed);
-    NamelessFile unpacked(path.string(),
-                          HITOS_TEXT("Errors",
-                                     "cannot be unpacked in %1: %2; make room there, or name "
-                                     "another folder in TMPDIR"));
+    NamelessFile unpacked(
+        path.string(),
+        HITOS_TEXT(
+            "Errors",
+            "cannot be unpacked in %1: %2; make room there, or name another folder in TMPDIR"));
     std::array<char, 4096> block{};
     try {
         while (const std::size_t got = unpacker.read(block)) {

@@ -18,10 +18,10 @@ void join_frames(FrameTree& frames, std::string_view same) {
         if (a.empty() || b.empty() || a == b) {
             throw ConfigError(
                 kSameFramesKey,
-                message(HITOS_TEXT("Errors",
-                                   "found \"%1\", expected two frames that are one, as "
-                                   "base_footprint=base_link"),
-                        pair));
+                HITOS_TEXT(
+                    "Errors",
+                    "found \"%1\", expected two frames that are one, as base_footprint=base_link"),
+                pair);
         }
         frames.join(std::string(a), std::string(b));
     }
@@ -81,12 +81,11 @@ void check_agreement(const std::map<std::string, TopicFrames>& said, const Frame
             if (b == a + 1) continue;
             throw FormatError(
                 path, 0,
-                message(HITOS_TEXT("Errors",
-                                   "the place of the frame \"%1\" is told by %2 and by %3, "
-                                   "differently, so where the laser sits is not known; record "
-                                   "those of one robot only, or say where it sits (--laser-pose "
-                                   "x,y,degrees)"),
-                        name, *b, *a));
+                HITOS_TEXT("Errors",
+                           "the place of the frame \"%1\" is told by %2 and by %3, differently, so "
+                           "where the laser sits is not known; record those of one robot only, or "
+                           "say where it sits (--laser-pose x,y,degrees)"),
+                name, *b, *a);
         }
     }
 }

@@ -33,8 +33,7 @@ void FrameTree::hold(const std::vector<StampedTransform>& transforms) {
         } else if (links_.size() < kMostFrames) {
             links_.emplace(next.child_frame, Link{next.header.frame, next.transform});
         } else {
-            throw FormatError({}, 0,
-                              message(HITOS_TEXT("Errors", "more than %1 frames"), kMostFrames));
+            throw FormatError({}, 0, HITOS_TEXT("Errors", "more than %1 frames"), kMostFrames);
         }
     }
 }

@@ -24,22 +24,22 @@ MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_la
     if (!(std::abs(upward) >= std::cos(kTilt))) {
         const double tilt = std::acos(std::clamp(std::abs(upward), 0.0, 1.0)) * 180.0 / kPi;
         throw FormatError({}, 0,
-                          message(HITOS_TEXT("Errors",
-                                             "the laser \"%1\" is tilted by %2°; expected one that "
-                                             "is level or upside down, to 3°"),
-                                  scan.header.frame, std::round(tilt)));
+                          HITOS_TEXT("Errors",
+                                     "the laser \"%1\" is tilted by %2°; expected one that is "
+                                     "level or upside down, to 3°"),
+                          scan.header.frame, std::round(tilt));
     }
     const auto rays = static_cast<std::uint32_t>(scan.ranges_m.size());
     if (rays > 1 && !(std::abs(scan.step_rad) > 0.0)) {
         throw FormatError(
-            {}, 0,
-            message(HITOS_TEXT("Errors", "field \"%1\": found %2, expected a step between rays"),
-                    "angle_increment", scan.step_rad));
+            {}, 0, HITOS_TEXT("Errors", "field \"%1\": found %2, expected a step between rays"),
+            "angle_increment", scan.step_rad);
     }
     MountedScan mounted;
     mounted.stamp_ns = scan.header.stamp_ns;
     mounted.fan.pose_robot_laser = robot_laser.plane();
     mounted.fan.count = rays;
+    mounted.fan.upside_down = upward < 0.0;
     double least = scan.min_range_m;
     double greatest = scan.max_range_m;
     mounted.swapped_limits = greatest > 0.0 && greatest < least && std::isfinite(least);
@@ -59,7 +59,7 @@ MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_la
         }
     }
     // Seen from above, a laser upside down turns the other way round.
-    const double sense = upward > 0.0 ? 1.0 : -1.0;
+    const double sense = mounted.fan.upside_down ? -1.0 : 1.0;
     double first = sense * scan.min_angle_rad;
     double last = sense * (scan.min_angle_rad + (rays - 1) * scan.step_rad);
     if (last < first) {

@@ -26,15 +26,14 @@ MessageBytes::MessageBytes(std::string_view bytes, Encoding encoding)
     if (bytes.starts_with(kZstd)) {
         throw FormatError(
             {}, 0,
-            message(HITOS_TEXT("Errors",
-                               "the message is compressed by itself (rosbag2's compression_mode "
-                               "MESSAGE), which Hitos does not read; convert the recording with "
-                               "\"ros2 bag convert\"")));
+            HITOS_TEXT(
+                "Errors",
+                "the message is compressed by itself (rosbag2's compression_mode MESSAGE), which "
+                "Hitos does not read; convert the recording with \"ros2 bag convert\""));
     }
     constexpr unsigned kPlain2 = 6;  // as 0 and 1, but for numbers of 8 bytes
     if (kind > 1 && kind != kPlain2 && kind != kPlain2 + 1) {
-        throw FormatError({}, 0,
-                          message(HITOS_TEXT("Errors", "the message does not begin as CDR does")));
+        throw FormatError({}, 0, HITOS_TEXT("Errors", "the message does not begin as CDR does"));
     }
     swapped_ = kind % 2 == 0;
     if (kind >= kPlain2) greatest_alignment_ = 4;
@@ -43,8 +42,8 @@ MessageBytes::MessageBytes(std::string_view bytes, Encoding encoding)
 
 const char* MessageBytes::need(std::size_t bytes, const char* field) {
     if (at_ > bytes_.size() || bytes > bytes_.size() - at_) {
-        throw FormatError(
-            {}, 0, message(HITOS_TEXT("Errors", "the message ends in the field \"%1\""), field));
+        throw FormatError({}, 0, HITOS_TEXT("Errors", "the message ends in the field \"%1\""),
+                          field);
     }
     const char* place = bytes_.data() + at_;
     at_ += bytes;
@@ -54,10 +53,9 @@ const char* MessageBytes::need(std::size_t bytes, const char* field) {
 std::string MessageBytes::text(const char* field) {
     const auto length = take<std::uint32_t>(field);
     if (length > kLongestName) {
-        throw FormatError(
-            {}, 0,
-            message(HITOS_TEXT("Errors", "field \"%1\": found %2 bytes, expected at most %3"),
-                    field, length, kLongestName));
+        throw FormatError({}, 0,
+                          HITOS_TEXT("Errors", "field \"%1\": found %2 bytes, expected at most %3"),
+                          field, length, kLongestName);
     }
     std::string_view text{need(length, field), length};
     if (cdr_ && text.ends_with('\0')) text.remove_suffix(1);
@@ -69,10 +67,10 @@ std::uint32_t MessageBytes::count(std::size_t item_bytes, const char* field) {
     const std::size_t left = bytes_.size() - at_;
     if (items > left / item_bytes) {
         throw FormatError({}, 0,
-                          message(HITOS_TEXT("Errors",
-                                             "field \"%1\": found a count of %2, expected at most "
-                                             "%3, for which there are bytes"),
-                                  field, items, left / item_bytes));
+                          HITOS_TEXT("Errors",
+                                     "field \"%1\": found a count of %2, expected at most %3, for "
+                                     "which there are bytes"),
+                          field, items, left / item_bytes);
     }
     return items;
 }
@@ -90,16 +88,14 @@ void MessageBytes::expect_end() const {
     constexpr std::size_t kPadding = 7;  // some writers of CDR round the length up
     const std::size_t left = bytes_.size() - at_;
     if (left <= (cdr_ ? kPadding : 0)) return;
-    throw FormatError(
-        {}, 0, message(HITOS_TEXT("Errors", "%1 bytes are left behind the last field"), left));
+    throw FormatError({}, 0, HITOS_TEXT("Errors", "%1 bytes are left behind the last field"), left);
 }
 
 double MessageBytes::checked(double value, const char* field) {
     if (std::abs(value) <= kGreatestValue) return value;
     throw FormatError(
-        {}, 0,
-        message(HITOS_TEXT("Errors", "field \"%1\": found %2, expected a finite number up to 1e12"),
-                field, value));
+        {}, 0, HITOS_TEXT("Errors", "field \"%1\": found %2, expected a finite number up to 1e12"),
+        field, value);
 }
 
 }  // namespace hitos

@@ -36,10 +36,9 @@ struct RawHeader {
     /// Throws FormatError where the stamp is none.
     MessageHeader checked() const {
         if (rest_ns < kSecondNs) return {seconds * kSecondNs + rest_ns, frame};
-        throw FormatError(
-            {}, 0,
-            message(HITOS_TEXT("Errors", "field \"%1\": found %2, expected less than %3"), "stamp",
-                    rest_ns, kSecondNs));
+        throw FormatError({}, 0,
+                          HITOS_TEXT("Errors", "field \"%1\": found %2, expected less than %3"),
+                          "stamp", rest_ns, kSecondNs);
     }
 };
 
@@ -74,9 +73,9 @@ Transform checked(Transform t) {
     if (!(length > kLeastLength)) {
         throw FormatError(
             {}, 0,
-            message(
-                HITOS_TEXT("Errors", "field \"%1\": found a quaternion of length %2, expected 1"),
-                "orientation", length));
+
+            HITOS_TEXT("Errors", "field \"%1\": found a quaternion of length %2, expected 1"),
+            "orientation", length);
     }
     for (double* value : {&t.qx, &t.qy, &t.qz, &t.qw}) *value /= length;
     return t;
@@ -128,10 +127,9 @@ LaserScanMessage decode_laser_scan(std::string_view raw, Encoding encoding, bool
     const std::uint32_t rays =
         bytes.count(multi_echo ? sizeof(std::uint32_t) : sizeof(float), "ranges");
     if (rays == 0 || rays > kMostScannerRays) {
-        throw FormatError(
-            {}, 0,
-            message(HITOS_TEXT("Errors", "field \"%1\": found %2 rays, expected 1 to %3"), "ranges",
-                    rays, kMostScannerRays));
+        throw FormatError({}, 0,
+                          HITOS_TEXT("Errors", "field \"%1\": found %2 rays, expected 1 to %3"),
+                          "ranges", rays, kMostScannerRays);
     }
     scan.ranges_m.resize(rays);
     if (multi_echo) {

@@ -24,14 +24,13 @@ void RangeLimits::tell(std::vector<TourFinding>& found) const {
         if (laser.swapped) {
             found.push_back(
                 {TourFinding::Kind::blind_laser, 0.0,
-                 message(HITOS_TEXT("Errors",
-                                    "%1 says that its least range is %2 m and its greatest %3 m; "
-                                    "they are taken the other way round, as no reading lies "
-                                    "between them"),
-                         topic, metres(laser.greatest_m), metres(laser.least_m)),
-                 marked(HITOS_TEXT("Errors",
-                                   "let the driver say range_min and range_max the right way "
-                                   "round"))});
+                 message(
+                     HITOS_TEXT("Errors",
+                                "%1 says that its least range is %2 m and its greatest %3 m; they "
+                                "are taken the other way round, as no reading lies between them"),
+                     topic, metres(laser.greatest_m), metres(laser.least_m)),
+                 marked(HITOS_TEXT(
+                     "Errors", "let the driver say range_min and range_max the right way round"))});
         } else if (share > kMost) {
             found.push_back(
                 {TourFinding::Kind::blind_laser, share,

@@ -16,7 +16,7 @@ template <class Line>
 Line head_of(const RawLine& line) {
     Line head;
     if (line.text.size() < sizeof head) {
-        throw FormatError({}, line.number, message(HITOS_TEXT("Errors", "the data end early")));
+        throw FormatError({}, line.number, HITOS_TEXT("Errors", "the data end early"));
     }
     std::memcpy(static_cast<void*>(&head), line.text.data(), sizeof head);
     return head;
@@ -36,7 +36,7 @@ class RecordingConversor final : public RangeConversor {
         const std::string_view ranges = line.text.substr(sizeof head);
         const std::size_t rays = head.fan.count;
         if (ranges.size() != (head.timed ? 2 : 1) * rays * sizeof(float)) {
-            throw FormatError({}, line.number, message(HITOS_TEXT("Errors", "the data end early")));
+            throw FormatError({}, line.number, HITOS_TEXT("Errors", "the data end early"));
         }
         const auto number = [&ranges](std::size_t i) {
             float value = 0.0F;

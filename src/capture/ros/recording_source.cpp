@@ -137,12 +137,12 @@ MountedScan RecordingSource::scan_of(const RecordedMessage& found) const {
     if (!robot_laser) {
         throw FormatError(
             {}, 0,
-            message(HITOS_TEXT("Errors",
-                               "no transform leads from the laser's frame \"%1\" to the robot's "
-                               "frame \"%2\", so where the laser sits is not known; say where "
-                               "(--laser-pose x,y,degrees), or which frames are one (--same-frames "
-                               "%2=NAME), or choose another laser (--scan-topic)"),
-                    scan.header.frame, robot));
+            HITOS_TEXT(
+                "Errors",
+                "no transform leads from the laser's frame \"%1\" to the robot's frame \"%2\", so "
+                "where the laser sits is not known; say where (--laser-pose x,y,degrees), or which "
+                "frames are one (--same-frames %2=NAME), or choose another laser (--scan-topic)"),
+            scan.header.frame, robot);
     }
     MountedScan mounted = mounted_scan(scan, *robot_laser);
     mounted.number = found.number;

@@ -55,9 +55,9 @@ const Topic& named(const std::vector<const Topic*>& topics, std::string_view nam
     const auto found =
         std::ranges::find_if(topics, [&](const Topic* topic) { return has_name(*topic, name); });
     if (found != topics.end()) return **found;
-    throw ConfigError(
-        key, message(HITOS_TEXT("Errors", "found \"%1\", expected one of the topics of %2: %3"),
-                     name, path.string(), listed(topics)));
+    throw ConfigError(key,
+                      HITOS_TEXT("Errors", "found \"%1\", expected one of the topics of %2: %3"),
+                      name, path.string(), listed(topics));
 }
 
 /// What can be done where there are no scans, but what scans can be made of.
@@ -66,14 +66,14 @@ Message advice_for(const std::vector<const Topic*>& topics) {
         return std::ranges::any_of(topics, [&](const Topic* topic) { return topic->type == type; });
     };
     if (holds("sensor_msgs/PointCloud2") || holds("sensor_msgs/PointCloud")) {
-        return marked(HITOS_TEXT("Errors",
-                                 "; point clouds can be played into pointcloud_to_laserscan and "
-                                 "its scans recorded"));
+        return marked(HITOS_TEXT(
+            "Errors",
+            "; point clouds can be played into pointcloud_to_laserscan and its scans recorded"));
     }
     if (holds("sensor_msgs/Image")) {
-        return marked(HITOS_TEXT("Errors",
-                                 "; depth images can be played into depthimage_to_laserscan and "
-                                 "its scans recorded"));
+        return marked(HITOS_TEXT(
+            "Errors",
+            "; depth images can be played into depthimage_to_laserscan and its scans recorded"));
     }
     return {};
 }
@@ -86,28 +86,27 @@ void choose_scans(const RecordingSurvey& survey, const ReadOptions& options,
     if (lasers.empty() && !survey.first_problem.empty()) {
         throw FormatError(
             path.string(), 0,
-            message(HITOS_TEXT("Errors",
-                               "no laser scans (messages sensor_msgs/LaserScan) can be read in it, "
-                               "as some of it cannot: %1; the topics that can are: %2"),
-                    survey.first_problem, list));
+            HITOS_TEXT("Errors",
+                       "no laser scans (messages sensor_msgs/LaserScan) can be read in it, as some "
+                       "of it cannot: %1; the topics that can are: %2"),
+            survey.first_problem, list);
     }
     if (lasers.empty()) {
         throw FormatError(
             path.string(), 0,
-            message(HITOS_TEXT("Errors",
-                               "holds no laser scans (messages sensor_msgs/LaserScan); its topics "
-                               "are: %1%2"),
-                    list, advice_for(all_topics)));
+            HITOS_TEXT(
+                "Errors",
+                "holds no laser scans (messages sensor_msgs/LaserScan); its topics are: %1%2"),
+            list, advice_for(all_topics));
     }
     const std::vector<std::string_view> names = input::listed(options.scan_topic);
     if (names.empty() && lasers.size() > 1) {
-        throw ConfigError(
-            kScanTopicKey,
-            message(
-                HITOS_TEXT("Errors",
-                           "found %1 laser topics in %2: %3; choose one (--scan-topic), several "
-                           "with commas between them, or \"all\""),
-                lasers.size(), path.string(), listed(lasers)));
+        throw ConfigError(kScanTopicKey,
+
+                          HITOS_TEXT("Errors",
+                                     "found %1 laser topics in %2: %3; choose one (--scan-topic), "
+                                     "several with commas between them, or \"all\""),
+                          lasers.size(), path.string(), listed(lasers));
     }
     const bool all = names.empty() || (names.size() == 1 && names.front() == "all");
     for (const Topic* laser : lasers) {
@@ -159,10 +158,10 @@ void refuse_two_robots(const RecordingSurvey& survey, const ReadOptions& options
         }
         throw ConfigError(
             kScanTopicKey,
-            message(HITOS_TEXT("Errors",
-                               "found lasers of two robots in %1: %2, whose odometry is in %3, and "
-                               "%4, whose is in %5; choose those of one (--scan-topic)"),
-                    path.string(), first, own, laser, other));
+            HITOS_TEXT("Errors",
+                       "found lasers of two robots in %1: %2, whose odometry is in %3, and %4, "
+                       "whose is in %5; choose those of one (--scan-topic)"),
+            path.string(), first, own, laser, other);
     }
 }
 
@@ -181,21 +180,19 @@ void choose_odometry(const RecordingSurvey& survey, const ReadOptions& options,
     }
     if (by_name) {
         if (!chosen.odometry_frame.empty()) return;
-        throw ConfigError(
-            kOdomTopicKey,
-            message(HITOS_TEXT("Errors",
-                               "found \"%1\", but no transform in %2 leads from a frame "
-                               "\"odom\" to the laser's frame \"%3\""),
-                    name, path.string(), laser_frame));
+        throw ConfigError(kOdomTopicKey,
+                          HITOS_TEXT("Errors",
+                                     "found \"%1\", but no transform in %2 leads from a frame "
+                                     "\"odom\" to the laser's frame \"%3\""),
+                          name, path.string(), laser_frame);
     }
     if (name.empty() && odometries.empty()) return;
     if (name.empty() && odometries.size() > 1) {
-        throw ConfigError(
-            kOdomTopicKey,
-            message(HITOS_TEXT("Errors",
-                               "found %1 odometry topics in %2: %3; choose one (--odom-topic), or "
-                               "\"tf\" for the transforms"),
-                    odometries.size(), path.string(), listed(odometries)));
+        throw ConfigError(kOdomTopicKey,
+                          HITOS_TEXT("Errors",
+                                     "found %1 odometry topics in %2: %3; choose one "
+                                     "(--odom-topic), or \"tf\" for the transforms"),
+                          odometries.size(), path.string(), listed(odometries));
     }
     const Topic& topic =
         name.empty() ? *odometries.front() : named(odometries, name, kOdomTopicKey, path);
@@ -204,8 +201,8 @@ void choose_odometry(const RecordingSurvey& survey, const ReadOptions& options,
         chosen.findings.push_back(
             {TourFinding::Kind::unread_odometry, static_cast<double>(topic.messages),
              message(HITOS_TEXT("Errors",
-                                "no message of the odometry %1 can be read, so that the "
-                                "transforms to \"%2\" are taken"),
+                                "no message of the odometry %1 can be read, so that the transforms "
+                                "to \"%2\" are taken"),
                      topic.name, chosen.odometry_frame),
              message(HITOS_TEXT("Errors", "--odom-topic %1 says what is wrong with them"),
                      topic.name)});
@@ -278,10 +275,10 @@ void doubt_frames(const RecordingSurvey& survey, const ReadOptions& options,
         for (const std::string& topic : own.topics) topics += (topics.empty() ? "" : ", ") + topic;
         chosen.findings.push_back(
             {TourFinding::Kind::assumed_mounting, static_cast<double>(chosen.scans.size()),
-             message(HITOS_TEXT("Errors",
-                                "no transforms are of the namespace of %1, so that those of %2 are "
-                                "taken; where that is another robot, the laser sits wrongly, and "
-                                "drives its way"),
+             message(HITOS_TEXT(
+                         "Errors",
+                         "no transforms are of the namespace of %1, so that those of %2 are taken; "
+                         "where that is another robot, the laser sits wrongly, and drives its way"),
                      laser, topics),
              marked(HITOS_TEXT("Errors",
                                "say where it sits (--laser-pose x,y,degrees) and take a topic for "
@@ -293,13 +290,12 @@ void doubt_frames(const RecordingSurvey& survey, const ReadOptions& options,
         chosen.findings.push_back(
             {TourFinding::Kind::two_publishers, static_cast<double>(returns),
              message(HITOS_TEXT("Errors",
-                                "the frame \"%1\" goes to and fro between two places in %2, "
-                                "%3 times: two programs say where it is"),
+                                "the frame \"%1\" goes to and fro between two places in %2, %3 "
+                                "times: two programs say where it is"),
                      frame, topic, returns),
              marked(HITOS_TEXT("Errors",
-                               "take a topic for the odometry (--odom-topic), or say where "
-                               "the laser sits (--laser-pose), or record with one of them "
-                               "only"))});
+                               "take a topic for the odometry (--odom-topic), or say where the "
+                               "laser sits (--laser-pose), or record with one of them only"))});
     }
 }
 
@@ -348,11 +344,11 @@ TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& optio
         }
     }
     if (!options.laser_pose.empty() && chosen.scans.size() > 1) {
-        throw ConfigError(kLaserPoseKey,
-                          message(HITOS_TEXT("Errors",
-                                             "found one place for %1 lasers; choose one of them "
-                                             "(--scan-topic)"),
-                                  chosen.scans.size()));
+        throw ConfigError(
+            kLaserPoseKey,
+            HITOS_TEXT("Errors",
+                       "found one place for %1 lasers; choose one of them (--scan-topic)"),
+            chosen.scans.size());
     }
     doubt_stamps(survey, chosen);
     doubt_frames(survey, options, laser_frame, used, chosen);

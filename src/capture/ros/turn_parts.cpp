@@ -38,9 +38,9 @@ void TurnParts::tell(std::vector<TourFinding>& found) const {
                                 "each is taken as a scan of its own, which shows little"),
                      laser.parts, laser.scans, topic,
                      fmt::format("{:.0f}", laser.apart_rad * kDegreesPerRadian)),
-             marked(HITOS_TEXT("Errors",
-                               "record all messages of the laser, or let its driver send whole "
-                               "turns"))});
+             marked(HITOS_TEXT(
+                 "Errors",
+                 "record all messages of the laser, or let its driver send whole turns"))});
     }
 }
 

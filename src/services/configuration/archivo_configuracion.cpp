@@ -193,9 +193,9 @@ std::string toml_string(const ConfigParameter& parameter, std::string_view text)
     if (end_of_utf8(text) != text.size()) {
         throw ConfigError(
             std::string(parameter.key),
-            message(
-                HITOS_TEXT("Errors", "%1 is not UTF-8 and cannot stand in a configuration file"),
-                input::in_quotes(text)));
+
+            HITOS_TEXT("Errors", "%1 is not UTF-8 and cannot stand in a configuration file"),
+            input::in_quotes(text));
     }
     std::string out = "\"";
     for (const char c : text) {
@@ -271,8 +271,8 @@ Configuracion ArchivoConfiguracion::parse(std::string_view text, const std::stri
     if (end != text.size()) {
         const auto line = 1 + std::ranges::count(text.substr(0, end), '\n');
         throw FormatError(name, static_cast<std::uint64_t>(line),
-                          message(HITOS_TEXT("Errors", "found the byte 0x%1; expected UTF-8 text"),
-                                  fmt::format("{:02x}", static_cast<unsigned char>(text[end]))));
+                          HITOS_TEXT("Errors", "found the byte 0x%1; expected UTF-8 text"),
+                          fmt::format("{:02x}", static_cast<unsigned char>(text[end])));
     }
     Reading reading;
     try {

@@ -35,7 +35,7 @@ const ParameterGroupFacts& group_of(std::string_view table) {
         if (std::ranges::find(group.tables, table) != group.tables.end()) return group;
     }
     throw ConfigError(std::string(table),
-                      message(HITOS_TEXT("Errors", "no group of parameters has this table")));
+                      HITOS_TEXT("Errors", "no group of parameters has this table"));
 }
 
 std::span<const ConfigParameter> parameters() {
@@ -51,8 +51,7 @@ const ConfigParameter& find_parameter(std::string_view key) {
 void set_parameter(Configuracion& configuration, std::string_view assignment) {
     const std::size_t sign = assignment.find('=');
     if (sign == std::string_view::npos) {
-        throw ConfigError(std::string(assignment),
-                          message(HITOS_TEXT("Errors", "expected key=value")));
+        throw ConfigError(std::string(assignment), HITOS_TEXT("Errors", "expected key=value"));
     }
     find_parameter(input::trimmed(assignment.substr(0, sign)))
         .set(configuration, assignment.substr(sign + 1));
@@ -64,18 +63,17 @@ void check(const Configuracion& configuration) {
 
     const GridParams& grid = configuration.grid;
     if (grid.log_odds_hit == 0.0 && grid.log_odds_miss == 0.0) {
-        throw ConfigError("grid.hit",
-                          message(HITOS_TEXT("Errors",
-                                             "grid.hit and grid.miss both 0 draw nothing; give at "
-                                             "least one of them another value")));
+        throw ConfigError("grid.hit", HITOS_TEXT("Errors",
+                                                 "grid.hit and grid.miss both 0 draw nothing; give "
+                                                 "at least one of them another value"));
     }
     if (grid.max_range_m > 0.0 && grid.max_range_m < grid.resolution_m) {
         throw ConfigError(
             "grid.max_range",
-            message(
-                HITOS_TEXT("Errors",
-                           "%1 m is less than a cell (grid.resolution %2 m); 0 draws rays whole"),
-                grid.max_range_m, grid.resolution_m));
+
+            HITOS_TEXT("Errors",
+                       "%1 m is less than a cell (grid.resolution %2 m); 0 draws rays whole"),
+            grid.max_range_m, grid.resolution_m);
     }
 }
 

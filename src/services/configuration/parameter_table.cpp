@@ -36,11 +36,11 @@ ConfigParameter& at(Table& table, std::string_view key) {
 void add_mended_source(Table& table) {
     table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::laser_pose>(
         {.key = "source.laser_pose",
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Where the laser sits on the robot, whatever the log says: x,y,degrees (metres ahead, "
-             "metres to the left, turn to the left), with ,upside-down behind it where it does; "
-             "empty takes what the log says."),
+         .description =
+             HITOS_TEXT("Parameter",
+                        "Where the laser sits on the robot, whatever the log says: x,y,degrees "
+                        "(metres ahead, metres to the left, turn to the left), with ,upside-down "
+                        "behind it where it does; empty takes what the log says."),
          .label = HITOS_TEXT("ParameterLabel", "Laser's place")}));
     table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::same_frames>(
         {.key = "source.same_frames",
@@ -71,9 +71,9 @@ void add_mended_source(Table& table) {
         {.key = "source.odometry_scale",
          .minimum = 0.001,
          .maximum = 1000.0,
-         .description = HITOS_TEXT("Parameter",
-                                   "The odometry's way is taken that many times as long; a higher "
-                                   "value lengthens it."),
+         .description = HITOS_TEXT(
+             "Parameter",
+             "The odometry's way is taken that many times as long; a higher value lengthens it."),
          .label = HITOS_TEXT("ParameterLabel", "Odometry scale")}));
     table.push_back(choice<&Config::source, &SourceParams::read, &ReadOptions::mend>(
         {.key = "source.mend",
@@ -114,11 +114,10 @@ void add_source(Table& table) {
          .label = HITOS_TEXT("ParameterLabel", "Maximum range")}));
     table.push_back(choice<&Config::source, &SourceParams::read, &ReadOptions::odometry>(
         {.key = "source.odometry",
-         .description =
-             HITOS_TEXT("Parameter",
-                        "Whether controls come from the differences of the logged poses, "
-                        "are the logged v and omega, or come from the scans alone, as "
-                        "where a log has no odometry."),
+         .description = HITOS_TEXT(
+             "Parameter",
+             "Whether controls come from the differences of the logged poses, are the logged v and "
+             "omega, or come from the scans alone, as where a log has no odometry."),
          .label = HITOS_TEXT("ParameterLabel", "Odometry from"),
          .card = "source",
          .choices = {{"poses", HITOS_TEXT("ParameterChoice", "Logged poses")},
@@ -133,10 +132,10 @@ void add_source(Table& table) {
          .label = HITOS_TEXT("ParameterLabel", "Laser topic")}));
     table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::odom_topic>(
         {.key = "source.odom_topic",
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Topic of the odometry in a ROS recording with several, or tf for its transforms; "
-             "empty takes the only one, else the transforms."),
+         .description =
+             HITOS_TEXT("Parameter",
+                        "Topic of the odometry in a ROS recording with several, or tf for its "
+                        "transforms; empty takes the only one, else the transforms."),
          .label = HITOS_TEXT("ParameterLabel", "Odometry topic")}));
     table.push_back(
         choice<&Config::source, &SourceParams::read, &ReadOptions::leave_out_early_scans>(
@@ -153,11 +152,10 @@ void add_source(Table& table) {
          .unit = "s",
          .minimum = -1e10,
          .maximum = 1e10,
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Added to the times of the scans, where the laser's clock is not the odometry's; "
-             "hitos-cli check says by how much they differ. A higher value pairs scans with later "
-             "odometry."),
+         .description = HITOS_TEXT("Parameter",
+                                   "Added to the times of the scans, where the laser's clock is "
+                                   "not the odometry's; hitos-cli check says by how much they "
+                                   "differ. A higher value pairs scans with later odometry."),
          .label = HITOS_TEXT("ParameterLabel", "Scan delay")}));
     add_mended_source(table);
     const ConfigParameter::Condition world{
@@ -170,17 +168,17 @@ void add_source(Table& table) {
                             "source.same_frames", "source.ray_time"}) {
         at(table, key).conditions.push_back(log);
     }
-    table.push_back(used(integer<&Config::source, &SourceParams::tour_seed>(
-                             {.key = "source.tour_seed",
-                              .minimum = 0.0,
-                              .maximum = 0x1p63,
-                              .description = HITOS_TEXT(
-                                  "Parameter",
-                                  "Seed of the noise of a world's laser and odometry, so that runs "
-                                  "with other seeds drive the same tour; 0 takes what the world "
-                                  "says, else the run's seed."),
-                              .label = HITOS_TEXT("ParameterLabel", "Tour seed")}),
-                         {world}));
+    table.push_back(used(
+        integer<&Config::source, &SourceParams::tour_seed>(
+            {.key = "source.tour_seed",
+             .minimum = 0.0,
+             .maximum = 0x1p63,
+             .description = HITOS_TEXT(
+                 "Parameter",
+                 "Seed of the noise of a world's laser and odometry, so that runs with other seeds "
+                 "drive the same tour; 0 takes what the world says, else the run's seed."),
+             .label = HITOS_TEXT("ParameterLabel", "Tour seed")}),
+        {world}));
     table.push_back(
         used(text<&Config::source, &SourceParams::world_set>(
                  {.key = "source.world_set",
@@ -239,9 +237,8 @@ void require_known(const Table& table, const Registry<Entry>& registry) {
             if (look_up(std::span<const ConfigParameter>(table), key) != nullptr) continue;
             throw ConfigError(
                 entry.word,
-                message(
-                    HITOS_TEXT("Errors", "says that it reads %1, but there is no such parameter"),
-                    key));
+
+                HITOS_TEXT("Errors", "says that it reads %1, but there is no such parameter"), key);
         }
     }
 }

@@ -23,14 +23,12 @@ constexpr const char* kExpectedName =
 NamedDistance distance_from(std::string_view line, const std::string& file, std::uint64_t number) {
     const std::vector<std::string_view> words = input::fields(line);
     if (words.size() != 5) {
-        throw FormatError(file, number,
-                          message(HITOS_TEXT("Errors", "found %1 fields; %2"), words.size(),
-                                  marked(kExpectedDistance)));
+        throw FormatError(file, number, HITOS_TEXT("Errors", "found %1 fields; %2"), words.size(),
+                          marked(kExpectedDistance));
     }
     if (!is_distance_name(words[0])) {
-        throw FormatError(file, number,
-                          message(HITOS_TEXT("Errors", "the name is %1; %2"),
-                                  input::in_quotes(words[0]), marked(kExpectedName)));
+        throw FormatError(file, number, HITOS_TEXT("Errors", "the name is %1; %2"),
+                          input::in_quotes(words[0]), marked(kExpectedName));
     }
     constexpr std::array<std::string_view, 4> kColumns = {"x1", "y1", "x2", "y2"};
     std::array<double, kColumns.size()> values{};
@@ -40,10 +38,10 @@ NamedDistance distance_from(std::string_view line, const std::string& file, std:
     NamedDistance distance{std::string(words[0]), {values[0], values[1]}, {values[2], values[3]}};
     if (!(distance.true_m() >= kLeastDistance)) {
         throw FormatError(file, number,
-                          message(HITOS_TEXT("Errors",
-                                             "the two points of %1 are %2 m apart; expected points "
-                                             "on two walls, at least %3 m apart"),
-                                  distance.name, distance.true_m(), kLeastDistance));
+                          HITOS_TEXT("Errors",
+                                     "the two points of %1 are %2 m apart; expected points on two "
+                                     "walls, at least %3 m apart"),
+                          distance.name, distance.true_m(), kLeastDistance);
     }
     return distance;
 }
@@ -140,16 +138,15 @@ std::vector<NamedDistance> parse_distances(std::string_view text, const std::str
         if (std::ranges::find(distances, distance.name, &NamedDistance::name) != distances.end()) {
             throw FormatError(
                 name, number,
-                message(
-                    HITOS_TEXT("Errors", "%1 stands twice in the file; expected each name once"),
-                    input::in_quotes(distance.name)));
+
+                HITOS_TEXT("Errors", "%1 stands twice in the file; expected each name once"),
+                input::in_quotes(distance.name));
         }
         distances.push_back(std::move(distance));
     }
     if (distances.empty()) {
-        throw FormatError(name, 0,
-                          message(HITOS_TEXT("Errors", "no distance in the file; %1"),
-                                  marked(kExpectedDistance)));
+        throw FormatError(name, 0, HITOS_TEXT("Errors", "no distance in the file; %1"),
+                          marked(kExpectedDistance));
     }
     return distances;
 }

@@ -20,18 +20,17 @@ PathCrispness path_crispness(const TourReader& tour, const Trajectory& path,
         const std::optional<Scan> scan = reader->next_scan();
         if (!scan) {
             throw FormatError(tour.name(), 0,
-                              message(HITOS_TEXT("Errors",
-                                                 "the tour has %1 scans, the path %2 poses; "
-                                                 "expected the tour that the path was made of"),
-                                      crispness.scans, path.size()));
+                              HITOS_TEXT("Errors",
+                                         "the tour has %1 scans, the path %2 poses; expected the "
+                                         "tour that the path was made of"),
+                              crispness.scans, path.size());
         }
         if (!(std::abs(scan->time_s - time_s) <= kSameStamp)) {
-            throw FormatError(
-                tour.name(), 0,
-                message(HITOS_TEXT("Errors",
-                                   "scan %1 has the stamp %2 s, its pose %3 s; expected the tour "
-                                   "that the path was made of"),
-                        crispness.scans + 1, scan->time_s, time_s));
+            throw FormatError(tour.name(), 0,
+                              HITOS_TEXT("Errors",
+                                         "scan %1 has the stamp %2 s, its pose %3 s; expected the "
+                                         "tour that the path was made of"),
+                              crispness.scans + 1, scan->time_s, time_s);
         }
         cells.add(*scan, pose);
         grid.add(*scan, pose);

@@ -64,11 +64,10 @@ std::vector<PoseRelation> parse_relations(std::string_view text, const std::stri
         relations.push_back({t1, t2, {x, y, wrap_angle(yaw)}});
     }
     if (relations.empty()) {
-        throw FormatError(
-            name, 0,
-            message(HITOS_TEXT("Errors",
-                               "no relation in the file; expected 8 numbers, t1 t2 x y z roll "
-                               "pitch yaw on each line")));
+        throw FormatError(name, 0,
+                          HITOS_TEXT("Errors",
+                                     "no relation in the file; expected 8 numbers, t1 t2 x y z "
+                                     "roll pitch yaw on each line"));
     }
     return relations;
 }

@@ -34,8 +34,8 @@ class Workshop {
         fs::remove_all(path_, error);
         fs::create_directory(path_, error);
         if (error) {
-            throw FileError(path_.string(), message(HITOS_TEXT("Errors", "cannot be made: %1"),
-                                                    system_message(error.value())));
+            throw FileError(path_.string(), HITOS_TEXT("Errors", "cannot be made: %1"),
+                            system_message(error.value()));
         }
     }
     ~Workshop() {

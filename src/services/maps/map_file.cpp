@@ -135,9 +135,8 @@ LandmarkMap parse_map(std::string_view text, const std::string& name) {
         if (!content.empty()) map.push_back(LineParser(content, name, number).feature());
     }
     if (map.empty()) {
-        throw FormatError(
-            name, 0,
-            message(HITOS_TEXT("Errors", "no landmark in the file; %1"), marked(kExpectedFeature)));
+        throw FormatError(name, 0, HITOS_TEXT("Errors", "no landmark in the file; %1"),
+                          marked(kExpectedFeature));
     }
     return map;
 }

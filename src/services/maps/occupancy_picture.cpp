@@ -89,18 +89,18 @@ class MapServerFile {
 
     const Entry& need(const std::string& key, const char* expected) const {
         if (const Entry* entry = find(key)) return *entry;
-        throw FormatError(path_.string(), 0,
-                          message(HITOS_TEXT("Errors",
-                                             "has no %1; expected a line %1: %2, as in "
-                                             "the YAML files of map_server"),
-                                  key, expected));
+        throw FormatError(
+            path_.string(), 0,
+            HITOS_TEXT("Errors",
+                       "has no %1; expected a line %1: %2, as in the YAML files of map_server"),
+            key, expected);
     }
 
     [[noreturn]] void refuse(const std::string& key, const Entry& entry,
                              std::string_view expected) const {
         throw FormatError(path_.string(), entry.line,
-                          message(HITOS_TEXT("Errors", "%1: found %2, expected %3"), key,
-                                  input::in_quotes(entry.value), expected));
+                          HITOS_TEXT("Errors", "%1: found %2, expected %3"), key,
+                          input::in_quotes(entry.value), expected);
     }
 
     double number(const std::string& key, double otherwise, double least, double greatest) const {
@@ -170,10 +170,9 @@ class MapServerFile {
         if (colon == std::string_view::npos) {
             throw FormatError(
                 path_.string(), number,
-                message(HITOS_TEXT("Errors",
-                                   "found %1, expected key: value, as in the YAML files of "
-                                   "map_server"),
-                        input::in_quotes(content)));
+                HITOS_TEXT("Errors",
+                           "found %1, expected key: value, as in the YAML files of map_server"),
+                input::in_quotes(content));
         }
         const std::string_view key = input::unquoted(input::trimmed(content.substr(0, colon)));
         Entry& entry = entries_[std::string(key)];
@@ -250,10 +249,8 @@ OccupancyPicture read_map_server(const std::filesystem::path& yaml) {
 
 OccupancyPicture read_wall_picture(const std::filesystem::path& path, double resolution_m) {
     if (!(resolution_m >= kLeastResolution && resolution_m <= kGreatestResolution)) {
-        throw ConfigError(
-            "resolution",
-            message(HITOS_TEXT("Errors", "found %1, expected %2"), resolution_m,
-                    fmt::format("{:g} to {:g} m", kLeastResolution, kGreatestResolution)));
+        throw ConfigError("resolution", HITOS_TEXT("Errors", "found %1, expected %2"), resolution_m,
+                          fmt::format("{:g} to {:g} m", kLeastResolution, kGreatestResolution));
     }
     OccupancyPicture picture = occupancy(read_mean_picture(path), [](double pixel, double) {
         return (255.0 - pixel) / 255.0 > kOccupiedFrom;

@@ -70,10 +70,9 @@ std::string kind_from(const std::filesystem::path& path) {
     if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
         throw FileError(
             path.string(),
-            message(HITOS_TEXT(
-                        "Errors",
-                        "found the extension \"%1\"; pictures are written as .png, .jpg or .jpeg"),
-                    path.extension().string()));
+            HITOS_TEXT("Errors",
+                       "found the extension \"%1\"; pictures are written as .png, .jpg or .jpeg"),
+            path.extension().string());
     }
     return extension.substr(1);
 }
@@ -149,9 +148,8 @@ std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<i
     if (!jpeg && word != "png") {
         throw ConfigError(
             "kind",
-            message(HITOS_TEXT("Errors",
-                               "\"%1\" is no kind of picture; allowed: one of png, jpg, jpeg"),
-                    kind));
+            HITOS_TEXT("Errors", "\"%1\" is no kind of picture; allowed: one of png, jpg, jpeg"),
+            kind);
     }
     if (jpeg && std::max(image.cols, image.rows) > longest_side(word)) {
         throw Error(message(HITOS_TEXT("Errors",

@@ -32,9 +32,8 @@ constexpr std::int64_t kMostForeign = 100'000'000;
 cv::Mat scaled(const Grid::Picture& picture, int scale) {
     if (scale < 1 || scale > kGreatestPictureScale) {
         throw ConfigError(
-            "scale",
-            message(HITOS_TEXT("Errors", "%1 is out of range; allowed: integers from 1 to %2"),
-                    scale, kGreatestPictureScale));
+            "scale", HITOS_TEXT("Errors", "%1 is out of range; allowed: integers from 1 to %2"),
+            scale, kGreatestPictureScale);
     }
     if (picture.width <= 0 || picture.height <= 0) {
         throw Error(
@@ -139,10 +138,9 @@ class Overheard {
 };
 
 [[noreturn]] void refuse(const fs::path& path) {
-    throw FormatError(path.string(), 0,
-                      message(HITOS_TEXT("Errors",
-                                         "is no picture, or a damaged one; expected PNG, JPG, "
-                                         "PGM or BMP")));
+    throw FormatError(
+        path.string(), 0,
+        HITOS_TEXT("Errors", "is no picture, or a damaged one; expected PNG, JPG, PGM or BMP"));
 }
 
 /// Who is told that a picture has more pixels than `most` has not made room for them.
@@ -152,8 +150,8 @@ cv::Mat decoded(const fs::path& path, int how, std::uint64_t most) {
     if (!header || !header->whole) refuse(path);
     if (header->width > most / header->height) {
         throw FormatError(path.string(), 0,
-                          message(HITOS_TEXT("Errors", "has %1 x %2 pixels; expected at most %3"),
-                                  header->width, header->height, most));
+                          HITOS_TEXT("Errors", "has %1 x %2 pixels; expected at most %3"),
+                          header->width, header->height, most);
     }
     // The last number of a PBM, PGM or PPM in letters may end the file; OpenCV wants a blank there.
     const bool in_letters =

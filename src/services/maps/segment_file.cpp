@@ -23,10 +23,9 @@ LineExtent segment_from(std::string_view line, const std::string& name, std::uin
     if (landmark < 1.0 || landmark > kGreatestLandmark || landmark != std::floor(landmark)) {
         throw FormatError(
             name, number,
-            message(HITOS_TEXT(
-                        "Errors",
-                        "landmark is %1; expected the number of a line of the map, counted from 1"),
-                    input::in_quotes(input::fields(line)[4])));
+            HITOS_TEXT("Errors",
+                       "landmark is %1; expected the number of a line of the map, counted from 1"),
+            input::in_quotes(input::fields(line)[4]));
     }
     return {static_cast<int>(landmark) - 1, {values[0], values[1]}, {values[2], values[3]}, 0};
 }

@@ -88,8 +88,8 @@ StampedPose pose_from(std::string_view line, const Columns& columns, const input
     const double length = std::hypot(std::hypot(qx, qy), std::hypot(qz, qw));
     if (!(std::abs(length - 1.0) <= kTolerance)) {
         throw FormatError(place.file, place.line,
-                          message(HITOS_TEXT("Errors", "the quaternion's length is %1; expected 1"),
-                                  fmt::format("{:.6g}", length)));
+                          HITOS_TEXT("Errors", "the quaternion's length is %1; expected 1"),
+                          fmt::format("{:.6g}", length));
     }
     turns.of_plane = turns.of_plane || std::max(std::abs(qy), std::abs(qz)) > 1e-6;
     turns.rolls = turns.rolls || std::min(std::abs(qx), std::abs(qw)) > 1e-3;
@@ -144,12 +144,11 @@ void to_seconds(Trajectory& trajectory, const Columns& columns, const std::strin
     if (columns.nanoseconds) unit = 1e9;
     constexpr double kLongest = 1e9;  // s, thirty years
     if ((last->time_s - from) / unit > kLongest) {
-        throw FormatError(
-            name, 0,
-            message(HITOS_TEXT("Errors",
-                               "the stamps go from %1 to %2, which cannot be seconds; expected "
-                               "seconds (nanoseconds divided by 1e9)"),
-                    from, last->time_s));
+        throw FormatError(name, 0,
+                          HITOS_TEXT("Errors",
+                                     "the stamps go from %1 to %2, which cannot be seconds; "
+                                     "expected seconds (nanoseconds divided by 1e9)"),
+                          from, last->time_s);
     }
     if (unit == 1.0) return;
     for (StampedPose& pose : trajectory) pose.time_s /= unit;
@@ -189,17 +188,17 @@ Trajectory parse_trajectory(std::string_view text, const std::string& name) {
     if (trajectory.empty()) {
         throw FormatError(
             name, 0,
-            message(HITOS_TEXT(
+            HITOS_TEXT(
                 "Errors",
-                "no pose in the file; expected 8 numbers, t x y z qx qy qz qw on each line")));
+                "no pose in the file; expected 8 numbers, t x y z qx qy qz qw on each line"));
     }
     if (turns.rolls && !turns.of_plane) {
         throw FormatError(
             name, 0,
-            message(HITOS_TEXT("Errors",
-                               "the robot rolls about its x axis and turns about no other, as "
-                               "where qw stands before qx; expected t x y z qx qy qz qw, or a "
-                               "first line that names the columns")));
+            HITOS_TEXT(
+                "Errors",
+                "the robot rolls about its x axis and turns about no other, as where qw stands "
+                "before qx; expected t x y z qx qy qz qw, or a first line that names the columns"));
     }
     to_seconds(trajectory, columns, name);
     return trajectory;

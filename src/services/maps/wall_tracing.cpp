@@ -24,8 +24,8 @@ struct Limits {
 Limits limits_of(const OccupancyPicture& picture, const TracingOptions& options) {
     const auto check = [](const char* name, double value) {
         if (!(value >= 0.0) || !std::isfinite(value)) {
-            throw ConfigError(name, message(HITOS_TEXT("Errors", "found %1, expected %2"), value,
-                                            message(HITOS_TEXT("Errors", "0 m or more"))));
+            throw ConfigError(name, HITOS_TEXT("Errors", "found %1, expected %2"), value,
+                              message(HITOS_TEXT("Errors", "0 m or more")));
         }
     };
     check("tolerance", options.tolerance_m);

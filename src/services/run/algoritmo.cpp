@@ -89,9 +89,9 @@ bool Algoritmo::step(AssociationRecord* record) {
         if (steps() == 0) {
             throw FormatError(
                 reader().name(), 0,
-                message(HITOS_TEXT("Errors",
-                                   "%1; expected at least one scan: check the file and its format"),
-                        nothing_found(report())));
+                HITOS_TEXT("Errors",
+                           "%1; expected at least one scan: check the file and its format"),
+                nothing_found(report()));
         }
         // Nothing comes of odometry after the last scan, but the log has it: report() is of all.
         while (const std::optional<Odometria> reading = reader_->next_odometry()) {
@@ -132,11 +132,12 @@ Message Algoritmo::out_of_memory(const char* reason) const {
                                   "with a higher split_merge.min_length"),
                        steps() + 1, landmarks, filter.particles, verbatim(reason));
     }
-    return message(HITOS_TEXT("Errors",
-                              "out of memory at scan %1, with %2 landmarks in the map: %3; make "
-                              "fewer landmarks with a higher split_merge.min_length, or use "
-                              "filter.algorithm = fastslam"),
-                   steps() + 1, landmarks, verbatim(reason));
+    return message(
+        HITOS_TEXT(
+            "Errors",
+            "out of memory at scan %1, with %2 landmarks in the map: %3; make fewer landmarks with "
+            "a higher split_merge.min_length, or use filter.algorithm = fastslam"),
+        steps() + 1, landmarks, verbatim(reason));
 }
 
 void Algoritmo::note_scan() {
@@ -196,12 +197,12 @@ std::vector<Advice> Algoritmo::advice() const {
     const bool recording = reader_->format() == "carmen" || reader_->format() == "radish" ||
                            reader_->report().of_recording;
     if (recording && !registration_) {
-        advice.insert(advice.begin(),
-                      {HITOS_TEXT("Advice",
-                                  "This is the recording of a robot (%1), and its scans are not "
-                                  "registered: with registration maps of buildings come out "
-                                  "right."),
-                       reader_->format(), "recorded"});
+        advice.insert(
+            advice.begin(),
+            {HITOS_TEXT("Advice",
+                        "This is the recording of a robot (%1), and its scans are not registered: "
+                        "with registration maps of buildings come out right."),
+             reader_->format(), "recorded"});
     }
     return advice;
 }

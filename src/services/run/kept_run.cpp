@@ -33,10 +33,9 @@ void expect_unchanged(const nlohmann::json& summary, const std::filesystem::path
         if (std::ranges::count(kRead, file.name) == 0 || is_unchanged(file, folder)) continue;
         throw FormatError(
             (folder / file.name).string(), 0,
-            message(HITOS_TEXT("Errors",
-                               "is not the file that summary.json beside it names: it is missing, "
-                               "was changed or is of another run; hitos-cli verify names all such "
-                               "files")));
+            HITOS_TEXT("Errors",
+                       "is not the file that summary.json beside it names: it is missing, was "
+                       "changed or is of another run; hitos-cli verify names all such files"));
     }
 }
 
@@ -70,10 +69,10 @@ KeptRun read_results(const std::filesystem::path& folder) {
     for (const LineExtent& extent : run.line_extents) {
         if (extent.landmark < lines) continue;
         throw FormatError(segments.string(), 0,
-                          message(HITOS_TEXT("Errors",
-                                             "has a segment of line %1, and map.txt beside it %2 "
-                                             "lines; the folder mixes the files of several runs"),
-                                  extent.landmark + 1, lines));
+                          HITOS_TEXT("Errors",
+                                     "has a segment of line %1, and map.txt beside it %2 lines; "
+                                     "the folder mixes the files of several runs"),
+                          extent.landmark + 1, lines);
     }
     run.path = read_trajectory(folder / "trajectory.tum");
     run.odometry = read_trajectory(folder / "odometry.tum");

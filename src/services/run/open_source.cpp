@@ -9,9 +9,8 @@ namespace hitos {
 
 std::unique_ptr<TourReader> open_source(const SourceParams& source) {
     if (source.file.empty()) {
-        throw ConfigError(
-            "source.file",
-            message(HITOS_TEXT("Errors", "found no file name; expected the path of a log")));
+        throw ConfigError("source.file",
+                          HITOS_TEXT("Errors", "found no file name; expected the path of a log"));
     }
     auto reader = std::make_unique<Procesador>(open_log(source.file, source.format, source.read),
                                                source.read);

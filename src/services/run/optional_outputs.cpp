@@ -23,16 +23,16 @@ constexpr std::string_view kAll = "all";
     }
     const auto near = parameter_detail::near_keys(name, names);
     const Message all = verbatim(parameter_detail::joined(words, ", "));
-    throw ConfigError(
-        option, near.empty() ? message(HITOS_TEXT("Errors",
-                                                  "found \"%1\", which is no file of a run that "
-                                                  "can be asked for; there are %2"),
-                                       name, all)
-                             : message(HITOS_TEXT("Errors",
-                                                  "found \"%1\", which is no file of a run that "
-                                                  "can be asked for; did you mean %2? There are "
-                                                  "%3"),
-                                       name, either(near), all));
+    throw ConfigError(option,
+                      near.empty()
+                          ? message(HITOS_TEXT("Errors",
+                                               "found \"%1\", which is no file of a run that can "
+                                               "be asked for; there are %2"),
+                                    name, all)
+                          : message(HITOS_TEXT("Errors",
+                                               "found \"%1\", which is no file of a run that can "
+                                               "be asked for; did you mean %2? There are %3"),
+                                    name, either(near), all));
 }
 
 }  // namespace

@@ -66,12 +66,12 @@ double distance(const Pose& a, const Pose& b) {
 
 void warn_of_early_scans(const ReadReport& log, std::vector<Advice>& warnings) {
     if (log.early_scans < kManyEarlyScans) return;
-    warn(warnings,
-         HITOS_TEXT("Advice",
-                    "%1 scans lie before the first odometry reading, and the robot is taken to "
-                    "have stood still until then: if it moved, leave them out "
-                    "(source.early_scans)."),
-         std::to_string(log.early_scans));
+    warn(
+        warnings,
+        HITOS_TEXT("Advice",
+                   "%1 scans lie before the first odometry reading, and the robot is taken to have "
+                   "stood still until then: if it moved, leave them out (source.early_scans)."),
+        std::to_string(log.early_scans));
 }
 
 void warn_of_odometry(const Algoritmo& run, std::vector<Advice>& warnings) {
@@ -82,10 +82,9 @@ void warn_of_odometry(const Algoritmo& run, std::vector<Advice>& warnings) {
     if (needed && std::ranges::all_of(
                       odometry, [&](const StampedPose& pose) { return pose.pose == first; })) {
         warn(warnings,
-             HITOS_TEXT(
-                 "Advice",
-                 "The odometry never moves in %1 scans: either the robot stood still, or the log "
-                 "has no odometry and its map is that of one place."),
+             HITOS_TEXT("Advice",
+                        "The odometry never moves in %1 scans: either the robot stood still, or "
+                        "the log has no odometry and its map is that of one place."),
              std::to_string(odometry.size()));
     }
     std::size_t longest = 1;  // the scan that it leads to
@@ -100,8 +99,8 @@ void warn_of_odometry(const Algoritmo& run, std::vector<Advice>& warnings) {
         warn(warnings,
              HITOS_TEXT(
                  "Advice",
-                 "The odometry jumps from one scan to the next (%1): they have nothing in "
-                 "common, and what follows lies where the jump put it until a loop is closed."),
+                 "The odometry jumps from one scan to the next (%1): they have nothing in common, "
+                 "and what follows lies where the jump put it until a loop is closed."),
              fmt::format("{0} → {1}, {2:.0f} m", longest, longest + 1, step));
     }
 }
@@ -171,11 +170,10 @@ void warn_of_registration(const Algoritmo& run, const Registration& registration
     } else if (const auto breaks = not_joined(figures.breaks, registration.loops());
                !breaks.empty()) {
         warn(warnings,
-             HITOS_TEXT(
-                 "Advice",
-                 "What was seen does not follow on what was seen just before (scan %1): the "
-                 "robot may have been carried there, the log have a gap, or scans lie too far "
-                 "apart for this odometry. The map may be in pieces."),
+             HITOS_TEXT("Advice",
+                        "What was seen does not follow on what was seen just before (scan %1): the "
+                        "robot may have been carried there, the log have a gap, or scans lie too "
+                        "far apart for this odometry. The map may be in pieces."),
              counted(breaks));
     }
     if (figures.unmatched < figures.scans && figures.mean_score < kPoorScore) {
@@ -228,8 +226,8 @@ RunQuality judge(const Algoritmo& run, const std::function<bool()>& stop) {
         !follows_odometry(run)) {
         quality.warnings.push_back(
             {HITOS_TEXT("Advice",
-                        "The map is less crisp than that of the odometry alone (%1 times the "
-                        "cells per point): do not trust it."),
+                        "The map is less crisp than that of the odometry alone (%1 times the cells "
+                        "per point): do not trust it."),
              fmt::format("{:.2f}", quality.cells_per_point / quality.odometry_cells_per_point),
              quality.registration ? std::string_view() : "recorded"});
     }

@@ -34,10 +34,10 @@ void expect_settings(const fs::path& folder) {
             const std::string said = stated.is_string() ? stated.get<std::string>() : stated.dump();
             if (said == set) return;
             throw FormatError(summary, 0,
-                              message(HITOS_TEXT("Errors",
-                                                 "says %1 %2, and config.cfg beside it %3; one of "
-                                                 "the two was changed or is of another run"),
-                                      name, said, set));
+                              HITOS_TEXT("Errors",
+                                         "says %1 %2, and config.cfg beside it %3; one of the two "
+                                         "was changed or is of another run"),
+                              name, said, set);
         };
         expect("algorithm", "filter.algorithm");
         expect("seed", "run.seed");
@@ -54,11 +54,10 @@ ResultsCheck check_results(const fs::path& folder) {
         return std::pair(files_named(json, summary), json.value("finished", true));
     });
     if (files.empty()) {
-        throw FormatError(
-            summary.string(), 0,
-            message(HITOS_TEXT("Errors",
-                               "does not name the files of the run, as summaries of Hitos "
-                               "0.1.0 did not; run it again to have them checked")));
+        throw FormatError(summary.string(), 0,
+                          HITOS_TEXT("Errors",
+                                     "does not name the files of the run, as summaries of Hitos "
+                                     "0.1.0 did not; run it again to have them checked"));
     }
     expect_settings(folder);
     ResultsCheck check;

@@ -71,27 +71,25 @@ std::vector<Advice> Suitability::advice(const Configuracion& configuration, bool
     const std::string_view preset = simulated ? "simulated" : "recorded";
     if (motion.model == "odometry" && seen.step_m > kLongStep &&
         seen.step_m > kStepPerSigma * sigma) {
-        advice.push_back(
-            {HITOS_TEXT("Advice",
-                        "The robot drives %1 between scans, which is far for noise of a fixed "
-                        "size at every scan: the path may be lost."),
-             fmt::format("{:.2f} m", seen.step_m), preset});
+        advice.push_back({HITOS_TEXT("Advice",
+                                     "The robot drives %1 between scans, which is far for noise of "
+                                     "a fixed size at every scan: the path may be lost."),
+                          fmt::format("{:.2f} m", seen.step_m), preset});
     }
     const ExtractionParams& extraction = configuration.extraction;
     if (line_methods().reads(extraction.method, "split_merge.dmax") &&
         seen.scatter_m > kMuchScatter * extraction.split_merge.dmax_m) {
         advice.push_back(
             {HITOS_TEXT("Advice",
-                        "The points of a line lie %1 from it, too much for split_merge.dmax: "
-                        "walls break into pieces, and their ends become false corners."),
+                        "The points of a line lie %1 from it, too much for split_merge.dmax: walls "
+                        "break into pieces, and their ends become false corners."),
              fmt::format("{:.1f} mm", 1e3 * seen.scatter_m), preset});
     }
     if (seen.unmatched > kManyUnmatched) {
-        advice.push_back(
-            {HITOS_TEXT("Advice",
-                        "%1 of the observations match nothing in the map: what is seen again "
-                        "becomes a new landmark."),
-             fmt::format("{:.0f} %", 100.0 * seen.unmatched), preset});
+        advice.push_back({HITOS_TEXT("Advice",
+                                     "%1 of the observations match nothing in the map: what is "
+                                     "seen again becomes a new landmark."),
+                          fmt::format("{:.0f} %", 100.0 * seen.unmatched), preset});
     }
     return advice;
 }

@@ -94,14 +94,13 @@ class Crew {
         }
         if (broken_) std::rethrow_exception(broken_);
         if (changed_.empty()) return;
-        throw FileError(
-            changed_,
-            message(HITOS_TEXT("Errors",
-                               "has changed while it was being worked on; %1 of %2 runs were done "
-                               "before, of the file as it was, and the others are left out; start "
-                               "again when the file is complete"),
-                    progress_.finished + progress_.reused - progress_.failed,
-                    progress_.runs + progress_.reused));
+        throw FileError(changed_,
+                        HITOS_TEXT("Errors",
+                                   "has changed while it was being worked on; %1 of %2 runs were "
+                                   "done before, of the file as it was, and the others are left "
+                                   "out; start again when the file is complete"),
+                        progress_.finished + progress_.reused - progress_.failed,
+                        progress_.runs + progress_.reused);
     }
 
   private:
@@ -352,10 +351,10 @@ StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout>
     for (const StudyLayout& shard : shards) {
         if (!study::same(study::read_plan(shard), study::read_plan(shards.front()))) {
             throw FormatError(study::plan_file(shard).string(), 0,
-                              message(HITOS_TEXT("Errors",
-                                                 "is of another study than %1: program, "
-                                                 "configuration, log, values or seeds differ"),
-                                      study::plan_file(shards.front()).string()));
+                              HITOS_TEXT("Errors",
+                                         "is of another study than %1: program, configuration, "
+                                         "log, values or seeds differ"),
+                              study::plan_file(shards.front()).string());
         }
     }
     StudyFolder folder = shards.empty() ? StudyFolder::of_last(layout)

@@ -120,9 +120,9 @@ StudyOutcome recover_study(const StudyLayout& layout) {
         ++(record.ok ? outcome.reused : outcome.failed);
     if (missing.size() == outcome.plan.runs()) {
         throw FileError(layout.folder.string(),
-                        message(HITOS_TEXT("Errors",
-                                           "has no run of its study that can be read; nothing was "
-                                           "changed: look whether maps and runs are there")));
+                        HITOS_TEXT("Errors",
+                                   "has no run of its study that can be read; nothing was changed: "
+                                   "look whether maps and runs are there"));
     }
     const study::StudyFolder::Problems problems = folder.publish(outcome.records, missing.empty());
     outcome.plot_problem = problems.plots;

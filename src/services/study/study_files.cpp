@@ -57,25 +57,24 @@ auto with_plan(const StudyLayout& layout, Read read) {
     try {
         const auto json = parsed<ordered_json>(text, path.string());
         if (json.at("format") != kPlanFormat) {
-            throw FormatError(path.string(), 0,
-                              message(HITOS_TEXT("Errors", "expected format %1"), kPlanFormat));
+            throw FormatError(path.string(), 0, HITOS_TEXT("Errors", "expected format %1"),
+                              kPlanFormat);
         }
         const StudyPlan plan = plan_of(json, path);
         const bool sound = is_consistent(plan);
         if (sound && !plan.is_possible()) {
             throw FormatError(
                 path.string(), 0,
-                message(HITOS_TEXT("Errors", "is a plan of more than %1 runs; the plan is damaged"),
-                        StudyPlan::kMostRuns));
+                HITOS_TEXT("Errors", "is a plan of more than %1 runs; the plan is damaged"),
+                StudyPlan::kMostRuns);
         }
         if (!sound || !is_sealed(text, kStudySeal)) {
-            throw FormatError(path.string(), 0,
-                              message(HITOS_TEXT("Errors", "the plan is damaged")));
+            throw FormatError(path.string(), 0, HITOS_TEXT("Errors", "the plan is damaged"));
         }
         return read(json, plan);
     } catch (const nlohmann::json::exception& error) {
-        throw FormatError(path.string(), 0,
-                          message(HITOS_TEXT("Errors", "is no plan of a study: %1"), error.what()));
+        throw FormatError(path.string(), 0, HITOS_TEXT("Errors", "is no plan of a study: %1"),
+                          error.what());
     }
 }
 

@@ -100,10 +100,11 @@ std::set<std::string> former_files(const StudyLayout& layout, bool with_runs) {
 }
 
 FormatError lost(const StudyLayout& layout, const WrittenFile& file) {
-    return {(layout.folder / file.name).string(), 0,
-            message(HITOS_TEXT("Errors",
-                               "was changed or lost while the study was put in place; start the "
-                               "same command again"))};
+    return {
+        (layout.folder / file.name).string(), 0,
+        message(HITOS_TEXT(
+            "Errors",
+            "was changed or lost while the study was put in place; start the same command again"))};
 }
 
 /// Puts in place what the journal in `staging` lists, the plan file last, and takes away what is of
@@ -118,8 +119,8 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
         files = files_named(json, journal, true);
         with_runs = json.at("with_runs");
     } catch (const nlohmann::json::exception& error) {
-        throw FormatError(journal.string(), 0,
-                          message(HITOS_TEXT("Errors", "is no list of files: %1"), error.what()));
+        throw FormatError(journal.string(), 0, HITOS_TEXT("Errors", "is no list of files: %1"),
+                          error.what());
     } catch (const FileError& error) {
         // Nobody knows of the folder in which it really is.
         throw error.replaced(staging.folder.string(), target.folder.string());
@@ -205,11 +206,12 @@ void check_others(const StudyLayout& target, const StudyPlan& plan, const Folder
         holds_plan(next_study(target), plan)) {
         return;
     }
-    throw FileError(plan_file(target).string(),
-                    message(HITOS_TEXT("Errors",
-                                       "is the plan of another study, on which others are at work: "
-                                       "program, configuration, log, values or seeds differ; wait "
-                                       "for them or choose another folder")));
+    throw FileError(
+        plan_file(target).string(),
+        HITOS_TEXT(
+            "Errors",
+            "is the plan of another study, on which others are at work: program, configuration, "
+            "log, values or seeds differ; wait for them or choose another folder"));
 }
 
 void remove_tables(const StudyLayout& layout) {

@@ -69,8 +69,8 @@ void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
-        throw FileError(folder.string(), message(HITOS_TEXT("Errors", "cannot be made: %1"),
-                                                 system_message(error.value())));
+        throw FileError(folder.string(), HITOS_TEXT("Errors", "cannot be made: %1"),
+                        system_message(error.value()));
     }
 }
 

@@ -43,44 +43,41 @@ StudyValue canonical(const std::vector<std::string>& keys, const StudyValue& val
 
 StudyPlan::Axis axis_of(const StudyParameter& parameter, const Configuracion& configuration) {
     if (parameter.values.empty()) {
-        throw ConfigError(parameter.name, message(HITOS_TEXT("Errors", "found no value to study")));
+        throw ConfigError(parameter.name, HITOS_TEXT("Errors", "found no value to study"));
     }
     StudyPlan::Axis axis{parameter.name, parameter.keys, {}, {}};
     for (const std::string& key : parameter.keys) {
         const ConfigParameter& varied = find_parameter(key);
         if (varied.table() == "grid") {
-            throw ConfigError(key,
-                              message(HITOS_TEXT("Errors",
-                                                 "has no effect on a landmark map; a study draws "
-                                                 "grids only to measure and show its runs")));
+            throw ConfigError(key, HITOS_TEXT("Errors",
+                                              "has no effect on a landmark map; a study draws "
+                                              "grids only to measure and show its runs"));
         }
         if (!can_be_varied(varied)) {
             throw ConfigError(parameter.name,
-                              message(HITOS_TEXT("Errors",
-                                                 "%1 is set by the study itself; say the number of "
-                                                 "runs and the first seed instead"),
-                                      key));
+                              HITOS_TEXT("Errors",
+                                         "%1 is set by the study itself; say the number of runs "
+                                         "and the first seed instead"),
+                              key);
         }
         axis.units.emplace_back(varied.unit_of(configuration));
     }
     for (const StudyValue& value : parameter.values) {
         if (value.size() != parameter.keys.size()) {
-            throw ConfigError(
-                parameter.name,
-                message(HITOS_TEXT("Errors", "a value has %1 components, expected %2"),
-                        value.size(), parameter.keys.size()));
+            throw ConfigError(parameter.name,
+                              HITOS_TEXT("Errors", "a value has %1 components, expected %2"),
+                              value.size(), parameter.keys.size());
         }
         StudyValue texts = canonical(parameter.keys, value);
         if (!std::ranges::all_of(texts, is_utf8)) {
             throw ConfigError(
                 parameter.name,
-                message(HITOS_TEXT("Errors", "the value %1 is no UTF-8 text; rename the file"),
-                        in_utf8(fmt::format("{}", fmt::join(texts, ", ")))));
+                HITOS_TEXT("Errors", "the value %1 is no UTF-8 text; rename the file"),
+                in_utf8(fmt::format("{}", fmt::join(texts, ", "))));
         }
         if (std::find(axis.values.begin(), axis.values.end(), texts) != axis.values.end()) {
-            throw ConfigError(parameter.name,
-                              message(HITOS_TEXT("Errors", "the value %1 is given twice"),
-                                      fmt::format("{}", fmt::join(texts, ", "))));
+            throw ConfigError(parameter.name, HITOS_TEXT("Errors", "the value %1 is given twice"),
+                              fmt::format("{}", fmt::join(texts, ", ")));
         }
         axis.values.push_back(std::move(texts));
     }
@@ -116,8 +113,8 @@ void check_effect(const Configuracion& base, const StudyPlan& plan) {
     const Configuracion first = configuration_of(base, keys, plan.texts(0));
     const ConfigParameter::Condition& unmet = *idle.front()->unmet(first);
     throw ConfigError(std::string(idle.front()->key),
-                      message(HITOS_TEXT("Errors", "has no effect where %1 is %2; set it to %3"),
-                              unmet.key, find_parameter(unmet.key).text(first), unmet.needed));
+                      HITOS_TEXT("Errors", "has no effect where %1 is %2; set it to %3"), unmet.key,
+                      find_parameter(unmet.key).text(first), unmet.needed);
 }
 
 /// All that decides a result, but for values and seeds: program, parameters, log, reference.
@@ -170,8 +167,8 @@ StudyPictures parse_study_pictures(std::string_view word, const std::string& opt
     for (std::size_t i = 0; i < kPictureWords.size(); ++i) {
         if (kPictureWords.at(i) == word) return static_cast<StudyPictures>(i);
     }
-    throw ConfigError(option, message(HITOS_TEXT("Errors", "found \"%1\", expected one of %2"),
-                                      word, fmt::format("{}", fmt::join(kPictureWords, ", "))));
+    throw ConfigError(option, HITOS_TEXT("Errors", "found \"%1\", expected one of %2"), word,
+                      fmt::format("{}", fmt::join(kPictureWords, ", ")));
 }
 
 StudyPlan plan_study(const Study& study) {
@@ -180,18 +177,17 @@ StudyPlan plan_study(const Study& study) {
     if (study.parameters.size() > kMostParameters) {
         throw ConfigError(
             study.parameters.back().name,
-            message(HITOS_TEXT("Errors", "found %1 parameters; a study varies two at the most"),
-                    study.parameters.size()));
+            HITOS_TEXT("Errors", "found %1 parameters; a study varies two at the most"),
+            study.parameters.size());
     }
     if (study.seeds < 1 || static_cast<std::size_t>(study.seeds) > StudyPlan::kMostRuns) {
-        throw ConfigError("runs",
-                          message(HITOS_TEXT("Errors", "found %1 for each value, expected 1 to %2"),
-                                  study.seeds, StudyPlan::kMostRuns));
+        throw ConfigError("runs", HITOS_TEXT("Errors", "found %1 for each value, expected 1 to %2"),
+                          study.seeds, StudyPlan::kMostRuns);
     }
     constexpr auto kLastSeed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
     if (study.first_seed > kLastSeed - static_cast<std::uint64_t>(study.seeds)) {
-        throw ConfigError("seed", message(HITOS_TEXT("Errors", "%1 and %2 more go beyond %3"),
-                                          study.first_seed, study.seeds - 1, kLastSeed));
+        throw ConfigError("seed", HITOS_TEXT("Errors", "%1 and %2 more go beyond %3"),
+                          study.first_seed, study.seeds - 1, kLastSeed);
     }
     StudyPlan plan;
     plan.first_seed = study.first_seed;
@@ -203,17 +199,18 @@ StudyPlan plan_study(const Study& study) {
         plan.axes.push_back(axis_of(parameter, study.configuration));
         for (const std::string& key : parameter.keys) {
             if (!keys.insert(key).second) {
-                throw ConfigError(key, message(HITOS_TEXT(
-                                           "Errors", "is varied by both parameters of the study")));
+                throw ConfigError(
+                    key, HITOS_TEXT("Errors", "is varied by both parameters of the study"));
             }
         }
     }
     if (!plan.is_possible()) {
-        throw ConfigError("runs",
-                          message(HITOS_TEXT("Errors",
-                                             "%1 values and %2 runs of each are more than %3 runs; "
-                                             "choose fewer values or runs"),
-                                  plan.cells(), plan.seeds, StudyPlan::kMostRuns));
+        throw ConfigError(
+            "runs",
+            HITOS_TEXT(
+                "Errors",
+                "%1 values and %2 runs of each are more than %3 runs; choose fewer values or runs"),
+            plan.cells(), plan.seeds, StudyPlan::kMostRuns);
     }
     check_effect(study.configuration, plan);
     count_reference(study.reference, plan);
@@ -322,8 +319,7 @@ StudyLayout study_beside(const fs::path& quality_file) {
     if (!quality_file.has_filename() || fs::is_directory(quality_file, ignored)) {
         throw FileError(
             quality_file.string(),
-            message(HITOS_TEXT("Errors",
-                               "is a folder; expected the path of the quality file to write")));
+            HITOS_TEXT("Errors", "is a folder; expected the path of the quality file to write"));
     }
     const fs::path folder = quality_file.has_parent_path() ? quality_file.parent_path() : ".";
     // A number is no ending: p0.5 and p0.6 are two studies.

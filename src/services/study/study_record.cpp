@@ -141,9 +141,9 @@ void expect_no_record(const StudyLayout& layout, const StudyPlan& plan, std::siz
     }
     throw FormatError(
         file.string(), 0,
-        message(HITOS_TEXT("Errors",
-                           "is damaged, was changed, or its map is missing; start the "
-                           "shard that it is of again")));
+        HITOS_TEXT(
+            "Errors",
+            "is damaged, was changed, or its map is missing; start the shard that it is of again"));
 }
 
 void copy_run(const StudyLayout& from, const StudyLayout& to, const StudyPlan& plan,

@@ -41,9 +41,9 @@ int number(const Environment& environment, const char* name) {
             text ? message(HITOS_TEXT("Errors", "found %1"), input::in_quotes(*text))
                  : message(HITOS_TEXT("Errors", "is not set"));
         throw ConfigError(
-            name, message(HITOS_TEXT("Errors",
-                                     "%1, expected a whole number; say the shard with --shard i/n"),
-                          found));
+            name,
+            HITOS_TEXT("Errors", "%1, expected a whole number; say the shard with --shard i/n"),
+            found);
     }
     return *value;
 }
@@ -54,19 +54,21 @@ StudyShard shard_of(const Environment& environment, const ArrayVariables& names)
     const int last = number(environment, names.last);
     const int step = environment(names.step) ? number(environment, names.step) : 1;
     if (step < 1 || id < first || id > last || (id - first) % step != 0) {
-        throw ConfigError(names.id, message(HITOS_TEXT("Errors",
-                                                       "found task %1 of an array from %2 to %3 by "
-                                                       "%4; say the shard with --shard i/n"),
-                                            id, first, last, step));
+        throw ConfigError(
+            names.id,
+            HITOS_TEXT(
+                "Errors",
+                "found task %1 of an array from %2 to %3 by %4; say the shard with --shard i/n"),
+            id, first, last, step);
     }
     const int count = (last - first) / step + 1;
     if (names.count != nullptr && environment(names.count) &&
         number(environment, names.count) != count) {
         throw ConfigError(names.count,
-                          message(HITOS_TEXT("Errors",
-                                             "found %1 tasks in an array from %2 to %3 by %4: it "
-                                             "has gaps; say the shard with --shard i/n"),
-                                  number(environment, names.count), first, last, step));
+                          HITOS_TEXT("Errors",
+                                     "found %1 tasks in an array from %2 to %3 by %4: it has gaps; "
+                                     "say the shard with --shard i/n"),
+                          number(environment, names.count), first, last, step);
     }
     return {(id - first) / step + 1, count};
 }
@@ -80,9 +82,8 @@ StudyShard parse_shard(std::string_view text) {
         slash == std::string_view::npos ? std::nullopt : whole_number(text.substr(slash + 1));
     if (!index || !count || *index < 1 || *count < *index) {
         throw ConfigError(
-            "--shard",
-            message(HITOS_TEXT("Errors", "found %1, expected i/n with 1 <= i <= n, such as 2/8"),
-                    input::in_quotes(text)));
+            "--shard", HITOS_TEXT("Errors", "found %1, expected i/n with 1 <= i <= n, such as 2/8"),
+            input::in_quotes(text));
     }
     return {*index, *count};
 }
@@ -104,10 +105,10 @@ std::optional<StudyShard> scheduler_shard(const Environment& environment) {
     for (const char* name : {"PBS_ARRAY_INDEX", "PBS_ARRAYID"}) {
         if (const auto index = environment(name)) {
             throw ConfigError(name,
-                              message(HITOS_TEXT("Errors",
-                                                 "found task %1, but PBS does not tell how many "
-                                                 "there are; say the shard with --shard $%2/n"),
-                                      input::in_quotes(*index), name));
+                              HITOS_TEXT("Errors",
+                                         "found task %1, but PBS does not tell how many there are; "
+                                         "say the shard with --shard $%2/n"),
+                              input::in_quotes(*index), name);
         }
     }
     return std::nullopt;

@@ -32,10 +32,9 @@ double range_number(std::string_view range, std::string_view word) {
     if (!number || !std::isfinite(*number)) {
         throw ConfigError(
             std::string(range),
-            message(HITOS_TEXT(
-                        "Errors",
-                        "%1 is not a number; expected a range from:to:step such as 0.01:0.05:0.01"),
-                    input::in_quotes(word)));
+            HITOS_TEXT("Errors",
+                       "%1 is not a number; expected a range from:to:step such as 0.01:0.05:0.01"),
+            input::in_quotes(word));
     }
     return *number;
 }
@@ -102,8 +101,8 @@ std::span<const ThesisParameter> thesis_parameters() {
          {"motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"},
          HITOS_TEXT("Errors",
                     "standard deviation of x in m, of y in m, of theta in rad; with motion.unit = "
-                    "\"variance\" in "
-                    "the configuration the variances of the thesis's text, in m^2, m^2, rad^2")},
+                    "\"variance\" in the configuration the variances of the thesis's text, in m^2, "
+                    "m^2, rad^2")},
         {"p0", {"association.p0"}, HITOS_TEXT("Errors", "likelihood of a new landmark")},
         {"col",
          {"split_merge.collinear_rho", "split_merge.collinear_theta"},
@@ -121,8 +120,8 @@ StudyParameter find_thesis_parameter(std::string_view name) {
         names.push_back(thesis.name);
     }
     throw ConfigError(std::string(name),
-                      message(HITOS_TEXT("Errors", "no such parameter; expected one of %1"),
-                              fmt::format("{}", fmt::join(names, ", "))));
+                      HITOS_TEXT("Errors", "no such parameter; expected one of %1"),
+                      fmt::format("{}", fmt::join(names, ", ")));
 }
 
 StudyParameter find_study_parameter(std::string_view name) {
@@ -133,8 +132,7 @@ StudyParameter find_study_parameter(std::string_view name) {
     for (const std::string_view key : split(name, '+')) {
         parameter.keys.emplace_back(find_parameter(key).key);
         if (std::count(parameter.keys.begin(), parameter.keys.end(), parameter.keys.back()) > 1) {
-            throw ConfigError(std::string(name),
-                              message(HITOS_TEXT("Errors", "names a key twice")));
+            throw ConfigError(std::string(name), HITOS_TEXT("Errors", "names a key twice"));
         }
     }
     return parameter;
@@ -144,8 +142,8 @@ void set_values(StudyParameter& parameter, std::span<const std::string> words) {
     const std::size_t width = parameter.keys.size();
     if (words.empty() || words.size() % width != 0) {
         throw ConfigError(parameter.name,
-                          message(HITOS_TEXT("Errors", "found %1 values; each run takes %2"),
-                                  words.size(), components(parameter)));
+                          HITOS_TEXT("Errors", "found %1 values; each run takes %2"), words.size(),
+                          components(parameter));
     }
     parameter.values.clear();
     if (width == 1) {
@@ -161,15 +159,13 @@ void set_values(StudyParameter& parameter, std::span<const std::string> words) {
 StudyParameter parse_study_parameter(std::string_view assignment) {
     const std::size_t sign = assignment.find('=');
     if (sign == std::string_view::npos) {
-        throw ConfigError(
-            std::string(assignment),
-            message(HITOS_TEXT("Errors", "expected name=value,value,… or name=from:to:step")));
+        throw ConfigError(std::string(assignment),
+                          HITOS_TEXT("Errors", "expected name=value,value,… or name=from:to:step"));
     }
     StudyParameter parameter = find_study_parameter(input::trimmed(assignment.substr(0, sign)));
     for (const std::string_view word : split(assignment.substr(sign + 1), ',')) {
         if (word.empty()) {
-            throw ConfigError(parameter.name,
-                              message(HITOS_TEXT("Errors", "found an empty value")));
+            throw ConfigError(parameter.name, HITOS_TEXT("Errors", "found an empty value"));
         }
         if (parameter.keys.size() == 1) {
             append_word(parameter, word);
@@ -179,9 +175,8 @@ StudyParameter parse_study_parameter(std::string_view assignment) {
         if (parts.size() != parameter.keys.size()) {
             throw ConfigError(
                 parameter.name,
-                message(HITOS_TEXT("Errors",
-                                   "found %1 of %2 components; each run takes %3, joined by '/'"),
-                        input::in_quotes(word), parts.size(), components(parameter)));
+                HITOS_TEXT("Errors", "found %1 of %2 components; each run takes %3, joined by '/'"),
+                input::in_quotes(word), parts.size(), components(parameter));
         }
         parameter.values.emplace_back(parts.begin(), parts.end());
     }
@@ -192,7 +187,7 @@ std::vector<std::string> expand_range(std::string_view range) {
     const std::vector<std::string_view> parts = split(range, ':');
     if (parts.size() != 3) {
         throw ConfigError(std::string(range),
-                          message(HITOS_TEXT("Errors", "expected a range from:to:step")));
+                          HITOS_TEXT("Errors", "expected a range from:to:step"));
     }
     const double from = range_number(range, parts[0]);
     const double to = range_number(range, parts[1]);
@@ -203,11 +198,11 @@ std::vector<std::string> expand_range(std::string_view range) {
     if (!(steps >= 0.0)) {
         throw ConfigError(
             std::string(range),
-            message(HITOS_TEXT("Errors", "the step does not lead from the first to the last")));
+            HITOS_TEXT("Errors", "the step does not lead from the first to the last"));
     }
     if (steps >= kLongestRange) {
-        throw ConfigError(std::string(range),
-                          message(HITOS_TEXT("Errors", "has more than %1 values"), kLongestRange));
+        throw ConfigError(std::string(range), HITOS_TEXT("Errors", "has more than %1 values"),
+                          kLongestRange);
     }
     const int digits = std::max(decimals(parts[0]), decimals(parts[2]));
     std::vector<std::string> values;

@@ -41,7 +41,7 @@ void GraphSlam::step(const SlamInput& input) {
     if (input.registered == nullptr) {
         throw ConfigError(
             "filter.algorithm",
-            message(HITOS_TEXT("Errors", "graph-slam needs registration, and the run has none")));
+            HITOS_TEXT("Errors", "graph-slam needs registration, and the run has none"));
     }
     const RegisteredStep& registered = *input.registered;
     // The first scan is where the world begins; there is no step to it.

@@ -104,10 +104,9 @@ class RobotRegistered final : public Robot {
         if (increment.registered != nullptr) return *increment.registered;
         throw ConfigError(
             "motion.model",
-            message(HITOS_TEXT(
-                "Errors",
-                "\"registered\" needs registration, and this run has none; choose another motion "
-                "model, or give every step what registration says of it")));
+            HITOS_TEXT("Errors",
+                       "\"registered\" needs registration, and this run has none; choose another "
+                       "motion model, or give every step what registration says of it"));
     }
     double remembered(const RegisteredStep& step) const {
         return std::exp(-step.path_m / params_.registered_memory_m);

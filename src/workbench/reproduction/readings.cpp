@@ -116,8 +116,8 @@ const Reading& find_reading(std::string_view name) {
         if (reading.name == name) return reading;
         known.emplace_back(reading.name);
     }
-    throw ConfigError("--reading", message(HITOS_TEXT("Errors", "found '%1', expected one of %2"),
-                                           name, fmt::format("{}", fmt::join(known, ", "))));
+    throw ConfigError("--reading", HITOS_TEXT("Errors", "found '%1', expected one of %2"), name,
+                      fmt::format("{}", fmt::join(known, ", ")));
 }
 
 const Reading& reading_as_published() {

@@ -139,8 +139,8 @@ void check(const ReproductionOptions& options) {
     constexpr int kMostRuns = 10000;
     if (options.runs < 1 || options.runs > kMostRuns) {
         throw ConfigError("--runs",
-                          message(HITOS_TEXT("Errors", "found %1 of each value, expected 1 to %2"),
-                                  options.runs, kMostRuns));
+                          HITOS_TEXT("Errors", "found %1 of each value, expected 1 to %2"),
+                          options.runs, kMostRuns);
     }
 }
 
@@ -157,10 +157,9 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
             for (const ThesisFigure& figure : figures) known.push_back(figure.stem());
             throw ConfigError(
                 "--only",
-                message(HITOS_TEXT(
-                            "Errors",
-                            "found '%1', expected a figure's number, a world or a parameter of %2"),
-                        word, fmt::format("{}", fmt::join(known, ", "))));
+                HITOS_TEXT("Errors",
+                           "found '%1', expected a figure's number, a world or a parameter of %2"),
+                word, fmt::format("{}", fmt::join(known, ", ")));
         }
     }
     std::vector<ThesisFigure> selected;

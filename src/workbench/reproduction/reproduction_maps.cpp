@@ -235,8 +235,8 @@ MapReproduction reproduce_maps(const MapReproductionOptions& options) {
     std::error_code error;
     fs::create_directories(sheets, error);
     if (error) {
-        throw FileError(sheets.string(),
-                        message(HITOS_TEXT("Errors", "cannot be made: %1"), error.message()));
+        throw FileError(sheets.string(), HITOS_TEXT("Errors", "cannot be made: %1"),
+                        error.message());
     }
     std::map<std::string, OdometryMap> odometry;
     result.experiments.reserve(chosen.size());

@@ -235,9 +235,8 @@ void write_map_report(const MapReproduction& reproduction, const fs::path& docum
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
-        throw FileError(
-            folder.string(),
-            message(HITOS_TEXT("Errors", "cannot make this folder: %1"), error.message()));
+        throw FileError(folder.string(), HITOS_TEXT("Errors", "cannot make this folder: %1"),
+                        error.message());
     }
     for (const ReproducedExperiment& experiment : reproduction.experiments) {
         const std::string picture = experiment.thesis->stem() + ".png";
@@ -245,9 +244,8 @@ void write_map_report(const MapReproduction& reproduction, const fs::path& docum
         fs::copy_file(sheets / picture, folder / picture, fs::copy_options::overwrite_existing,
                       error);
         if (error) {
-            throw FileError(
-                (folder / picture).string(),
-                message(HITOS_TEXT("Errors", "cannot be written: %1"), error.message()));
+            throw FileError((folder / picture).string(),
+                            HITOS_TEXT("Errors", "cannot be written: %1"), error.message());
         }
     }
     write_file(document, map_reproduction_markdown(reproduction, document.stem().string()));

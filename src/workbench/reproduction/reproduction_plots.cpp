@@ -117,9 +117,8 @@ std::string draw_reproduction(const Reproduction& reproduction, const fs::path& 
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
-        throw FileError(
-            folder.string(),
-            message(HITOS_TEXT("Errors", "cannot make this output folder: %1"), error.message()));
+        throw FileError(folder.string(), HITOS_TEXT("Errors", "cannot make this output folder: %1"),
+                        error.message());
     }
     std::string problem;
     for (const ReproducedFigure& figure : reproduction.figures) {

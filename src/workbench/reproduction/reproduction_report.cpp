@@ -145,9 +145,8 @@ void write_report(const Reproduction& reproduction, const fs::path& document, co
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
-        throw FileError(
-            folder.string(),
-            message(HITOS_TEXT("Errors", "cannot make this folder: %1"), error.message()));
+        throw FileError(folder.string(), HITOS_TEXT("Errors", "cannot make this folder: %1"),
+                        error.message());
     }
     for (const ReproducedFigure& figure : reproduction.figures) {
         const std::string picture = figure.thesis.stem() + ".png";
@@ -155,9 +154,8 @@ void write_report(const Reproduction& reproduction, const fs::path& document, co
         fs::copy_file(plots / picture, folder / picture, fs::copy_options::overwrite_existing,
                       error);
         if (error) {
-            throw FileError(
-                (folder / picture).string(),
-                message(HITOS_TEXT("Errors", "cannot be written: %1"), error.message()));
+            throw FileError((folder / picture).string(),
+                            HITOS_TEXT("Errors", "cannot be written: %1"), error.message());
         }
     }
     write_file(document, reproduction_markdown(reproduction, document.stem().string(), tried));

@@ -110,7 +110,7 @@ std::vector<std::string> split(const std::string& line) {
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& path) : path_(path.string()), in_(path) {
-        if (!in_) throw FileError(path_, message(HITOS_TEXT("Errors", "cannot be read")));
+        if (!in_) throw FileError(path_, HITOS_TEXT("Errors", "cannot be read"));
     }
 
     bool next() {
@@ -173,7 +173,7 @@ const ThesisTable& find_thesis_table(std::string_view parameter) {
         if (table.parameter == parameter) return table;
     }
     throw ConfigError(std::string(parameter),
-                      message(HITOS_TEXT("Errors", "the thesis has no table for this parameter")));
+                      HITOS_TEXT("Errors", "the thesis has no table for this parameter"));
 }
 
 WorkingRange working_range(std::string_view parameter, std::string_view world) {
@@ -182,9 +182,8 @@ WorkingRange working_range(std::string_view parameter, std::string_view world) {
             return stated.range;
         }
     }
-    throw ConfigError(
-        std::string(parameter),
-        message(HITOS_TEXT("Errors", "the thesis says no range for world '%1'"), world));
+    throw ConfigError(std::string(parameter),
+                      HITOS_TEXT("Errors", "the thesis says no range for world '%1'"), world);
 }
 
 Configuracion thesis_configuration(const ThesisTable& table) {

@@ -52,6 +52,7 @@ TEST(ConversorNormalized, APlaceOfTheLaserIsThatOfItsPointsOrigin) {
     options.laser_pose = "0.5,0,90,upside-down";
     const Log log = test::read_text("normalized", "LASER 1 2 1 0 1 2\n", options);
     const std::vector<Point2>& points = log.scans.at(0).points;
+    EXPECT_TRUE(log.scans[0].fan.upside_down);
     ASSERT_EQ(points.size(), 2U);
     EXPECT_NEAR(distance(points[0], {0.5, 1.0}), 0.0, 1e-12);
     EXPECT_NEAR(distance(points[1], {2.5, 1.0}), 0.0, 1e-12);

@@ -171,6 +171,8 @@ TEST(Procesador, TheLaserSitsWhereTheOptionsSay) {
     const Pose mount{0.5, 0.25, kPi / 2.0};
     ASSERT_FALSE(plain.scans.at(0).points.empty());
     test::expect_near(log.scans.at(0).fan.pose_robot_laser, mount, 1e-12);
+    EXPECT_FALSE(log.scans.at(0).fan.upside_down);
+    EXPECT_TRUE(turned.scans.at(0).fan.upside_down);
     for (std::size_t i = 0; i < plain.scans[0].points.size(); ++i) {
         const Point2 seen =
             transform(inverse(plain.scans[0].fan.pose_robot_laser), plain.scans[0].points[i]);

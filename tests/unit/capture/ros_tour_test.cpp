@@ -167,6 +167,7 @@ TEST_F(RosTour, TheMountingFollowsTheTransforms) {
     EXPECT_EQ(log.report.skipped, 0U);
     ASSERT_EQ(log.scans.size(), 1U);
     test::expect_near(log.scans.front().fan.pose_robot_laser, {-0.25, 0.5, 0.75 * kPi}, 1e-12);
+    EXPECT_TRUE(log.scans.front().fan.upside_down);
     // The ray at -0.5 rad of a laser upside down points to +0.5.
     test::expect_near(log.scans.front().points.back(),
                       {-0.25 + std::cos(0.75 * kPi + 0.5), 0.5 + std::sin(0.75 * kPi + 0.5)}, 1e-7);

@@ -47,13 +47,13 @@ bool is_shipped(const QString& path) {
 void check_world_name(const QString& path) {
     if (!is_world_file(path.toStdString())) {
         throw FileError(path.toStdString(),
-                        message(HITOS_TEXT("Errors", "expected a name that ends in .toml")));
+                        HITOS_TEXT("Errors", "expected a name that ends in .toml"));
     }
     if (is_shipped(path)) {
-        throw FileError(path.toStdString(),
-                        message(HITOS_TEXT("Errors",
-                                           "lies among the files that come with Hitos; choose "
-                                           "another folder")));
+        throw FileError(
+            path.toStdString(),
+            HITOS_TEXT("Errors",
+                       "lies among the files that come with Hitos; choose another folder"));
     }
 }
 

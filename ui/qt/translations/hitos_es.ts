@@ -2423,8 +2423,8 @@
         <translation>según la odometría el robot avanza siempre a %1 grados de hacia donde mira, lo que no hace ningún robot con ruedas: sus orientaciones están desviadas en eso</translation>
     </message>
     <message>
-        <source>mend the odometry&apos;s heading; or, where the scans are to be turned with it: --laser-pose 0,0,%1</source>
-        <translation>corrija la orientación de la odometría; o, si los barridos han de girar con ella: --laser-pose 0,0,%1</translation>
+        <source>mend the odometry&apos;s heading; or, where the scans are to be turned with it: --laser-pose %1</source>
+        <translation>corrija la orientación de la odometría; o, si los barridos han de girar con ella: --laser-pose %1</translation>
     </message>
     <message>
         <source>the scans&apos; clock does not run as fast as the odometry&apos;s: they fit it where %1 are added at the beginning and %2 at the end (%3 % of their points, against %4 % as they are stamped)</source>
