@@ -147,14 +147,13 @@ double patience_s() {
 }
 
 /// Ends the process where it goes on for too long after it was asked to end.
-void watch_patience(const std::stop_token& end) {
+void watch_patience(std::binary_semaphore& over) {
     const double patience = patience_s();
     while (!StopByRequest::wanted()) {
-        if (end.stop_requested()) return;
-        std::this_thread::sleep_for(kLook);
+        if (over.try_acquire_for(kLook)) return;
     }
     const Clock::time_point begin = Clock::now();
-    while (!end.stop_requested()) {
+    do {
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
         if (seconds > patience || hurry != 0) {
             std::fprintf(stderr,
@@ -163,8 +162,7 @@ void watch_patience(const std::stop_token& end) {
                          program_name);
             end_early(StopByRequest::status());
         }
-        std::this_thread::sleep_for(kLook);
-    }
+    } while (!over.try_acquire_for(kLook));
 }
 
 }  // namespace
@@ -173,7 +171,7 @@ StopByRequest::StopByRequest(Patience patience) {
     asked = 0;
     hurry = 0;
     if (patience == Patience::two_seconds) {
-        watch_ = std::jthread(watch_patience);
+        watch_ = std::jthread([this] { watch_patience(over_); });
         watched = 1;
     }
     patient = 1;
@@ -182,6 +180,7 @@ StopByRequest::StopByRequest(Patience patience) {
 StopByRequest::~StopByRequest() {
     patient = 0;
     watched = 0;
+    over_.release();
 }
 
 bool StopByRequest::wanted() {
@@ -193,12 +192,15 @@ int StopByRequest::status() {
 }
 
 StopSource::StopSource()
-    : watch_([this](const std::stop_token& end) {
-          while (!end.stop_requested() && !stop_.stop_requested()) {
+    : watch_([this] {
+          while (!stop_.stop_requested() && !over_.try_acquire_for(kLook)) {
               if (StopByRequest::wanted()) stop_.request_stop();
-              std::this_thread::sleep_for(kLook);
           }
       }) {}
+
+StopSource::~StopSource() {
+    over_.release();
+}
 
 namespace {
 

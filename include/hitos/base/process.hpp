@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <semaphore>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -31,6 +32,7 @@ class StopByRequest {
     static int status();
 
   private:
+    std::binary_semaphore over_{0};  ///< so that the end of a command waits for no look
     std::jthread watch_;
 };
 
@@ -38,11 +40,16 @@ class StopByRequest {
 class StopSource {
   public:
     StopSource();
+    ~StopSource();
+    StopSource(const StopSource&) = delete;
+    StopSource& operator=(const StopSource&) = delete;
+
     std::stop_token token() const { return stop_.get_token(); }
 
   private:
     StopByRequest request_;
     std::stop_source stop_;
+    std::binary_semaphore over_{0};
     std::jthread watch_;
 };
 
