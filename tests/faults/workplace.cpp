@@ -5,6 +5,7 @@
 #include <spawn.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <sstream>
 #include <utility>
@@ -108,8 +109,12 @@ Workplace::Workplace() {
     folder_.put("work/room.toml", kRoom);
     const fs::path gnuplot = folder_.put("bin/gnuplot",
                                          "#!/bin/sh\n"
-                                         "sed -n \"s/^set output '\\(.*\\)'$/\\1/p\" \"$1\" |\n"
-                                         "while read -r file; do cat \"$1\" > \"$file\"; done\n");
+                                         "text=$(cat \"$2\")\n"
+                                         "while read -r set output file; do\n"
+                                         "    [ \"$set $output\" != 'set output' ] && continue\n"
+                                         "    file=${file#\\'}\n"
+                                         "    echo \"$text\" > \"${file%\\'}\"\n"
+                                         "done < \"$2\"\n");
     fs::permissions(gnuplot, fs::perms::owner_all);
 }
 
@@ -172,6 +177,12 @@ std::string without_times(const fs::path& file, const std::string& text) {
         if (!time) rest += line + "\n";
     }
     return rest;
+}
+
+bool tells_of_missing(const std::string& output) {
+    constexpr std::array kWords{"not written: ", "not drawn: ", "no plots: ", "no contact sheet: "};
+    return std::ranges::any_of(
+        kWords, [&output](const char* words) { return output.find(words) != std::string::npos; });
 }
 
 bool is_temporary(const std::string& path) {

@@ -68,6 +68,9 @@ class Workplace {
 /// Without what is left of the time that a run took.
 std::string without_times(const std::filesystem::path& file, const std::string& text);
 
+/// Whether a command that ended well said that pictures or plots are missing.
+bool tells_of_missing(const std::string& output);
+
 /// Whether the name is one of those that a program gives to what is not done yet.
 bool is_temporary(const std::string& path);
 
