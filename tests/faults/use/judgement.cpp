@@ -83,8 +83,8 @@ std::string UseModel::twice(const Step& step) {
     for (const std::string& name : step.writes) {
         Part& part = parts_[name];
         const Content now = shown_of(raw_of(name));
-        if (both_failed && now == part.shown) continue;  // begun, or not, as it was
-        if (step.part_of_one) {                          // as in judged_part
+        if (both_failed && now == part.shown && !waits(name)) continue;  // begun, or not, as it was
+        if (step.part_of_one) {                                          // as in judged_part
             part.begun = true;
             continue;
         }
@@ -98,9 +98,9 @@ std::string UseModel::twice(const Step& step) {
                                apart(after[0].shown.at(name), now), outcomes[0].output,
                                outcomes[1].output);
         }
-        part.begun = !known;
+        part.begun = !known || (step.resumes && waits(name));
         if (known) {
-            if (now != part.shown) part.changed = false;
+            if (now != part.shown) part.changed = has_strangers(name);
             take_over(name);
         }
     }
@@ -148,11 +148,7 @@ std::string UseModel::judged_part(const std::string& name, const Step& step, con
     const bool done = now == wanted;
     const bool nothing_done = now == part.shown;
     // A picture that could not be written is told, and the summary says so too.
-    const bool told =
-        outcome.status == 0 && (outcome.output.find("not written: ") != std::string::npos ||
-                                outcome.output.find("not drawn: ") != std::string::npos ||
-                                outcome.output.find("no plots: ") != std::string::npos ||
-                                outcome.output.find("no contact sheet: ") != std::string::npos);
+    const bool told = outcome.status == 0 && tells_of_missing(outcome.output);
     // What comes of parts depends on which there are.
     const bool from_parts = part.begun && (step.ends_what_was_begun || step.part_of_one);
     if (outcome.status == 0 && !done && !told && !from_parts) {
@@ -173,20 +169,43 @@ std::string UseModel::judged_part(const std::string& name, const Step& step, con
     if (from_parts) {
         const Outcome verdict = one_.run({"verify", name}, path_of_programs());
         if (verdict.status != 0 || outcome.status != 0) return {};  // it may be none of all runs
-        part.begun = part.changed = false;
+        part.begun = part.changed = false;                          // as verify says
         take_over(name);
         return {};
     }
     if (undisturbed && after.status == 0) part.begun = false;
     if (done || nothing_done || told || between) {
         if (outcome.status == 0) part.begun = false;
-        if (!nothing_done) part.changed = false;
+        if (!nothing_done) part.changed = has_strangers(name);
         if (!part.begun || done) take_over(name);
     } else {
         part.begun = true;
     }
+    part.begun = part.begun || (step.resumes && waits(name));
     // One that was killed while its files changed places is told to be so until somebody goes on.
     return step.resumes && outcome.status == 137 ? std::string() : verified(name);
+}
+
+/// Whether a hidden study is there that whoever comes next may finish.
+bool UseModel::waits(const std::string& name) const {
+    const fs::path folder = place_.work() / name;
+    return fs::exists(folder / ".study.json.hitos-new") ||
+           fs::exists(folder / ".study.json.hitos-next");
+}
+
+/// Whose summary was taken away by hand is nobody's: the next run leaves it, and verify tells of
+/// it.
+bool UseModel::has_strangers(const std::string& name) const {
+    const Content raw = raw_of(name);
+    const auto summary = raw.find(name + "/summary.json");
+    if (summary == raw.end()) return false;
+    const std::string_view text = summary->second;
+    const std::string_view files = text.substr(std::min(text.rfind("\"files\""), text.size()));
+    return std::ranges::any_of(raw, [&](const auto& file) {
+        const std::string word = fs::path(file.first).filename().string();
+        const bool of_none = word.empty() || word == "summary.json" || word == "note.txt";
+        return !of_none && files.find(fmt::format("\"{}\"", word)) == std::string_view::npos;
+    });
 }
 
 std::string UseModel::verified(const std::string& name) {

@@ -45,11 +45,8 @@ void put(const fs::path& root, const Content& files) {
 
 }  // namespace
 
-UseModel::UseModel(const Workplace& place, unsigned seed)
-    : random_(seed),
-      place_(place),
-      one_(HITOS_BIN_DIR "/hitos-cli", place_.work(), place_.work()),
-      other_(HITOS_BIN_DIR "/hitos-cli", place_.work(), place_.work()) {
+UseModel::UseModel(const Workplace& place, Server& one, Server& other, unsigned seed)
+    : random_(seed), place_(place), one_(one), other_(other) {
     for (const std::string& name : kResults) parts_[name];
     parts_["study"];
     for (const char* const name : {"made", "tour.txt", "room2.toml"}) parts_[name].folder = false;
@@ -215,7 +212,9 @@ std::string UseModel::power_lost(const Step& step, long number, Outcome& outcome
     outcome = one_.run(step.words, variables);
     disk.follow(one_.report());
     if (outcome.status != 137) outcome.status = 137;  // what it said is of no use any more
-    disk.lose_power(kept, random_);
+    // Of its own, so that what comes after is the same however much there was to drop.
+    std::mt19937 dropped(static_cast<unsigned>(random_()));
+    disk.lose_power(kept, dropped);
     return {};
 }
 
@@ -237,6 +236,9 @@ std::string UseModel::other_hand() {
             break;
         case 1:
             history_.push_back("changed by hand: " + file);
+            for (auto& [second, bytes] : kept_) {
+                if (fs::equivalent(root / second, root / file)) bytes += " ";
+            }
             std::ofstream(root / file, std::ios::app) << " ";
             part.changed = true;
             break;

@@ -36,8 +36,8 @@ struct Part {
 
 class UseModel {
   public:
-    /// `place` is as Workplace makes it.
-    UseModel(const Workplace& place, unsigned seed);
+    /// `place` is as Workplace makes it; `one` and `other` run hitos-cli in it.
+    UseModel(const Workplace& place, Server& one, Server& other, unsigned seed);
 
     /// One step; an empty text, or what is not as it must be.
     std::string go_on();
@@ -72,12 +72,15 @@ class UseModel {
     std::string judged(const Step& step, Harm harm, const Outcome& outcome);
     std::string judged_part(const std::string& name, const Step& step, const Expected& after,
                             bool undisturbed, const Outcome& outcome);
+    bool waits(const std::string& name) const;
+    bool has_strangers(const std::string& name) const;
     std::string verified(const std::string& name);
     std::string leftovers(const Step& step) const;
 
     std::mt19937 random_;
     const Workplace& place_;
-    Server one_, other_;
+    Server& one_;
+    Server& other_;
     std::map<std::string, Part> parts_;
     std::map<std::string, std::string> kept_;  ///< second names that files got, and their bytes
     std::vector<std::string> history_;

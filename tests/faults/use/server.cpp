@@ -29,6 +29,7 @@ constexpr int kReplies = 199;
     ::setenv("HITOS_FAULT_SERVE", "1", 1);                     // NOLINT(concurrency-mt-unsafe)
     ::setenv("HITOS_FAULT_BELOW", below.string().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
     ::setenv("LC_ALL", "C.UTF-8", 1);                          // NOLINT(concurrency-mt-unsafe)
+    ::setenv("LD_BIND_NOW", "1", 1);                           // NOLINT(concurrency-mt-unsafe)
     ::execl(name.c_str(), name.c_str(), nullptr);
     ::_exit(127);
 }
