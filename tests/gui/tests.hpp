@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 
 namespace hitos::window {
 
@@ -386,5 +387,7 @@ class WordsTest : public QObject {
     void a_run_that_fails_is_told_in_spanish();
     void what_cannot_be_written_is_told_in_spanish();
 };
+
+int save_results_as_told(const QStringList& arguments);
 
 }  // namespace hitos::window

@@ -75,10 +75,12 @@ std::string UseModel::twice(const Step& step) {
         if (word == "1" || word == "2") word = "3";  // another seed
     }
     const std::array<Expected, 2> after{expected(step), expected(second)};
-    const Words variables = path_of_programs();
-    one_.begin(step.words, variables);
-    other_.begin(second.words, variables);
-    const std::array<Outcome, 2> outcomes{one_.end(), other_.end()};
+    const Words variables = environment();
+    Server& one = server(step);
+    Server& other = server(second, 1);
+    one.begin(step.words, variables);
+    other.begin(second.words, variables);
+    const std::array<Outcome, 2> outcomes{one.end(), other.end()};
     const bool both_failed = outcomes[0].status != 0 && outcomes[1].status != 0;
     for (const std::string& name : step.writes) {
         Part& part = parts_[name];
@@ -167,7 +169,7 @@ std::string UseModel::judged_part(const std::string& name, const Step& step, con
         return {};
     }
     if (from_parts) {
-        const Outcome verdict = one_.run({"verify", name}, path_of_programs());
+        const Outcome verdict = verdict_of(name);
         if (verdict.status != 0 || outcome.status != 0) return {};  // it may be none of all runs
         part.begun = part.changed = false;                          // as verify says
         take_over(name);
@@ -208,13 +210,17 @@ bool UseModel::has_strangers(const std::string& name) const {
     });
 }
 
+Outcome UseModel::verdict_of(const std::string& name) {
+    return programs_.command_lines.front().run({"verify", name}, environment());
+}
+
 std::string UseModel::verified(const std::string& name) {
     const Part& part = parts_[name];
     if (!part.folder || part.begun || part.raw.empty() || any(2) == 0) return {};
     const bool run = part.raw.contains(name + "/summary.json");
     const bool study = part.raw.contains(name + "/study.json");
     if (!run && !study) return {};
-    const Outcome verdict = one_.run({"verify", name}, path_of_programs());
+    const Outcome verdict = verdict_of(name);
     if ((verdict.status == 0) == !part.changed) return {};
     return fmt::format("verify says of {}, {}:\n{}", name, part.changed ? "changed" : "whole",
                        verdict.output);

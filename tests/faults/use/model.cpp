@@ -45,11 +45,30 @@ void put(const fs::path& root, const Content& files) {
 
 }  // namespace
 
-UseModel::UseModel(const Workplace& place, Server& one, Server& other, unsigned seed)
-    : random_(seed), place_(place), one_(one), other_(other) {
+Programs::Programs(const Workplace& place) {
+    for (int number = 0; number < 2; ++number) {
+        command_lines.emplace_back(HITOS_BIN_DIR "/hitos-cli", place.work());
+#ifdef HITOS_WINDOW_SAVES
+        windows.emplace_back(HITOS_WINDOW_SAVES, place.work());
+#endif
+    }
+}
+
+UseModel::UseModel(const Workplace& place, Programs& programs, unsigned seed)
+    : random_(seed), place_(place), programs_(programs) {
+    fs::remove_all(scratch());  // of the killed ones before
+    fs::create_directory(scratch());
     for (const std::string& name : kResults) parts_[name];
     parts_["study"];
     for (const char* const name : {"made", "tour.txt", "room2.toml"}) parts_[name].folder = false;
+}
+
+Words UseModel::environment() const {
+    return {"PATH=" + place_.programs() + ":/usr/bin:/bin", "TMPDIR=" + scratch().string()};
+}
+
+Server& UseModel::server(const Step& step, std::size_t number) {
+    return (step.by_window ? programs_.windows : programs_.command_lines).at(number);
 }
 
 void UseModel::take_over(const std::string& name) {
@@ -62,7 +81,7 @@ Step UseModel::some_step() {
     const std::string seed = std::to_string(1 + any(3));
     const Words small{"--set", "filter.particles=2", "--set", "grid.resolution=0.5"};
     Step step;
-    switch (any(10)) {
+    switch (any(programs_.windows.empty() ? 10 : 11)) {
         case 0:
         case 1:
         case 2: {
@@ -113,6 +132,11 @@ Step UseModel::some_step() {
             step.writes = {"study"};
             step.resumes = true;
             break;
+        case 10:
+            step.by_window = true;
+            step.words = {"save", "tour.log", seed, one_of(kResults)};
+            step.writes = {step.words.back()};
+            break;
         default:
             step.words = {"evaluate", one_of(kResults)};
             step.reads = {"first", "second", "made", "tour.txt"};
@@ -122,12 +146,14 @@ Step UseModel::some_step() {
 
 /// The same step in a folder that holds nothing else, undisturbed.
 const UseModel::Expected& UseModel::expected(const Step& step) {
+    constexpr std::size_t kMost = 2000;  // some hundred megabytes
     static std::map<std::string, Expected> known;
     // Results name their log with its folder.
     std::string key = fmt::format("{} {}", place_.work().string(), fmt::join(step.words, " "));
     std::set<std::string> needed(step.reads.begin(), step.reads.end());
     needed.insert(step.writes.begin(), step.writes.end());
     for (const std::string& part : needed) key += " " + key_of(parts_[part].shown);
+    if (known.size() >= kMost && !known.contains(key)) known.clear();
     const auto [found, is_new] = known.try_emplace(key);
     if (!is_new) return found->second;
 
@@ -137,13 +163,13 @@ const UseModel::Expected& UseModel::expected(const Step& step) {
     fs::create_directory(root);
     for (const std::string& input : kInputs) fs::copy(aside / input, root / input);
     for (const std::string& part : needed) put(root, parts_[part].raw);
-    Words counting = path_of_programs();
+    Words counting = environment();
     counting.emplace_back("HITOS_FAULT_FILE=0:0");
-    const Outcome outcome = one_.run(step.words, counting);
+    const Outcome outcome = server(step).run(step.words, counting);
     Expected& after = found->second;
     after.status = outcome.status;
     after.said = outcome.output;
-    for (const std::string& line : one_.report()) {
+    for (const std::string& line : server(step).report()) {
         after.operations += line.starts_with("space ") || line.starts_with("other ") ? 1 : 0;
     }
     for (const std::string& part : step.writes) after.shown[part] = shown_of(raw_of(part));
@@ -182,7 +208,7 @@ std::string UseModel::disturbed(const Step& step, Harm harm) {
         const std::string wrong = power_lost(step, number, outcome);
         return wrong.empty() ? judged(step, harm, outcome) : wrong;
     }
-    Words variables = path_of_programs();
+    Words variables = environment();
     constexpr std::array kErrors{ENOSPC, EDQUOT, EIO};
     if (harm == Harm::fault) {
         variables.push_back(fmt::format("HITOS_FAULT_FILE={}:{}", number, kErrors.at(any(3))));
@@ -193,7 +219,7 @@ std::string UseModel::disturbed(const Step& step, Harm harm) {
     } else if (harm == Harm::kill) {
         variables.push_back(fmt::format("HITOS_FAULT_FILE={}:0:kill", number));
     }
-    outcome = one_.run(step.words, variables);
+    outcome = server(step).run(step.words, variables);
     return judged(step, harm, outcome);
 }
 
@@ -205,12 +231,12 @@ std::string UseModel::power_lost(const Step& step, long number, Outcome& outcome
     fs::create_directory(kept);
     fs::copy(place_.work(), copy, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
     Disk disk(place_.work(), copy);
-    Words variables = path_of_programs();
+    Words variables = environment();
     variables.push_back("HITOS_FAULT_JOURNAL=" + kept.string());
     // Sometimes the current fails a moment after the command has ended.
     if (any(4) != 0) variables.push_back(fmt::format("HITOS_FAULT_FILE={}:0:kill", number));
-    outcome = one_.run(step.words, variables);
-    disk.follow(one_.report());
+    outcome = server(step).run(step.words, variables);
+    disk.follow(server(step).report());
     if (outcome.status != 137) outcome.status = 137;  // what it said is of no use any more
     // Of its own, so that what comes after is the same however much there was to drop.
     std::mt19937 dropped(static_cast<unsigned>(random_()));

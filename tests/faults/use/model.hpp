@@ -3,6 +3,7 @@
 // folder of its own; a disturbed one leaves what was there before, or that.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <random>
 #include <set>
@@ -18,6 +19,7 @@ struct Step {
     Words words;
     std::vector<std::string> writes;
     std::vector<std::string> reads;
+    bool by_window = false;  ///< not by hitos-cli
     bool resumes = false;  ///< what it has done when it is stopped stays, for the same one to go on
     bool part_of_one = false;          ///< a shard
     bool ends_what_was_begun = false;  ///< of the parts that are there
@@ -34,10 +36,17 @@ struct Part {
     bool begun = false;    ///< parts of a study are there, in its place or hidden
 };
 
+/// Two of each program, for two at once. Without a window hitos-cli alone.
+struct Programs {
+    explicit Programs(const Workplace& place);
+    std::deque<Server> command_lines;
+    std::deque<Server> windows;
+};
+
 class UseModel {
   public:
-    /// `place` is as Workplace makes it; `one` and `other` run hitos-cli in it.
-    UseModel(const Workplace& place, Server& one, Server& other, unsigned seed);
+    /// `place` is as Workplace makes it, and the programs work in it.
+    UseModel(const Workplace& place, Programs& programs, unsigned seed);
 
     /// One step; an empty text, or what is not as it must be.
     std::string go_on();
@@ -59,7 +68,9 @@ class UseModel {
     // What is done (model.cpp).
     Step some_step();
     Harm some_harm(const Step& step);
-    Words path_of_programs() const { return {"PATH=" + place_.programs() + ":/usr/bin:/bin"}; }
+    std::filesystem::path scratch() const { return place_.work().string() + ".tmp"; }
+    Words environment() const;
+    Server& server(const Step& step, std::size_t number = 0);
     const Expected& expected(const Step& step);
     std::string other_hand();
     std::string disturbed(const Step& step, Harm harm);
@@ -74,13 +85,13 @@ class UseModel {
                             bool undisturbed, const Outcome& outcome);
     bool waits(const std::string& name) const;
     bool has_strangers(const std::string& name) const;
+    Outcome verdict_of(const std::string& name);
     std::string verified(const std::string& name);
     std::string leftovers(const Step& step) const;
 
     std::mt19937 random_;
     const Workplace& place_;
-    Server& one_;
-    Server& other_;
+    Programs& programs_;
     std::map<std::string, Part> parts_;
     std::map<std::string, std::string> kept_;  ///< second names that files got, and their bytes
     std::vector<std::string> history_;

@@ -44,15 +44,14 @@ int answer_of(int replies) {
 
 }  // namespace
 
-Server::Server(const fs::path& program, fs::path folder, const fs::path& below)
-    : folder_(std::move(folder)) {
+Server::Server(const fs::path& program, fs::path folder) : folder_(std::move(folder)) {
     std::array<int, 2> to{};
     std::array<int, 2> from{};
     if (::pipe2(to.data(), O_CLOEXEC) != 0 || ::pipe2(from.data(), O_CLOEXEC) != 0) {
         throw std::runtime_error("no pipes");
     }
     process_ = ::fork();
-    if (process_ == 0) become(program, below, to[0], from[1]);
+    if (process_ == 0) become(program, folder_, to[0], from[1]);
     ::close(to[0]);
     ::close(from[1]);
     requests_ = to[1];

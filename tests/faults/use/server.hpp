@@ -11,9 +11,8 @@ namespace hitos::test {
 
 class Server {
   public:
-    /// `below`: the folder whose operations the library of faults counts.
-    Server(const std::filesystem::path& program, std::filesystem::path folder,
-           const std::filesystem::path& below);
+    /// `folder`: where it works, and whose operations the library of faults counts.
+    Server(const std::filesystem::path& program, std::filesystem::path folder);
     ~Server();
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;

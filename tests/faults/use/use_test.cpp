@@ -36,11 +36,10 @@ TEST_P(Use, LeavesWhatAModelSaysWhateverHappens) {
     std::size_t operations = 0;
     const Workplace place;
     place.keep("fresh");
-    Server one(HITOS_BIN_DIR "/hitos-cli", place.work(), place.work());
-    Server other(HITOS_BIN_DIR "/hitos-cli", place.work(), place.work());
+    Programs programs(place);
     for (unsigned i = GetParam(); i < extent.sequences; i += kTests) {
         place.restore("fresh");
-        UseModel model(place, one, other, extent.first + i);
+        UseModel model(place, programs, extent.first + i);
         for (unsigned step = 1; step <= extent.steps; ++step, ++operations) {
             const std::string wrong = model.go_on();
             if (wrong.empty()) continue;
