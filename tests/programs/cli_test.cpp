@@ -231,6 +231,20 @@ std::string wall_scan(int k, const std::string& extra = "") {
     return line + "\n";
 }
 
+TEST_F(BadInput, EndlessFilesAreRefused) {
+    const std::string long_one =
+        folder_.put("long.toml", std::string((std::size_t{16} << 20U) + 1, '\n')).string();
+    const std::string run = "run " + kLog + " --out " + out_;
+    for (const std::string& file : {std::string("/dev/zero"), long_one}) {
+        const char* const words = file == long_one ? "is greater than 16 MiB" : "is a device";
+        expect_error(cli(run + " --config " + file), {file, words});
+        expect_error(cli("world " + file + " --out " + out_ + ".toml"), {file, words});
+    }
+    expect_error(cli(run + " --reference /dev/zero"), {"/dev/zero", "is a device"});
+    expect_error(cli("run /dev/zero --out " + out_), {"/dev/zero"});
+    expect_no_results();
+}
+
 TEST_F(BadInput, DamagedLinesAreSkippedAndCounted) {
     std::string log = "ODOM 0 0 0\n" + wall_scan(1) + "ODOM 2 0.1 0\n";
     log += "LASER 3 -4 1 2\n";            // negative count

@@ -91,6 +91,8 @@ TEST_F(ResultsFolder, KeepsWhatItHadWhereTheDiskIsFull) {
     // A file that may not grow beyond 20 blocks is what a full disk is to its writer.
     const Outcome full = shell("trap '' XFSZ; ulimit -f 20; " + run(2));
     EXPECT_GT(full.status, 0) << full.output;
+    EXPECT_NE(full.output.find(path("out/")), std::string::npos) << full.output;
+    EXPECT_NE(full.output.find("File too large"), std::string::npos) << full.output;
     EXPECT_EQ(seed_there(), 1);
     EXPECT_EQ(shell(verify()).status, 0);
 }
@@ -109,6 +111,7 @@ TEST_F(ResultsFolder, HoldsTheFirstScansOfARunThatWasAskedToStop) {
     EXPECT_EQ(shell(verify()).status, 0);
     const auto summary = nlohmann::json::parse(content(path("out/summary.json")));
     EXPECT_EQ(summary["finished"], false);
+    EXPECT_FALSE(summary["not_written"].empty()) << "what reads the log again";
     EXPECT_LT(summary["scans"], 1050);
     ASSERT_EQ(shell(run(2)).status, 0);
     EXPECT_EQ(nlohmann::json::parse(content(path("out/summary.json")))["finished"], true);

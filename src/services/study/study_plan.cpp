@@ -118,15 +118,12 @@ void check_effect(const Configuracion& base, const StudyPlan& plan) {
 }
 
 /// All that decides a result, but for values and seeds: program, parameters, log, reference.
-std::string digest_of(const Study& study, const StudyPlan& plan) {
+std::string digest_of(const Study& study, const StudyPlan& plan, const std::string& program) {
     Configuracion base = study.configuration;
     base.source.file.clear();  // the content counts, not the place
     base.run = {};
     Digest digest;
-    digest.add(version())
-        .add(build_identity())
-        .add(ArchivoConfiguracion::to_text(base))
-        .add(study.setting);
+    digest.add(version()).add(program).add(ArchivoConfiguracion::to_text(base)).add(study.setting);
     digest.add(map_to_text(study.reference));
     if (study.reference_trajectory) digest.add(trajectory_to_text(*study.reference_trajectory));
     if (plan.grid) digest.add("grid");
@@ -172,6 +169,10 @@ StudyPictures parse_study_pictures(std::string_view word, const std::string& opt
 }
 
 StudyPlan plan_study(const Study& study) {
+    return plan_study(study, build_identity());
+}
+
+StudyPlan plan_study(const Study& study, const std::string& program) {
     check(study.configuration);
     constexpr std::size_t kMostParameters = 2;
     if (study.parameters.size() > kMostParameters) {
@@ -216,7 +217,7 @@ StudyPlan plan_study(const Study& study) {
     count_reference(study.reference, plan);
     plan.pictures = study.pictures;
     plan.grid = study.reference.empty() || study.pictures != StudyPictures::none;
-    plan.digest = digest_of(study, plan);
+    plan.digest = digest_of(study, plan, program);
     return plan;
 }
 

@@ -58,6 +58,8 @@ TEST(Fields, ErrorNamesFieldFoundAndExpected) {
               "line 1: count: found \"0\", expected a whole number from 1");
     EXPECT_EQ(of([] { Fields("nan", 1).number("time"); }),
               "line 1: time: found \"nan\", expected a finite number below 1e12");
+    EXPECT_EQ(of([] { Fields("-1.1e12", 1).number("px"); }),
+              "line 1: px: found \"-1.1e12\", expected a finite number below 1e12");
     EXPECT_EQ(of([] { Fields("9 8", 2).expect_end("stall"); }),
               "line 2: found \"9\" after stall, expected the end of the line");
     EXPECT_EQ(Fields("0", 1).count("n", 0), 0U);

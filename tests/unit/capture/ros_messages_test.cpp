@@ -104,6 +104,8 @@ TEST(RosMessages, SayWhatIsWrongWithThem) {
     laser = {};
     laser.step = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THAT(refusal_of(laser_message(laser)), HasSubstr("\"angle_increment\": found nan"));
+    laser.step = -1.1e12;
+    EXPECT_THAT(refusal_of(laser_message(laser)), HasSubstr("expected a finite number up to 1e12"));
     // A count that no memory would hold is held against what is there.
     std::string great = sound;
     const std::size_t count = great.size() - 20;  // its empty list of intensities, three ranges

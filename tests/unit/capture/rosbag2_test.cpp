@@ -141,15 +141,22 @@ TEST_F(Rosbag2, OfAPackedFileThatIsCutOffThereIsWhatCanBeUnpacked) {
     }
 }
 
-TEST_F(Rosbag2, SaysWhereThereIsNoRoomToUnpack) {
+TEST_F(Rosbag2, UnpacksIntoAFileWithoutANameWhereThereIsRoom) {
     const char* before = std::getenv("TMPDIR");
     const std::string kept = before == nullptr ? "" : before;
+    const TempFolder room;
     put_mcap("r.mcap", 0, 3);
     const auto packed =
         folder_.put("r.mcap.zstd", test::packed_zstd(test::content(folder_ / "r.mcap")));
     ::setenv("TMPDIR", (folder_ / "none").c_str(), 1);
     EXPECT_THAT(test::message_of<FileError>([&] { read(open_mcap, packed); }),
                 AllOf(HasSubstr("cannot be unpacked in"), HasSubstr("TMPDIR")));
+    ::setenv("TMPDIR", room.path().c_str(), 1);
+    Topics topics([](const Topic&) { return true; });
+    const auto recording = open_mcap(packed, {topics, true});
+    EXPECT_TRUE(recording->next());
+    EXPECT_EQ(room.files(), 0U) << "no kill leaves anything";
+    EXPECT_EQ(folder_.files(), 2U);
     before == nullptr ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", kept.c_str(), 1);
 }
 

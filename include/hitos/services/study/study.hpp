@@ -79,6 +79,8 @@ bool can_be_varied(const ConfigParameter& parameter);
 /// configuration, too many parameters, no values, the same value twice, keys in two parameters,
 /// keys without effect.
 StudyPlan plan_study(const Study& study);
+/// Likewise, where another program (build_identity()) does the runs.
+StudyPlan plan_study(const Study& study, const std::string& program);
 
 /// What the plan's run is. Throws ConfigError where a value is not possible.
 StudyJob job_of(const Study& study, const StudyPlan& plan, std::size_t run);

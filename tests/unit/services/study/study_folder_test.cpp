@@ -192,6 +192,19 @@ TEST_F(StudyFolderTest, AnotherStudyStaysUntilTheNewOneIsComplete) {
     EXPECT_EQ(files("out"), files("alone"));
 }
 
+TEST_F(StudyFolderTest, RunsThatAreTheSameAreTakenOver) {
+    run(study("out"));
+    Study more = study("out");
+    more.seeds = 5;
+    more.parameters[0] = parse_study_parameter("dmax=0.02,0.03");
+    const StudyOutcome outcome = run(more);
+    EXPECT_EQ(outcome.reused, 6U);
+    EXPECT_EQ(outcome.computed, 14U);
+    more.layout = study_in_folder(folder_ / "alone");
+    run(more);
+    EXPECT_EQ(files("out"), files("alone"));
+}
+
 TEST_F(StudyFolderTest, ShardsOfAnotherStudyAndTheirMergeLeaveTheOldOneUntilTheEnd) {
     run(study("out"));
     const auto before = files("out");

@@ -142,6 +142,7 @@ TEST_F(StudyTest, OfAnotherProgramNothingIsUsed) {
     EXPECT_GT(build_identity().size(), 32U + version().size());
     const std::string digest = plan_study(study("out")).digest;
     EXPECT_EQ(plan_study(study("other")).digest, digest) << "the place does not count";
+    EXPECT_NE(plan_study(study("out"), "another").digest, digest);
     EXPECT_THAT(build_identity(), ::testing::MatchesRegex("([0-9a-f]{32}|development) .*"));
 }
 
