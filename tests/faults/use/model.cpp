@@ -81,7 +81,14 @@ Step UseModel::some_step() {
     const std::string seed = std::to_string(1 + any(3));
     const Words small{"--set", "filter.particles=2", "--set", "grid.resolution=0.5"};
     Step step;
-    switch (any(programs_.windows.empty() ? 10 : 11)) {
+    // A window takes as long as four commands.
+    if (!programs_.windows.empty() && any(30) == 0) {
+        step.by_window = true;
+        step.words = {"save", "tour.log", seed, one_of(kResults)};
+        step.writes = {step.words.back()};
+        return step;
+    }
+    switch (any(10)) {
         case 0:
         case 1:
         case 2: {
@@ -131,11 +138,6 @@ Step UseModel::some_step() {
             step.ends_what_was_begun = true;
             step.writes = {"study"};
             step.resumes = true;
-            break;
-        case 10:
-            step.by_window = true;
-            step.words = {"save", "tour.log", seed, one_of(kResults)};
-            step.writes = {step.words.back()};
             break;
         default:
             step.words = {"evaluate", one_of(kResults)};
