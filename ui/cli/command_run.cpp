@@ -155,27 +155,31 @@ class LogWatch {
     /// Whether it has changed; `scans` were read by now. The first answer that it has stays.
     bool changed(std::uint64_t scans) {
         try {
-            if (problem_.empty()) {
+            if (!problem_) {
                 inputs_.check();
                 unchanged_for_ = scans;
             }
         } catch (const FileError& error) {
-            problem_ = error.what();
+            problem_ = error;
         }
-        return !problem_.empty();
+        return changed();
     }
-    bool changed() const { return !problem_.empty(); }
+    bool changed() const { return problem_.has_value(); }
+    /// Throws what that answer was, even where another look finds nothing.
+    void check() const {
+        if (problem_) throw FileError(*problem_);
+    }
     const InputFiles& inputs() const { return inputs_; }
     std::string words(std::uint64_t scans) const {
         return fmt::format(
             "{}; the results are of the first {} scans, of which {} were surely read "
             "before that",
-            problem_, scans, unchanged_for_);
+            problem_->what(), scans, unchanged_for_);
     }
 
   private:
     InputFiles inputs_;
-    std::string problem_;
+    std::optional<FileError> problem_;
     std::uint64_t unchanged_for_ = 0;
 };
 
@@ -231,7 +235,7 @@ void run(const RunOptions& options) {
     if (progress.state == Progress::State::failed) throw Error(progress.error);
     // Of the last scans of all nobody would know.
     const bool finished = progress.state == Progress::State::finished;
-    if ((finished || progress.steps == 0) && log.changed(progress.steps)) log.inputs().check();
+    if ((finished || progress.steps == 0) && log.changed(progress.steps)) log.check();
     if (stopped && progress.steps == 0) {
         fmt::print(stderr, "stopped before the first scan; nothing is written\n");
         throw CLI::RuntimeError(StopByRequest::status());
