@@ -150,7 +150,7 @@ std::string UseModel::judged_part(const std::string& name, const Step& step, con
     const bool done = now == wanted;
     const bool nothing_done = now == part.shown;
     // A picture that could not be written is told, and the summary says so too.
-    const bool told = tells_of_missing(outcome.output);
+    const bool told = outcome.status != 137 && tells_of_missing(outcome.output);
     // What comes of parts depends on which there are.
     const bool from_parts = part.begun && (step.ends_what_was_begun || step.part_of_one);
     if (outcome.status == 0 && !done && !told && !from_parts) {
