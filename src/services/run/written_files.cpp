@@ -51,10 +51,17 @@ std::vector<WrittenFile> written_files(const fs::path& folder) {
 }
 
 bool is_unchanged(const WrittenFile& file, const fs::path& folder) {
+    const fs::path path = folder / file.name;
     std::error_code error;
-    return fs::is_regular_file(folder / file.name, error) &&
-           fs::file_size(folder / file.name, error) == file.bytes && !error &&
-           Digest().add_file(folder / file.name).text() == file.digest;
+    const fs::file_status status = fs::status(path, error);
+    const bool regular = fs::is_regular_file(status);
+    const std::uintmax_t size = regular ? fs::file_size(path, error) : 0;
+    // What cannot be looked at for once may well be what it was.
+    if (status.type() == fs::file_type::none || (regular && error)) {
+        throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read: %1"),
+                                               system_message(error.value())));
+    }
+    return regular && size == file.bytes && Digest().add_file(path).text() == file.digest;
 }
 
 nlohmann::ordered_json json_of(const std::vector<WrittenFile>& files) {

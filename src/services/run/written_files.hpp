@@ -17,7 +17,7 @@ WrittenFile written_file(const std::filesystem::path& folder, const std::string&
 /// All files in the folder and the folders in it, sorted by name.
 std::vector<WrittenFile> written_files(const std::filesystem::path& folder);
 
-/// Whether it is there as it was written.
+/// Whether it is there as it was written. Throws FileError where it cannot be looked at.
 bool is_unchanged(const WrittenFile& file, const std::filesystem::path& folder);
 
 nlohmann::ordered_json json_of(const std::vector<WrittenFile>& files);

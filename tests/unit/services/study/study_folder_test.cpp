@@ -344,6 +344,20 @@ TEST_F(StudyFolderTest, ADamagedJournalIsNone) {
     EXPECT_THAT(hidden_files(), IsEmpty());
 }
 
+TEST_F(StudyFolderTest, WhatCannotBeLookedAtIsNotLost) {
+    run(study("out"));
+    const std::string hidden = "out/.study.json.hitos-new/";
+    fs::create_directory(folder_ / hidden);
+    const std::string journal =
+        R"({"with_runs": false, "files": [{"name": "blur.dat", "bytes": 1, "xxh3_128": ")" +
+        std::string(32, '0') + R"("}, {"name": "study.json", "bytes": 1, "xxh3_128": ")" +
+        std::string(32, '0') + R"("}]})";
+    folder_.put(hidden + "journal.json", journal);
+    fs::create_symlink("blur.dat", folder_ / hidden / "blur.dat");  // leads to itself
+    EXPECT_THAT(message_of<FileError>([&] { recover_study(layout()); }), HasSubstr("blur.dat"));
+    EXPECT_EQ(content(folder_ / hidden / "journal.json"), journal) << "the next one goes on";
+}
+
 TEST_F(StudyFolderTest, FilesOfOthersWithTheNamesOfTablesStay) {
     fs::create_directory(folder_ / "out");
     folder_.put("out/blur.png", "mine");
