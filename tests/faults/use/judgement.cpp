@@ -165,7 +165,7 @@ std::string UseModel::judged_part(const std::string& name, const Step& step, con
                            apart(wanted, now), difference(part.shown, now));
     }
     if (step.part_of_one) {
-        part.begun = part.begun || !nothing_done || outcome.status == 0;
+        part.begun = part.begun || !nothing_done || outcome.status == 0 || waits(name);
         return {};
     }
     if (from_parts) {
