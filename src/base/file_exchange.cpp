@@ -21,6 +21,14 @@ bool is_there(const fs::path& path) {
     return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
 }
 
+bool is_file(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() != fs::file_type::none) return fs::is_regular_file(status);
+    throw FileError(path.string(), HITOS_TEXT("Errors", "cannot be read: %1"),
+                    system_message(error.value()));
+}
+
 void check_no_folder(const fs::path& place) {
     std::error_code ignored;
     if (!fs::is_directory(place, ignored)) return;

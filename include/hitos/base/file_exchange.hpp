@@ -10,6 +10,10 @@ namespace hitos {
 /// Whether anything has that name, a link that leads nowhere too; also where it cannot be asked.
 bool is_there(const std::filesystem::path& path);
 
+/// Whether a file is there. Throws FileError where it cannot be asked: what is taken for missing
+/// may well be there.
+bool is_file(const std::filesystem::path& path);
+
 /// A folder of somebody's does not make way for a file: throws FileError where one is at the place.
 void check_no_folder(const std::filesystem::path& place);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
 #include "hitos/base/folder_entries.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
@@ -22,8 +23,7 @@ namespace {
 /// What the summary says of the run's settings is what stands in config.cfg.
 void expect_settings(const fs::path& folder) {
     const fs::path file = folder / "config.cfg";
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) return;  // which is told as missing
+    if (!is_file(file)) return;  // which is told as missing
     const Configuracion settings = ArchivoConfiguracion::read(file);
     with_summary(folder, [&](const nlohmann::json& json) {
         const std::string summary = (folder / kSummaryFile).string();
@@ -64,8 +64,7 @@ ResultsCheck check_results(const fs::path& folder) {
     check.files = files.size();
     check.finished = finished;
     for (const WrittenFile& file : files) {
-        std::error_code ignored;
-        if (!fs::is_regular_file(folder / file.name, ignored)) {
+        if (!is_file(folder / file.name)) {
             check.missing.push_back(file.name);
         } else if (!is_unchanged(file, folder)) {
             check.changed.push_back(file.name);

@@ -5,6 +5,7 @@
 
 #include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
 #include "hitos/base/folder_entries.hpp"
 #include "json_input.hpp"
 
@@ -53,15 +54,13 @@ std::vector<WrittenFile> written_files(const fs::path& folder) {
 bool is_unchanged(const WrittenFile& file, const fs::path& folder) {
     const fs::path path = folder / file.name;
     std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    const bool regular = fs::is_regular_file(status);
-    const std::uintmax_t size = regular ? fs::file_size(path, error) : 0;
-    // What cannot be looked at for once may well be what it was.
-    if (status.type() == fs::file_type::none || (regular && error)) {
+    const bool there = is_file(path);
+    const std::uintmax_t size = there ? fs::file_size(path, error) : 0;
+    if (error) {
         throw FileError(path.string(), message(HITOS_TEXT("Errors", "cannot be read: %1"),
                                                system_message(error.value())));
     }
-    return regular && size == file.bytes && Digest().add_file(path).text() == file.digest;
+    return there && size == file.bytes && Digest().add_file(path).text() == file.digest;
 }
 
 nlohmann::ordered_json json_of(const std::vector<WrittenFile>& files) {

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
 #include "hitos/base/folder_entries.hpp"
 #include "hitos/base/text_input.hpp"
 #include "run/written_files.hpp"
@@ -32,8 +33,7 @@ std::vector<StudyRecord> records_of(const StudyLayout& layout, const StudyPlan& 
 }
 
 bool holds_text(const std::filesystem::path& file, const std::string& text) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(file, ignored) && input::read_text(file) == text;
+    return is_file(file) && input::read_text(file) == text;
 }
 
 /// Tables that are not those of the records, and other files that are not as they were listed.
@@ -90,8 +90,7 @@ std::vector<std::string> left_over_files(const StudyLayout& layout, const StudyP
 }  // namespace
 
 bool is_study(const StudyLayout& layout) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(study::plan_file(layout), ignored);
+    return is_file(study::plan_file(layout));
 }
 
 StudyCheck check_study(const StudyLayout& layout) {

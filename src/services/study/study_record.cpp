@@ -3,6 +3,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
 #include "hitos/base/text_input.hpp"
 #include "json_input.hpp"
 #include "run/report_json.hpp"
@@ -63,17 +64,14 @@ StudyRecord record_of(const ordered_json& json, const std::string& file) {
 bool has_map(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
              const StudyRecord& record) {
     const fs::path map = map_file(layout, plan, run);
-    std::error_code ignored;
-    return fs::is_regular_file(map, ignored) && Digest().add_file(map).text() == record.map_digest;
+    return is_file(map) && Digest().add_file(map).text() == record.map_digest;
 }
 
 bool has_picture(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
                  const StudyRecord& record) {
     // A grid without a cell that was seen gives neither.
     if (!record.picture) return !record.blur_m2;
-    std::error_code ignored;
-    return fs::is_regular_file(grid_file(layout, plan, run), ignored) &&
-           fs::is_regular_file(path_file(layout, plan, run), ignored) &&
+    return is_file(grid_file(layout, plan, run)) && is_file(path_file(layout, plan, run)) &&
            picture_digest(layout, plan, run) == record.picture->digest;
 }
 
@@ -104,8 +102,7 @@ void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t 
 std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPlan& plan,
                                        std::size_t run) {
     const fs::path path = record_file(layout, plan, run);
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+    if (!is_file(path)) return std::nullopt;
     try {
         const std::string text = input::read_text(path, input::kLargestSettings);
         const auto json = parsed<ordered_json>(text, path.string());
@@ -126,8 +123,7 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
 
 void expect_no_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t run) {
     const fs::path file = record_file(layout, plan, run);
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) return;
+    if (!is_file(file)) return;
     try {
         const std::string text = input::read_text(file, input::kLargestSettings);
         const auto json = parsed<ordered_json>(text, file.string());
@@ -151,9 +147,8 @@ void copy_run(const StudyLayout& from, const StudyLayout& to, const StudyPlan& p
     const std::vector<fs::path> sources = run_files(from, plan, run);
     const std::vector<fs::path> targets = run_files(to, plan, run);
     for (std::size_t i = 0; i < sources.size(); ++i) {
-        std::error_code ignored;
         const bool wanted = i == 0 || record.picture.has_value();  // the map is the first
-        if (!wanted || !fs::is_regular_file(sources[i], ignored)) continue;
+        if (!wanted || !is_file(sources[i])) continue;
         write_file(targets[i], input::read_text(sources[i]));
     }
     write_record(to, plan, run, record);
