@@ -1,8 +1,11 @@
 // Looks for the hypothesis about a tour with which its scans fit best.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "hitos/capture/tour_examination.hpp"
 
@@ -48,6 +51,24 @@ BestFit climbed(const Fit& fit, BestFit best, double step, double finest, const 
         if (best.agreement <= from.agreement) step /= 2.0;
     }
     return best;
+}
+
+/// Of the offsets up to `most` to either side, in so many steps, the middle of those that fit as
+/// well as the best: `at(offset)` is what is asked.
+template <class At>
+double middle_offset(const Fit& fit, double most, int steps, const At& at) {
+    constexpr double kAsWell = 0.01;
+    std::vector<double> fits;
+    for (int i = -steps; i <= steps; ++i) fits.push_back(fit(at(most * i / steps)));
+    const double least = std::ranges::max(fits) - kAsWell;
+    double sum = 0.0;
+    int count = 0;
+    for (int i = -steps; i <= steps; ++i) {
+        if (fits[static_cast<std::size_t>(i + steps)] < least) continue;
+        sum += most * i / steps;
+        ++count;
+    }
+    return sum / count;
 }
 
 /// The delay by which the scans fit best: of those that fit about as well, as on every lap of a

@@ -157,9 +157,10 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
                                             "the other in steps of 360, %1 times (first in line "
                                             "%2): they are in degrees, and are read as radians"),
                                  turns_of_degrees_, turn_line_),
-                         marked(HITOS_TEXT("Errors",
-                                           "record them in radians; or take how the robot moved "
-                                           "from the scans: --set source.odometry=scans"))});
+                         marked(HITOS_TEXT(
+                             "Errors",
+                             "record them in radians; or take how the robot moved from the scans, "
+                             "where they show enough for that: --set source.odometry=scans"))});
         return;
     }
     const bool told = std::ranges::count(found, Kind::two_publishers, &TourFinding::kind) > 0;
@@ -172,8 +173,8 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
                                 "programs tell it, and the map is of neither"),
                      tracks_.returns()),
              marked(HITOS_TEXT("Errors",
-                               "record with one of them only; or take how it moved from the scans: "
-                               "--set source.odometry=scans"))});
+                               "record with one of them only; or take how it moved from the scans, "
+                               "where they show enough for that: --set source.odometry=scans"))});
         return;
     }
     if (leaps_.count > in_a_row_) {
@@ -208,7 +209,8 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
                      tenths(longest_halt_s_), tenths(made_up_.longest_m), made_up_.line,
                      made_up_.count),
              marked(HITOS_TEXT("Errors",
-                               "take how it moved from the scans: --set source.odometry=scans"))});
+                               "take how it moved from the scans, where they show enough for that: "
+                               "--set source.odometry=scans"))});
     }
 }
 

@@ -122,10 +122,10 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
     }
     const long told = percent(agreement(pairs, asked).value_or(0.0));
     const std::string begin = seconds_words(best.hypothesis.delay_s);
-    Message remedy =
-        marked(HITOS_TEXT("Errors",
-                          "set the clocks of both computers alike before recording; or take how "
-                          "the robot moved from the scans: --set source.odometry=scans"));
+    Message remedy = marked(HITOS_TEXT(
+        "Errors",
+        "set the clocks of both computers alike before recording; or take how the robot moved from "
+        "the scans, where they show enough for that: --set source.odometry=scans"));
     if (&best == &set) {
         return TourFinding{
             Kind::clock_set, best.hypothesis.set_by_s,

@@ -42,9 +42,10 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                      "Errors",
                      "%1 of %2 scans have no reading that can be used, so there is nothing to map"),
                  empty_scans_, scans_),
-             marked(HITOS_TEXT("Errors",
-                               "look whether the range limits of the recording are swapped or "
-                               "tiny; source.max_range sets the greatest range"))});
+             marked(HITOS_TEXT(
+                 "Errors",
+                 "look whether the range limits of the recording are swapped or tiny, or its "
+                 "readings not in metres; source.max_range sets the greatest range"))});
     }
     const auto typical = static_cast<double>(median(medians_));
     constexpr double kFarthest = 200.0;
@@ -152,7 +153,8 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
                            "the scans change and the odometry says that the robot never moved; all "
                            "scans are put on one place")),
          marked(HITOS_TEXT("Errors",
-                           "take how it moved from the scans: --set source.odometry=scans"))});
+                           "take how it moved from the scans, where they show enough for that: "
+                           "--set source.odometry=scans"))});
 }
 
 /// Times that do not tell one scan from the next.
@@ -181,9 +183,10 @@ void TourExamination::doubt_stamps(std::vector<TourFinding>& found) const {
                          "%1 of %2 odometry readings are stamped no later than the one before: too "
                          "coarsely, or by two clocks; how fast the robot moved is not known"),
                      of_no_time_, readings_),
-             marked(HITOS_TEXT("Errors",
-                               "record times of one clock with milliseconds; or take how it moved "
-                               "from the scans: --set source.odometry=scans"))});
+             marked(HITOS_TEXT(
+                 "Errors",
+                 "record times of one clock with milliseconds; or take how it moved from the "
+                 "scans, where they show enough for that: --set source.odometry=scans"))});
     }
 }
 

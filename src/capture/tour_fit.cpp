@@ -94,7 +94,8 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     }
     if (doubt_dead(found)) return;
     doubt_scale(found);
-    if (found.size() == before) doubt_turning(found);
+    if (found.size() > before || doubt_slight_turn(fit, found)) return;
+    doubt_turning(found);
 }
 
 /// Whether so many points fit that the odometry says more than that the robot stands: by chance,
@@ -117,7 +118,8 @@ void TourExamination::doubt_whole(std::vector<TourFinding>& found) const {
                             "points do), and no other time, mounting or scale explains it"),
                  percent(told)),
          marked(HITOS_TEXT("Errors",
-                           "take how it moved from the scans: --set source.odometry=scans"))});
+                           "take how it moved from the scans, where they show enough for that: "
+                           "--set source.odometry=scans"))});
 }
 
 /// Whether the way between two scans is longer or shorter by the scans than by the odometry.
@@ -125,7 +127,10 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
     constexpr double kLeast = 0.1;
     constexpr double kStep = 0.05;
     constexpr int kSteps = 10;
-    constexpr int kFarSteps = 51;  // to a twelfth, and to twelve times
+    constexpr double kMore = 0.02;  // than where it did not drive at all
+    constexpr double kAround = 0.15;
+    constexpr int kAroundSteps = 30;
+    constexpr int kFarSteps = 51;  // to a twelfth, and to twelve times; beyond are units alone
     // Over the way of a pair a tenth is a few centimetres.
     const Hypothesis asked = closely();
     const Fit fit = [this](const Hypothesis& other) { return agreement(other).value_or(0.0); };
@@ -138,23 +143,33 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
     for (int i = -kSteps; i <= kSteps; ++i) try_out(1.0 + i * kStep);
     if (std::abs(best.hypothesis.scale - 1.0) > (kSteps - 1.5) * kStep) {
         for (int i = -kFarSteps; i <= kFarSteps; ++i) try_out(std::pow(1.0 + kStep, i));
+        for (const double unit : {100.0, 39.37, 1.0 / 39.37, 0.01}) try_out(unit);
     }
     const double told = fit(asked);
-    const double scale = best.hypothesis.scale;
-    if (std::abs(scale - 1.0) < kLeast - kStep / 2.0 || best.agreement < told + kClearly ||
-        best.agreement < kLeastFit) {
+    Hypothesis driven_nowhere = asked;
+    driven_nowhere.scale = 0.0;
+    if (std::abs(best.hypothesis.scale - 1.0) < kLeast - kStep / 2.0 ||
+        best.agreement < told + kClearly || best.agreement < kLeastFit ||
+        best.agreement < fit(driven_nowhere) + kMore) {
         return;
     }
+    const double scale =
+        best.hypothesis.scale * (1.0 + middle_offset(fit, kAround, kAroundSteps, [&](double off) {
+                                     Hypothesis other = best.hypothesis;
+                                     other.scale *= 1.0 + off;
+                                     return other;
+                                 }));
+    const std::string words = fmt::format("{:.3g}", scale);
     found.push_back(
         {Kind::odometry_scale, scale,
          message(HITOS_TEXT("Errors",
                             "by the scans the robot drives %1 times as far as by the odometry (%2 "
                             "% of their points fit so, %3 % as it is told)"),
-                 fmt::format("{:.2f}", scale), percent(best.agreement), percent(told)),
+                 words, percent(best.agreement), percent(told)),
          message(HITOS_TEXT("Errors",
                             "say so: --set source.odometry_scale=%1; or the laser's readings are "
                             "%2 times what they should be: let its driver tell metres"),
-                 fmt::format("{:.2f}", scale), fmt::format("{:.2f}", scale))});
+                 words, words)});
 }
 
 /// Whether scans fit the odometry better as they are stamped, or by another time that was found,

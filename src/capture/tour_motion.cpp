@@ -110,8 +110,9 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
         turn.note(told.theta, seen.theta);
         way.note(way_along(told), way_along(seen));
     }
-    const Message remedy = marked(
-        HITOS_TEXT("Errors", "take how it moved from the scans: --set source.odometry=scans"));
+    const Message remedy = marked(HITOS_TEXT("Errors",
+                                             "take how it moved from the scans, where they show "
+                                             "enough for that: --set source.odometry=scans"));
     if (turn.dead(kLeastTurn, kLittle)) {
         found.push_back(
             {Kind::still_odometry, 0.0,

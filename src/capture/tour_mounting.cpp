@@ -18,22 +18,13 @@ constexpr int kSectors = 36;
 /// The turn of the laser, as told plus what is found, in the middle of those that fit as well.
 double middle_turn(const Fit& fit, const Hypothesis& found) {
     constexpr int kDegrees = 15;
-    constexpr double kAsWell = 0.01;
-    Hypothesis near = closely(found);
-    std::array<double, 2 * kDegrees + 1> fits{};
-    for (int i = 0; i <= 2 * kDegrees; ++i) {
-        near.turn_rad = found.turn_rad + (i - kDegrees) * kRadiansPerDegree;
-        fits.at(static_cast<std::size_t>(i)) = fit(near);
-    }
-    const double least = std::ranges::max(fits) - kAsWell;
-    double sum = 0.0;
-    int count = 0;
-    for (int i = 0; i <= 2 * kDegrees; ++i) {
-        if (fits.at(static_cast<std::size_t>(i)) < least) continue;
-        sum += i - kDegrees;
-        ++count;
-    }
-    return wrap_angle(found.turn_rad + sum / count * kRadiansPerDegree);
+    const auto at = [&](double offset) {
+        Hypothesis near = closely(found);
+        near.turn_rad = found.turn_rad + offset;
+        return near;
+    };
+    return wrap_angle(found.turn_rad +
+                      middle_offset(fit, kDegrees * kRadiansPerDegree, kDegrees, at));
 }
 
 /// With the rays over another angle than is told, about the same middle or, as most are, about
@@ -96,6 +87,11 @@ void TourExamination::doubt_mounting(const Fit& fit, double told, const BestFit&
         !beats_standing(mounted.agreement)) {
         return;
     }
+    tell_mounting(fit, told, mounted, found);
+}
+
+void TourExamination::tell_mounting(const Fit& fit, double told, const BestFit& mounted,
+                                    std::vector<TourFinding>& found) const {
     const Hypothesis& other = mounted.hypothesis;
     const long fits = percent(mounted.agreement);
     const auto degrees = [](double rad) { return std::lround(rad * kDegreesPerRadian); };
@@ -125,13 +121,14 @@ void TourExamination::doubt_mounting(const Fit& fit, double told, const BestFit&
             {Kind::mirrored_laser, 1.0,
              message(HITOS_TEXT("Errors",
                                 "the scans turn against the odometry (%1 % of their points fit "
-                                "mirrored, %2 % as they are): the map is a mirror image"),
+                                "mirrored, %2 % as they are): one of the two is mirrored, and "
+                                "where it is the laser, so is the map"),
                      fits, percent(told)),
              message(
-                 HITOS_TEXT(
-                     "Errors",
-                     "the laser is upside down, or its rays go the other way round: --laser-pose "
-                     "%1; or the odometry counts turns to the right: --set source.odometry=scans"),
+                 HITOS_TEXT("Errors",
+                            "if the laser is upside down, or its rays go the other way round: "
+                            "--laser-pose %1; if it is the odometry that counts turns to the "
+                            "right, leave the laser and map with registration: --preset recorded"),
                  place)});
         return;
     }
@@ -146,6 +143,26 @@ void TourExamination::doubt_mounting(const Fit& fit, double told, const BestFit&
              HITOS_TEXT("Errors",
                         "the laser is mounted otherwise than the recording says: --laser-pose %1"),
              place)});
+}
+
+/// Whether the laser is turned by less than sectors tell apart.
+bool TourExamination::doubt_slight_turn(const Fit& fit, std::vector<TourFinding>& found) const {
+    constexpr int kMost = 15;
+    constexpr int kLeast = 4;
+    BestFit best{closely()};
+    for (int degrees = -kMost; degrees <= kMost; ++degrees) {
+        Hypothesis turned = closely();
+        turned.turn_rad = degrees * kRadiansPerDegree;
+        best.try_out(fit, turned);
+    }
+    if (std::abs(best.hypothesis.turn_rad) < (kLeast - 0.5) * kRadiansPerDegree) return false;
+    Hypothesis driven_nowhere = closely();
+    driven_nowhere.scale = 0.0;
+    const double told = fit(closely());
+    const double least = std::max({kLeastFit, told + kClearly, fit(driven_nowhere) + kClearly});
+    if (best.agreement < least) return false;
+    tell_mounting(fit, told, best, found);
+    return true;
 }
 
 /// Whether headings are in degrees, or were scaled as if they had been.
@@ -182,8 +199,8 @@ bool TourExamination::doubt_turns(const Fit& fit, double told, double otherwise,
                      ? marked(HITOS_TEXT("Errors", "in degrees"))
                      : marked(HITOS_TEXT("Errors", "taken for degrees and turned into radians"))),
          marked(HITOS_TEXT("Errors",
-                           "record them in radians; or take how the robot moved from the scans: "
-                           "--set source.odometry=scans"))});
+                           "record them in radians; or take how the robot moved from the scans, "
+                           "where they show enough for that: --set source.odometry=scans"))});
     return true;
 }
 

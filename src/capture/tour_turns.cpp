@@ -162,9 +162,10 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
                  "by the scans the robot turns %1 times as far as by the odometry (%2 % of their "
                  "points fit closely so, %3 % as it is told): walls fan out where it turns"),
              fmt::format("{:.2f}", scale), percent(best), percent(told)),
-         marked(HITOS_TEXT("Errors",
-                           "take how it moved from the scans: --set source.odometry=scans; or map "
-                           "it with registration: --preset recorded"))});
+         marked(
+             HITOS_TEXT("Errors",
+                        "take how it moved from the scans, where they show enough for that: --set "
+                        "source.odometry=scans; or map it with registration: --preset recorded"))});
 }
 
 }  // namespace hitos

@@ -92,8 +92,11 @@ class TourExamination {
     std::vector<const Pair*> some_pairs(std::size_t asked) const;
     void doubt_mounting(const Fit& fit, double told, const BestFit& mounted,
                         std::vector<TourFinding>& found) const;
+    void tell_mounting(const Fit& fit, double told, const BestFit& mounted,
+                       std::vector<TourFinding>& found) const;
     bool doubt_turns(const Fit& fit, double told, double otherwise,
                      std::vector<TourFinding>& found) const;
+    bool doubt_slight_turn(const Fit& fit, std::vector<TourFinding>& found) const;
     void doubt_scale(std::vector<TourFinding>& found) const;
     /// What pairs of scans between which the robot turns say of its turns, and of where the laser
     /// sits.

@@ -2179,8 +2179,8 @@
         <translation>%1 de %2 barridos no tienen ninguna lectura utilizable, así que no hay nada que cartografiar</translation>
     </message>
     <message>
-        <source>look whether the range limits of the recording are swapped or tiny; source.max_range sets the greatest range</source>
-        <translation>compruebe si los límites de alcance de la grabación están cambiados o son diminutos; source.max_range fija el alcance máximo</translation>
+        <source>look whether the range limits of the recording are swapped or tiny, or its readings not in metres; source.max_range sets the greatest range</source>
+        <translation>compruebe si los límites de alcance de la grabación están cambiados o son diminutos, o si sus lecturas no están en metros; source.max_range fija el alcance máximo</translation>
     </message>
     <message>
         <source>half of the readings are beyond %1 m, which no such laser sees; the map is that many times too large</source>
@@ -2247,8 +2247,8 @@
         <translation>súmelos a sus tiempos: --scan-delay %1</translation>
     </message>
     <message>
-        <source>the scans turn against the odometry (%1 % of their points fit mirrored, %2 % as they are): the map is a mirror image</source>
-        <translation>los barridos giran al revés que la odometría (%1 % de sus puntos encajan reflejados, %2 % tal como están): el mapa es una imagen especular</translation>
+        <source>the scans turn against the odometry (%1 % of their points fit mirrored, %2 % as they are): one of the two is mirrored, and where it is the laser, so is the map</source>
+        <translation>los barridos giran al revés que la odometría (%1 % de sus puntos encajan reflejados, %2 % tal como están): uno de los dos está reflejado y, si es el láser, también el mapa</translation>
     </message>
     <message>
         <source>the scans move %1 degrees off where the odometry drives (%2 % of their points fit turned so, %3 % as they are): the map&apos;s path and walls do not fit each other</source>
@@ -2399,8 +2399,8 @@
         <translation>se encontró un lugar para %1 láseres; elija uno de ellos (--scan-topic)</translation>
     </message>
     <message>
-        <source>take how it moved from the scans: --set source.odometry=scans</source>
-        <translation>tome de los barridos cómo se movió: --set source.odometry=scans</translation>
+        <source>take how it moved from the scans, where they show enough for that: --set source.odometry=scans</source>
+        <translation>tome de los barridos cómo se movió, si muestran lo bastante: --set source.odometry=scans</translation>
     </message>
     <message>
         <source>%1 of %2 scans have the time of the one before: their stamps have too few digits, and how the robot moved between them is not known</source>
@@ -2491,8 +2491,8 @@
         <translation>%1 de %2 lecturas de odometría no llevan una hora posterior a la anterior: con pocas cifras, o de dos relojes; no se sabe a qué velocidad se movió el robot</translation>
     </message>
     <message>
-        <source>record times of one clock with milliseconds; or take how it moved from the scans: --set source.odometry=scans</source>
-        <translation>grabe horas de un solo reloj con milisegundos; o tome de los barridos cómo se movió: --set source.odometry=scans</translation>
+        <source>record times of one clock with milliseconds; or take how it moved from the scans, where they show enough for that: --set source.odometry=scans</source>
+        <translation>grabe horas de un solo reloj con milisegundos; o tome de los barridos cómo se movió, si muestran lo bastante: --set source.odometry=scans</translation>
     </message>
     <message>
         <source>by the scans the robot turns %1 times as far as by the odometry (%2 % of their points fit so, %3 % as it is told): headings are %4</source>
@@ -2507,8 +2507,8 @@
         <translation>tomados por grados y pasados a radianes</translation>
     </message>
     <message>
-        <source>record them in radians; or take how the robot moved from the scans: --set source.odometry=scans</source>
-        <translation>grábelos en radianes; o tome de los barridos cómo se movió el robot: --set source.odometry=scans</translation>
+        <source>record them in radians; or take how the robot moved from the scans, where they show enough for that: --set source.odometry=scans</source>
+        <translation>grábelos en radianes; o tome de los barridos cómo se movió el robot, si muestran lo bastante: --set source.odometry=scans</translation>
     </message>
     <message>
         <source>the scans do not lie where the odometry puts them (%1 % of their points do), and no other time, mounting or scale explains it</source>
@@ -2587,8 +2587,8 @@
         <translation>la odometría va y viene entre dos recorridos, %1 veces: la emiten dos programas y el mapa no es de ninguno</translation>
     </message>
     <message>
-        <source>record with one of them only; or take how it moved from the scans: --set source.odometry=scans</source>
-        <translation>grabe con uno solo de ellos; o tome el movimiento de los barridos: --set source.odometry=scans</translation>
+        <source>record with one of them only; or take how it moved from the scans, where they show enough for that: --set source.odometry=scans</source>
+        <translation>grabe con uno solo de ellos; o tome el movimiento de los barridos, si muestran lo bastante: --set source.odometry=scans</translation>
     </message>
     <message>
         <source>the odometry&apos;s heading leaps, by up to %1 degrees (line %2) and %3 in all; the robot is taken to drive on there as before, for a second</source>
@@ -2651,8 +2651,8 @@
         <translation>según los barridos el robot gira %1 veces lo que dice la odometría (así encaja de cerca el %2 % de sus puntos, el %3 % tal como se dice): las paredes se abren en abanico donde gira</translation>
     </message>
     <message>
-        <source>take how it moved from the scans: --set source.odometry=scans; or map it with registration: --preset recorded</source>
-        <translation>tome el movimiento de los barridos: --set source.odometry=scans; o cartografíe con registro: --preset recorded</translation>
+        <source>take how it moved from the scans, where they show enough for that: --set source.odometry=scans; or map it with registration: --preset recorded</source>
+        <translation>tome el movimiento de los barridos, si muestran lo bastante: --set source.odometry=scans; o cartografíe con registro: --preset recorded</translation>
     </message>
     <message>
         <source>in %1 pairs of scans the robot turns %2 degrees by the scans and %3 by the odometry, as where a gyro or an encoder is dead; the map is bent straight</source>
@@ -2687,8 +2687,8 @@
         <translation>los rumbos de la odometría pasan de un extremo de la vuelta al otro en pasos de 360, %1 veces (la primera en la línea %2): están en grados y se leen como radianes</translation>
     </message>
     <message>
-        <source>set the clocks of both computers alike before recording; or take how the robot moved from the scans: --set source.odometry=scans</source>
-        <translation>ponga en hora los relojes de ambos ordenadores antes de grabar; o tome el movimiento del robot de los barridos: --set source.odometry=scans</translation>
+        <source>set the clocks of both computers alike before recording; or take how the robot moved from the scans, where they show enough for that: --set source.odometry=scans</source>
+        <translation>ponga en hora los relojes de ambos ordenadores antes de grabar; o tome el movimiento del robot de los barridos, si muestran lo bastante: --set source.odometry=scans</translation>
     </message>
     <message>
         <source>the scans&apos; clock was set during the tour: they fit the odometry where %1 are added up to second %2 and %3 from there on (%4 % of their points, against %5 % as they are stamped)</source>
@@ -2703,8 +2703,8 @@
         <translation>los barridos encajan con la odometría si sus rayos abarcan %1 grados, no %2 como se dice (el %3 % de sus puntos, frente al %4 %): las paredes se doblan</translation>
     </message>
     <message>
-        <source>the laser is upside down, or its rays go the other way round: --laser-pose %1; or the odometry counts turns to the right: --set source.odometry=scans</source>
-        <translation>el láser está boca abajo o sus rayos van en sentido contrario: --laser-pose %1; o la odometría cuenta los giros a la derecha: --set source.odometry=scans</translation>
+        <source>if the laser is upside down, or its rays go the other way round: --laser-pose %1; if it is the odometry that counts turns to the right, leave the laser and map with registration: --preset recorded</source>
+        <translation>si el láser está boca abajo o sus rayos van en sentido contrario: --laser-pose %1; si es la odometría la que cuenta los giros a la derecha, deje el láser y cartografíe con registro: --preset recorded</translation>
     </message>
     <message>
         <source>has changed while it was being worked on; %1 of %2 runs were done before, of the file as it was, and the others are left out; start again when the file is complete</source>
