@@ -125,10 +125,11 @@ void TourExamination::tell_mounting(const Fit& fit, double told, const BestFit& 
                                 "where it is the laser, so is the map"),
                      fits, percent(told)),
              message(
-                 HITOS_TEXT("Errors",
-                            "if the laser is upside down, or its rays go the other way round: "
-                            "--laser-pose %1; if it is the odometry that counts turns to the "
-                            "right, leave the laser and map with registration: --preset recorded"),
+                 HITOS_TEXT(
+                     "Errors",
+                     "if the laser is upside down, or its rays go the other way round: "
+                     "--laser-pose %1; if it is the odometry that counts turns to the right, mend "
+                     "its signs, or know that with that option the map is right but mirrored"),
                  place)});
         return;
     }

@@ -2703,8 +2703,8 @@
         <translation>los barridos encajan con la odometría si sus rayos abarcan %1 grados, no %2 como se dice (el %3 % de sus puntos, frente al %4 %): las paredes se doblan</translation>
     </message>
     <message>
-        <source>if the laser is upside down, or its rays go the other way round: --laser-pose %1; if it is the odometry that counts turns to the right, leave the laser and map with registration: --preset recorded</source>
-        <translation>si el láser está boca abajo o sus rayos van en sentido contrario: --laser-pose %1; si es la odometría la que cuenta los giros a la derecha, deje el láser y cartografíe con registro: --preset recorded</translation>
+        <source>if the laser is upside down, or its rays go the other way round: --laser-pose %1; if it is the odometry that counts turns to the right, mend its signs, or know that with that option the map is right but mirrored</source>
+        <translation>si el láser está boca abajo o sus rayos van en sentido contrario: --laser-pose %1; si es la odometría la que cuenta los giros a la derecha, corrija sus signos, o sepa que con esa opción el mapa es correcto pero reflejado</translation>
     </message>
     <message>
         <source>has changed while it was being worked on; %1 of %2 runs were done before, of the file as it was, and the others are left out; start again when the file is complete</source>
