@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -58,14 +57,21 @@ BestFit climbed(const Fit& fit, BestFit best, double step, double finest, const 
 template <class At>
 double middle_offset(const Fit& fit, double most, int steps, const At& at) {
     constexpr double kAsWell = 0.01;
-    std::vector<double> fits;
-    for (int i = -steps; i <= steps; ++i) fits.push_back(fit(at(most * i / steps)));
-    const double least = std::ranges::max(fits) - kAsWell;
+    struct Asked {
+        double offset;
+        double fits;
+    };
+    std::vector<Asked> asked;
+    for (int i = -steps; i <= steps; ++i) {
+        const double offset = most * i / steps;
+        asked.push_back({offset, fit(at(offset))});
+    }
+    const double least = std::ranges::max(asked, {}, &Asked::fits).fits - kAsWell;
     double sum = 0.0;
     int count = 0;
-    for (int i = -steps; i <= steps; ++i) {
-        if (fits[static_cast<std::size_t>(i + steps)] < least) continue;
-        sum += most * i / steps;
+    for (const Asked& one : asked) {
+        if (one.fits < least) continue;
+        sum += one.offset;
         ++count;
     }
     return sum / count;

@@ -237,7 +237,7 @@ TEST_F(BadInput, EndlessFilesAreRefused) {
     const std::string run = "run " + kLog + " --out " + out_;
     for (const std::string& file : {std::string("/dev/zero"), long_one}) {
         const char* const words = file == long_one ? "is greater than 16 MiB" : "is a device";
-        expect_error(cli(run + " --config " + file), {file, words});
+        expect_error(cli(fmt::format("{} --config {}", run, file)), {file, words});
         expect_error(cli("world " + file + " --out " + out_ + ".toml"), {file, words});
     }
     expect_error(cli(run + " --reference /dev/zero"), {"/dev/zero", "is a device"});
