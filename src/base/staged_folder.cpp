@@ -104,7 +104,6 @@ fs::path made_output_folder(fs::path folder) {
     if (error || !fs::is_directory(folder, error)) {
         throw FileError(
             folder.string(),
-
             HITOS_TEXT("Errors", "cannot make this output folder: %1; give another with --out"),
             error ? system_message(error.value())
                   : message(HITOS_TEXT("Errors", "a file is in its place")));

@@ -188,7 +188,6 @@ void refuse_drawing(const std::filesystem::path& path, const Probe& found) {
                                 const LogFormat& likely) {
     throw FormatError(
         path, 0,
-
         HITOS_TEXT("Errors",
                    "is not in the format %1 but looks like %2; choose the format %2 or auto"),
         said, likely.word);

@@ -34,7 +34,6 @@ class Stamps {
     if (report.examples.empty()) {
         throw FormatError(
             reader.name(), 0,
-
             HITOS_TEXT("Errors",
                        "nothing in it can be read as %1; it holds neither scans nor odometry"),
             reader.format());

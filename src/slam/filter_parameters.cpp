@@ -367,7 +367,6 @@ void check_motion(const MotionParams& motion) {
         motion.sigma_theta_rad == 0.0) {
         throw ConfigError(
             "motion.model",
-
             HITOS_TEXT("Errors",
                        "no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta all "
                        "0 can never move; give at least one of them a value above 0"));

@@ -29,7 +29,6 @@ std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t 
     if (source.format != kAutoFormat && source.format != "normalized") {
         throw ConfigError(
             "source.format",
-
             HITOS_TEXT("Errors", "found \"%1\" for the world %2, expected auto: it is no log"),
             source.format, source.file);
     }

@@ -87,7 +87,6 @@ std::string source_named(const std::string& name) {
     if (std::ranges::find(worlds, name) != worlds.end()) return find_world(name).string();
     throw FileError(
         name,
-
         HITOS_TEXT("Errors",
                    "no such log, nor a world of that name; the worlds that come with Hitos are %1"),
         fmt::format("{}", fmt::join(worlds, ", ")));

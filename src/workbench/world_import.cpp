@@ -203,7 +203,6 @@ void refuse_stage_world(const std::filesystem::path& file) {
     if (bitmap.empty()) return;
     throw FormatError(
         file.string(), 0,
-
         HITOS_TEXT(
             "Errors",
             "is a world of Stage, which Hitos does not read; give the picture of its walls, %1, "

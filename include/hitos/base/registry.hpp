@@ -53,7 +53,6 @@ class Registry {
         if (const Entry* known = look_up(entry.word)) {
             throw ConfigError(
                 key_,
-
                 HITOS_TEXT("Errors",
                            "the %1 \"%2\" (%3) is known already as %4; give it another word"),
                 what_, entry.word, entry.label, known->label);

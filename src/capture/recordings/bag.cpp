@@ -87,7 +87,6 @@ class Bag final : public ChunkedRecording {
         const std::string_view found{magic.data(), got};
         if (found == kBagMagic) return;
         throw FormatError(path.string(), 0,
-
                           HITOS_TEXT("Errors",
                                      "is a ROS bag that begins with \"%1\", expected version 2.0; "
                                      "convert it with \"rosbag fix\""),

@@ -79,9 +79,7 @@ std::uint64_t Section::skip(std::uint64_t count) {
 Section Section::section(std::uint64_t length) {
     if (length > left_) {
         throw FormatError(
-            {}, 0,
-
-            HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most the %2 left"),
+            {}, 0, HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most the %2 left"),
             length, left_);
     }
     return {*this, length};

@@ -120,7 +120,6 @@ fs::path file_in(const fs::path& folder, const std::string& name) {
     }
     throw FormatError(
         (folder / kMetadata).string(), 0,
-
         HITOS_TEXT("Errors", "names the file \"%1\", which is not in its folder; put it there"),
         name);
 }

@@ -160,7 +160,6 @@ std::unique_ptr<ByteSource> make_unpacker(std::string_view compression, ByteSour
     if (compression == "zstd") return std::make_unique<Zstd>(packed);
     throw FormatError(
         {}, 0,
-
         HITOS_TEXT("Errors", "found the compression \"%1\", expected none, bz2, lz4 or zstd"),
         compression);
 }

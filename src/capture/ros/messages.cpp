@@ -73,7 +73,6 @@ Transform checked(Transform t) {
     if (!(length > kLeastLength)) {
         throw FormatError(
             {}, 0,
-
             HITOS_TEXT("Errors", "field \"%1\": found a quaternion of length %2, expected 1"),
             "orientation", length);
     }

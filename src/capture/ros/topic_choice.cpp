@@ -102,7 +102,6 @@ void choose_scans(const RecordingSurvey& survey, const ReadOptions& options,
     const std::vector<std::string_view> names = input::listed(options.scan_topic);
     if (names.empty() && lasers.size() > 1) {
         throw ConfigError(kScanTopicKey,
-
                           HITOS_TEXT("Errors",
                                      "found %1 laser topics in %2: %3; choose one (--scan-topic), "
                                      "several with commas between them, or \"all\""),

@@ -193,7 +193,6 @@ std::string toml_string(const ConfigParameter& parameter, std::string_view text)
     if (end_of_utf8(text) != text.size()) {
         throw ConfigError(
             std::string(parameter.key),
-
             HITOS_TEXT("Errors", "%1 is not UTF-8 and cannot stand in a configuration file"),
             input::in_quotes(text));
     }

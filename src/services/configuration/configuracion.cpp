@@ -70,7 +70,6 @@ void check(const Configuracion& configuration) {
     if (grid.max_range_m > 0.0 && grid.max_range_m < grid.resolution_m) {
         throw ConfigError(
             "grid.max_range",
-
             HITOS_TEXT("Errors",
                        "%1 m is less than a cell (grid.resolution %2 m); 0 draws rays whole"),
             grid.max_range_m, grid.resolution_m);

@@ -237,7 +237,6 @@ void require_known(const Table& table, const Registry<Entry>& registry) {
             if (look_up(std::span<const ConfigParameter>(table), key) != nullptr) continue;
             throw ConfigError(
                 entry.word,
-
                 HITOS_TEXT("Errors", "says that it reads %1, but there is no such parameter"), key);
         }
     }

@@ -138,7 +138,6 @@ std::vector<NamedDistance> parse_distances(std::string_view text, const std::str
         if (std::ranges::find(distances, distance.name, &NamedDistance::name) != distances.end()) {
             throw FormatError(
                 name, number,
-
                 HITOS_TEXT("Errors", "%1 stands twice in the file; expected each name once"),
                 input::in_quotes(distance.name));
         }
