@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scans_remedy.hpp"
+
 namespace hitos {
 namespace {
 
@@ -208,9 +210,7 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
                                 "all; scans of that time lie on one place"),
                      tenths(longest_halt_s_), tenths(made_up_.longest_m), made_up_.line,
                      made_up_.count),
-             marked(HITOS_TEXT("Errors",
-                               "take how it moved from the scans, where they show enough for that: "
-                               "--set source.odometry=scans"))});
+             take_it_from_scans()});
     }
 }
 

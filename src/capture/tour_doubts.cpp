@@ -10,6 +10,7 @@
 #include "hitos/base/median.hpp"
 #include "hitos/capture/tour_examination.hpp"
 #include "laser_pose.hpp"
+#include "scans_remedy.hpp"
 
 namespace hitos {
 namespace {
@@ -152,9 +153,7 @@ void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
          marked(HITOS_TEXT("Errors",
                            "the scans change and the odometry says that the robot never moved; all "
                            "scans are put on one place")),
-         marked(HITOS_TEXT("Errors",
-                           "take how it moved from the scans, where they show enough for that: "
-                           "--set source.odometry=scans"))});
+         take_it_from_scans()});
 }
 
 /// Times that do not tell one scan from the next.

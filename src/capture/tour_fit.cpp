@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hypothesis_search.hpp"
+#include "scans_remedy.hpp"
 
 namespace hitos {
 namespace {
@@ -117,9 +118,7 @@ void TourExamination::doubt_whole(std::vector<TourFinding>& found) const {
                             "the scans do not lie where the odometry puts them (%1 % of their "
                             "points do), and no other time, mounting or scale explains it"),
                  percent(told)),
-         marked(HITOS_TEXT("Errors",
-                           "take how it moved from the scans, where they show enough for that: "
-                           "--set source.odometry=scans"))});
+         take_it_from_scans()});
 }
 
 /// Whether the way between two scans is longer or shorter by the scans than by the odometry.

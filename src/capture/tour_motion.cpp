@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "hypothesis_search.hpp"
+#include "scans_remedy.hpp"
 #include "turned_step.hpp"
 
 namespace hitos {
@@ -110,9 +111,7 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
         turn.note(told.theta, seen.theta);
         way.note(way_along(told), way_along(seen));
     }
-    const Message remedy = marked(HITOS_TEXT("Errors",
-                                             "take how it moved from the scans, where they show "
-                                             "enough for that: --set source.odometry=scans"));
+    const Message remedy = take_it_from_scans();
     if (turn.dead(kLeastTurn, kLittle)) {
         found.push_back(
             {Kind::still_odometry, 0.0,

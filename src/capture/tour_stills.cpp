@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "hitos/capture/tour_examination.hpp"
+#include "scans_remedy.hpp"
 
 namespace hitos {
 namespace {
@@ -55,10 +56,7 @@ void TourExamination::doubt_stills(std::vector<TourFinding>& found) const {
                                   "the odometry stands still; all of them are put on one place"),
                        tenths(seconds), tenths(longest_still_.begin_s - first_scan_s_));
     }
-    found.push_back({Kind::still_odometry, seconds, std::move(what),
-                     marked(HITOS_TEXT("Errors",
-                                       "take how it moved from the scans, where they show enough "
-                                       "for that: --set source.odometry=scans"))});
+    found.push_back({Kind::still_odometry, seconds, std::move(what), take_it_from_scans()});
 }
 
 }  // namespace hitos
