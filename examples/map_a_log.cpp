@@ -5,8 +5,8 @@
 #include <exception>
 
 #include "hitos/services/configuration/config_parameter.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/workbench/open_tour.hpp"
 

@@ -1,7 +1,7 @@
 #include "hitos/slam/filters.hpp"
 
-#include "ekf_slam.hpp"
-#include "filtro_particulas.hpp"
+#include "ekf/ekf_slam.hpp"
+#include "fastslam/filtro_particulas.hpp"
 #include "graph/graph_slam.hpp"
 #include "hitos/slam/filter_parameters.hpp"
 #include "hitos/slam/robot.hpp"

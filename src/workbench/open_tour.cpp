@@ -8,7 +8,7 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/registration/scan_odometry.hpp"
 #include "hitos/services/run/open_source.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/simulation/drive/simulated_tour_reader.hpp"
 
 namespace hitos {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "hitos/simulation/noisy_reader.hpp"
+#include "hitos/simulation/drive/noisy_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
 
 namespace hitos {

@@ -6,10 +6,10 @@
 #include "hitos/base/staged_files.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/log_writer.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
-#include "hitos/simulation/reference_map.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
+#include "hitos/simulation/drive/simulated_tour_reader.hpp"
+#include "hitos/simulation/worlds/reference_map.hpp"
 #include "tour_picture.hpp"
 
 namespace hitos {

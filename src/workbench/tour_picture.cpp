@@ -13,8 +13,8 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/services/maps/scale_bar.hpp"
-#include "hitos/simulation/odometry_noise.hpp"
+#include "hitos/services/drawing/scale_bar.hpp"
+#include "hitos/simulation/worlds/odometry_noise.hpp"
 
 namespace hitos {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
 
 namespace hitos {
 

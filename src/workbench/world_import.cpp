@@ -14,12 +14,12 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/tour_reader.hpp"
-#include "hitos/services/maps/dxf_file.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/segment_file.hpp"
-#include "hitos/services/maps/wall_tracing.hpp"
-#include "hitos/simulation/disturbance.hpp"
-#include "hitos/simulation/dxf_walls.hpp"
+#include "hitos/services/files/dxf_file.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/segment_file.hpp"
+#include "hitos/services/tracing/wall_tracing.hpp"
+#include "hitos/simulation/drawings/dxf_walls.hpp"
+#include "hitos/simulation/worlds/disturbance.hpp"
 
 namespace hitos {
 namespace {

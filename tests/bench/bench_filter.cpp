@@ -15,9 +15,9 @@
 #include "hitos/capture/procesador.hpp"
 #include "hitos/features/extractor.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
-#include "hitos/services/run/grid.hpp"
-#include "hitos/services/run/line_extents.hpp"
-#include "hitos/simulation/odometry_noise.hpp"
+#include "hitos/services/files/line_extents.hpp"
+#include "hitos/services/grid/grid.hpp"
+#include "hitos/simulation/worlds/odometry_noise.hpp"
 #include "hitos/slam/filters.hpp"
 
 namespace {

@@ -19,7 +19,7 @@
 
 #include "hitos/features/extractor.hpp"
 #include "hitos/services/evaluation/nees.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
 #include "hitos/slam/filters.hpp"
 #include "hitos/slam/robot.hpp"
 

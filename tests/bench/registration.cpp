@@ -27,7 +27,7 @@
 #include "hitos/features/control.hpp"
 #include "hitos/features/extractor.hpp"
 #include "hitos/services/evaluation/measures.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "hitos/slam/filters.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/presets.hpp"

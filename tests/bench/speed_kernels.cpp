@@ -2,9 +2,9 @@
 
 #include <random>
 
+#include "fastslam/particle_block.hpp"
 #include "hitos/slam/robot.hpp"
-#include "map_store.hpp"
-#include "particle_block.hpp"
+#include "models/map_store.hpp"
 #include "speed_workloads.hpp"
 
 namespace speed {

@@ -12,9 +12,9 @@
 
 #include "dialogs/parameter_text.hpp"
 #include "gui_fixture.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/simulation/world.hpp"
-#include "hitos/simulation/world_key.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/simulation/worlds/world.hpp"
+#include "hitos/simulation/worlds/world_key.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "tests.hpp"
 #include "world/check_line.hpp"

@@ -4,7 +4,7 @@
 #include <QPushButton>
 
 #include "drive_fixture.hpp"
-#include "hitos/simulation/world_text.hpp"
+#include "hitos/simulation/text/world_text.hpp"
 #include "tests.hpp"
 #include "world/log_saver.hpp"
 

@@ -7,7 +7,7 @@
 #include <QToolButton>
 
 #include "drive_fixture.hpp"
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 #include "tests.hpp"
 #include "views/time_line.hpp"
 

@@ -14,7 +14,7 @@
 #include <QToolButton>
 
 #include "drive_fixture.hpp"
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 
 namespace hitos::window {
 namespace {

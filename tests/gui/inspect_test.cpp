@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "gui_fixture.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "inspect/association_inspector.hpp"
 #include "inspect/association_words.hpp"
 #include "inspect/landmark_table.hpp"

@@ -8,7 +8,7 @@
 #include <QPushButton>
 
 #include "gui_fixture.hpp"
-#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/files/map_file.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {

@@ -14,7 +14,7 @@
 
 #include "dialogs/picture_dialog.hpp"
 #include "gui_fixture.hpp"
-#include "hitos/services/maps/picture_file.hpp"
+#include "hitos/services/drawing/picture_file.hpp"
 #include "tests.hpp"
 #include "views/plots.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "hitos/services/evaluation/distances.hpp"
-#include "hitos/simulation/reference_map.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
+#include "hitos/simulation/worlds/reference_map.hpp"
 #include "unit/simulation/worlds.hpp"
 
 namespace hitos {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "hitos/features/extractor.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
 #include "hitos/slam/filters.hpp"
 
 namespace hitos {

@@ -11,7 +11,7 @@
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/evaluation/position_error.hpp"
-#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/files/map_file.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/step_figures.hpp"
 #include "hitos/workbench/configuration_choices.hpp"

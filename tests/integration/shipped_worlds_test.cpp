@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "hitos/simulation/reference_map.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
+#include "hitos/simulation/worlds/reference_map.hpp"
 #include "unit/simulation/worlds.hpp"
 
 namespace hitos {

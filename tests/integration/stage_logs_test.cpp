@@ -6,7 +6,7 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "hitos/features/control.hpp"
-#include "hitos/simulation/simulated_laser.hpp"
+#include "hitos/simulation/laser/simulated_laser.hpp"
 #include "unit/simulation/worlds.hpp"
 
 namespace hitos {

@@ -7,8 +7,8 @@
 
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "support.hpp"
 
 namespace hitos {

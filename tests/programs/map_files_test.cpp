@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "hitos/services/evaluation/distances.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/segment_file.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/segment_file.hpp"
 #include "program.hpp"
 
 namespace hitos {

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "program.hpp"
 
 namespace hitos {

@@ -12,8 +12,8 @@
 #include <string>
 
 #include "hitos/capture/archivo.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 
 namespace hitos {
 namespace {

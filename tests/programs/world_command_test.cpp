@@ -6,9 +6,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/simulation/driven_path.hpp"
-#include "hitos/simulation/world_text.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/simulation/drive/driven_path.hpp"
+#include "hitos/simulation/text/world_text.hpp"
 #include "program.hpp"
 
 namespace hitos::test {

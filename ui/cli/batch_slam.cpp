@@ -12,7 +12,7 @@
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
 #include "manual/describe.hpp"
 #include "options.hpp"

@@ -10,7 +10,7 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/folder_entries.hpp"
 #include "hitos/base/input_files.hpp"
-#include "hitos/services/run/run_comparison.hpp"
+#include "hitos/services/results/run_comparison.hpp"
 #include "report.hpp"
 
 namespace hitos::cli {

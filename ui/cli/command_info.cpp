@@ -12,7 +12,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/capture/log_format.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "hitos/workbench/source_inspection.hpp"

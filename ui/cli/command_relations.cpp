@@ -15,7 +15,7 @@
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/evaluation/relations.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "options.hpp"
 #include "report.hpp"
 #include "spacing_options.hpp"

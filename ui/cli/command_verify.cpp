@@ -10,7 +10,7 @@
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/services/run/results_check.hpp"
+#include "hitos/services/results/results_check.hpp"
 #include "hitos/services/study/study_check.hpp"
 #include "report.hpp"
 

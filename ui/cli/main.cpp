@@ -4,7 +4,7 @@
 
 #include "commands.hpp"
 #include "hitos/base/process.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 #include "manual/describe.hpp"
 #include "options.hpp"
 

@@ -7,7 +7,7 @@
 #include "damage.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/process.hpp"
-#include "hitos/simulation/odometry_noise.hpp"
+#include "hitos/simulation/worlds/odometry_noise.hpp"
 #include "hitos/workbench/study_noise.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"

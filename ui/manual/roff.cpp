@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "hitos/base/text_input.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 
 namespace hitos::manual {
 namespace {

@@ -14,7 +14,7 @@
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
-#include "hitos/services/run/kept_run.hpp"
+#include "hitos/services/results/kept_run.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "python_calls.hpp"

@@ -12,7 +12,7 @@
 
 #include "arguments.hpp"
 #include "arrays.hpp"
-#include "hitos/services/run/grid_builder.hpp"
+#include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "python_calls.hpp"
 #include "tours.hpp"

@@ -7,8 +7,8 @@
 
 #include "bindings.hpp"
 #include "hitos/base/geometry.hpp"
-#include "hitos/services/run/grid.hpp"
-#include "hitos/services/run/grid_tiles.hpp"
+#include "hitos/services/grid/grid.hpp"
+#include "hitos/services/grid/grid_tiles.hpp"
 
 namespace hitos::python {
 

@@ -6,7 +6,7 @@
 
 #include "arguments.hpp"
 #include "arrays.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "python_calls.hpp"
 #include "references.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "bindings.hpp"
 #include "ending.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 
 // NOLINTNEXTLINE: what the macro makes is pybind11's
 PYBIND11_MODULE(_hitos, module) {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "bindings.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 
 namespace hitos::python {
 

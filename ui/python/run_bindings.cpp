@@ -11,9 +11,9 @@
 #include "configuration.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/evaluation/distances.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
-#include "hitos/services/run/optional_outputs.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
+#include "hitos/services/results/optional_outputs.hpp"
 #include "references.hpp"
 #include "runs.hpp"
 

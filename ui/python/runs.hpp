@@ -14,7 +14,7 @@
 #include "bindings.hpp"
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/staged_folder.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
 #include "snapshots.hpp"
 #include "tours.hpp"

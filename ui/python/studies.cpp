@@ -16,7 +16,7 @@
 #include "arrays.hpp"
 #include "configuration.hpp"
 #include "hitos/services/study/study.hpp"
-#include "hitos/simulation/odometry_noise.hpp"
+#include "hitos/simulation/worlds/odometry_noise.hpp"
 #include "hitos/workbench/study_noise.hpp"
 #include "python_calls.hpp"
 #include "references.hpp"

@@ -12,7 +12,8 @@
 
 namespace hitos {
 
-/// A particle's map, for the proposals of Hitos that heed landmarks (src/slam/map_store.hpp).
+/// A particle's map, for the proposals of Hitos that heed landmarks
+/// (src/slam/models/map_store.hpp).
 class ParticleMap;
 
 /// A particle before it moves.

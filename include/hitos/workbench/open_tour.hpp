@@ -10,8 +10,8 @@
 
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
-#include "hitos/services/run/results.hpp"
-#include "hitos/simulation/world.hpp"
+#include "hitos/services/results/results.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 
 namespace hitos {
 

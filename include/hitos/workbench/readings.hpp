@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hitos/services/configuration/configuracion.hpp"
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 
 namespace hitos {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hitos/services/study/study.hpp"
-#include "hitos/simulation/odometry_noise.hpp"
+#include "hitos/simulation/worlds/odometry_noise.hpp"
 
 namespace hitos {
 

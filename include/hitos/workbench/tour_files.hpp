@@ -8,7 +8,7 @@
 #include <string>
 
 #include "hitos/capture/tour_reader.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
 
 namespace hitos {
 

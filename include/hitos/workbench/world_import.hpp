@@ -8,7 +8,7 @@
 
 #include "hitos/base/geometry.hpp"
 #include "hitos/base/message.hpp"
-#include "hitos/simulation/world_text.hpp"
+#include "hitos/simulation/text/world_text.hpp"
 
 namespace hitos {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "grid/grid_parameters.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/features/extraction_parameters.hpp"
@@ -12,7 +13,6 @@
 #include "hitos/slam/proposal.hpp"
 #include "hitos/slam/resampler.hpp"
 #include "hitos/slam/robot.hpp"
-#include "run/grid_parameters.hpp"
 
 namespace hitos {
 namespace {

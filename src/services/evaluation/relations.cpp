@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "../maps/text_output.hpp"
+#include "files/text_output.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "stamp_pairs.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hitos/base/atomic_file.hpp"
-#include "hitos/services/maps/gnuplot.hpp"
+#include "hitos/services/drawing/gnuplot.hpp"
 
 namespace hitos {
 namespace {

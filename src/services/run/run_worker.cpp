@@ -6,7 +6,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/thread_clock.hpp"
-#include "hitos/services/run/quality.hpp"
+#include "hitos/services/evaluation/quality.hpp"
 #include "hitos/slam/association_record.hpp"
 
 namespace hitos {
@@ -406,7 +406,7 @@ void RunWorker::publish_snapshot(const SnapshotParts& parts, bool rests) {
         snapshot->loops = registration->loops();
     }
     if (run_.finished()) {
-        snapshot->advice = warnings(run_);
+        snapshot->advice = warnings(run_.evidence());
         std::ranges::move(run_.advice(), std::back_inserter(snapshot->advice));
     }
     snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);

@@ -9,7 +9,7 @@
 #include "hitos/base/file_exchange.hpp"
 #include "hitos/base/folder_entries.hpp"
 #include "hitos/base/text_input.hpp"
-#include "run/written_files.hpp"
+#include "results/written_files.hpp"
 #include "study_files.hpp"
 #include "study_folder.hpp"
 

@@ -8,7 +8,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "json_input.hpp"
-#include "run/written_files.hpp"
+#include "results/written_files.hpp"
 #include "study_plot.hpp"
 
 namespace hitos::study {

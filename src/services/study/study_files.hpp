@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hitos/base/digest.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/services/study/study_result.hpp"
 
 namespace hitos::study {

@@ -12,7 +12,7 @@
 #include "hitos/base/staged_folder.hpp"
 #include "hitos/base/text_input.hpp"
 #include "json_input.hpp"
-#include "run/written_files.hpp"
+#include "results/written_files.hpp"
 #include "study_files.hpp"
 #include "study_pictures.hpp"
 #include "study_plot.hpp"

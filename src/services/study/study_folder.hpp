@@ -12,7 +12,7 @@
 
 #include "hitos/base/folder_lock.hpp"
 #include "hitos/base/message.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/services/study/study_result.hpp"
 
 namespace hitos::study {

@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "hitos/base/error.hpp"
-#include "hitos/services/maps/contact_sheet.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/drawing/contact_sheet.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "study_files.hpp"
 #include "study_pictures.hpp"
 

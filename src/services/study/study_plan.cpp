@@ -10,7 +10,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/services/study/study.hpp"
 #include "json_input.hpp"
 #include "study_files.hpp"

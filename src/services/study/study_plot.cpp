@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "hitos/services/maps/gnuplot.hpp"
+#include "hitos/services/drawing/gnuplot.hpp"
 #include "hitos/services/study/study_abscissa.hpp"
 
 namespace hitos::study {

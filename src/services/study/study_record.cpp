@@ -6,8 +6,8 @@
 #include "hitos/base/file_exchange.hpp"
 #include "hitos/base/text_input.hpp"
 #include "json_input.hpp"
-#include "run/report_json.hpp"
-#include "run/written_files.hpp"
+#include "results/report_json.hpp"
+#include "results/written_files.hpp"
 #include "study_files.hpp"
 
 namespace hitos::study {

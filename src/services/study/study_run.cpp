@@ -1,10 +1,10 @@
 #include "study_run.hpp"
 
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/services/drawing/picture_file.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/services/evaluation/measures.hpp"
-#include "hitos/services/maps/picture_file.hpp"
-#include "hitos/services/run/grid_builder.hpp"
+#include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "study_files.hpp"
 

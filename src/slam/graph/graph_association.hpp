@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "../association.hpp"
-#include "../scan_twins.hpp"
+#include "association/association.hpp"
+#include "association/scan_twins.hpp"
 #include "graph_window.hpp"
 
 namespace hitos {

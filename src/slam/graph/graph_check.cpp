@@ -2,8 +2,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "../sound.hpp"
 #include "landmark_graph.hpp"
+#include "models/sound.hpp"
 
 namespace hitos {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../models/landmark_kinds.hpp"
+#include "models/landmark_kinds.hpp"
 
 namespace hitos {
 

@@ -7,12 +7,12 @@
 #include <array>
 #include <utility>
 
-#include "association.hpp"
+#include "association/association.hpp"
+#include "association/measurement.hpp"
 #include "hitos/registration/pose_algebra.hpp"
 #include "hitos/slam/robot.hpp"
-#include "map_store.hpp"
-#include "measurement.hpp"
 #include "models/gaussian.hpp"
+#include "models/map_store.hpp"
 #include "proposals.hpp"
 
 namespace hitos {

@@ -13,7 +13,7 @@
 #include "hitos/base/folder_entries.hpp"
 #include "hitos/base/folder_lock.hpp"
 #include "hitos/base/staged_folder.hpp"
-#include "hitos/simulation/reference_map.hpp"
+#include "hitos/simulation/worlds/reference_map.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "thesis_world.hpp"
 

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "hitos/base/error.hpp"
-#include "hitos/services/maps/gnuplot.hpp"
+#include "hitos/services/drawing/gnuplot.hpp"
 #include "hitos/workbench/reproduction.hpp"
 
 namespace hitos {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "hitos/base/digest.hpp"
-#include "hitos/simulation/odometry_noise.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/simulation/drive/simulated_tour_reader.hpp"
+#include "hitos/simulation/worlds/odometry_noise.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/shipped_data.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "hitos/services/study/study.hpp"
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 #include "hitos/workbench/readings.hpp"
 
 namespace hitos {

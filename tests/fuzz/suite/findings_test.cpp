@@ -9,10 +9,10 @@
 #include "hitos/capture/procesador.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
-#include "hitos/services/run/kept_run.hpp"
-#include "hitos/services/run/results_check.hpp"
+#include "hitos/services/results/kept_run.hpp"
+#include "hitos/services/results/results_check.hpp"
 #include "hitos/services/study/study_check.hpp"
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 #include "support.hpp"
 
 namespace hitos {

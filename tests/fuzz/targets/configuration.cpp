@@ -6,8 +6,8 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
-#include "hitos/simulation/world.hpp"
-#include "hitos/simulation/world_key.hpp"
+#include "hitos/simulation/worlds/world.hpp"
+#include "hitos/simulation/worlds/world_key.hpp"
 #include "laws.hpp"
 #include "targets.hpp"
 

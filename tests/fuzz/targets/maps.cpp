@@ -6,10 +6,10 @@
 
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/relations.hpp"
-#include "hitos/services/maps/dxf_file.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/segment_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/dxf_file.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/segment_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "laws.hpp"
 #include "targets.hpp"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "hitos/services/maps/occupancy_picture.hpp"
+#include "hitos/services/tracing/occupancy_picture.hpp"
 #include "laws.hpp"
 #include "targets.hpp"
 

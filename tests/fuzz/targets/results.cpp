@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "hitos/services/run/kept_run.hpp"
-#include "hitos/services/run/results_check.hpp"
+#include "hitos/services/results/kept_run.hpp"
+#include "hitos/services/results/results_check.hpp"
 #include "hitos/workbench/thesis_figures.hpp"
 #include "laws.hpp"
 #include "targets.hpp"

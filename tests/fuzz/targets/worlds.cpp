@@ -3,15 +3,15 @@
 #include <cmath>
 #include <string>
 
-#include "hitos/services/maps/dxf_file.hpp"
-#include "hitos/simulation/dxf_walls.hpp"
-#include "hitos/simulation/reference_map.hpp"
-#include "hitos/simulation/world_editing.hpp"
-#include "hitos/simulation/world_key.hpp"
-#include "hitos/simulation/world_text.hpp"
+#include "hitos/services/files/dxf_file.hpp"
+#include "hitos/simulation/drawings/dxf_walls.hpp"
+#include "hitos/simulation/text/world_editing.hpp"
+#include "hitos/simulation/text/world_text.hpp"
+#include "hitos/simulation/worlds/reference_map.hpp"
+#include "hitos/simulation/worlds/world_key.hpp"
 #include "laws.hpp"
 #include "targets.hpp"
-#include "world_reading.hpp"
+#include "worlds/world_reading.hpp"
 
 namespace hitos::fuzz {
 namespace {

@@ -1,4 +1,4 @@
-#include "hitos/simulation/driven_path.hpp"
+#include "hitos/simulation/drive/driven_path.hpp"
 
 #include <algorithm>
 #include <cmath>

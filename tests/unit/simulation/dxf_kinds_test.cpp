@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hitos/base/error.hpp"
-#include "hitos/simulation/dxf_walls.hpp"
+#include "hitos/simulation/drawings/dxf_walls.hpp"
 #include "worlds.hpp"
 
 namespace hitos {

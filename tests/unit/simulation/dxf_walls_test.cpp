@@ -1,11 +1,11 @@
-#include "hitos/simulation/dxf_walls.hpp"
+#include "hitos/simulation/drawings/dxf_walls.hpp"
 
 #include <dl_dxf.h>
 
 #include <memory>
 
 #include "hitos/base/error.hpp"
-#include "hitos/services/maps/dxf_file.hpp"
+#include "hitos/services/files/dxf_file.hpp"
 #include "worlds.hpp"
 
 namespace hitos {

@@ -2,7 +2,7 @@
 #include <thread>
 
 #include "hitos/base/error.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "unit/capture/test_files.hpp"
 #include "worlds.hpp"
 

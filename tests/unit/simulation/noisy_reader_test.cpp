@@ -1,11 +1,11 @@
-#include "hitos/simulation/noisy_reader.hpp"
+#include "hitos/simulation/drive/noisy_reader.hpp"
 
 #include <gmock/gmock.h>
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/procesador.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "unit/capture/test_files.hpp"
 #include "worlds.hpp"
 

@@ -1,4 +1,4 @@
-#include "hitos/simulation/odometry_noise.hpp"
+#include "hitos/simulation/worlds/odometry_noise.hpp"
 
 #include <cmath>
 

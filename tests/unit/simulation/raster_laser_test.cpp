@@ -1,6 +1,6 @@
 // The laser that sees cells: against a brute-force search of the cells, against the exact laser,
 // and by what thickness, fitting and whole cells must do.
-#include "raster_laser.hpp"
+#include "laser/raster_laser.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "hitos/base/error.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
 #include "worlds.hpp"
 
 namespace hitos {

@@ -1,9 +1,9 @@
-#include "hitos/simulation/reference_map.hpp"
+#include "hitos/simulation/worlds/reference_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/files/map_file.hpp"
 #include "worlds.hpp"
 
 namespace hitos {

@@ -1,4 +1,4 @@
-#include "hitos/simulation/simulated_laser.hpp"
+#include "hitos/simulation/laser/simulated_laser.hpp"
 
 #include <cmath>
 #include <random>

@@ -1,4 +1,4 @@
-#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/simulation/drive/simulated_tour_reader.hpp"
 
 #include <gmock/gmock.h>
 

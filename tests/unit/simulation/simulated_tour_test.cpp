@@ -1,4 +1,4 @@
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/log_writer.hpp"
 #include "hitos/capture/procesador.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "worlds.hpp"
 
 namespace hitos {

@@ -1,5 +1,5 @@
 // Where a drawn point is meant to be.
-#include "hitos/simulation/snapping.hpp"
+#include "hitos/simulation/text/snapping.hpp"
 
 #include <gtest/gtest.h>
 

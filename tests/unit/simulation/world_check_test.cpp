@@ -1,5 +1,5 @@
 // Whether start, room and tour of a world are sound.
-#include "hitos/simulation/world_check.hpp"
+#include "hitos/simulation/drive/world_check.hpp"
 
 #include <cmath>
 

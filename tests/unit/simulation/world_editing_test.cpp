@@ -1,5 +1,5 @@
 // Things of a drawn world: found, put in, moved, taken out.
-#include "hitos/simulation/world_editing.hpp"
+#include "hitos/simulation/text/world_editing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
-#include "hitos/simulation/snapping.hpp"
+#include "hitos/simulation/text/snapping.hpp"
 #include "worlds.hpp"
 
 namespace hitos {

@@ -1,8 +1,8 @@
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 
 #include "hitos/base/error.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
-#include "hitos/simulation/world_key.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
+#include "hitos/simulation/worlds/world_key.hpp"
 #include "worlds.hpp"
 
 namespace hitos {

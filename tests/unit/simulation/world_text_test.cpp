@@ -1,5 +1,5 @@
 // Worlds edited as text: nothing changes but what is set.
-#include "hitos/simulation/world_text.hpp"
+#include "hitos/simulation/text/world_text.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 #include "support.hpp"
 
 namespace hitos::test {

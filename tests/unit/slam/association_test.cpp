@@ -1,4 +1,4 @@
-#include "association.hpp"
+#include "association/association.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-#include "map_store.hpp"
+#include "models/map_store.hpp"
 #include "own_landmarks.hpp"
 
 namespace hitos {

@@ -2,9 +2,9 @@
 
 #include <Eigen/Dense>
 
-#include "ekf_slam.hpp"
-#include "filtro_particulas.hpp"
-#include "map_correction.hpp"
+#include "association/map_correction.hpp"
+#include "ekf/ekf_slam.hpp"
+#include "fastslam/filtro_particulas.hpp"
 #include "registered_tour.hpp"
 
 namespace hitos {

@@ -1,4 +1,4 @@
-#include "ekf_slam.hpp"
+#include "ekf/ekf_slam.hpp"
 
 #include <gtest/gtest.h>
 

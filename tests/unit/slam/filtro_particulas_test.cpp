@@ -1,4 +1,4 @@
-#include "filtro_particulas.hpp"
+#include "fastslam/filtro_particulas.hpp"
 
 #include <gtest/gtest.h>
 

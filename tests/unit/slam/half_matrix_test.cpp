@@ -1,4 +1,4 @@
-#include "half_matrix.hpp"
+#include "ekf/half_matrix.hpp"
 
 #include <gtest/gtest.h>
 

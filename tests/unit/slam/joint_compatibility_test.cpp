@@ -1,4 +1,4 @@
-#include "joint_compatibility.hpp"
+#include "association/joint_compatibility.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <functional>
 #include <random>
 
-#include "joint_innovation.hpp"
-#include "measurement.hpp"
+#include "association/measurement.hpp"
+#include "ekf/joint_innovation.hpp"
 
 namespace hitos {
 namespace {

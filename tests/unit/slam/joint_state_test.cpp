@@ -1,4 +1,4 @@
-#include "joint_state.hpp"
+#include "ekf/joint_state.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "filtro_particulas.hpp"
-#include "free_space.hpp"
+#include "association/free_space.hpp"
+#include "fastslam/filtro_particulas.hpp"
 #include "room_tour.hpp"
 
 namespace hitos {

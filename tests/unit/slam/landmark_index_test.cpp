@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "association.hpp"
+#include "association/association.hpp"
 #include "own_landmarks.hpp"
 
 namespace hitos {

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "filtro_particulas.hpp"
+#include "fastslam/filtro_particulas.hpp"
 #include "hitos/base/vectorised.hpp"
 #include "same_beliefs.hpp"
 

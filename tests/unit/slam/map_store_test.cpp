@@ -1,4 +1,4 @@
-#include "map_store.hpp"
+#include "models/map_store.hpp"
 
 #include <gtest/gtest.h>
 

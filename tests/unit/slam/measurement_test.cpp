@@ -1,4 +1,4 @@
-#include "measurement.hpp"
+#include "association/measurement.hpp"
 
 #include <gtest/gtest.h>
 

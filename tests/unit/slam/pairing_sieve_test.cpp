@@ -1,10 +1,10 @@
-#include "pairing_sieve.hpp"
+#include "ekf/pairing_sieve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "ekf_slam.hpp"
+#include "ekf/ekf_slam.hpp"
 #include "hitos/slam/association_record.hpp"
 #include "room_tour.hpp"
 

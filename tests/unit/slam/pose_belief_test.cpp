@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "filtro_particulas.hpp"
+#include "fastslam/filtro_particulas.hpp"
 #include "room_tour.hpp"
 
 namespace hitos {

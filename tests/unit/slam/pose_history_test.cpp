@@ -1,4 +1,4 @@
-#include "pose_history.hpp"
+#include "fastslam/pose_history.hpp"
 
 #include <gtest/gtest.h>
 

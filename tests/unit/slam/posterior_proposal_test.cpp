@@ -3,10 +3,10 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "filtro_particulas.hpp"
+#include "fastslam/filtro_particulas.hpp"
 #include "hitos/slam/proposal.hpp"
 #include "hitos/slam/robot.hpp"
-#include "map_store.hpp"
+#include "models/map_store.hpp"
 #include "registered_tour.hpp"
 
 namespace hitos {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "filtro_particulas.hpp"
+#include "fastslam/filtro_particulas.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/slam/robot.hpp"
 #include "room_tour.hpp"

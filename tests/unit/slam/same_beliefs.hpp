@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "filtro_particulas.hpp"
+#include "fastslam/filtro_particulas.hpp"
 
 namespace hitos {
 

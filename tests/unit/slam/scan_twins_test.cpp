@@ -1,9 +1,9 @@
-#include "scan_twins.hpp"
+#include "association/scan_twins.hpp"
 
 #include <gtest/gtest.h>
 
-#include "ekf_slam.hpp"
-#include "filtro_particulas.hpp"
+#include "ekf/ekf_slam.hpp"
+#include "fastslam/filtro_particulas.hpp"
 #include "room_tour.hpp"
 
 namespace hitos {

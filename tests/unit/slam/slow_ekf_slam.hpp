@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "association/measurement.hpp"
 #include "hitos/slam/params.hpp"
 #include "hitos/slam/robot.hpp"
-#include "measurement.hpp"
 
 namespace hitos {
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "filtro_particulas.hpp"
+#include "fastslam/filtro_particulas.hpp"
+#include "fastslam/map_check.hpp"
 #include "graph_tour.hpp"
 #include "hitos/base/validate.hpp"
-#include "map_check.hpp"
 #include "room_tour.hpp"
 
 namespace hitos {

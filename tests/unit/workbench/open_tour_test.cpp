@@ -10,7 +10,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/evaluation/measures.hpp"
-#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/files/map_file.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"

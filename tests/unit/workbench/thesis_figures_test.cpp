@@ -9,7 +9,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
-#include "hitos/simulation/reference_map.hpp"
+#include "hitos/simulation/worlds/reference_map.hpp"
 #include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "support.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 #include "unit/capture/test_files.hpp"
 
 namespace hitos {

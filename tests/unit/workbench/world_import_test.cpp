@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "hitos/base/error.hpp"
-#include "hitos/services/maps/dxf_file.hpp"
-#include "hitos/services/maps/picture_file.hpp"
-#include "hitos/services/run/grid.hpp"
-#include "hitos/simulation/driven_path.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/services/drawing/picture_file.hpp"
+#include "hitos/services/files/dxf_file.hpp"
+#include "hitos/services/grid/grid.hpp"
+#include "hitos/simulation/drive/driven_path.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "support.hpp"
 

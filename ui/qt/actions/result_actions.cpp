@@ -13,8 +13,8 @@
 #include "dialogs/picture_dialog.hpp"
 #include "dialogs/skipped_lines.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/services/maps/dxf_file.hpp"
-#include "hitos/services/maps/segment_file.hpp"
+#include "hitos/services/files/dxf_file.hpp"
+#include "hitos/services/files/segment_file.hpp"
 #include "hitos/slam/filters.hpp"
 #include "views/grid_view.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "app/icons.hpp"
 #include "dialogs/parameter_text.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
 #include "pace_control.hpp"
 #include "views/time_line.hpp"
 

@@ -9,8 +9,8 @@
 #include "hitos/base/translatable.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/tour_reader.hpp"
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 
 namespace hitos::window {

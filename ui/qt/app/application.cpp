@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <QTranslator>
 
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 
 static void use_resources() {
     Q_INIT_RESOURCE(translations);

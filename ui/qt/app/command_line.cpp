@@ -10,7 +10,7 @@
 #include "actions/user_files.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
-#include "hitos/services/run/kept_run.hpp"
+#include "hitos/services/results/kept_run.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "manual/describe.hpp"

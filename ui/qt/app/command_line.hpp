@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hitos/services/configuration/configuracion.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
 
 namespace hitos::window {

@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "icons.hpp"
 #include "lesson_guide.hpp"

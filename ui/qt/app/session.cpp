@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hitos/base/thread_clock.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "words_of.hpp"
 #include "workers/background.hpp"

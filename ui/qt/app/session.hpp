@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <memory>
 
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
 
 namespace hitos {

@@ -11,7 +11,7 @@
 #include "actions/user_files.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/staged_folder.hpp"
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 
 namespace hitos::window {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/session.hpp"
-#include "hitos/services/run/kept_run.hpp"
+#include "hitos/services/results/kept_run.hpp"
 
 namespace hitos::window {
 

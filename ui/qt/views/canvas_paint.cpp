@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hitos/services/maps/scale_bar.hpp"
+#include "hitos/services/drawing/scale_bar.hpp"
 
 namespace hitos::window {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "canvas_view.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 
 namespace hitos::window {
 

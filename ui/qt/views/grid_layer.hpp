@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "canvas_view.hpp"
-#include "hitos/services/run/grid_tiles.hpp"
+#include "hitos/services/grid/grid_tiles.hpp"
 
 namespace hitos::window {
 

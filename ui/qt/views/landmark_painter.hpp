@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "canvas_paint.hpp"
-#include "hitos/services/run/line_extents.hpp"
+#include "hitos/services/files/line_extents.hpp"
 
 namespace hitos::window {
 

@@ -5,8 +5,8 @@
 
 #include "app/words_of.hpp"
 #include "background.hpp"
-#include "hitos/services/run/grid_builder.hpp"
-#include "hitos/simulation/simulated_tour_reader.hpp"
+#include "hitos/services/grid/grid_builder.hpp"
+#include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
 
 namespace hitos::window {

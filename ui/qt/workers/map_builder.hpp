@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "hitos/services/configuration/configuracion.hpp"
-#include "hitos/services/run/grid_tiles.hpp"
+#include "hitos/services/grid/grid_tiles.hpp"
 
 namespace hitos {
 class GridBuilder;

@@ -5,7 +5,7 @@
 
 #include "app/theme.hpp"
 #include "app/words_of.hpp"
-#include "hitos/simulation/world_check.hpp"
+#include "hitos/simulation/drive/world_check.hpp"
 #include "workers/background.hpp"
 
 namespace hitos::window {

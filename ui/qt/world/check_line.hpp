@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <cstdint>
 
-#include "hitos/simulation/world.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 
 namespace hitos::window {
 

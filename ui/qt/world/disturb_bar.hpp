@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <array>
 
-#include "hitos/simulation/disturbance.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
+#include "hitos/simulation/worlds/disturbance.hpp"
 
 class QComboBox;
 class QDoubleSpinBox;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "hitos/simulation/snapping.hpp"
-#include "hitos/simulation/world_editing.hpp"
+#include "hitos/simulation/text/snapping.hpp"
+#include "hitos/simulation/text/world_editing.hpp"
 #include "views/view_tool.hpp"
 
 namespace hitos::window {

@@ -14,7 +14,7 @@
 
 #include "app/theme.hpp"
 #include "app/words_of.hpp"
-#include "hitos/simulation/dxf_walls.hpp"
+#include "hitos/simulation/drawings/dxf_walls.hpp"
 #include "workers/background.hpp"
 
 namespace hitos::window {

@@ -9,7 +9,7 @@
 #include "actions/user_files.hpp"
 #include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/simulation/driver.hpp"
+#include "hitos/simulation/drive/driver.hpp"
 #include "hitos/workbench/open_tour.hpp"
 
 namespace hitos::window {

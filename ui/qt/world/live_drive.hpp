@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "app/session.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
-#include "hitos/simulation/world_text.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
+#include "hitos/simulation/text/world_text.hpp"
 
 namespace hitos::window {
 

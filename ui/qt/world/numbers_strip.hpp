@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "hitos/simulation/world_editing.hpp"
+#include "hitos/simulation/text/world_editing.hpp"
 
 class QLabel;
 class QLineEdit;

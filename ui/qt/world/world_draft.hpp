@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "hitos/simulation/world_text.hpp"
+#include "hitos/simulation/text/world_text.hpp"
 
 namespace hitos::window {
 

@@ -12,7 +12,7 @@
 #include "app/screen_fit.hpp"
 #include "app/words_of.hpp"
 #include "dialogs/parameter_text.hpp"
-#include "hitos/simulation/world_key.hpp"
+#include "hitos/simulation/worlds/world_key.hpp"
 
 namespace hitos::window {
 namespace {

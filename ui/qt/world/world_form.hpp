@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dialogs/parameter_field.hpp"
-#include "hitos/simulation/world_text.hpp"
+#include "hitos/simulation/text/world_text.hpp"
 
 class QGridLayout;
 class QLabel;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "hitos/simulation/world_editing.hpp"
+#include "hitos/simulation/text/world_editing.hpp"
 #include "views/canvas_paint.hpp"
 #include "views/landmark_painter.hpp"
 

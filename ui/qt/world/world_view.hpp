@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "hitos/services/run/run_worker.hpp"
-#include "hitos/simulation/simulated_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
 #include "views/canvas_view.hpp"
 #include "views/layers.hpp"
 

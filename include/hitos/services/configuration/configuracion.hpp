@@ -8,7 +8,7 @@
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/features/extraction_params.hpp"
 #include "hitos/registration/registration_params.hpp"
-#include "hitos/services/run/grid_params.hpp"
+#include "hitos/services/grid/grid_params.hpp"
 #include "hitos/slam/params.hpp"
 
 namespace hitos {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "hitos/services/run/grid.hpp"
+#include "hitos/services/grid/grid.hpp"
 
 namespace hitos {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "hitos/services/maps/map_file.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 
 namespace hitos {
 

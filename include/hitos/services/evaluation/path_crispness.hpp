@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "hitos/capture/tour_reader.hpp"
-#include "hitos/services/run/grid.hpp"
+#include "hitos/services/grid/grid.hpp"
 
 namespace hitos {
 

@@ -13,11 +13,12 @@
 #include "hitos/features/observation.hpp"
 #include "hitos/registration/registration.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/evaluation/run_evidence.hpp"
+#include "hitos/services/evaluation/suitability.hpp"
 #include "hitos/services/evaluation/uncertainty.hpp"
-#include "hitos/services/maps/trajectory_file.hpp"
-#include "hitos/services/run/grid.hpp"
-#include "hitos/services/run/line_extents.hpp"
-#include "hitos/services/run/suitability.hpp"
+#include "hitos/services/files/line_extents.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
+#include "hitos/services/grid/grid.hpp"
 #include "hitos/slam/slam_filter.hpp"
 
 namespace hitos {
@@ -101,6 +102,10 @@ class Algoritmo {
     const Suitability& suitability() const { return suitability_; }
     /// What doubts the tour; null where the options do not ask for it.
     const TourExamination* examination() const { return examination_.get(); }
+    /// To be judged by.
+    RunEvidence evidence() const {
+        return {configuration_, *reader_, odometry_trajectory(), registration(), examination()};
+    }
     /// Of what speaks against the configuration so far; a recording that is run without
     /// registration is offered it.
     std::vector<Advice> advice() const;

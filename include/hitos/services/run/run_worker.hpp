@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "hitos/base/message.hpp"
+#include "hitos/services/grid/grid_tiles.hpp"
 #include "hitos/services/run/algoritmo.hpp"
-#include "hitos/services/run/grid_tiles.hpp"
 #include "hitos/services/run/pace.hpp"
 #include "hitos/services/run/run_checkpoint.hpp"
 #include "hitos/services/run/shown_grid.hpp"

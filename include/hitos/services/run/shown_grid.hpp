@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstdint>
 
+#include "hitos/services/grid/grid_tiles.hpp"
 #include "hitos/services/run/algoritmo.hpp"
-#include "hitos/services/run/grid_tiles.hpp"
 
 namespace hitos {
 

@@ -1,7 +1,7 @@
 // The grid map of one run of a study.
 #pragma once
 
-#include "hitos/services/maps/contact_sheet.hpp"
+#include "hitos/services/drawing/contact_sheet.hpp"
 #include "hitos/services/study/study_result.hpp"
 
 namespace hitos {

@@ -1,4 +1,4 @@
-#include "hitos/services/maps/contact_sheet.hpp"
+#include "hitos/services/drawing/contact_sheet.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "hitos/services/maps/dxf_file.hpp"
+#include "hitos/services/files/dxf_file.hpp"
 
 #include <dl_creationadapter.h>
 #include <dl_dxf.h>

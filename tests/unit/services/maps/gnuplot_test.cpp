@@ -1,4 +1,4 @@
-#include "hitos/services/maps/gnuplot.hpp"
+#include "hitos/services/drawing/gnuplot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hitos/services/run/line_extents.hpp"
+#include "hitos/services/files/line_extents.hpp"
 
 namespace hitos::test {
 

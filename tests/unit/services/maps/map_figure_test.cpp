@@ -1,4 +1,4 @@
-#include "maps/map_figure.hpp"
+#include "drawing/map_figure.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

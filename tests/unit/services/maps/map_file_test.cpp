@@ -1,4 +1,4 @@
-#include "hitos/services/maps/map_file.hpp"
+#include "hitos/services/files/map_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

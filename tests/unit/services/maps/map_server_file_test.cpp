@@ -1,4 +1,4 @@
-#include "maps/map_server_file.hpp"
+#include "files/map_server_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,11 +4,11 @@
 
 #include <limits>
 
+#include "files/g2o_file.hpp"
+#include "files/ieee_map_file.hpp"
+#include "files/landmark_table.hpp"
 #include "hitos/base/error.hpp"
 #include "map_drawings.hpp"
-#include "maps/g2o_file.hpp"
-#include "maps/ieee_map_file.hpp"
-#include "maps/landmark_table.hpp"
 #include "support.hpp"
 
 namespace hitos {

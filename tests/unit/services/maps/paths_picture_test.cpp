@@ -1,4 +1,4 @@
-#include "hitos/services/maps/paths_picture.hpp"
+#include "hitos/services/drawing/paths_picture.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

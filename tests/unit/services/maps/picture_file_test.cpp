@@ -1,4 +1,4 @@
-#include "hitos/services/maps/picture_file.hpp"
+#include "hitos/services/drawing/picture_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

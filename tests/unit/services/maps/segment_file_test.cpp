@@ -1,4 +1,4 @@
-#include "hitos/services/maps/segment_file.hpp"
+#include "hitos/services/files/segment_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

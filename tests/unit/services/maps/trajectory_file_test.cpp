@@ -1,4 +1,4 @@
-#include "hitos/services/maps/trajectory_file.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // Walls traced from cells.
-#include "hitos/services/maps/wall_tracing.hpp"
+#include "hitos/services/tracing/wall_tracing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <random>
 
 #include "hitos/base/error.hpp"
-#include "hitos/services/maps/picture_file.hpp"
-#include "maps/thinning.hpp"
+#include "hitos/services/drawing/picture_file.hpp"
 #include "support.hpp"
+#include "tracing/thinning.hpp"
 
 namespace hitos {
 namespace {

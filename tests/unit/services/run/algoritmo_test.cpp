@@ -10,9 +10,9 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/evaluation/measures.hpp"
-#include "hitos/services/run/grid_builder.hpp"
+#include "hitos/services/evaluation/quality.hpp"
+#include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/services/run/open_source.hpp"
-#include "hitos/services/run/quality.hpp"
 #include "support.hpp"
 
 namespace hitos {
@@ -140,7 +140,7 @@ TEST(Algoritmo, TellsOfScansBeforeTheOdometry) {
     }
     EXPECT_EQ(run.report().early_scans, 2U);
     EXPECT_EQ(run.best_trajectory().back().pose, Pose{});
-    const std::vector<Advice> told = warnings(run);
+    const std::vector<Advice> told = warnings(run.evidence());
     EXPECT_TRUE(std::ranges::any_of(told, [](const Advice& advice) {
         return advice.figure == "2" && advice.text.find("source.early_scans") != advice.text.npos;
     }));

@@ -1,4 +1,4 @@
-#include "hitos/services/run/grid.hpp"
+#include "hitos/services/grid/grid.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

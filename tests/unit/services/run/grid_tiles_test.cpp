@@ -1,4 +1,4 @@
-#include "hitos/services/run/grid_tiles.hpp"
+#include "hitos/services/grid/grid_tiles.hpp"
 
 #include <gtest/gtest.h>
 

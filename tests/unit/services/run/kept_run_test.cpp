@@ -1,4 +1,4 @@
-#include "hitos/services/run/kept_run.hpp"
+#include "hitos/services/results/kept_run.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
-#include "hitos/services/run/results.hpp"
-#include "hitos/services/run/results_check.hpp"
+#include "hitos/services/results/results.hpp"
+#include "hitos/services/results/results_check.hpp"
 #include "ready_tour.hpp"
 #include "support.hpp"
 

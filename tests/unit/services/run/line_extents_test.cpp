@@ -1,4 +1,4 @@
-#include "hitos/services/run/line_extents.hpp"
+#include "hitos/services/files/line_extents.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

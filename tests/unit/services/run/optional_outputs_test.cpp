@@ -1,4 +1,4 @@
-#include "hitos/services/run/optional_outputs.hpp"
+#include "hitos/services/results/optional_outputs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,11 +10,11 @@
 #include "hitos/base/error.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/results/results.hpp"
+#include "hitos/services/results/results_check.hpp"
 #include "hitos/services/run/open_source.hpp"
-#include "hitos/services/run/results.hpp"
-#include "hitos/services/run/results_check.hpp"
-#include "run/corrected_tour.hpp"
-#include "run/run_graph.hpp"
+#include "results/corrected_tour.hpp"
+#include "results/run_graph.hpp"
 #include "support.hpp"
 
 namespace hitos {

@@ -1,4 +1,4 @@
-#include "run/output_crew.hpp"
+#include "results/output_crew.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "hitos/services/configuration/archivo_configuracion.hpp"
-#include "hitos/services/run/grid.hpp"
+#include "hitos/services/grid/grid.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "support.hpp"
 

@@ -1,4 +1,4 @@
-#include "hitos/services/run/results.hpp"
+#include "hitos/services/results/results.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
-#include "hitos/services/run/kept_run.hpp"
+#include "hitos/services/results/kept_run.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "support.hpp"
 

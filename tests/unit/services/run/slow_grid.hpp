@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "hitos/services/run/grid.hpp"
+#include "hitos/services/grid/grid.hpp"
 
 namespace hitos {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "hitos/services/drawing/picture_file.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
-#include "hitos/services/maps/picture_file.hpp"
+#include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/services/run/algoritmo.hpp"
-#include "hitos/services/run/grid_builder.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "study_fixture.hpp"
 

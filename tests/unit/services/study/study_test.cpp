@@ -7,9 +7,9 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/folder_lock.hpp"
 #include "hitos/services/evaluation/measures.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/open_source.hpp"
-#include "hitos/services/run/results.hpp"
 #include "hitos/services/study/study_check.hpp"
 #include "study_fixture.hpp"
 

@@ -1,0 +1,34 @@
+// What a finished run is worth, judged without any truth.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "hitos/capture/tour_finding.hpp"
+#include "hitos/registration/registration.hpp"
+#include "hitos/services/evaluation/run_evidence.hpp"
+#include "hitos/services/evaluation/suitability.hpp"
+
+namespace hitos {
+
+struct RunQuality {
+    /// Crispness of the map as MapCrispness has it, along the best path and along the odometry.
+    double cells_per_point = 0.0;
+    double odometry_cells_per_point = 0.0;
+    std::optional<RegistrationFigures> registration;  ///< of a run that has one
+    std::vector<ClosedLoop> loops;                    ///< likewise
+    std::vector<Advice> warnings;                     ///< why the map should not be trusted
+    std::vector<TourFinding> findings;                ///< what looks wrong in the tour itself
+};
+
+/// Why path and map should not be trusted, as far as the run so far shows it.
+std::vector<Advice> warnings(const RunEvidence& run);
+
+/// `path` is the best one, with a pose for every scan. Reads the tour once more. Once `stop` says
+/// so, crispness and findings are left out.
+RunQuality judge(const RunEvidence& run, const Trajectory& path,
+                 const std::function<bool()>& stop = {});
+
+}  // namespace hitos

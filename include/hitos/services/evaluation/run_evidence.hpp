@@ -1,0 +1,22 @@
+// What of a run it is judged by.
+#pragma once
+
+#include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
+
+namespace hitos {
+
+class Registration;
+class TourExamination;
+class TourReader;
+
+/// As it is now, while the run lives.
+struct RunEvidence {
+    const Configuracion& configuration;
+    const TourReader& reader;
+    const Trajectory& odometry;          ///< the pose by odometry alone at every scan so far
+    const Registration* registration;    ///< null where the run has none
+    const TourExamination* examination;  ///< likewise
+};
+
+}  // namespace hitos

@@ -1,0 +1,40 @@
+// What stays of a run that is over or was left: enough to look at it and to compare it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/files/line_extents.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
+#include "hitos/services/grid/grid_tiles.hpp"
+
+namespace hitos {
+
+struct KeptRun {
+    Configuracion configuration;
+    std::uint64_t scans = 0;
+    bool finished = false;  ///< the tour is over, and what smooths the path has done it
+    double seconds = 0.0;   ///< of wall time that its steps took
+    LandmarkMap map;        ///< of the best hypothesis; from a folder without covariances
+    std::vector<LineExtent> line_extents;
+    Trajectory path;  ///< of the best hypothesis
+    Trajectory odometry;
+    GridTiles grid;  ///< empty where only the log could tell
+    /// Errors against references, where they are known.
+    std::optional<double> trajectory_error_m = std::nullopt;  ///< TrajectoryError::rmse_m
+    std::optional<double> map_error_m = std::nullopt;         ///< MapError::mean_m
+};
+
+/// A run from the folder that write_results() wrote, without its grid. Throws FileError where a
+/// file of it is missing and FormatError where one is not what was written.
+KeptRun read_results(const std::filesystem::path& folder);
+
+/// The parameters in which two configurations differ, but for the log and what changes no result,
+/// in the order of the table; those without effect in both are left out.
+std::vector<const ConfigParameter*> differences(const Configuracion& a, const Configuracion& b);
+
+}  // namespace hitos

@@ -1,0 +1,47 @@
+// Finished runs side by side: in what they were set differently and what came of it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hitos/base/text_table.hpp"
+#include "hitos/services/results/kept_run.hpp"
+
+namespace hitos {
+
+/// A figure of a run's summary.
+struct ComparedFigure {
+    const char* name;     ///< as programs know it, its unit at the end
+    const char* head;     ///< of its column, for people
+    const char* pointer;  ///< where summary.json has it (RFC 6901)
+    int decimals;
+};
+
+struct ComparedRun {
+    std::string name;  ///< of its folder, as far as it tells the runs apart
+    std::filesystem::path folder;
+    KeptRun run;
+    std::vector<std::optional<double>> figures;  ///< one for each of RunComparison::figures
+};
+
+struct RunComparison {
+    std::vector<ComparedRun> runs;
+    bool same_log = true;                          ///< by name
+    std::vector<const ConfigParameter*> settings;  ///< in which any two differ, see differences()
+    std::vector<ComparedFigure> figures;           ///< those that at least one run has
+};
+
+/// Reads the folders' runs. Throws what read_results() throws.
+RunComparison compare_runs(std::span<const std::filesystem::path> folders);
+
+/// A row a run: its name, its log where they differ, the settings that differ, the figures.
+TextTable comparison_table(const RunComparison& comparison);
+
+/// The same with every digit, as one JSON object: "runs", each with "folder", "log", "finished",
+/// "settings" and "figures" (null where the run lacks one).
+std::string comparison_json(const RunComparison& comparison);
+
+}  // namespace hitos

@@ -1,0 +1,15 @@
+// The landmarks that a perfect map of a world holds.
+#pragma once
+
+#include "hitos/features/caracteristica.hpp"
+#include "hitos/simulation/worlds/world.hpp"
+
+namespace hitos {
+
+/// Every infinite line on which a wall lies, once, and every point that walls of two directions
+/// share: where they end together, where one ends on another, where they cross. In the frame of
+/// the tour's start, which is where a SLAM run begins; lines before corners, each in the order of
+/// the walls. `observations` and covariances are zero.
+LandmarkMap reference_map(const World& world);
+
+}  // namespace hitos

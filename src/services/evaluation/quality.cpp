@@ -1,0 +1,238 @@
+#include "hitos/services/evaluation/quality.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "hitos/base/geometry.hpp"
+#include "hitos/base/translatable.hpp"
+#include "hitos/capture/tour_examination.hpp"
+#include "hitos/capture/tour_reader.hpp"
+#include "hitos/services/evaluation/measures.hpp"
+#include "map_crispness.hpp"
+
+namespace hitos {
+namespace {
+
+// docs/evaluation.md has the figures of good and of bad runs.
+constexpr double kManyUnmatchedKeys = 0.02;
+constexpr double kPoorScore = 0.5;
+constexpr double kBlurrier = 1.05;          // than the odometry's map
+constexpr double kSamePath = 0.10;          // [m], two cells
+constexpr double kSameHeading = 0.02;       // [rad], 10 cm at 5 m
+constexpr double kLongWithoutLoop = 100.0;  // [m]
+constexpr double kLargeCorrection = 5.0;    // [m]; of six recorded tours the largest is 4.1
+constexpr double kLongEnough = 10.0;        // [m] for a scale
+constexpr double kScaleOff = 1.15;
+constexpr double kLongestStep = 10.0;         // [m] between scans; of sparse recordings 1.7
+constexpr std::uint64_t kManyEarlyScans = 2;  // one may come first by chance
+
+void measure_crispness(const RunEvidence& run, const Trajectory& path,
+                       const std::function<bool()>& stop, RunQuality& quality) {
+    MapCrispness best;
+    MapCrispness odometry;
+    const std::unique_ptr<TourReader> reader = run.reader.reopen();
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const std::optional<Scan> scan = reader->next_scan();
+        if (!scan) break;
+        if (stop && stop()) return;  // of half a tour it says nothing
+        best.add(*scan, path[i].pose);
+        odometry.add(*scan, run.odometry[i].pose);
+    }
+    quality.cells_per_point = best.cells_per_point();
+    quality.odometry_cells_per_point = odometry.cells_per_point();
+}
+
+/// Whether the path is the odometry's but for a few centimetres: where the odometry is right no map
+/// is crisper than its own, and one beside it is no worse for being a little less so.
+bool follows(const Trajectory& path, const Trajectory& odometry) {
+    const auto apart = trajectory_error(path, odometry);
+    return apart && apart->rmse_m < kSamePath && apart->heading_rmse_rad < kSameHeading;
+}
+
+void warn(std::vector<Advice>& warnings, std::string_view text, std::string figure) {
+    warnings.push_back({text, std::move(figure), {}});
+}
+
+double distance(const Pose& a, const Pose& b) {
+    return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+void warn_of_early_scans(const ReadReport& log, std::vector<Advice>& warnings) {
+    if (log.early_scans < kManyEarlyScans) return;
+    warn(
+        warnings,
+        HITOS_TEXT("Advice",
+                   "%1 scans lie before the first odometry reading, and the robot is taken to have "
+                   "stood still until then: if it moved, leave them out (source.early_scans)."),
+        std::to_string(log.early_scans));
+}
+
+void warn_of_odometry(const RunEvidence& run, std::vector<Advice>& warnings) {
+    const Trajectory& odometry = run.odometry;
+    if (odometry.size() < 2) return;
+    const bool needed = run.configuration.filter.motion.model != "no-odometry";
+    const Pose& first = odometry.front().pose;
+    if (needed && std::ranges::all_of(
+                      odometry, [&](const StampedPose& pose) { return pose.pose == first; })) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "The odometry never moves in %1 scans: either the robot stood still, or "
+                        "the log has no odometry and its map is that of one place."),
+             std::to_string(odometry.size()));
+    }
+    std::size_t longest = 1;  // the scan that it leads to
+    for (std::size_t i = 2; i < odometry.size(); ++i) {
+        if (distance(odometry[i - 1].pose, odometry[i].pose) >
+            distance(odometry[longest - 1].pose, odometry[longest].pose)) {
+            longest = i;
+        }
+    }
+    const double step = distance(odometry[longest - 1].pose, odometry[longest].pose);
+    if (step > kLongestStep) {
+        warn(warnings,
+             HITOS_TEXT(
+                 "Advice",
+                 "The odometry jumps from one scan to the next (%1): they have nothing in common, "
+                 "and what follows lies where the jump put it until a loop is closed."),
+             fmt::format("{0} → {1}, {2:.0f} m", longest, longest + 1, step));
+    }
+}
+
+/// "151", "151, 152, 312 … (+4)".
+std::string counted(const std::vector<std::uint64_t>& scans) {
+    constexpr std::size_t kMost = 3;
+    const std::span first = std::span(scans).first(std::min(kMost, scans.size()));
+    std::vector<std::uint64_t> numbers;
+    for (const std::uint64_t scan : first) numbers.push_back(scan + 1);  // counted as people do
+    std::string names = fmt::format("{}", fmt::join(numbers, ", "));
+    if (scans.size() > kMost) names += fmt::format(" … (+{})", scans.size() - kMost);
+    return names;
+}
+
+/// The breaks that no loop from before them to behind them has joined.
+std::vector<std::uint64_t> not_joined(std::vector<std::uint64_t> breaks,
+                                      const std::vector<ClosedLoop>& loops) {
+    std::erase_if(breaks, [&](std::uint64_t scan) {
+        return std::ranges::any_of(loops, [scan](const ClosedLoop& loop) {
+            return loop.earlier < scan && scan <= loop.scan;
+        });
+    });
+    return breaks;
+}
+
+/// The ways from key scan to key scan [m], where what trembles between them does not count.
+struct DrivenBy {
+    double path_m = 0.0;
+    double odometry_m = 0.0;
+};
+
+DrivenBy driven_by(const Registration& registration, const Trajectory& odometry) {
+    DrivenBy driven;
+    const std::span<const KeyPose> keys = registration.keys();
+    for (std::size_t k = 1; k < keys.size(); ++k) {
+        driven.path_m += distance(keys[k - 1].pose, keys[k].pose);
+        driven.odometry_m += distance(odometry[keys[k - 1].scan].pose, odometry[keys[k].scan].pose);
+    }
+    return driven;
+}
+
+void warn_of_scale(const DrivenBy& driven, std::vector<Advice>& warnings) {
+    if (driven.path_m < kLongEnough || driven.odometry_m <= 0.0) return;
+    const double scale = driven.odometry_m / driven.path_m;
+    if (scale > kScaleOff || scale < 1.0 / kScaleOff) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "The odometry's way is %1 times that by the scans: its scale is wrong, and "
+                        "corridors, which only the odometry measures, have a wrong length."),
+             fmt::format("{:.2f}", scale));
+    }
+}
+
+void warn_of_registration(const Registration& registration, const Trajectory& odometry,
+                          std::vector<Advice>& warnings) {
+    const RegistrationFigures figures = registration.figures();
+    const double unmatched = figures.scans > 0 ? static_cast<double>(figures.unmatched) /
+                                                     static_cast<double>(figures.scans)
+                                               : 0.0;
+    if (unmatched > kManyUnmatchedKeys) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "%1 of the scans fitted nothing that was seen before: the robot may have "
+                        "been carried, or its laser blind; the map may be in pieces."),
+             fmt::format("{:.0f} %", 100.0 * unmatched));
+    } else if (const auto breaks = not_joined(figures.breaks, registration.loops());
+               !breaks.empty()) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "What was seen does not follow on what was seen just before (scan %1): the "
+                        "robot may have been carried there, the log have a gap, or scans lie too "
+                        "far apart for this odometry. The map may be in pieces."),
+             counted(breaks));
+    }
+    if (figures.unmatched < figures.scans && figures.mean_score < kPoorScore) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "The scans lie badly on each other (score %1 of 1): much moves here, or "
+                        "the odometry and the laser do not belong together."),
+             fmt::format("{:.2f}", figures.mean_score));
+    }
+    if (figures.largest_correction_m > kLargeCorrection) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "A loop moved the path by %1 at once: until then the poses told while "
+                        "driving were that far off. Look whether walls meet where it closed."),
+             fmt::format("{:.1f} m", figures.largest_correction_m));
+    }
+    const DrivenBy driven = driven_by(registration, odometry);
+    warn_of_scale(driven, warnings);
+    if (registration.loops().empty() && driven.path_m > kLongWithoutLoop) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "No loop was closed in %1: nothing shows whether the map is bent."),
+             fmt::format("{:.0f} m", driven.path_m));
+    }
+}
+
+}  // namespace
+
+std::vector<Advice> warnings(const RunEvidence& run) {
+    std::vector<Advice> warnings;
+    warn_of_early_scans(run.reader.report(), warnings);
+    warn_of_odometry(run, warnings);
+    if (run.registration != nullptr)
+        warn_of_registration(*run.registration, run.odometry, warnings);
+    return warnings;
+}
+
+RunQuality judge(const RunEvidence& run, const Trajectory& path,
+                 const std::function<bool()>& stop) {
+    RunQuality quality;
+    measure_crispness(run, path, stop, quality);
+    quality.warnings = warnings(run);
+    if (run.examination != nullptr && !(stop && stop()))
+        quality.findings = run.examination->findings(run.reader.findings());
+    if (run.registration != nullptr) {
+        quality.registration = run.registration->figures();
+        quality.loops = run.registration->loops();
+    }
+    if (quality.cells_per_point > kBlurrier * quality.odometry_cells_per_point &&
+        !follows(path, run.odometry)) {
+        quality.warnings.push_back(
+            {HITOS_TEXT("Advice",
+                        "The map is less crisp than that of the odometry alone (%1 times the cells "
+                        "per point): do not trust it."),
+             fmt::format("{:.2f}", quality.cells_per_point / quality.odometry_cells_per_point),
+             quality.registration ? std::string_view() : "recorded"});
+    }
+    return quality;
+}
+
+}  // namespace hitos

@@ -1,0 +1,92 @@
+#include "hitos/services/results/kept_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "hitos/base/error.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/services/files/map_file.hpp"
+#include "hitos/services/files/segment_file.hpp"
+#include "json_input.hpp"
+#include "results_summary.hpp"
+#include "written_files.hpp"
+
+namespace hitos {
+namespace {
+
+/// An error that the summary may lack.
+std::optional<double> error_in(const nlohmann::json& summary, const char* table, const char* name) {
+    if (!summary.contains(table)) return std::nullopt;
+    return summary.at(table).at(name).get<double>();
+}
+
+/// The files of a run that read_results() reads.
+constexpr std::array kRead{"config.cfg", "map.txt", "odometry.tum", "segments.txt",
+                           "trajectory.tum"};
+
+void expect_unchanged(const nlohmann::json& summary, const std::filesystem::path& folder) {
+    for (const WrittenFile& file : files_named(summary, folder / kSummaryFile)) {
+        if (std::ranges::count(kRead, file.name) == 0 || is_unchanged(file, folder)) continue;
+        throw FormatError(
+            (folder / file.name).string(), 0,
+            HITOS_TEXT("Errors",
+                       "is not the file that summary.json beside it names: it is missing, was "
+                       "changed or is of another run; hitos-cli verify names all such files"));
+    }
+}
+
+/// What the summary tells of the run. Returns whether its map has landmarks.
+bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
+    const std::string file = (folder / kSummaryFile).string();
+    return with_summary(folder, [&](const nlohmann::json& summary) {
+        run.scans = whole_number<std::uint64_t>(summary, "scans", file);
+        run.finished = summary.value("finished", true);
+        run.seconds = summary.at("run_seconds").get<double>();
+        run.trajectory_error_m = error_in(summary, "trajectory_error", "ate_rmse_m");
+        run.map_error_m = error_in(summary, "map_error", "mean_m");
+        expect_unchanged(summary, folder);
+        const nlohmann::json& counts = summary.at("landmarks");
+        return whole_number<int>(counts, "lines", file) > 0 ||
+               whole_number<int>(counts, "corners", file) > 0;
+    });
+}
+
+}  // namespace
+
+KeptRun read_results(const std::filesystem::path& folder) {
+    KeptRun run;
+    const bool landmarks = read_summary(folder, run);
+    run.configuration = ArchivoConfiguracion::read(folder / "config.cfg");
+    if (landmarks) run.map = read_map(folder / "map.txt");  // one without any is no map file
+    const std::filesystem::path segments = folder / "segments.txt";
+    run.line_extents = read_segments(segments);
+    const auto lines =
+        std::ranges::count(run.map, FeatureKind::line, [](const auto& one) { return one.kind(); });
+    for (const LineExtent& extent : run.line_extents) {
+        if (extent.landmark < lines) continue;
+        throw FormatError(segments.string(), 0,
+                          HITOS_TEXT("Errors",
+                                     "has a segment of line %1, and map.txt beside it %2 lines; "
+                                     "the folder mixes the files of several runs"),
+                          extent.landmark + 1, lines);
+    }
+    run.path = read_trajectory(folder / "trajectory.tum");
+    run.odometry = read_trajectory(folder / "odometry.tum");
+    return run;
+}
+
+std::vector<const ConfigParameter*> differences(const Configuracion& a, const Configuracion& b) {
+    std::vector<const ConfigParameter*> found;
+    for (const ConfigParameter& parameter : parameters()) {
+        if (parameter.key == "source.file" || parameter.key == "run.threads") continue;
+        if (!parameter.used_by(a) && !parameter.used_by(b)) continue;
+        if (parameter.get(a) != parameter.get(b)) found.push_back(&parameter);
+    }
+    return found;
+}
+
+}  // namespace hitos

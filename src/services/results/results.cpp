@@ -1,0 +1,319 @@
+#include "hitos/services/results/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/slam/filters.hpp"
+#include "output_crew.hpp"
+#include "report_json.hpp"
+#include "results_summary.hpp"
+#include "run_outputs.hpp"
+#include "version.hpp"
+#include "written_files.hpp"
+
+namespace hitos {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json json_of(const MapError& error) {
+    return {{"mean_m", error.mean_m},
+            {"maximum_m", error.maximum_m},
+            {"landmarks", error.landmarks},
+            {"without_reference", error.without_reference},
+            {"reference_landmarks", error.reference_landmarks},
+            {"reference_found", error.reference_found}};
+}
+
+ordered_json json_of(const TrajectoryError& error) {
+    return {{"ate_rmse_m", error.rmse_m},
+            {"ate_mean_m", error.mean_m},
+            {"ate_maximum_m", error.maximum_m},
+            {"heading_rmse_rad", error.heading_rmse_rad},
+            {"poses", error.poses}};
+}
+
+ordered_json json_of(const MeasuredDistance& measured) {
+    ordered_json json{{"name", measured.distance.name}, {"true_m", measured.distance.true_m()}};
+    if (measured.slam_m) {
+        json["slam_m"] = *measured.slam_m;
+        json["error_percent"] = *measured.error_percent();
+    } else {
+        json["missing"] = measured.missing;
+    }
+    return json;
+}
+
+/// Scans count from 1 in files.
+ordered_json json_of(const ClosedLoop& loop) {
+    const Pose& seen = loop.pose_earlier_scan;
+    return {{"scan", loop.scan + 1},
+            {"earlier", loop.earlier + 1},
+            {"pose", {seen.x, seen.y, seen.theta}},
+            {"move_m", loop.move_m}};
+}
+
+ordered_json json_of(const RunQuality& quality) {
+    ordered_json json{{"cells_per_point", quality.cells_per_point},
+                      {"odometry_cells_per_point", quality.odometry_cells_per_point}};
+    if (const auto& figures = quality.registration) {
+        json["mean_score"] = figures->mean_score;
+        json["scans_compared"] = figures->scans;
+        json["scans_unmatched"] = figures->unmatched;
+        json["scans_breaking"] = ordered_json::array();
+        for (const std::uint64_t scan : figures->breaks) json["scans_breaking"].push_back(scan + 1);
+        json["key_scans"] = figures->keys;
+        json["loops_closed"] = quality.loops.size();
+        json["loops"] = ordered_json::array();
+        for (const ClosedLoop& loop : quality.loops) json["loops"].push_back(json_of(loop));
+        json["loop_searches"] = figures->loop_searches;
+        json["loops_refused"] = figures->loops_refused;
+        json["largest_correction_m"] = figures->largest_correction_m;
+    }
+    json["warnings"] = ordered_json::array();
+    for (const Advice& warning : quality.warnings) json["warnings"].push_back(warning.words());
+    json["findings"] = ordered_json::array();
+    for (const TourFinding& finding : quality.findings)
+        json["findings"].push_back(json_of(finding));
+    return json;
+}
+
+/// Text from a damaged log may be no UTF-8: what is not is replaced, instead of failing.
+std::string text_of(const ordered_json& json) {
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// Writes everything but the summary.
+void write_files(const FinishedRun& finished, RunSummary& summary, const StagedFolder& folder,
+                 const WritingObserver& told) {
+    std::vector<const RunOutput*> wanted;
+    for (const RunOutput& output : run_outputs()) {
+        if (!output.wanted || output.wanted(finished)) wanted.push_back(&output);
+    }
+    const int threads = finished.run.configuration().run.threads;
+    const std::size_t count = wanted.size() + 1;  // the summary too
+    const std::vector<Message> reasons =
+        OutputCrew(finished, folder.path(), told, count).write(wanted, threads);
+    // Once more after all that may have read the tour again.
+    if (told) told({kSummaryFile, count, count});
+    std::vector<NotWritten> not_written;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (reasons[i].empty()) continue;
+        not_written.push_back(
+            {wanted[i]->files(finished).front(),
+             reasons[i].replaced(folder.path().string(), folder.target().string())});
+    }
+    summary.not_written = std::move(not_written);
+    summary.files = written_files(folder.path());
+}
+
+}  // namespace
+
+std::string version() {
+    return kVersion;
+}
+
+RunSummary summarize(const Algoritmo& run, const References& references,
+                     const std::function<bool()>& stop) {
+    RunSummary summary;
+    summary.source = run.reader().name();
+    summary.format = run.reader().format();
+    summary.scans = run.steps();
+    summary.finished = run.finished();
+    summary.duration_s = run.duration_s();
+    summary.algorithm = find_parameter("filter.algorithm").text(run.configuration());
+    const FilterParams& filter = run.configuration().filter;
+    summary.particles =
+        slam_algorithms().reads(filter.algorithm, "filter.particles") ? filter.particles : 0;
+    summary.seed = run.configuration().run.seed;
+    if (const auto truth = run.reader().truth()) summary.tour_seed = truth->seed;
+    summary.lines = run.filter().best_count(FeatureKind::line);
+    summary.corners = run.filter().best_count(FeatureKind::corner);
+    summary.searches_cut = run.filter().statistics().searches_cut;
+    summary.report = run.report();
+    summary.suitability = run.suitability().figures();
+    summary.advice = run.advice();
+    summary.quality = judge(run.evidence(), run.best_trajectory(), stop);
+    const LandmarkMap map = run.filter().best_map();
+    if (references.map) {
+        summary.map_error = map_error(map, *references.map);
+        summary.aligned_map_error = aligned_map_error(map, *references.map);
+    }
+    summary.distances = measure_distances(map, references.distances);
+    if (references.trajectory) {
+        summary.trajectory_error = trajectory_error(run.best_trajectory(), *references.trajectory);
+        summary.online_error = trajectory_error(run.online_trajectory(), *references.trajectory);
+        summary.odometry_error =
+            trajectory_error(run.odometry_trajectory(), *references.trajectory);
+        if (!summary.trajectory_error) {
+            summary.quality.warnings.push_back(
+                {HITOS_TEXT("Advice",
+                            "No pose of the reference trajectory is within %1 of a scan, so no "
+                            "error is told: are the clocks the same?"),
+                 fmt::format("{:g} s", kSameStamp),
+                 {}});
+        }
+    }
+    return summary;
+}
+
+std::string to_json(const RunSummary& summary, double seconds) {
+    ordered_json json{
+        {"hitos_version", version()},
+        {"source", summary.source},
+        {"format", summary.format},
+        {"seed", summary.seed},
+        {"algorithm", summary.algorithm},
+        {"scans", summary.scans},
+        {"finished", summary.finished},
+        {"duration_s", summary.duration_s},
+        {"run_seconds", seconds},
+        {"scans_per_second", seconds > 0.0 ? static_cast<double>(summary.scans) / seconds : 0.0},
+        {"landmarks", {{"lines", summary.lines}, {"corners", summary.corners}}},
+        {"log", json_of(summary.report)}};
+    if (summary.tour_seed) json["tour_seed"] = *summary.tour_seed;
+    if (summary.particles > 0) json["particles"] = summary.particles;
+    if (summary.searches_cut > 0) json["association_searches_cut"] = summary.searches_cut;
+    if (summary.map_error) json["map_error"] = json_of(*summary.map_error);
+    if (summary.aligned_map_error) {
+        json["map_error_aligned"] = json_of(summary.aligned_map_error->error);
+    }
+    if (summary.trajectory_error) json["trajectory_error"] = json_of(*summary.trajectory_error);
+    if (summary.online_error) json["online_error"] = json_of(*summary.online_error);
+    if (summary.odometry_error) json["odometry_error"] = json_of(*summary.odometry_error);
+    for (const MeasuredDistance& measured : summary.distances)
+        json["distances"].push_back(json_of(measured));
+    json["suitability"] = {{"step_m", summary.suitability.step_m},
+                           {"scatter_m", summary.suitability.scatter_m},
+                           {"unmatched", summary.suitability.unmatched},
+                           {"advice", ordered_json::array()}};
+    for (const Advice& advice : summary.advice)
+        json["suitability"]["advice"].push_back(advice.words());
+    json["quality"] = json_of(summary.quality);
+    json["not_written"] = ordered_json::array();
+    for (const NotWritten& missing : summary.not_written) {
+        json["not_written"].push_back(
+            {{"file", missing.file}, {"reason", missing.reason.english()}});
+    }
+    json["files"] = json_of(summary.files);
+    return text_of(json);
+}
+
+std::string to_json(const ReadReport& report) {
+    return text_of(json_of(report));
+}
+
+std::string to_json(std::span<const TourFinding> findings) {
+    ordered_json json = ordered_json::array();
+    for (const TourFinding& finding : findings) json.push_back(json_of(finding));
+    return text_of(json);
+}
+
+std::string to_json(std::span<const MeasuredDistance> distances) {
+    ordered_json json = ordered_json::array();
+    for (const MeasuredDistance& measured : distances) json.push_back(json_of(measured));
+    return text_of(json);
+}
+
+void prepare_output_folder(const std::filesystem::path& folder) {
+    made_output_folder(folder);
+    // Destroyed without commit, the probe leaves nothing behind.
+    AtomicFile(folder / ".hitos-probe").write("");
+}
+
+namespace {
+
+/// The files of the run whose results are in the folder: those that its summary names, or (of a
+/// version that named none) all that a run may write. Without a summary none: whatever their names,
+/// they are somebody's.
+class FormerFiles {
+  public:
+    explicit FormerFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    bool operator()(const std::string& name) {
+        if (name == kSummaryFile) return true;
+        if (!known_) read();
+        return by_name_ ? is_run_output(name) : known_->contains(name);
+    }
+
+  private:
+    void read() {
+        known_.emplace();
+        std::error_code problem;
+        const bool there = std::filesystem::is_regular_file(folder_ / kSummaryFile, problem);
+        // One that cannot be looked at is there.
+        if (!there && (!problem || problem == std::errc::no_such_file_or_directory)) return;
+        try {
+            const auto files = with_summary(folder_, [this](const nlohmann::json& json) {
+                return files_named(json, folder_ / kSummaryFile);
+            });
+            for (const WrittenFile& file : files) known_->insert(file.name);
+            by_name_ = files.empty();
+        } catch (const Error&) {
+            by_name_ = true;
+        }
+    }
+
+    std::filesystem::path folder_;
+    std::optional<std::set<std::string>> known_;
+    bool by_name_ = false;
+};
+
+}  // namespace
+
+bool is_results_file(const std::string& name) {
+    return name == kSummaryFile || is_run_output(name);
+}
+
+StagedFolder results_folder(const std::filesystem::path& folder) {
+    // Asked first before anything changes places, and then not read again.
+    return {folder,
+            {[former = std::make_shared<FormerFiles>(folder)](const std::string& name) {
+                 return (*former)(name);
+             },
+             is_results_file},
+            kSummaryFile};
+}
+
+RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
+                         StagedFolder& folder, const WritingObserver& told,
+                         OdometryGridAhead* ahead, std::span<const std::string> also,
+                         const std::function<bool()>& stop) {
+    RunSummary summary = summarize(run, references, stop);
+    FinishedRun finished{
+        run,   references, summary, run.best_trajectory(), run.filter().best_map(), {},
+        ahead, also,       stop};
+    finished.segments = run.line_extents().of(finished.map, finished.best);
+    try {
+        write_files(finished, summary, folder, told);
+        write_file(folder.path() / kSummaryFile, sealed(to_json(summary, seconds), kSummarySeal));
+    } catch (const FileError& error) {
+        // Nobody knows of the folder in which it really was.
+        throw error.replaced(folder.path().string(), folder.target().string());
+    } catch (const std::filesystem::filesystem_error& error) {
+        const std::filesystem::path& place = error.path1().empty() ? folder.path() : error.path1();
+        throw FileError(place.string(), system_message(error.code().value()))
+            .replaced(folder.path().string(), folder.target().string());
+    }
+    folder.commit();
+    return summary;
+}
+
+RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
+                         const std::filesystem::path& folder, const WritingObserver& told) {
+    StagedFolder staged = results_folder(folder);
+    return write_results(run, references, seconds, staged, told);
+}
+
+}  // namespace hitos

@@ -1,0 +1,59 @@
+// The table of what a finished run leaves on disk.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hitos/base/message.hpp"
+#include "hitos/services/results/results.hpp"
+
+namespace hitos {
+
+/// A run with what several of its files are made of.
+struct FinishedRun {
+    const Algoritmo& run;
+    const References& references;
+    const RunSummary& summary;
+    Trajectory best;
+    LandmarkMap map;
+    std::vector<LineExtent> segments;  ///< of the map's lines
+    OdometryGridAhead* odometry_grid = nullptr;
+    std::span<const std::string> also = {};  ///< words of outputs that are asked for
+    std::function<bool()> stop = {};         ///< whether to end soon; null: never
+
+    bool stopped() const { return stop && stop(); }
+};
+
+/// A file of a run, or several that belong together.
+struct RunOutput {
+    /// All that it writes of this run, the one that people look at first.
+    std::function<std::vector<std::string>(const FinishedRun&)> files;
+    /// Whether it writes a file of that name of any run.
+    std::function<bool(const std::string& name)> owns;
+    /// Whether there is something to write; null: always.
+    std::function<bool(const FinishedRun&)> wanted;
+    /// Writes into the folder. Returns why the first of the files is missing, else an empty
+    /// message. Throws Error.
+    std::function<Message(const FinishedRun&, const std::filesystem::path& folder)> write;
+    bool essential = false;  ///< whether the run fails without it
+    bool rereads = false;    ///< it reads the tour again, and is left out where the run is to end
+    /// By which it is asked for, and half a sentence for help texts; empty: it needs no asking.
+    std::string word = {};
+    std::string purpose = {};
+    std::vector<std::string> names = {};  ///< its files, the same of every run
+};
+
+/// In the order in which they are written, the essential ones first; summary.json, which comes
+/// last, is not among them.
+const std::vector<RunOutput>& run_outputs();
+
+/// Why an output that takes long is missing where the run is to end.
+Message left_out();
+
+/// Whether one of them writes a file of that name, of any run.
+bool is_run_output(const std::string& name);
+
+}  // namespace hitos
