@@ -68,7 +68,7 @@ void FiltroParticulas::step(const SlamInput& input) {
     }
     if (!seen_.empty()) choose_best();  // else nothing is weighed or resampled
     statistics_.searches_cut = searches_cut_;
-    note_associations();
+    note_associations(best_);
     if (input.record != nullptr) end_record(*input.record);
     remember_poses();
     if (!seen_.empty()) resample();
@@ -172,10 +172,12 @@ void FiltroParticulas::resample() {
     resampled_.resize(particles_.size());
     take_selected();
     statistics_.resampled = true;
-    // Of the best there may be no copy.
-    const auto copy = std::ranges::lower_bound(selected_, static_cast<std::uint32_t>(best_));
-    const bool stays = copy != selected_.end() && *copy == best_;
-    best_ = stays ? static_cast<std::size_t>(copy - selected_.begin()) : 0;
+    // Of the best there may be no copy; then the best of those that there are takes its place.
+    const auto best = std::ranges::max_element(
+        selected_, {}, [this](std::uint32_t source) { return log_weights_[source]; });
+    const bool lost = *best != best_;
+    best_ = static_cast<std::size_t>(best - selected_.begin());
+    if (lost) note_associations(*best);
 }
 
 void FiltroParticulas::take_selected() {

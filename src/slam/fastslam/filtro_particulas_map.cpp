@@ -151,11 +151,11 @@ void FiltroParticulas::correct(const PathCorrection& correction) {
     if constexpr (kValidates) check_structures();
 }
 
-void FiltroParticulas::note_associations() {
+void FiltroParticulas::note_associations(std::size_t source) {
     noted_.clear();
     for_each_kind([&]<class S>() {
         for (std::size_t i = 0; i < seen_.of<S>().size(); ++i) {
-            const Decision& decision = decisions_[best_ * seen_.size() + seen_.first<S>() + i];
+            const Decision& decision = decisions_[source * seen_.size() + seen_.first<S>() + i];
             Association association{S::kKind, static_cast<std::uint32_t>(i), decision.outcome,
                                     decision.reason};
             if (decision.outcome != Association::Outcome::ignored) {

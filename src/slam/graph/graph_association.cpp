@@ -76,11 +76,11 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
     BestTwo inside;  // of the landmarks whose gate it lies in, by distance
     inside_.clear();
     double nearest = std::numeric_limits<double>::infinity();
-    double seen_m = 0.0;
     for (const std::uint32_t i : window.reachable()) {
         const GraphLandmark& landmark = graph.landmarks()[i];
         if (landmark.kind != S::kKind) continue;
         double shared_m = 0.0;
+        double seen_m = 0.0;
         if constexpr (S::kKind == FeatureKind::line) {
             const double turn = feature.measured.z(1) + believed.pose.theta - landmark.place.angle;
             if (std::cos(turn) < std::cos(kMostTurned)) continue;
@@ -109,7 +109,7 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
         nearest = std::min(nearest, close.mahalanobis_squared);
         if (close.mahalanobis_squared > rule_.gate()) continue;
         inside.offer(i, -close.mahalanobis_squared, close.log_likelihood);
-        inside_.push_back({i, close.log_likelihood, shared_m});
+        inside_.push_back({i, close.log_likelihood, shared_m, seen_m});
     }
     if (inside.none()) {
         if (nearest > new_gate_) {
@@ -123,15 +123,14 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
         feature.log_likelihood = inside.best_log();
     } else {
         feature.reason = Association::Reason::ambiguous;
-        if (S::kKind == FeatureKind::line) note_bridges(graph, inside, seen_m);
+        if (S::kKind == FeatureKind::line) note_bridges(graph, inside);
     }
 }
 
-void GraphAssociation::note_bridges(const LandmarkGraph& graph, const BestTwo& inside,
-                                    double seen_m) {
+void GraphAssociation::note_bridges(const LandmarkGraph& graph, const BestTwo& inside) {
     const auto covered = [&](const Candidate& candidate) {
         const double length =
-            std::min(seen_m, graph.landmarks()[candidate.landmark].extent.length());
+            std::min(candidate.seen_m, graph.landmarks()[candidate.landmark].extent.length());
         return candidate.shared_m >= std::min(kBridged, kBridgedPart * length);
     };
     const auto best = std::ranges::find(inside_, inside.best(), &Candidate::landmark);

@@ -58,12 +58,13 @@ class GraphAssociation {
         std::uint32_t landmark = 0;
         double log_likelihood = 0.0;
         double shared_m = 0.0;  ///< of extents of lines
+        double seen_m = 0.0;    ///< of the line itself, along this one
     };
 
     template <Sensor S>
     void find(const LandmarkGraph& graph, const GraphWindow& window, const BelievedPose& believed,
               FoundFeature& feature, std::vector<RecordedFeature>* recorded);
-    void note_bridges(const LandmarkGraph& graph, const BestTwo& inside, double seen_m);
+    void note_bridges(const LandmarkGraph& graph, const BestTwo& inside);
     void find_twins();
 
     ObservationParams observation_;

@@ -408,6 +408,33 @@ TEST(FiltroParticulas, AssociationsOfTheBestAreTold) {
     EXPECT_EQ(filter.associations()[1].landmark, 1);
 }
 
+// Multinomial and stratified resampling may leave no copy of the best.
+TEST(FiltroParticulas, AssociationsAreOfTheMapThatIsShownWhateverResamplingLeaves) {
+    int checked = 0;
+    for (const char* method : {"multinomial", "stratified"}) {
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            FilterParams params = room_params(4);
+            params.resampling.method = method;
+            FiltroParticulas filter(params, seed, 1);
+            const Tour tour = make_tour(40, 0.4);
+            for (std::size_t k = 0; k < tour.controls.size(); ++k) {
+                feed(filter, tour.controls[k], tour.observations[k]);
+                const LandmarkMap map = filter.best_map();
+                for (const Association& association : filter.associations()) {
+                    if (association.landmark < 0) continue;
+                    ASSERT_LT(static_cast<std::size_t>(association.landmark), map.size());
+                    const ICaracteristica& landmark =
+                        map[static_cast<std::size_t>(association.landmark)];
+                    EXPECT_EQ(landmark.kind(), association.kind);
+                    EXPECT_EQ(landmark.last_seen, k) << method << ", seed " << seed;
+                    ++checked;
+                }
+            }
+        }
+    }
+    EXPECT_GT(checked, 1000);
+}
+
 TEST(FiltroParticulas, RefusesImpossibleParameters) {
     EXPECT_THROW(make_filter(room_params(0), 1, 1), ConfigError);
     FilterParams params = room_params(1);
