@@ -37,11 +37,19 @@ double distance_to_support(const Observation& observation, const DetectedLine& l
     return std::sqrt(nearest);
 }
 
-/// A method of somebody's own may return anything; nothing that is computed from what is no number
-/// would tell.
-void check_finite(const Observation& seen) {
+/// A method of somebody's own may return anything; nothing that is computed from what is no number,
+/// or of points that are not there, would tell.
+void check_lines(const Observation& seen) {
     for (std::size_t i = 0; i < seen.lines.size(); ++i) {
-        const Recta& line = seen.lines[i].recta;
+        const auto& [line, first, count] = seen.lines[i];
+        if (count == 0 || first > seen.support.size() || count > seen.support.size() - first) {
+            throw Error(message(
+                HITOS_TEXT("Errors",
+                           "the line method returned %1 points from %2 on, of %3, "
+                           "for line %4 of the scan at %5 s; expected at least one, "
+                           "and all of them in Observation::support"),
+                count, first, seen.support.size(), i + 1, fmt::format("{:.6f}", seen.time_s)));
+        }
         if (std::isfinite(line.rho) && std::isfinite(line.theta)) continue;
         throw Error(message(HITOS_TEXT("Errors",
                                        "the line method returned rho %1, theta %2 for line %3 of "
@@ -82,7 +90,7 @@ void LineFinder::find(const Scan& scan, Observation& out) {
     out.clear();
     out.time_s = scan.time_s;
     method_->extract_lines(cut_open(scan, cut_open_), out);
-    check_finite(out);
+    check_lines(out);
     if (covariance_ == ObservationCovariance::fixed) return;
     const PointErrors of_points = errors(scan);
     for (const DetectedLine& line : out.lines) {
