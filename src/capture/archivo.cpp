@@ -1,5 +1,7 @@
 #include "hitos/capture/archivo.hpp"
 
+#include "hitos/base/error.hpp"
+#include "hitos/base/translatable.hpp"
 #include "line_reader.hpp"
 
 namespace hitos {
@@ -14,7 +16,15 @@ Archivo::Archivo(std::filesystem::path path, const LogFormat& format, ReadOption
       format_(format),
       options_(std::move(options)),
       scans_(std::make_unique<Cursor>(path_)),
-      odometry_(std::make_unique<Cursor>(path_)) {}
+      odometry_(std::make_unique<Cursor>(path_)) {
+    if (format_.classify != nullptr && format_.make_conversor != nullptr) return;
+    throw ConfigError(
+        "source.format",
+        HITOS_TEXT("Errors",
+                   "the format %1 says not which lines it wants or how they are read; "
+                   "give its entry classify and make_conversor"),
+        format_.word);
+}
 
 Archivo::~Archivo() = default;
 

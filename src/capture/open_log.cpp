@@ -45,7 +45,7 @@ std::optional<std::size_t> format_of_line(std::string_view text) {
     const std::vector<LogFormat>& formats = log_formats().entries();
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < formats.size(); ++i) {
-        if (!formats[i].claims(text)) continue;
+        if (formats[i].claims == nullptr || !formats[i].claims(text)) continue;
         if (found) return std::nullopt;
         found = i;
     }

@@ -58,6 +58,8 @@ struct LogFormat : RegistryEntry {
     Topics* topics = nullptr;
     bool folders = false;    ///< of recordings: whether folders are some too
     bool ray_times = false;  ///< whether its writer says when each ray was measured
+    /// Whether robots write it; what simulators write may be replayed as the thesis did.
+    bool of_robots = false;
     using Doubts = std::vector<TourFinding>(const Fuente& fuente, const ReadOptions& options);
     /// Of text: what there is to doubt that the normalised records no longer show; null: nothing.
     Doubts* doubts = nullptr;

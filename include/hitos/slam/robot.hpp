@@ -58,7 +58,8 @@ class Robot {
 
 /// A motion model as parameters name it.
 struct MotionModelEntry : RegistryEntry {
-    bool registered = false;  ///< reads MotionIncrement::registered
+    bool registered = false;     ///< reads MotionIncrement::registered
+    bool reads_odometry = true;  ///< else it only spreads
     std::function<std::unique_ptr<Robot>(const MotionParams&)> make;
 };
 

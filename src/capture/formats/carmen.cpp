@@ -314,6 +314,7 @@ LogFormat carmen_format() {
                         classify_carmen,
                         make_carmen_conversor,
                         make_carmen_writer};
+    format.of_robots = true;
     format.doubts = doubts_of_carmen;
     return format;
 }

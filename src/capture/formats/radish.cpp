@@ -185,6 +185,7 @@ LogFormat radish_format() {
                         classify_radish,
                         make_range_conversor<ConversorRadish>,
                         make_writer<LogWriterRadish>};
+    format.of_robots = true;
     format.doubts = range_doubts<ConversorRadish>;
     return format;
 }

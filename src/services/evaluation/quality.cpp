@@ -16,6 +16,7 @@
 #include "hitos/capture/tour_examination.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/evaluation/measures.hpp"
+#include "hitos/slam/robot.hpp"
 #include "map_crispness.hpp"
 
 namespace hitos {
@@ -78,7 +79,7 @@ void warn_of_early_scans(const ReadReport& log, std::vector<Advice>& warnings) {
 void warn_of_odometry(const RunEvidence& run, std::vector<Advice>& warnings) {
     const Trajectory& odometry = run.odometry;
     if (odometry.size() < 2) return;
-    const bool needed = run.configuration.filter.motion.model != "no-odometry";
+    const bool needed = motion_models().find(run.configuration.filter.motion.model).reads_odometry;
     const Pose& first = odometry.front().pose;
     if (needed && std::ranges::all_of(
                       odometry, [&](const StampedPose& pose) { return pose.pose == first; })) {

@@ -42,6 +42,7 @@ MotionModelEntry robot_without_odometry() {
     entry.label = HITOS_TEXT("ParameterChoice", "Differential without odometry");
     entry.purpose = "controls are ignored and the particles only spread";
     entry.reads = {"motion.unit", "motion.sigma_x", "motion.sigma_y", "motion.sigma_theta"};
+    entry.reads_odometry = false;
     entry.make = [](const MotionParams& p) { return std::make_unique<RobotWithoutOdometry>(p); };
     return entry;
 }

@@ -363,13 +363,14 @@ Table make_table() {
 }
 
 void check_motion(const MotionParams& motion) {
-    if (motion.model == "no-odometry" && motion.sigma_x_m == 0.0 && motion.sigma_y_m == 0.0 &&
-        motion.sigma_theta_rad == 0.0) {
+    if (!motion_models().find(motion.model).reads_odometry && motion.sigma_x_m == 0.0 &&
+        motion.sigma_y_m == 0.0 && motion.sigma_theta_rad == 0.0) {
         throw ConfigError(
             "motion.model",
             HITOS_TEXT("Errors",
-                       "no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta all "
-                       "0 can never move; give at least one of them a value above 0"));
+                       "%1 with motion.sigma_x, motion.sigma_y and motion.sigma_theta all "
+                       "0 can never move; give at least one of them a value above 0"),
+            motion.model);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "hitos/base/error.hpp"
 #include "test_files.hpp"
 
 namespace hitos {
@@ -17,6 +18,17 @@ class ArchivoTest : public ::testing::Test {
     TempDir folder_;
     std::filesystem::path path_ = folder_.put("some.log", "ODOM 1 0 0\n");
 };
+
+TEST_F(ArchivoTest, AFormatThatSaysNotHowItIsReadIsRefused) {
+    LogFormat format = log_formats().find("player");
+    format.word = "mine";
+    EXPECT_NO_THROW(Archivo(path_, format));
+    LogFormat silent = format;
+    silent.classify = nullptr;
+    EXPECT_THROW(Archivo(path_, silent), ConfigError);
+    format.make_conversor = nullptr;
+    EXPECT_THROW(Archivo(path_, format), ConfigError);
+}
 
 TEST_F(ArchivoTest, ClassifiesPlayerLines) {
     const LogFormat& player = log_formats().find("player");

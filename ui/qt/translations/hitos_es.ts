@@ -1459,8 +1459,8 @@
         <translation>no se encontró ninguno, se esperaba uno o más</translation>
     </message>
     <message>
-        <source>no-odometry with motion.sigma_x, motion.sigma_y and motion.sigma_theta all 0 can never move; give at least one of them a value above 0</source>
-        <translation>no-odometry con motion.sigma_x, motion.sigma_y y motion.sigma_theta a 0 no se puede mover nunca; dé al menos a uno un valor mayor que 0</translation>
+        <source>%1 with motion.sigma_x, motion.sigma_y and motion.sigma_theta all 0 can never move; give at least one of them a value above 0</source>
+        <translation>%1 con motion.sigma_x, motion.sigma_y y motion.sigma_theta a 0 no se puede mover nunca; dé al menos a uno un valor mayor que 0</translation>
     </message>
     <message>
         <source>%1 is less than association.gate_probability %2; an observation inside that gate cannot be new</source>
