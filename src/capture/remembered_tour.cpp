@@ -5,12 +5,18 @@
 namespace hitos {
 
 std::optional<Scan> RememberedTour::next_scan() {
-    if (whole_ && at_.scans < scans_.size()) return scans_[at_.scans++];
+    auto& scans = tour_->scans.items;
+    if (whole_ && at_.scans < scans.size()) return scans[at_.scans++];
+    if (scans_end_) return std::nullopt;
     std::optional<Scan> scan = reader_->next_scan();
-    if (!scan) return scan;
+    if (!scan) {
+        scans_end_ = true;
+        note_end();
+        return scan;
+    }
     ++at_.scans;
     if (whole_) {
-        scans_.push_back(*scan);
+        scans.push_back(*scan);
         progress_.push_back(reader_->progress());
         note_bytes(sizeof(Scan) + scan->points.size() * sizeof(Point2) +
                    (scan->rays.size() + scan->run_starts.size()) * sizeof(std::uint32_t));
@@ -19,12 +25,18 @@ std::optional<Scan> RememberedTour::next_scan() {
 }
 
 std::optional<Odometria> RememberedTour::next_odometry() {
-    if (whole_ && at_.odometry < odometry_.size()) return odometry_[at_.odometry++];
+    auto& odometry = tour_->odometry.items;
+    if (whole_ && at_.odometry < odometry.size()) return odometry[at_.odometry++];
+    if (odometry_end_) return std::nullopt;
     const std::optional<Odometria> reading = reader_->next_odometry();
-    if (!reading) return reading;
+    if (!reading) {
+        odometry_end_ = true;
+        note_end();
+        return reading;
+    }
     ++at_.odometry;
     if (whole_) {
-        odometry_.push_back(*reading);
+        odometry.push_back(*reading);
         note_bytes(sizeof(Odometria));
     }
     return reading;
@@ -36,11 +48,28 @@ void RememberedTour::note_bytes(std::size_t bytes) {
     if (bytes_ <= most_bytes_) return;
     // Only where both sequences are at their ends may they be left: else what was read ahead of
     // one of them would be lost.
-    if (at_.scans < scans_.size() || at_.odometry < odometry_.size()) return;
+    if (at_.scans < tour_->scans.items.size() || at_.odometry < tour_->odometry.items.size())
+        return;
     whole_ = false;
-    scans_ = {};
+    tour_ = std::make_shared<RecordedTour>();
     progress_ = {};
-    odometry_ = {};
+}
+
+/// From here on the tour does not change: it may be read by others at the same time.
+void RememberedTour::note_end() {
+    if (!whole_ || !scans_end_ || !odometry_end_) return;
+    tour_->name = reader_->name();
+    tour_->format = reader_->format();
+    tour_->findings = reader_->findings();
+    tour_->truth = reader_->truth();
+    tour_->of_recording = reader_->report().of_recording;
+    // When what was left out lay between the scans is not known any more.
+    tour_->scans.notes.push_back({tour_->scans.items.size() + 1, reader_->report()});
+}
+
+std::unique_ptr<TourReader> RememberedTour::reopen() const {
+    if (!whole_ || !scans_end_ || !odometry_end_) return reader_->reopen();
+    return std::make_unique<RecordedReader>(tour_);
 }
 
 std::optional<double> RememberedTour::progress() const {
@@ -50,12 +79,7 @@ std::optional<double> RememberedTour::progress() const {
 
 void RememberedTour::restart() {
     reader_->restart();
-    whole_ = true;
-    bytes_ = 0;
-    at_ = {};
-    scans_.clear();
-    progress_.clear();
-    odometry_.clear();
+    *this = RememberedTour(std::move(reader_), most_bytes_);
 }
 
 }  // namespace hitos

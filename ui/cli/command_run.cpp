@@ -215,7 +215,10 @@ void run(const RunOptions& options) {
     run_options.figures = !options.figures.empty();
     std::optional<OdometryGridAhead> odometry_grid;
     if (configuration.run.threads != 1 && std::thread::hardware_concurrency() > 1) {
-        odometry_grid.emplace(configuration.grid, *reader);
+        odometry_grid.emplace(configuration.grid);
+        run_options.taken = [&odometry_grid](const Scan& scan, const Pose& pose) {
+            odometry_grid->add(scan, pose);
+        };
     }
     RunWorker worker(configuration, std::move(reader), run_options);
     ProgressLine line("scans");

@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "hitos/capture/recorded_tour.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
 
 /// Keeps what another reader gives, up to a limit of memory. Scans and odometry are the same to the
-/// last bit however often they are read.
+/// last bit however often they are read, and once both are at their ends nobody who reads the tour
+/// anew has to go back to where it comes from.
 class RememberedTour final : public TourReader {
   public:
     static constexpr std::size_t kMostBytes = std::size_t{512} << 20;
@@ -29,7 +31,7 @@ class RememberedTour final : public TourReader {
     std::optional<Scan> next_scan() override;
     std::optional<Odometria> next_odometry() override;
     void restart() override;
-    std::unique_ptr<TourReader> reopen() const override { return reader_->reopen(); }
+    std::unique_ptr<TourReader> reopen() const override;
 
     /// Of all that was read, up to the furthest place.
     const ReadReport& report() const override { return reader_->report(); }
@@ -48,15 +50,17 @@ class RememberedTour final : public TourReader {
 
   private:
     void note_bytes(std::size_t bytes);
+    void note_end();
 
     std::unique_ptr<TourReader> reader_;
     std::size_t most_bytes_;
     std::size_t bytes_ = 0;
     bool whole_ = true;
     Place at_;
-    std::vector<Scan> scans_;
+    std::shared_ptr<RecordedTour> tour_ = std::make_shared<RecordedTour>();
     std::vector<std::optional<double>> progress_;  // after each scan
-    std::vector<Odometria> odometry_;
+    bool scans_end_ = false;                       // is known
+    bool odometry_end_ = false;
 };
 
 }  // namespace hitos

@@ -6,6 +6,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
+#include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_examination.hpp"
 #include "hitos/features/extractor.hpp"
 #include "hitos/slam/filters.hpp"
@@ -37,8 +38,10 @@ Algoritmo::Algoritmo(const Configuracion& configuration, std::unique_ptr<TourRea
       reader_(std::move(reader)),
       step_grid_(configuration.grid) {
     check(configuration_);
-    if (options_.go_back) {
-        auto remembered = std::make_unique<RememberedTour>(std::move(reader_));
+    if (options_.go_back || options_.remember_bytes > 0) {
+        auto remembered = std::make_unique<RememberedTour>(
+            std::move(reader_),
+            options_.go_back ? RememberedTour::kMostBytes : options_.remember_bytes);
         remembered_ = remembered.get();
         reader_ = std::move(remembered);
     }
@@ -55,37 +58,27 @@ void Algoritmo::begin() {
     extractor_ = options_.extractor
                      ? options_.extractor()
                      : make_extractor(configuration_.extraction, configuration_.run.seed);
-    filter_ =
+    state_ = RunState();
+    state_.filter =
         make_filter(configuration_.filter, configuration_.run.seed, configuration_.run.threads);
-    controls_ = std::make_unique<ControlTrack>([from = reader_.get(), doubts = examination_.get()] {
+    state_.controls.emplace([from = reader_.get(), doubts = examination_.get()] {
         const std::optional<Odometria> reading = from->next_odometry();
         if (reading && doubts != nullptr) doubts->note(*reading);
         return reading;
     });
-    registration_ = needs_registration(configuration_.filter)
-                        ? std::make_unique<Registration>(configuration_.registration)
-                        : nullptr;
+    if (needs_registration(configuration_.filter))
+        state_.registration = std::make_unique<Registration>(configuration_.registration);
     step_grid_.clear();
     step_grid_stale_ = false;
     step_grid_redrawn_ = 0;
     step_grid_change_ = {};
-    key_scans_.clear();
-    key_poses_.clear();
-    online_.clear();
-    line_extents_.clear();
-    suitability_.clear();
-    uncertainty_.clear();
-    scan_ = {};
-    observation_.clear();
-    odometry_ = {};
-    finished_ = false;
 }
 
 bool Algoritmo::step(AssociationRecord* record) {
-    if (finished_) return false;
+    if (state_.finished) return false;
     auto scan = reader_->next_scan();
     if (!scan) {
-        finished_ = true;
+        state_.finished = true;
         if (steps() == 0) {
             throw FormatError(
                 reader().name(), 0,
@@ -100,31 +93,31 @@ bool Algoritmo::step(AssociationRecord* record) {
         finish();
         return false;
     }
-    scan_ = std::move(*scan);
-    if (examination_) examination_->note(scan_);
-    controls_->controls_until(scan_, step_controls_);
+    state_.scan = std::move(*scan);
+    if (examination_) examination_->note(state_.scan);
+    state_.controls->controls_until(state_.scan, step_controls_);
     extractor_->go_to(steps());  // wherever the run comes from
-    extractor_->extract(scan_, observation_);
+    extractor_->extract(state_.scan, state_.observation);
     std::optional<RegisteredStep> registered;
-    if (registration_) registered = registration_->add(scan_, step_controls_);
+    if (state_.registration) registered = state_.registration->add(state_.scan, step_controls_);
     try {
-        filter_->step(
-            {scan_, step_controls_, observation_, registered ? &*registered : nullptr, record});
+        state_.filter->step({state_.scan, step_controls_, state_.observation,
+                             registered ? &*registered : nullptr, record});
     } catch (const std::bad_alloc& shortage) {
         throw Error(out_of_memory(shortage.what()));
     }
     note_scan();
     if (options_.step_grid) draw_scan(registered && registered->key);
-    if (registration_) take_correction();
-    online_.push_back({scan_.time_s, filter_->best_pose()});
+    if (state_.registration) take_correction();
+    state_.online.push_back({state_.scan.time_s, state_.filter->best_pose()});
     return true;
 }
 
 /// What can be done about it.
 Message Algoritmo::out_of_memory(const char* reason) const {
     const FilterParams& filter = configuration_.filter;
-    const int landmarks =
-        filter_->best_count(FeatureKind::line) + filter_->best_count(FeatureKind::corner);
+    const int landmarks = state_.filter->best_count(FeatureKind::line) +
+                          state_.filter->best_count(FeatureKind::corner);
     if (slam_algorithms().reads(filter.algorithm, "filter.particles")) {
         return message(HITOS_TEXT("Errors",
                                   "out of memory at scan %1, with %2 landmarks in each map of %3 "
@@ -141,29 +134,31 @@ Message Algoritmo::out_of_memory(const char* reason) const {
 }
 
 void Algoritmo::note_scan() {
-    line_extents_.note(*filter_, observation_);
-    suitability_.note(step_controls_, observation_, filter_->associations());
-    if (options_.uncertainty) uncertainty_.note(scan_.time_s, filter_->best_map());
-    odometry_.add(scan_.time_s, step_controls_);
+    state_.line_extents.note(*state_.filter, state_.observation);
+    state_.suitability.note(step_controls_, state_.observation, state_.filter->associations());
+    if (options_.uncertainty)
+        state_.uncertainty.note(state_.scan.time_s, state_.filter->best_map());
+    state_.odometry.add(state_.scan.time_s, step_controls_);
+    if (options_.taken) options_.taken(state_.scan, odometry_trajectory().back().pose);
 }
 
 void Algoritmo::draw_scan(bool key) {
     step_grid_change_ = {};
-    if (registration_ && !key) return;
+    if (state_.registration && !key) return;
     if (key) {
-        key_scans_.push_back(std::make_shared<const Scan>(scan_));
-        key_poses_.push_back(filter_->best_pose());
+        state_.key_scans.push_back(std::make_shared<const Scan>(state_.scan));
+        state_.key_poses.push_back(state_.filter->best_pose());
     }
     if (step_grid_stale_) return;
-    step_grid_.add(scan_, filter_->best_pose());
+    step_grid_.add(state_.scan, state_.filter->best_pose());
     step_grid_change_ = step_grid_.last_change();
 }
 
 const Grid& Algoritmo::step_grid() const {
     if (std::exchange(step_grid_stale_, false)) {
         step_grid_.clear();
-        for (std::size_t k = 0; k < key_scans_.size(); ++k) {
-            step_grid_.add(*key_scans_[k], key_poses_[k]);
+        for (std::size_t k = 0; k < state_.key_scans.size(); ++k) {
+            step_grid_.add(*state_.key_scans[k], state_.key_poses[k]);
         }
         ++step_grid_redrawn_;
     }
@@ -171,32 +166,33 @@ const Grid& Algoritmo::step_grid() const {
 }
 
 void Algoritmo::finish() {
-    if (!registration_) return;
-    registration_->finish();
+    if (!state_.registration) return;
+    state_.registration->finish();
     take_correction();
 }
 
 void Algoritmo::take_correction() {
-    const auto correction = registration_->correction();
+    const auto correction = state_.registration->correction();
     if (!correction) return;
-    filter_->correct(*correction);
+    state_.filter->correct(*correction);
     if (!options_.step_grid) return;
-    const std::vector<Pose> path = filter_->best_history();
-    key_poses_.clear();
-    for (const KeyPose& key : registration_->keys()) key_poses_.push_back(path[key.scan]);
+    const std::vector<Pose> path = state_.filter->best_history();
+    state_.key_poses.clear();
+    for (const KeyPose& key : state_.registration->keys())
+        state_.key_poses.push_back(path[key.scan]);
     step_grid_stale_ = true;
 }
 
 std::vector<Advice> Algoritmo::advice() const {
     std::vector<Advice> advice =
-        suitability_.advice(configuration_, reader_->format() == kWorldFormat);
-    if (registration_) {  // the preset to try is in use
+        state_.suitability.advice(configuration_, reader_->format() == kWorldFormat);
+    if (state_.registration) {  // the preset to try is in use
         for (Advice& reason : advice) reason.preset = {};
     }
-    // What simulators write may be replayed as the thesis did; these formats come from robots.
-    const bool recording = reader_->format() == "carmen" || reader_->format() == "radish" ||
-                           reader_->report().of_recording;
-    if (recording && !registration_) {
+    const bool recording =
+        reader_->report().of_recording ||
+        (log_formats().knows(reader_->format()) && log_formats().find(reader_->format()).of_robots);
+    if (recording && !state_.registration) {
         advice.insert(
             advice.begin(),
             {HITOS_TEXT("Advice",
@@ -215,23 +211,6 @@ void Algoritmo::restart() {
 double Algoritmo::duration_s() const {
     const Trajectory& path = odometry_trajectory();
     return path.empty() ? 0.0 : path.back().time_s - path.front().time_s;
-}
-
-Trajectory Algoritmo::best_trajectory() const {
-    return stamped(filter_->best_history());
-}
-
-Trajectory Algoritmo::trajectory_of(std::size_t hypothesis) const {
-    return stamped(filter_->history(hypothesis));
-}
-
-Trajectory Algoritmo::stamped(const std::vector<Pose>& poses) const {
-    Trajectory trajectory;
-    trajectory.reserve(poses.size());
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        trajectory.push_back({odometry_trajectory()[i].time_s, poses[i]});
-    }
-    return trajectory;
 }
 
 }  // namespace hitos

@@ -19,18 +19,27 @@ void put(std::string& bytes, const Values&... values) {
     (bytes.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
 }
 
-Trajectory path_of(const RunCheckpoint& checkpoint, const SlamFilter& filter) {
-    Trajectory path = checkpoint.odometry.trajectory();
-    const std::vector<Pose> poses = filter.best_history();
-    for (std::size_t i = 0; i < path.size(); ++i) path[i].pose = poses[i];
-    return path;
-}
-
 }  // namespace
 
-std::vector<StatePart> parts_of(const RunCheckpoint& checkpoint, const SlamFilter& filter) {
-    const LandmarkMap map = filter.best_map();
-    const Trajectory path = path_of(checkpoint, filter);
+Trajectory RunState::stamped(const std::vector<Pose>& poses) const {
+    Trajectory stamped = odometry.trajectory();
+    for (std::size_t i = 0; i < stamped.size(); ++i) stamped[i].pose = poses[i];
+    return stamped;
+}
+
+Trajectory RunState::best_trajectory() const {
+    return stamped(filter->best_history());
+}
+
+std::size_t RunState::bytes() const {
+    return filter->bytes() + (registration ? registration->bytes() : 0) + line_extents.bytes() +
+           online.size() * 2 * sizeof(StampedPose) +
+           key_scans.size() * (sizeof(Pose) + sizeof(key_scans[0])) + uncertainty.bytes();
+}
+
+std::vector<StatePart> parts_of(const RunState& state, const Grid& step_grid) {
+    const LandmarkMap map = state.filter->best_map();
+    const Trajectory path = state.best_trajectory();
     std::vector<StatePart> parts;
     std::string bytes;
     const auto end = [&](const char* name) {
@@ -40,7 +49,7 @@ std::vector<StatePart> parts_of(const RunCheckpoint& checkpoint, const SlamFilte
         for (const auto& one : row) put(bytes, one);
         end(name);
     };
-    for (const WeightedPose& one : filter.hypotheses()) {
+    for (const WeightedPose& one : state.filter->hypotheses()) {
         put(bytes, one.pose, one.weight, one.weight_before, one.from);
     }
     end("hypotheses");
@@ -50,21 +59,20 @@ std::vector<StatePart> parts_of(const RunCheckpoint& checkpoint, const SlamFilte
     }
     end("landmarks");
     note("path", path);
-    note("path as it was driven", checkpoint.online);
-    note("odometry", checkpoint.odometry.trajectory());
-    note("scan", checkpoint.scan.points);
-    note("lines seen", checkpoint.observation.lines);
-    note("corners seen", checkpoint.observation.corners);
-    for (const LineExtent& one : checkpoint.line_extents.of(map, path)) put(bytes, one.a, one.b);
+    note("path as it was driven", state.online);
+    note("odometry", state.odometry.trajectory());
+    note("scan", state.scan.points);
+    note("lines seen", state.observation.lines);
+    note("corners seen", state.observation.corners);
+    for (const LineExtent& one : state.line_extents.of(map, path)) put(bytes, one.a, one.b);
     end("extents of lines");
-    if (checkpoint.registration) {  // its grid is drawn when it is asked for
-        note("registration", checkpoint.registration->keys());
+    if (state.registration) {  // its grid is drawn when it is asked for
+        note("registration", state.registration->keys());
         return parts;
     }
-    const Grid& grid = checkpoint.step_grid;
-    for (int row = 0; row < grid.rows(); ++row) {
-        for (int column = 0; column < grid.columns(); ++column) {
-            put(bytes, grid.log_odds(column, row));
+    for (int row = 0; row < step_grid.rows(); ++row) {
+        for (int column = 0; column < step_grid.columns(); ++column) {
+            put(bytes, step_grid.log_odds(column, row));
         }
     }
     end("grid");
@@ -83,35 +91,20 @@ void check_same(const std::vector<StatePart>& expected, const std::vector<StateP
     }
 }
 
-std::size_t RunCheckpoint::bytes() const {
-    return filter->bytes() + (registration ? registration->bytes() : 0) + step_grid.bytes() +
-           line_extents.bytes() + online.size() * 2 * sizeof(StampedPose) +
-           key_scans.size() * (sizeof(Pose) + sizeof(key_scans[0])) + uncertainty.bytes();
-}
-
-Trajectory RunCheckpoint::best_trajectory() const {
-    return path_of(*this, *filter);
-}
-
 std::shared_ptr<const RunCheckpoint> Algoritmo::checkpoint() const {
-    if (remembered_ == nullptr || !remembered_->whole() || finished_) return nullptr;
-    std::optional<RunCheckpoint> now = state();
+    if (!options_.go_back || !remembered_->whole() || finished()) return nullptr;
+    std::optional<RunCheckpoint> now = copy();
     return now ? std::make_shared<const RunCheckpoint>(*std::move(now)) : nullptr;
 }
 
-std::optional<RunCheckpoint> Algoritmo::state() const {
-    std::unique_ptr<const SlamFilter> filter = filter_->clone();
-    if (!filter) return std::nullopt;
-    RunCheckpoint now{
-        remembered_->place(), *controls_,
-        registration_ ? std::make_unique<const Registration>(*registration_) : nullptr,
-        std::move(filter),
-        // With registration it can be drawn of the key scans, which takes far less memory.
-        registration_ ? Grid(configuration_.grid) : step_grid_, key_scans_, key_poses_, online_,
-        line_extents_, suitability_, uncertainty_, scan_, observation_, odometry_};
+std::optional<RunCheckpoint> Algoritmo::copy() const {
+    // With registration the grid can be drawn of the key scans, which takes far less memory.
+    RunCheckpoint now{remembered_->place(), state_,
+                      state_.registration ? Grid(configuration_.grid) : step_grid_};
+    if (!now.state.filter) return std::nullopt;
     if constexpr (kValidates) {
-        now.parts = parts_of(now, *filter_);
-        check_same(now.parts, parts_of(now, *now.filter),
+        now.parts = parts_of(state_, step_grid_);
+        check_same(now.parts, parts_of(now.state, now.step_grid),
                    fmt::format("copy of the state after {} scans", steps()));
     }
     return now;
@@ -119,27 +112,13 @@ std::optional<RunCheckpoint> Algoritmo::state() const {
 
 void Algoritmo::go_to(const RunCheckpoint& checkpoint) {
     remembered_->go_to(checkpoint.place);
-    *controls_ = checkpoint.controls;
-    registration_ = checkpoint.registration
-                        ? std::make_unique<Registration>(*checkpoint.registration)
-                        : nullptr;
-    filter_ = checkpoint.filter->clone();
+    state_ = checkpoint.state;
     step_grid_ = checkpoint.step_grid;
-    step_grid_stale_ = registration_ != nullptr;
+    step_grid_stale_ = registration() != nullptr;
     step_grid_change_ = {};
     ++step_grid_redrawn_;  // whoever followed its changes has to begin anew
-    key_scans_ = checkpoint.key_scans;
-    key_poses_ = checkpoint.key_poses;
-    online_ = checkpoint.online;
-    line_extents_ = checkpoint.line_extents;
-    suitability_ = checkpoint.suitability;
-    uncertainty_ = checkpoint.uncertainty;
-    scan_ = checkpoint.scan;
-    observation_ = checkpoint.observation;
-    odometry_ = checkpoint.odometry;
-    finished_ = false;
     if constexpr (kValidates) {
-        check_same(checkpoint.parts, state()->parts,
+        check_same(checkpoint.parts, parts_of(state_, step_grid_),
                    fmt::format("return to the state after {} scans", steps()));
     }
 }
@@ -147,9 +126,8 @@ void Algoritmo::go_to(const RunCheckpoint& checkpoint) {
 std::unique_ptr<const AssociationRecord> Algoritmo::weighed(const RunCheckpoint* before) {
     const std::uint64_t last = steps();
     if (remembered_ == nullptr || !remembered_->whole() || last == 0) return nullptr;
-    const std::optional<RunCheckpoint> now = state();
+    const std::optional<RunCheckpoint> now = copy();
     if (!now) return nullptr;
-    const bool finished = finished_;
     const bool drawn = std::exchange(options_.step_grid, false);
     const std::uint64_t redrawn = step_grid_redrawn_;
     const bool stale = step_grid_stale_;
@@ -157,7 +135,6 @@ std::unique_ptr<const AssociationRecord> Algoritmo::weighed(const RunCheckpoint*
     const auto come_back = [&] {
         options_.step_grid = drawn;
         go_to(*now);
-        finished_ = finished;
         step_grid_ = std::move(grid);
         step_grid_stale_ = stale;
         step_grid_redrawn_ = redrawn;

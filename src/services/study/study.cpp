@@ -180,9 +180,12 @@ class Crew {
         const study::SharedReadings::Use use(shared_, study, job);
         study::SharedReadings::Parts parts = use.parts();
         if (parts.shared) watch = {};  // reading for several runs is no run's own work
-        Algoritmo run(
-            job.configuration, std::move(parts.reader),
-            {.step_grid = false, .examine = false, .extractor = std::move(parts.extractor)});
+        Algoritmo run(job.configuration, std::move(parts.reader),
+                      // What is shared lies in memory already, and what is not found no room there.
+                      {.step_grid = false,
+                       .remember_bytes = 0,
+                       .examine = false,
+                       .extractor = std::move(parts.extractor)});
         constexpr std::uint64_t kTellEvery = 64;
         while (run.step()) {
             if (stop_.stop_requested()) return std::nullopt;

@@ -12,7 +12,7 @@
 namespace hitos {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kBoundless = std::numeric_limits<double>::infinity();
 /// One byte each; a building of 200 x 100 m in cells of 2 cm has 50 million.
 constexpr double kMostCells = 6.4e7;
 /// Walls are at least this thick, so that one on the border of cells is in those on both sides, and
@@ -21,8 +21,8 @@ constexpr double kThinnest = 1e-6;  // m
 constexpr double kTouch = 1e-9;     // m
 
 struct Box {
-    Point2 least{kInfinity, kInfinity};
-    Point2 most{-kInfinity, -kInfinity};
+    Point2 least{kBoundless, kBoundless};
+    Point2 most{-kBoundless, -kBoundless};
 
     void add(const Point2& p) {
         least = {std::min(least.x, p.x), std::min(least.y, p.y)};

@@ -22,19 +22,26 @@ class Counted final : public TourReader {
     }
     void restart() override { scan_ = reading_ = 0; }
     std::unique_ptr<TourReader> reopen() const override {
+        ++reopened_;
         return std::make_unique<Counted>(scans_, readings_);
     }
     const ReadReport& report() const override { return report_; }
     std::optional<double> progress() const override { return static_cast<double>(scan_) / scans_; }
     std::string name() const override { return "counted"; }
     std::string format() const override { return "test"; }
+    int reopened() const { return reopened_; }
 
   private:
     int scans_;
     int readings_;
     int scan_ = 0;
     int reading_ = 0;
-    ReadReport report_;
+    mutable int reopened_ = 0;
+    ReadReport report_ = [] {
+        ReadReport report;
+        report.skipped = 3;
+        return report;
+    }();
 };
 
 TEST(RememberedTour, GivesTheSameAgainFromAnyPlaceAndGoesOnBehindIt) {
@@ -56,6 +63,31 @@ TEST(RememberedTour, GivesTheSameAgainFromAnyPlaceAndGoesOnBehindIt) {
     tour.restart();
     EXPECT_EQ(tour.next_scan()->time_s, 1.0);
     EXPECT_EQ(tour.next_odometry()->time_s, 1.0);
+}
+
+TEST(RememberedTour, IsReadAnewFromMemoryOnceItsEndIsKnown) {
+    auto counted = std::make_unique<Counted>(20, 50);
+    const Counted& source = *counted;
+    RememberedTour tour(std::move(counted));
+    while (tour.next_scan()) {
+    }
+    const auto early = tour.reopen();
+    while (tour.next_odometry()) {
+    }
+    EXPECT_EQ(source.reopened(), 1);
+    const auto first = tour.reopen();
+    const auto second = first->reopen();
+    tour.restart();  // what was given away stays
+    for (TourReader* again : {early.get(), first.get(), second.get()}) {
+        for (int i = 1; i <= 20; ++i) ASSERT_EQ(again->next_scan()->time_s, i);
+        for (int i = 1; i <= 50; ++i) ASSERT_EQ(again->next_odometry()->time_s, i);
+        EXPECT_FALSE(again->next_scan());
+        EXPECT_FALSE(again->next_odometry());
+        EXPECT_EQ(again->name(), "counted");
+        EXPECT_EQ(again->format(), "test");
+    }
+    EXPECT_EQ(first->report().skipped, 3U);
+    EXPECT_EQ(source.reopened(), 1);
 }
 
 TEST(RememberedTour, ForgetsWhatIsTooMuchAndStillReadsOn) {

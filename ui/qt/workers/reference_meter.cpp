@@ -21,11 +21,12 @@ ErrorPoint point(const Trajectory& path, const std::optional<MapError>& map,
 }
 
 ErrorPoint measure(const RunCheckpoint& checkpoint, const References& references) {
-    const Trajectory path = checkpoint.best_trajectory();
+    const Trajectory path = checkpoint.state.best_trajectory();
     std::optional<MapError> map;
     // A copy of its own: a filter may keep its map once it was asked for, and the run goes back to
     // it.
-    if (references.map) map = map_error(checkpoint.filter->clone()->best_map(), *references.map);
+    if (references.map)
+        map = map_error(checkpoint.state.filter->clone()->best_map(), *references.map);
     std::optional<TrajectoryError> trajectory;
     if (references.trajectory) trajectory = trajectory_error(path, *references.trajectory);
     return point(path, map, trajectory);

@@ -9,17 +9,10 @@
 
 #include "hitos/capture/remembered_tour.hpp"
 #include "hitos/capture/tour_reader.hpp"
-#include "hitos/features/control.hpp"
-#include "hitos/features/observation.hpp"
-#include "hitos/registration/registration.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/evaluation/run_evidence.hpp"
-#include "hitos/services/evaluation/suitability.hpp"
-#include "hitos/services/evaluation/uncertainty.hpp"
-#include "hitos/services/files/line_extents.hpp"
-#include "hitos/services/files/trajectory_file.hpp"
 #include "hitos/services/grid/grid.hpp"
-#include "hitos/slam/slam_filter.hpp"
+#include "hitos/services/run/run_state.hpp"
 
 namespace hitos {
 
@@ -36,10 +29,14 @@ struct AlgoritmoOptions {
     std::optional<std::size_t> grid_of = std::nullopt;
     /// Remember the tour, so that the run can go back.
     bool go_back = false;
+    /// Else, so that nobody has to read it again once the run is at its end; none: do not.
+    std::size_t remember_bytes = std::size_t{128} << 20;
     /// Keep the figures of every step (RunWorker does), some 300 bytes each; else of the last one.
     bool figures = true;
     /// Doubt what is read of the tour.
     bool examine = true;
+    /// Told after every scan, on the thread of the run: the scan, and its pose by odometry alone.
+    std::function<void(const Scan& scan, const Pose& pose)> taken = nullptr;
     /// Makes what finds the features; null: the one that the configuration asks for.
     std::function<std::unique_ptr<Extractor>()> extractor = nullptr;
 };
@@ -61,7 +58,7 @@ class Algoritmo {
     /// log. Throws FormatError where the log ends without a single scan. `record`, where it is not
     /// null, takes what the filter weighs.
     bool step(AssociationRecord* record = nullptr);
-    bool finished() const { return finished_; }
+    bool finished() const { return state_.finished; }
     /// From the beginning of the tour, as if nothing had been done.
     void restart();
     /// The state as it is, to come back to; null where the options do not ask for it, the
@@ -81,11 +78,11 @@ class Algoritmo {
     const Configuracion& configuration() const { return configuration_; }
     const AlgoritmoOptions& options() const { return options_; }
     const TourReader& reader() const { return *reader_; }
-    const SlamFilter& filter() const { return *filter_; }
+    const SlamFilter& filter() const { return *state_.filter; }
     /// Null where the algorithm asks for none.
-    const Registration* registration() const { return registration_.get(); }
-    const Scan& scan() const { return scan_; }                       ///< the last one
-    const Observation& observation() const { return observation_; }  ///< its features
+    const Registration* registration() const { return state_.registration.get(); }
+    const Scan& scan() const { return state_.scan; }                       ///< the last one
+    const Observation& observation() const { return state_.observation; }  ///< its features
     const ReadReport& report() const { return reader_->report(); }
     /// With registration it is of the key scans, and drawn anew when it is asked for after a
     /// correction, each scan at its corrected place.
@@ -97,9 +94,9 @@ class Algoritmo {
     /// No cell out of it was changed by the last step, as long as the grid is not drawn anew.
     CellArea step_grid_change() const { return step_grid_change_; }
     /// Where lines were seen at every scan so far.
-    const LineExtents& line_extents() const { return line_extents_; }
+    const LineExtents& line_extents() const { return state_.line_extents; }
     /// Whether tour and configuration suit each other, as far as the run shows.
-    const Suitability& suitability() const { return suitability_; }
+    const Suitability& suitability() const { return state_.suitability; }
     /// What doubts the tour; null where the options do not ask for it.
     const TourExamination* examination() const { return examination_.get(); }
     /// To be judged by.
@@ -110,64 +107,52 @@ class Algoritmo {
     /// registration is offered it.
     std::vector<Advice> advice() const;
     /// Empty unless the options ask for it.
-    const UncertaintyRecord& uncertainty() const { return uncertainty_; }
+    const UncertaintyRecord& uncertainty() const { return state_.uncertainty; }
 
     /// Scans so far.
     std::uint64_t steps() const { return odometry_trajectory().size(); }
     /// Counts what changed the run: every scan, and the end of the tour, which moves path and map.
-    std::uint64_t revision() const { return steps() + (finished_ ? 1 : 0); }
+    std::uint64_t revision() const { return steps() + (finished() ? 1 : 0); }
     /// Between the stamps of the first and the last scan so far [s].
     double duration_s() const;
     /// The best hypothesis' pose at every scan so far.
-    Trajectory best_trajectory() const;
+    Trajectory best_trajectory() const { return state_.best_trajectory(); }
     /// What the robot would have had while driving: the best hypothesis' pose at every scan so far
     /// as it was at that scan, before anything later corrected it.
-    const Trajectory& online_trajectory() const { return online_; }
+    const Trajectory& online_trajectory() const { return state_.online; }
     /// Any hypothesis' pose at every scan so far.
-    Trajectory trajectory_of(std::size_t hypothesis) const;
+    Trajectory trajectory_of(std::size_t hypothesis) const {
+        return state_.stamped(state_.filter->history(hypothesis));
+    }
     /// The pose by odometry alone at every scan so far, from (0, 0, 0) at the first reading.
-    const Trajectory& odometry_trajectory() const { return odometry_.trajectory(); }
+    const Trajectory& odometry_trajectory() const { return state_.odometry.trajectory(); }
 
   private:
     void begin();
     /// All that it is now; nothing where the algorithm cannot be copied.
-    std::optional<RunCheckpoint> state() const;
-    /// Takes the scan into every part of the run that keeps something of it.
+    std::optional<RunCheckpoint> copy() const;
     Message out_of_memory(const char* reason) const;
+    /// Takes the scan into every part of the run that keeps something of it.
     void note_scan();
     void draw_scan(bool key);
     /// The end of the source.
     void finish();
     /// Carries a correction by registration, if there is one, to the filter and the grid.
     void take_correction();
-    Trajectory stamped(const std::vector<Pose>& poses) const;
 
     Configuracion configuration_;
     AlgoritmoOptions options_;
     std::unique_ptr<TourReader> reader_;
     RememberedTour* remembered_ = nullptr;  // the reader, where the options ask for it
     std::unique_ptr<TourExamination> examination_;
-    std::unique_ptr<ControlTrack> controls_;
     std::unique_ptr<Extractor> extractor_;
-    std::unique_ptr<Registration> registration_;
-    std::unique_ptr<SlamFilter> filter_;
+    RunState state_;
     // Drawing waits until somebody looks.
     mutable Grid step_grid_;
     mutable bool step_grid_stale_ = false;
     mutable std::uint64_t step_grid_redrawn_ = 0;
     CellArea step_grid_change_;
-    std::vector<std::shared_ptr<const Scan>>
-        key_scans_;  ///< of registration, with the poses to draw them at
-    std::vector<Pose> key_poses_;
-    Trajectory online_;
-    LineExtents line_extents_;
-    Suitability suitability_;
-    UncertaintyRecord uncertainty_;
-    Scan scan_;
-    Observation observation_;
     std::vector<Control> step_controls_;
-    OdometryPath odometry_;
-    bool finished_ = false;
 };
 
 }  // namespace hitos

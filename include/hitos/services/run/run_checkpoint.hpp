@@ -20,32 +20,19 @@ struct StatePart {
 
 struct RunCheckpoint {
     RememberedTour::Place place;
-    ControlTrack controls;
-    std::unique_ptr<const Registration> registration;  ///< null where the run has none
-    std::unique_ptr<const SlamFilter> filter;
+    RunState state;
     Grid step_grid;  ///< empty with registration: of the key scans
-    std::vector<std::shared_ptr<const Scan>> key_scans;
-    std::vector<Pose> key_poses;
-    Trajectory online;
-    LineExtents line_extents;
-    Suitability suitability;
-    UncertaintyRecord uncertainty;
-    Scan scan;
-    Observation observation;
-    OdometryPath odometry;
     /// As they were when it was written; of builds that check (hitos/base/validate.hpp).
     std::vector<StatePart> parts = {};
 
     /// Scans taken.
-    std::uint64_t steps() const { return odometry.trajectory().size(); }
-    /// As Algoritmo::best_trajectory().
-    Trajectory best_trajectory() const;
+    std::uint64_t steps() const { return state.odometry.trajectory().size(); }
     /// Memory that it takes, about.
-    std::size_t bytes() const;
+    std::size_t bytes() const { return state.bytes() + step_grid.bytes(); }
 };
 
-/// What can be seen of the state, with this filter for the checkpoint's own.
-std::vector<StatePart> parts_of(const RunCheckpoint& checkpoint, const SlamFilter& filter);
+/// What can be seen of the state.
+std::vector<StatePart> parts_of(const RunState& state, const Grid& step_grid);
 
 /// Throws std::logic_error of the first part that differs, `what` says of what.
 void check_same(const std::vector<StatePart>& expected, const std::vector<StatePart>& found,

@@ -11,8 +11,6 @@
 
 namespace hitos {
 
-using Polyline = std::vector<Point2>;  ///< [m]; closed where its first point is the last one too
-
 /// The text of a world (docs/simulation.md) and the world that it says. What is set changes the
 /// lines of its own key only; a value that stays changes no byte, entries of lists that stay keep
 /// their comments. A key that is not there is written behind the last one of its group. Lengths in

@@ -156,6 +156,8 @@ double distance(const WallSegment& wall, const Point2& point);
 /// The least distance [m] between a wall and the straight way from `from` to `to`.
 double distance(const WallSegment& wall, const Point2& from, const Point2& to);
 
+using Polyline = std::vector<Point2>;  ///< [m]; closed where its first point is the last one too
+
 /// The square of a DisturbanceKind::box, closed.
 Polyline box_outline(const Disturbance& box);
 

@@ -26,6 +26,42 @@ namespace {
 using test::content;
 using test::TempFolder;
 
+AlgoritmoOptions along(OdometryGridAhead& ahead) {
+    AlgoritmoOptions options;
+    options.taken = [&ahead](const Scan& scan, const Pose& pose) { ahead.add(scan, pose); };
+    return options;
+}
+
+/// Counts how often the tour is read from its beginning.
+class CountedReader final : public TourReader {
+  public:
+    explicit CountedReader(std::unique_ptr<TourReader> reader,
+                           std::shared_ptr<int> readings = std::make_shared<int>(0))
+        : reader_(std::move(reader)), readings_(std::move(readings)) {
+        ++*readings_;
+    }
+    std::shared_ptr<const int> readings() const { return readings_; }
+    std::optional<Scan> next_scan() override { return reader_->next_scan(); }
+    std::optional<Odometria> next_odometry() override { return reader_->next_odometry(); }
+    void restart() override {
+        ++*readings_;
+        reader_->restart();
+    }
+    std::unique_ptr<TourReader> reopen() const override {
+        return std::make_unique<CountedReader>(reader_->reopen(), readings_);
+    }
+    const ReadReport& report() const override { return reader_->report(); }
+    std::optional<double> progress() const override { return reader_->progress(); }
+    std::string name() const override { return reader_->name(); }
+    std::string format() const override { return reader_->format(); }
+    std::vector<TourFinding> findings() const override { return reader_->findings(); }
+    std::optional<Truth> truth() const override { return reader_->truth(); }
+
+  private:
+    std::unique_ptr<TourReader> reader_;
+    std::shared_ptr<int> readings_;
+};
+
 class OutputCrewTest : public testing::Test {
   protected:
     static Algoritmo tour(int threads = 1, const AlgoritmoOptions& options = {}) {
@@ -77,8 +113,8 @@ class OutputCrewTest : public testing::Test {
 TEST_F(OutputCrewTest, ThreadsAndAGridBuiltAheadChangeNoFile) {
     std::map<std::string, std::string> written;
     for (const int threads : {1, 2, 3}) {
-        Algoritmo run = tour(threads);
-        OdometryGridAhead ahead(run.configuration().grid, run.reader());
+        OdometryGridAhead ahead(run_.configuration().grid);
+        Algoritmo run = tour(threads, along(ahead));
         run_all(run);
         const TempFolder folder;
         StagedFolder staged = results_folder(folder.path());
@@ -95,34 +131,43 @@ TEST_F(OutputCrewTest, ThreadsAndAGridBuiltAheadChangeNoFile) {
     }
 }
 
-TEST_F(OutputCrewTest, AGridAheadIsOfWholeToursOnly) {
+TEST_F(OutputCrewTest, AGridAheadIsOfTheScansThatItWasGiven) {
     const GridParams& params = run_.configuration().grid;
-    OdometryGridAhead longer(params, run_.reader());
-    EXPECT_FALSE(longer.take(51));  // the tour has 50 scans
-    EXPECT_FALSE(longer.take(50));  // it was asked before, and keeps nothing
-    OdometryGridAhead whole(params, run_.reader());
-    const std::optional<Grid> grid = whole.take(50);
+    OdometryGridAhead ahead(params);
+    OdometryGridAhead other(params);
+    Algoritmo run = tour(1, along(ahead));
+    for (int i = 0; i < 10; ++i) run.step();
+    other.add(run.scan(), run.odometry_trajectory().back().pose);
+    run_all(run);
+    EXPECT_FALSE(other.take(50));
+    EXPECT_FALSE(other.take(1));  // it was asked before, and keeps nothing
+    const std::optional<Grid> grid = ahead.take(50);
     ASSERT_TRUE(grid);
-    run_all(run_);
-    const Grid along = build_grid(params, run_.reader(), run_.odometry_trajectory());
-    EXPECT_EQ(grid->picture().grey, along.picture().grey);
-    EXPECT_EQ(grid->area(), along.area());
+    const Grid whole = build_grid(params, run.reader(), run.odometry_trajectory());
+    EXPECT_EQ(grid->picture().grey, whole.picture().grey);
+    EXPECT_EQ(grid->area(), whole.area());
 }
 
-TEST_F(OutputCrewTest, AGridAheadOfARunThatWasStoppedIsOfItsScansOrNone) {
-    const GridParams& params = run_.configuration().grid;
-    Grid first_ten(params);
-    for (int i = 0; i < 10; ++i) {
-        run_.step();
-        first_ten.add(run_.scan(), run_.odometry_trajectory().back().pose);
-    }
-    for (int i = 0; i < 20; ++i) {  // it may have come farther already, or not
-        OdometryGridAhead ahead(params, run_.reader());
-        const std::optional<Grid> grid = ahead.take(10);
-        if (grid) {
-            EXPECT_EQ(grid->picture().grey, first_ten.picture().grey);
-        }
-    }
+TEST_F(OutputCrewTest, ATourIsReadOnceHoweverManyFilesAreWrittenOfIt) {
+    auto counted = std::make_unique<CountedReader>(open_source(run_.configuration().source));
+    const std::shared_ptr<const int> readings = counted->readings();
+    Algoritmo run(run_.configuration(), std::move(counted), {.grid_of = 0});
+    run_all(run);
+    const TempFolder folder;
+    StagedFolder staged = results_folder(folder.path());
+    const std::vector<std::string> also = {"map-server", "carmen", "ieee-1873"};
+    EXPECT_TRUE(write_results(run, {}, 1.0, staged, {}, nullptr, also).not_written.empty());
+    EXPECT_EQ(*readings, 1);
+    // What does not fit into the memory is read again.
+    auto again = std::make_unique<CountedReader>(open_source(run_.configuration().source));
+    const std::shared_ptr<const int> more = again->readings();
+    Algoritmo small(run_.configuration(), std::move(again), {.remember_bytes = 1000});
+    run_all(small);
+    const TempFolder other;
+    write_results(small, {}, 1.0, other.path());
+    EXPECT_GT(*more, 1);
+    EXPECT_EQ(files_in(other.path()).at("grid_best.png"),
+              files_in(folder.path()).at("grid_best.png"));
 }
 
 TEST_F(OutputCrewTest, PicturesOfOneFolderDoNotDisturbEachOther) {
