@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <vector>
 
 #include "hitos/base/error.hpp"
@@ -65,15 +64,8 @@ const Preset& find_preset(std::string_view word) {
 }
 
 Configuracion preset_configuration(std::string_view word) {
-    const std::string name = fmt::format("config/{}.cfg", find_preset(word).word);
-    const std::filesystem::path file = shipped_file(name);
-    if (file.empty()) {
-        throw FileError(
-            name,
-            HITOS_TEXT("Errors",
-                       "is not there; it comes with Hitos: start the program from its folder"));
-    }
-    return ArchivoConfiguracion::read(file);
+    return ArchivoConfiguracion::read(
+        needed_file(fmt::format("config/{}.cfg", find_preset(word).word)));
 }
 
 }  // namespace hitos

@@ -56,6 +56,17 @@ std::filesystem::path shipped_file(const std::filesystem::path& relative) {
     return {};
 }
 
+std::filesystem::path needed_file(const std::filesystem::path& relative) {
+    std::filesystem::path path = shipped_file(relative);
+    if (path.empty()) {
+        throw FileError(
+            relative.string(),
+            HITOS_TEXT("Errors",
+                       "is not there; it comes with Hitos: start the program from its folder"));
+    }
+    return path;
+}
+
 std::vector<std::string> shipped_worlds() {
     std::vector<std::string> names;
     std::error_code ignored;
@@ -115,17 +126,6 @@ std::vector<Lesson> lessons() {
     }
     std::ranges::sort(found, {}, &Lesson::number);
     return found;
-}
-
-std::filesystem::path find_thesis_results() {
-    std::filesystem::path path = shipped_file("data/results.csv");
-    if (path.empty()) {
-        throw FileError(
-            "data/results.csv",
-            HITOS_TEXT("Errors",
-                       "is not there; it comes with Hitos: start the program from its folder"));
-    }
-    return path;
 }
 
 }  // namespace hitos

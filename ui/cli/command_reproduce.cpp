@@ -28,7 +28,6 @@ struct ReproduceArguments {
     ReproductionOptions reproduction;
     std::string out;
     std::string report;
-    std::string logs;
     std::string reading = readings().front().name;
     bool as_published = false;
     bool hypotheses = false;
@@ -127,15 +126,8 @@ std::filesystem::path maps_report(const std::filesystem::path& report) {
 /// The experiments that are shown by maps and counts.
 int reproduce_experiments(const ReproduceArguments& options, const std::vector<std::string>& only,
                           Report& report) {
-    MapReproductionOptions maps;
+    ReproductionOptions maps = options.reproduction;
     maps.only = only;
-    maps.threads = options.reproduction.threads;
-    maps.reading = options.reproduction.reading;
-    maps.world = options.reproduction.world;
-    maps.settings = options.reproduction.settings;
-    maps.out = options.reproduction.out;
-    maps.logs = options.logs;
-    maps.stop = options.reproduction.stop;
     Teller teller;
     maps.observer = teller.observer();
     const MapReproduction result = reproduce_maps(maps);
@@ -173,11 +165,8 @@ int reproduce_experiments(const ReproduceArguments& options, const std::vector<s
 }
 
 bool names_figure(const std::string& word) {
-    try {
-        return !select_figures(read_thesis_figures(find_thesis_results()), {word}).empty();
-    } catch (const ConfigError&) {
-        return false;
-    }
+    return std::ranges::any_of(read_thesis_figures(needed_file("data/results.csv")),
+                               [&](const ThesisFigure& figure) { return figure.is_named(word); });
 }
 
 /// A word of --only may name figures with tables, experiments shown by maps, or both.
@@ -250,7 +239,7 @@ void add_reproduce(CLI::App& program) {
                      "Write the document here too, and that of the maps as …-maps.md, each "
                      "with its pictures in a folder beside it")
         ->check(&complaint_of_output);
-    command->add_option("--logs", options->logs,
+    command->add_option("--logs", options->reproduction.logs,
                         "Folder of recorded tours, NAME.log.gz with NAME.gt.tum.gz, to put the "
                         "questions of the thesis's recorded tours to (aces, freiburg-101)");
     auto* reading = command->add_option(

@@ -17,15 +17,18 @@
 namespace hitos {
 
 struct ReproductionOptions {
-    /// Figures by number, world or parameter; all where empty.
+    /// Figures and experiments by number, place or parameter; all where empty.
     std::vector<std::string> only;
-    int runs = 5;     ///< of each value, with seeds from 1
+    int runs = 5;     ///< of each value of the figures with errors, with seeds from 1
     int threads = 0;  ///< runs at a time; 0: as many as the machine has
     Reading reading = readings().front();
     /// Changes beside those of every reading: "key=value" of worlds and of configurations.
     std::vector<std::string> world;
     std::vector<std::string> settings;
     std::filesystem::path out;
+    /// Folder of the recorded tours (NAME.log.gz, NAME.gt.tum.gz); empty: their experiments are
+    /// left out.
+    std::filesystem::path logs;
     StudyObserver observer;
     std::stop_token stop;  ///< ends it within a step; what is done stays done
 };

@@ -3,30 +3,14 @@
 
 #include <filesystem>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "hitos/services/study/study.hpp"
-#include "hitos/workbench/readings.hpp"
+#include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/thesis_experiments.hpp"
 
 namespace hitos {
-
-struct MapReproductionOptions {
-    /// Experiments by figure, place or parameter; all where empty.
-    std::vector<std::string> only;
-    int threads = 0;  ///< runs at a time; 0: as many as the machine has
-    /// Of the simulated tours, as in ReproductionOptions.
-    Reading reading = readings().front();
-    std::vector<std::string> world;
-    std::vector<std::string> settings;
-    std::filesystem::path out;
-    /// Folder of the recorded tours (NAME.log.gz, NAME.gt.tum.gz); empty: these are left out.
-    std::filesystem::path logs;
-    StudyObserver observer;
-    std::stop_token stop;  ///< ends it within a step; what is done stays done
-};
 
 /// One experiment and what came out of it.
 struct ReproducedExperiment {
@@ -61,7 +45,7 @@ bool names_experiment(const std::string& word);
 /// reproduction-maps.md and .csv, a contact sheet for each (maps/), and where figure 10.95 is among
 /// them time-against-particles.timing.csv, the one file that is not the same every time. Throws
 /// what run_studies() throws, and StudyStopped.
-MapReproduction reproduce_maps(const MapReproductionOptions& options);
+MapReproduction reproduce_maps(const ReproductionOptions& options);
 
 /// `sheets` is the folder of the contact sheets as seen from the document.
 std::string map_reproduction_markdown(const MapReproduction& reproduction,

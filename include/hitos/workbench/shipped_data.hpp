@@ -14,6 +14,9 @@ namespace hitos {
 /// none.
 std::filesystem::path shipped_file(const std::filesystem::path& relative);
 
+/// The same, but throws FileError where there is none.
+std::filesystem::path needed_file(const std::filesystem::path& relative);
+
 /// The path itself where it exists or is more than a bare name; else the world of that name among
 /// those that come with Hitos. Throws FileError that lists their names where there is none.
 std::filesystem::path find_world(const std::string& name);
@@ -44,8 +47,5 @@ struct Lesson {
 /// By number, titles from the first lines of the pages. Throws FileError for a page that cannot be
 /// read; no lessons where none are installed.
 std::vector<Lesson> lessons();
-
-/// data/results.csv, the figures of the thesis, likewise. Throws FileError.
-std::filesystem::path find_thesis_results();
 
 }  // namespace hitos

@@ -2,6 +2,7 @@
 // parameter, pairs of SLAM's and odometry's map, counts.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,8 +14,8 @@ namespace hitos {
 
 /// One value of an experiment and what the thesis says of it, in our words.
 struct ThesisClaim {
-    std::string_view value;  ///< as the study takes it
-    std::string_view says;
+    std::string value;  ///< as the study takes it
+    std::string says;
 };
 
 struct ThesisExperiment {
@@ -38,7 +39,7 @@ struct ThesisExperiment {
     int runs = 1;  ///< of each value; several where the thesis gives errors
     std::vector<std::string> settings;
     std::vector<ThesisClaim> claims;
-    std::string_view remark;  ///< what we see, and where we differ
+    std::string remark;  ///< what we see, and where we differ
 
     /// "10.66-usc-sal-mov": the name of its files.
     std::string stem() const;
@@ -46,7 +47,10 @@ struct ThesisExperiment {
     bool is_named(std::string_view word) const;
 };
 
-/// All of them, in the order of the thesis, those on recorded tours last.
+/// Throws FileError and, with the line, FormatError.
+std::vector<ThesisExperiment> read_thesis_experiments(const std::filesystem::path& path);
+
+/// Those of data/thesis/experiments.toml, in the order of the thesis, those on recorded tours last.
 std::span<const ThesisExperiment> thesis_experiments();
 
 /// The fixed parameters in a configuration: Hitos's defaults and the settings; for recorded tours

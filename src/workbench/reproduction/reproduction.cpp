@@ -10,12 +10,11 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/base/folder_entries.hpp"
 #include "hitos/base/folder_lock.hpp"
 #include "hitos/base/staged_folder.hpp"
 #include "hitos/simulation/worlds/reference_map.hpp"
 #include "hitos/workbench/shipped_data.hpp"
-#include "thesis_world.hpp"
+#include "reproduction_parts.hpp"
 
 namespace hitos {
 namespace {
@@ -52,8 +51,7 @@ Study study_of(const ThesisFigure& figure, const World& world, const Reading& re
     study.configuration = thesis_configuration(*figure.table);
     apply(reading, study.configuration);
     study.reference = reference_map(world);
-    StudyParameter parameter{
-        std::string(figure.table->parameter), {std::string(figure.table->key)}, {}};
+    StudyParameter parameter{figure.table->parameter, {figure.table->key}, {}};
     for (const ThesisRow& row : figure.rows) parameter.values.push_back({row.value});
     study.parameters.push_back(std::move(parameter));
     study.first_seed = part.seed;
@@ -128,13 +126,6 @@ Reproduction gather(const std::vector<ThesisFigure>& figures,
     return result;
 }
 
-bool names(const std::string& word, const ThesisFigure& figure) {
-    const std::size_t slash = figure.name.find('/');
-    return word == figure.name || word == figure.name.substr(0, slash) ||
-           (slash != std::string::npos && word == figure.name.substr(slash + 1)) ||
-           word == figure.world || word == figure.table->parameter || word == figure.stem();
-}
-
 void check(const ReproductionOptions& options) {
     constexpr int kMostRuns = 10000;
     if (options.runs < 1 || options.runs > kMostRuns) {
@@ -151,7 +142,7 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
     if (only.empty()) return figures;
     for (const std::string& word : only) {
         if (std::ranges::none_of(figures,
-                                 [&](const auto& figure) { return names(word, figure); })) {
+                                 [&](const auto& figure) { return figure.is_named(word); })) {
             std::vector<std::string> known;
             known.reserve(figures.size());
             for (const ThesisFigure& figure : figures) known.push_back(figure.stem());
@@ -164,7 +155,7 @@ std::vector<ThesisFigure> select_figures(const std::vector<ThesisFigure>& figure
     }
     std::vector<ThesisFigure> selected;
     std::ranges::copy_if(figures, std::back_inserter(selected), [&](const ThesisFigure& figure) {
-        return std::ranges::any_of(only, [&](const auto& word) { return names(word, figure); });
+        return std::ranges::any_of(only, [&](const auto& word) { return figure.is_named(word); });
     });
     return selected;
 }
@@ -173,11 +164,9 @@ namespace {
 
 /// The runs and what came of them, with the table.
 Reproduction run_figures(const ReproductionOptions& options) {
-    Reading reading = options.reading;
-    std::ranges::copy(options.world, std::back_inserter(reading.world));
-    std::ranges::copy(options.settings, std::back_inserter(reading.settings));
+    Reading reading = whole_reading(options);
     const std::vector<ThesisFigure> figures =
-        select_figures(read_thesis_figures(find_thesis_results()), options.only);
+        select_figures(read_thesis_figures(needed_file("data/results.csv")), options.only);
     std::map<std::string, World> worlds;
     for (const ThesisFigure& figure : figures) {
         if (!worlds.contains(figure.world)) {
@@ -190,17 +179,9 @@ Reproduction run_figures(const ReproductionOptions& options) {
         const ThesisFigure& figure = figures[part.figure];
         studies.push_back(study_of(figure, worlds.at(figure.world), reading, part, options.out));
     }
-    StudyOptions how;
-    how.threads = options.threads;
-    how.tables = false;
-    how.observer = options.observer;
-    how.stop = options.stop;
-    how.locks = false;  // its hundreds of studies are kept as one
     made_output_folder(options.out);
     const FolderLock lock(options.out);
-    for (const char* folder : {".", "plots"}) remove_leftovers(options.out / folder);
-    std::vector<StudyOutcome> outcomes = run_studies(studies, how);
-    check_whole(outcomes);
+    const std::vector<StudyOutcome> outcomes = run_as_one(studies, options, "plots");
     Reproduction result = gather(figures, worlds, parts, outcomes);
     result.runs = options.runs;
     result.reading = std::move(reading);

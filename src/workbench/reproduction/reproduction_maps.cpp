@@ -11,16 +11,14 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
-#include "hitos/base/folder_entries.hpp"
 #include "hitos/base/folder_lock.hpp"
 #include "hitos/base/staged_folder.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/services/study/study_pictures.hpp"
 #include "hitos/simulation/worlds/reference_map.hpp"
-#include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/shipped_data.hpp"
-#include "thesis_world.hpp"
+#include "reproduction_parts.hpp"
 
 namespace hitos {
 namespace {
@@ -33,28 +31,19 @@ constexpr const char* kTimeStem = "10.95-time";
 constexpr const char* kTimeWorld = "bigloop2";
 constexpr const char* kTimeParticles = "p=5,10,20,50,100,200,500";
 
-/// The call's reading with what the call changes beside it.
-Reading whole_reading(const MapReproductionOptions& options) {
-    Reading reading = options.reading;
-    std::ranges::copy(options.world, std::back_inserter(reading.world));
-    std::ranges::copy(options.settings, std::back_inserter(reading.settings));
-    return reading;
-}
-
 void set_world(Study& study, const std::string& name, const Reading& reading) {
     World world = thesis_world(name, reading);
     study.setting = world_setting(world, reading);
     study.source = driven_through(std::move(world));
 }
 
-fs::path log_file(const MapReproductionOptions& options, const ThesisExperiment& experiment) {
+fs::path log_file(const ReproductionOptions& options, const ThesisExperiment& experiment) {
     return options.logs / (experiment.name + ".log.gz");
 }
 
-Study study_of_claims(const ThesisExperiment& experiment, const MapReproductionOptions& options) {
+Study study_of_claims(const ThesisExperiment& experiment, const ReproductionOptions& options) {
     Study study;
     study.configuration = experiment_configuration(experiment);
-    StudyParameter parameter = find_study_parameter(experiment.key);
     std::string assignment = experiment.key + "=";
     for (const ThesisClaim& claim : experiment.claims) {
         if (&claim != &experiment.claims.front()) assignment += ',';
@@ -81,7 +70,7 @@ Study study_of_claims(const ThesisExperiment& experiment, const MapReproductionO
     return study;
 }
 
-Study time_study(const MapReproductionOptions& options) {
+Study time_study(const ReproductionOptions& options) {
     Study study;
     study.configuration = experiment_configuration(*std::ranges::find_if(
         thesis_experiments(), [](const ThesisExperiment& e) { return e.is_named("10.95"); }));
@@ -152,7 +141,7 @@ void note_failures(const ReproducedExperiment& experiment, MapReproduction& resu
 }
 
 /// The experiments that are asked for and can be run.
-std::vector<const ThesisExperiment*> select(const MapReproductionOptions& options,
+std::vector<const ThesisExperiment*> select(const ReproductionOptions& options,
                                             MapReproduction& result) {
     std::vector<const ThesisExperiment*> chosen;
     for (const ThesisExperiment& experiment : thesis_experiments()) {
@@ -204,7 +193,7 @@ bool names_experiment(const std::string& word) {
     });
 }
 
-MapReproduction reproduce_maps(const MapReproductionOptions& options) {
+MapReproduction reproduce_maps(const ReproductionOptions& options) {
     MapReproduction result;
     const std::vector<const ThesisExperiment*> chosen = select(options, result);
     if (chosen.empty()) return result;
@@ -216,17 +205,9 @@ MapReproduction reproduce_maps(const MapReproductionOptions& options) {
     const bool timed = std::ranges::any_of(
         chosen, [](const ThesisExperiment* experiment) { return experiment->is_named("10.95"); });
     if (timed) studies.push_back(time_study(options));
-    StudyOptions how;
-    how.threads = options.threads;
-    how.tables = false;
-    how.observer = options.observer;
-    how.stop = options.stop;
-    how.locks = false;  // its hundreds of studies are kept as one
     made_output_folder(options.out);
     const FolderLock lock(options.out);
-    for (const char* folder : {".", "maps"}) remove_leftovers(options.out / folder);
-    std::vector<StudyOutcome> outcomes = run_studies(studies, how);
-    check_whole(outcomes);
+    std::vector<StudyOutcome> outcomes = run_as_one(studies, options, "maps");
     for (const StudyOutcome& outcome : outcomes) {
         result.computed += outcome.computed;
         result.reused += outcome.reused;

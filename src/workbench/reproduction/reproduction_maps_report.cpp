@@ -3,11 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <system_error>
 
-#include "hitos/base/atomic_file.hpp"
-#include "hitos/base/error.hpp"
 #include "hitos/workbench/reproduction_maps.hpp"
+#include "reproduction_parts.hpp"
 
 namespace hitos {
 namespace {
@@ -231,24 +229,13 @@ std::string map_reproduction_markdown(const MapReproduction& reproduction,
 
 void write_map_report(const MapReproduction& reproduction, const fs::path& document,
                       const fs::path& sheets) {
-    const fs::path folder = document.parent_path() / document.stem();
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw FileError(folder.string(), HITOS_TEXT("Errors", "cannot make this folder: %1"),
-                        error.message());
-    }
+    std::vector<std::string> stems;
     for (const ReproducedExperiment& experiment : reproduction.experiments) {
-        const std::string picture = experiment.thesis->stem() + ".png";
-        if (!fs::exists(sheets / picture, error)) continue;
-        fs::copy_file(sheets / picture, folder / picture, fs::copy_options::overwrite_existing,
-                      error);
-        if (error) {
-            throw FileError((folder / picture).string(),
-                            HITOS_TEXT("Errors", "cannot be written: %1"), error.message());
-        }
+        stems.push_back(experiment.thesis->stem());
     }
-    write_file(document, map_reproduction_markdown(reproduction, document.stem().string()));
+    write_with_pictures(document, sheets, stems, [&](const std::string& folder) {
+        return map_reproduction_markdown(reproduction, folder);
+    });
 }
 
 }  // namespace hitos

@@ -3,11 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <system_error>
 
-#include "hitos/base/atomic_file.hpp"
-#include "hitos/base/error.hpp"
 #include "hitos/workbench/reproduction.hpp"
+#include "reproduction_parts.hpp"
 #include "reproduction_remarks.hpp"
 #include "reproduction_summary.hpp"
 
@@ -141,24 +139,13 @@ std::string reproduction_markdown(const Reproduction& reproduction, const std::s
 
 void write_report(const Reproduction& reproduction, const fs::path& document, const fs::path& plots,
                   std::span<const Reproduction> tried) {
-    const fs::path folder = document.parent_path() / document.stem();
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw FileError(folder.string(), HITOS_TEXT("Errors", "cannot make this folder: %1"),
-                        error.message());
-    }
+    std::vector<std::string> stems;
     for (const ReproducedFigure& figure : reproduction.figures) {
-        const std::string picture = figure.thesis.stem() + ".png";
-        if (!fs::exists(plots / picture, error)) continue;
-        fs::copy_file(plots / picture, folder / picture, fs::copy_options::overwrite_existing,
-                      error);
-        if (error) {
-            throw FileError((folder / picture).string(),
-                            HITOS_TEXT("Errors", "cannot be written: %1"), error.message());
-        }
+        stems.push_back(figure.thesis.stem());
     }
-    write_file(document, reproduction_markdown(reproduction, document.stem().string(), tried));
+    write_with_pictures(document, plots, stems, [&](const std::string& folder) {
+        return reproduction_markdown(reproduction, folder, tried);
+    });
 }
 
 }  // namespace hitos

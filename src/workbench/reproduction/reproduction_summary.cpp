@@ -20,7 +20,7 @@ double chance_near(const ReproducedRow& row) {
 }
 
 std::string parameter_of(const ReproducedFigure& figure) {
-    return std::string(figure.thesis.table->parameter);
+    return figure.thesis.table->parameter;
 }
 std::string world_of(const ReproducedFigure& figure) {
     return figure.thesis.world;

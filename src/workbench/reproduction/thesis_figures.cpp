@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -15,84 +14,6 @@ namespace {
 
 constexpr std::string_view kHeader = "figure,map,parameter,value,error_m,error_variance,landmarks";
 constexpr std::size_t kColumns = 7;
-
-/// The table's numbers for the robot are standard deviations: only so read do they give the
-/// thesis's errors.
-std::vector<std::string_view> with_always(std::vector<std::string_view> settings,
-                                          std::initializer_list<std::string_view> more) {
-    // Infinite Neff: the particles are resampled after every scan.
-    for (const std::string_view same : {"resampling.rule=always", "motion.model=odometry"})
-        settings.push_back(same);
-    settings.insert(settings.end(), more);
-    return settings;
-}
-
-std::vector<ThesisTable> make_tables() {
-    const std::initializer_list<std::string_view> slow{
-        "motion.sigma_x=0.007", "motion.sigma_y=0.007", "motion.sigma_theta=0.008"};
-    const std::initializer_list<std::string_view> fast{"motion.sigma_x=0.01", "motion.sigma_y=0.01",
-                                                       "motion.sigma_theta=0.008"};
-    constexpr std::string_view kP0 = "association.p0=0.005";
-    constexpr std::string_view kParticles = "filter.particles=100";
-    constexpr std::string_view kNine = "split_merge.min_points=9";
-    constexpr std::string_view kFifteen = "split_merge.min_points=15";
-    constexpr std::string_view kDmax = "split_merge.dmax=0.02";
-    constexpr std::string_view kLength = "split_merge.min_length=0.4";
-    constexpr std::string_view kRho = "observation.var_rho=0.04";
-    constexpr std::string_view kTheta = "observation.var_theta=0.00122";
-    return {
-        {"dmax", "split_merge.dmax", "m", "10.2", "10.4.1",
-         with_always({kP0, kParticles, kNine, kLength, kRho, kTheta}, slow)},
-        {"mlon", "split_merge.min_length", "m", "10.4", "10.4.2",
-         with_always({kP0, kParticles, kFifteen, kDmax, kRho, kTheta}, fast)},
-        {"mpuntos", "split_merge.min_points", "", "10.6", "10.4.3",
-         with_always({kP0, kParticles, kLength, kDmax, kRho, kTheta}, fast)},
-        {"es", "features.corner_distance", "m", "10.10", "10.4.5",
-         with_always({kP0, kParticles, kNine, kDmax, kLength, kRho, kTheta}, slow)},
-        {"sensor_rho", "observation.var_rho", "m^2", "10.12", "10.5.2",
-         with_always({kP0, kParticles, kNine, kDmax, kLength, "observation.var_theta=0.001224"},
-                     slow)},
-        {"sensor_theta", "observation.var_theta", "rad^2", "10.12", "10.5.2",
-         with_always({kP0, kParticles, kNine, kDmax, kLength, "observation.var_rho=0.08"}, slow)},
-        {"p0", "association.p0", "", "10.16", "10.6.2",
-         with_always({kParticles, kNine, kDmax, kLength, kRho, kTheta}, slow)},
-        {"p", "filter.particles", "", "10.17", "10.6.3",
-         with_always({kP0, kNine, kDmax, kLength, kRho, kTheta}, fast)},
-    };
-}
-
-/// What the text says of a parameter, for one world or (no world) for all of them.
-struct StatedRange {
-    std::string_view parameter;
-    std::string_view world;
-    WorkingRange range;
-};
-constexpr std::array kRanges{
-    // 10.4.1, world by world.
-    StatedRange{"dmax", "recinto", {0.005, 0.05}},
-    StatedRange{"dmax", "lineamedia", {0.01, 0.02}},
-    StatedRange{"dmax", "bigloop", {0.01, 0.05}},
-    StatedRange{"dmax", "bigloop2", {0.005, 0.05}},
-    StatedRange{"dmax", "complex", {0.01, 0.03}},
-    // 10.4.2 ends with this range for all worlds, and 10.4.6 repeats it.
-    StatedRange{"mlon", "", {0.5, 2.0}},
-    // 10.4.3: from 9 in every world; an upper end only for two of them.
-    StatedRange{"mpuntos", "bigloop", {9, 25}},
-    StatedRange{"mpuntos", "complex", {9, 20}},
-    StatedRange{"mpuntos", "", {9, 30}},
-    // 10.4.5: low values do not touch the error.
-    StatedRange{"es", "", {0.001, 1.0}},
-    // 10.5.2 names both.
-    StatedRange{"sensor_rho", "", {0.001, 0.08}},
-    StatedRange{"sensor_theta", "", {0.0008, 0.001224}},
-    // 10.6.2 ends with this range.
-    StatedRange{"p0", "", {0.001, 1.0}},
-    // 10.6.3: where error and number settle, 100 but for recinto and bigloop.
-    StatedRange{"p", "lineamedia", {100, 500}},
-    StatedRange{"p", "bigloop2", {100, 500}},
-    StatedRange{"p", "complex", {100, 500}},
-    StatedRange{"p", "", {50, 500}},
-};
 
 std::vector<std::string> split(const std::string& line) {
     std::vector<std::string> words(1);
@@ -159,13 +80,24 @@ ThesisFigure make_figure(const Reader& reader, const std::vector<std::string>& w
 
 }  // namespace
 
-std::string ThesisFigure::stem() const {
-    return fmt::format("{}-{}-{}", name.substr(0, name.find('/')), world, table->parameter);
+std::string thesis_stem(const std::string& figure, const std::string& place,
+                        const std::string& parameter) {
+    return fmt::format("{}-{}-{}", figure.substr(0, figure.find('/')), place, parameter);
 }
 
-std::span<const ThesisTable> thesis_tables() {
-    static const std::vector<ThesisTable> tables = make_tables();
-    return tables;
+bool names_thesis(std::string_view word, const std::string& figure, const std::string& place,
+                  const std::string& parameter) {
+    return word == figure || word == place || word == parameter ||
+           word == thesis_stem(figure, place, parameter) ||
+           fmt::format("/{}/", figure).find(fmt::format("/{}/", word)) != std::string::npos;
+}
+
+std::string ThesisFigure::stem() const {
+    return thesis_stem(name, world, table->parameter);
+}
+
+bool ThesisFigure::is_named(std::string_view word) const {
+    return names_thesis(word, name, world, table->parameter);
 }
 
 const ThesisTable& find_thesis_table(std::string_view parameter) {
@@ -177,10 +109,8 @@ const ThesisTable& find_thesis_table(std::string_view parameter) {
 }
 
 WorkingRange working_range(std::string_view parameter, std::string_view world) {
-    for (const StatedRange& stated : kRanges) {
-        if (stated.parameter == parameter && (stated.world.empty() || stated.world == world)) {
-            return stated.range;
-        }
+    for (const auto& [stated, range] : find_thesis_table(parameter).ranges) {
+        if (stated == "any" || stated == world) return range;
     }
     throw ConfigError(std::string(parameter),
                       HITOS_TEXT("Errors", "the thesis says no range for world '%1'"), world);
@@ -188,7 +118,7 @@ WorkingRange working_range(std::string_view parameter, std::string_view world) {
 
 Configuracion thesis_configuration(const ThesisTable& table) {
     Configuracion configuration;
-    for (const std::string_view setting : table.settings) set_parameter(configuration, setting);
+    for (const std::string& setting : table.settings) set_parameter(configuration, setting);
     return configuration;
 }
 

@@ -5,10 +5,12 @@
 #include <set>
 #include <sstream>
 
+#include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/study/study.hpp"
 #include "hitos/workbench/reproduction_maps.hpp"
 #include "hitos/workbench/shipped_data.hpp"
+#include "support.hpp"
 
 namespace hitos {
 namespace {
@@ -96,7 +98,7 @@ TEST(ThesisExperiments, FixedParametersAreThoseOfTheTables) {
 }
 
 TEST(ThesisExperiments, DocumentSaysWhatWasLeftOut) {
-    MapReproductionOptions options;
+    ReproductionOptions options;
     options.only = {"aces"};
     const MapReproduction without = reproduce_maps(options);
     EXPECT_TRUE(without.experiments.empty());
@@ -109,6 +111,31 @@ TEST(ThesisExperiments, DocumentSaysWhatWasLeftOut) {
     EXPECT_THAT(document,
                 HasSubstr("* 10.25-aces-dmax: there is no aces.log.gz with aces.gt.tum.gz.\n"));
     EXPECT_THAT(document, Not(HasSubstr("## Pairs")));
+}
+
+TEST(ThesisExperiments, AreRefusedWithTheirLineWhereTheFileIsWrong) {
+    const test::TempFolder folder;
+    const auto message = [&](const std::string& text) {
+        return test::message_of<FormatError>(
+            [&] { read_thesis_experiments(folder.put("experiments.toml", text)); });
+    };
+    const std::string head = "[[experiment]]\nfigure = \"10.1\"\nparameter = \"p\"\n";
+    const std::string good = head + "world = \"recinto\"\nclaims = [[\"5\", \"\"]]\n";
+    const auto read = read_thesis_experiments(folder.put("good.toml", good + good));
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read.back().key, "filter.particles") << "that of the thesis's table";
+    EXPECT_EQ(read.back().table, "10.17");
+    EXPECT_THAT(message(head), HasSubstr(":1: world: expected this key"));
+    EXPECT_THAT(message(good + "remrak = \"\"\n"),
+                HasSubstr(":6: no such key; expected one of claims, counts, figure"));
+    EXPECT_THAT(message(good + "runs = 1.5\n"), HasSubstr(":6: runs: expected a whole number"));
+    EXPECT_THAT(message(head + "world = \"recinto\"\nclaims = [[\"5\"]]\n"),
+                HasSubstr(":5: claims: expected [[value, says]]"));
+    EXPECT_THAT(message(head + "world = \"recinto\"\nclaims = []\n"),
+                HasSubstr(":5: claims: expected [[value, says]]"));
+    EXPECT_THAT(message("experiment = 3\n"), HasSubstr("experiment: expected a list of tables"));
+    EXPECT_THAT(message(good + "[[table]]\n"), HasSubstr("experiment: expected a list of tables"));
+    EXPECT_THAT(message("[[experiment\n"), HasSubstr("experiments.toml:1: "));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 const std::string kHeader = "figure,map,parameter,value,error_m,error_variance,landmarks\n";
 
 std::vector<ThesisFigure> shipped_figures() {
-    return read_thesis_figures(find_thesis_results());
+    return read_thesis_figures(needed_file("data/results.csv"));
 }
 
 TEST(ThesisFigures, HasEveryRowOfTheChapter) {
