@@ -82,6 +82,16 @@ std::string_view name_in_table(std::string_view key) {
 
 }  // namespace
 
+ParameterFacts declare::facts_of(const WordFacts& facts, ParameterFacts::Type type,
+                                 std::vector<ParameterChoice> choices) {
+    return {.key = facts.key,
+            .label = facts.label,
+            .description = facts.description,
+            .card = facts.card,
+            .choices = std::move(choices),
+            .type = type};
+}
+
 std::vector<ParameterChoice> declare::off_on() {
     return {{"off", HITOS_TEXT("ParameterChoice", "Off")},
             {"on", HITOS_TEXT("ParameterChoice", "On")}};

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,10 +38,10 @@ struct ParameterFacts {
     std::string_view unit = {};         ///< "m", "rad", "m^2", … or empty
     double minimum = 0.0;               ///< numbers: smallest value allowed
     double maximum = 0.0;               ///< numbers: greatest value allowed
-    std::string_view description = {};  ///< translated in the context "Parameter"
     std::string_view label = {};        ///< translated in the context "ParameterLabel"
-    std::string_view symbol = {};       ///< the thesis's: "Dmax"; empty where it has none
+    std::string_view description = {};  ///< translated in the context "Parameter"
     std::string_view card = {};         ///< table of the summary card that shows it, or empty
+    std::string_view symbol = {};       ///< the thesis's: "Dmax"; empty where it has none
     std::vector<ParameterChoice> choices = {};
     Type type = Type::real;  ///< the builders below set it
 
@@ -126,12 +127,27 @@ std::vector<std::string_view> near_keys(std::string_view key,
 
 }  // namespace parameter_detail
 
-/// What tables of parameters are written with.
+/// What tables of parameters are written with: the facts in the order of ParameterFacts, then what
+/// must be so for the parameter to have an effect.
 namespace declare {
+
+template <auto... Members>
+using Conditions =
+    std::vector<typename Parameter<parameter_detail::OwnerOf<Members...>>::Condition>;
+
+/// What is said of a parameter whose values are words, as ParameterFacts has it.
+struct WordFacts {
+    std::string_view key = {};
+    std::string_view label = {};
+    std::string_view description = {};
+    std::string_view card = {};
+};
+ParameterFacts facts_of(const WordFacts& facts, ParameterFacts::Type type,
+                        std::vector<ParameterChoice> choices);
 
 /// A real parameter at the end of pointers to members: real<&LaserParams::sigma_m>({...}).
 template <auto... Members>
-auto real(ParameterFacts facts) {
+auto real(ParameterFacts facts, Conditions<Members...> conditions = {}) {
     using Owner = parameter_detail::OwnerOf<Members...>;
     facts.type = ParameterFacts::Type::real;
     return Parameter<Owner>{std::move(facts),
@@ -139,11 +155,11 @@ auto real(ParameterFacts facts) {
                             [](Owner& o, const ParameterFacts::Value& value) {
                                 parameter_detail::reach<Members...>(o) = std::get<double>(value);
                             },
-                            {}};
+                            std::move(conditions)};
 }
 
 template <auto... Members>
-auto integer(ParameterFacts facts) {
+auto integer(ParameterFacts facts, Conditions<Members...> conditions = {}) {
     using Owner = parameter_detail::OwnerOf<Members...>;
     facts.type = ParameterFacts::Type::integer;
     return Parameter<Owner>{
@@ -155,37 +171,36 @@ auto integer(ParameterFacts facts) {
             parameter_detail::reach<Members...>(o) =
                 static_cast<parameter_detail::Reached<Members...>>(std::get<std::int64_t>(value));
         },
-        {}};
+        std::move(conditions)};
 }
 
 template <auto... Members>
-auto text(ParameterFacts facts) {
+auto text(const WordFacts& facts, Conditions<Members...> conditions = {}) {
     using Owner = parameter_detail::OwnerOf<Members...>;
-    facts.type = ParameterFacts::Type::text;
-    return Parameter<Owner>{std::move(facts),
+    return Parameter<Owner>{facts_of(facts, ParameterFacts::Type::text, {}),
                             [](const Owner& o) { return parameter_detail::reach<Members...>(o); },
                             [](Owner& o, const ParameterFacts::Value& value) {
                                 parameter_detail::reach<Members...>(o) =
                                     std::get<std::string>(value);
                             },
-                            {}};
+                            std::move(conditions)};
 }
 
 /// A choice among words. The member is a string, which holds the word, or an enum or bool, whose
 /// values count the choices from 0.
 template <auto... Members>
-auto choice(ParameterFacts facts) {
+auto choice(const WordFacts& facts, std::vector<ParameterChoice> choices,
+            Conditions<Members...> conditions = {}) {
     using Owner = parameter_detail::OwnerOf<Members...>;
     using Member = parameter_detail::Reached<Members...>;
     if constexpr (std::is_same_v<Member, std::string>) {
-        Parameter<Owner> parameter = text<Members...>(std::move(facts));
+        Parameter<Owner> parameter = text<Members...>(facts, std::move(conditions));
         parameter.type = ParameterFacts::Type::choice;
+        parameter.choices = std::move(choices);
         return parameter;
     } else {
-        facts.type = ParameterFacts::Type::choice;
-        const std::vector<ParameterChoice> choices = facts.choices;
         return Parameter<Owner>{
-            std::move(facts),
+            facts_of(facts, ParameterFacts::Type::choice, choices),
             [choices](const Owner& o) {
                 const auto place = static_cast<std::size_t>(parameter_detail::reach<Members...>(o));
                 // A value out of its enum is a bug of the code that filled the struct; check()
@@ -198,7 +213,7 @@ auto choice(ParameterFacts facts) {
                 parameter_detail::reach<Members...>(o) =
                     static_cast<Member>(found - choices.begin());
             },
-            {}};
+            std::move(conditions)};
     }
 }
 
@@ -225,12 +240,13 @@ typename Parameter<Owner>::Condition where(const Parameter<Owner>& other,
             }};
 }
 
-/// The parameter, with an effect only where all conditions hold.
+/// One table of several.
 template <class Owner>
-Parameter<Owner> used(Parameter<Owner> parameter,
-                      std::vector<typename Parameter<Owner>::Condition> conditions) {
-    parameter.conditions = std::move(conditions);
-    return parameter;
+std::vector<Parameter<Owner>> together(
+    std::initializer_list<std::vector<Parameter<Owner>>> tables) {
+    std::vector<Parameter<Owner>> all;
+    for (const auto& table : tables) all.insert(all.end(), table.begin(), table.end());
+    return all;
 }
 
 }  // namespace declare

@@ -1,6 +1,7 @@
 #include "parameter_table.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "grid/grid_parameters.hpp"
 #include "hitos/base/error.hpp"
@@ -32,182 +33,154 @@ ConfigParameter& at(Table& table, std::string_view key) {
     return *std::ranges::find(table, key, &ConfigParameter::key);
 }
 
+ConfigParameter::Condition of_world() {
+    return {"source.file", "a world (.toml)",
+            [](const Config& configuration) { return is_world_file(configuration.source.file); }};
+}
+
+ConfigParameter::Condition of_log() {
+    return {"source.file", "a log or ROS recording, no world",
+            [](const Config& configuration) { return !is_world_file(configuration.source.file); }};
+}
+
 /// What of a log is wrong or not said, and is put right.
-void add_mended_source(Table& table) {
-    table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::laser_pose>(
-        {.key = "source.laser_pose",
-         .description =
+Table mended_source_entries() {
+    return {
+        text<&Config::source, &SourceParams::read, &ReadOptions::laser_pose>(
+            {"source.laser_pose", HITOS_TEXT("ParameterLabel", "Laser's place"),
              HITOS_TEXT("Parameter",
                         "Where the laser sits on the robot, whatever the log says: x,y,degrees "
                         "(metres ahead, metres to the left, turn to the left), with ,upside-down "
-                        "behind it where it does; empty takes what the log says."),
-         .label = HITOS_TEXT("ParameterLabel", "Laser's place")}));
-    table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::same_frames>(
-        {.key = "source.same_frames",
-         .description = HITOS_TEXT("Parameter",
-                                   "Frames of a ROS recording that are one under two names, as "
-                                   "base_footprint=base_link; several with commas between them."),
-         .label = HITOS_TEXT("ParameterLabel", "Frames that are one")}));
-    table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::min_range_m>(
-        {.key = "source.min_range",
-         .unit = "m",
-         .minimum = 0.0,
-         .maximum = 1000.0,
-         .description = HITOS_TEXT("Parameter",
-                                   "Nearer readings are no points, so a higher value leaves out "
-                                   "more of what may be the robot itself."),
-         .label = HITOS_TEXT("ParameterLabel", "Minimum range")}));
-    table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::ray_time_s>(
-        {.key = "source.ray_time",
-         .unit = "s",
-         .minimum = -1.0,
-         .maximum = 1.0,
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Time from one ray of a scan to the next, by which rays are moved as the robot drives "
-             "on; a higher value moves them further; 0 takes what the log says."),
-         .label = HITOS_TEXT("ParameterLabel", "Time of a ray")}));
-    table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::odometry_scale>(
-        {.key = "source.odometry_scale",
-         .minimum = 0.001,
-         .maximum = 1000.0,
-         .description = HITOS_TEXT(
-             "Parameter",
-             "The odometry's way is taken that many times as long; a higher value lengthens it."),
-         .label = HITOS_TEXT("ParameterLabel", "Odometry scale")}));
-    table.push_back(choice<&Config::source, &SourceParams::read, &ReadOptions::mend>(
-        {.key = "source.mend",
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Whether what is known to be wrong is mended: rays that were measured one after the "
-             "other are moved by the odometry to one time (rays); besides, leaps of the odometry "
-             "that no robot makes are bridged, stamps of too few digits give way to the logger's "
-             "times, and where there is no odometry the scans say how the robot moved (on)."),
-         .label = HITOS_TEXT("ParameterLabel", "Mend"),
-         .choices = {{"off", HITOS_TEXT("ParameterChoice", "Off")},
-                     {"rays", HITOS_TEXT("ParameterChoice", "Rays only")},
-                     {"on", HITOS_TEXT("ParameterChoice", "On")}}}));
+                        "behind it where it does; empty takes what the log says.")},
+            {of_log()}),
+        text<&Config::source, &SourceParams::read, &ReadOptions::same_frames>(
+            {"source.same_frames", HITOS_TEXT("ParameterLabel", "Frames that are one"),
+             HITOS_TEXT("Parameter",
+                        "Frames of a ROS recording that are one under two names, as "
+                        "base_footprint=base_link; several with commas between them.")},
+            {of_log()}),
+        real<&Config::source, &SourceParams::read, &ReadOptions::min_range_m>(
+            {"source.min_range", "m", 0, 1000, HITOS_TEXT("ParameterLabel", "Minimum range"),
+             HITOS_TEXT("Parameter",
+                        "Nearer readings are no points, so a higher value leaves out more of what "
+                        "may be the robot itself.")}),
+        real<&Config::source, &SourceParams::read, &ReadOptions::ray_time_s>(
+            {"source.ray_time", "s", -1, 1, HITOS_TEXT("ParameterLabel", "Time of a ray"),
+             HITOS_TEXT(
+                 "Parameter",
+                 "Time from one ray of a scan to the next, by which rays are moved as the robot "
+                 "drives on; a higher value moves them further; 0 takes what the log says.")},
+            {of_log()}),
+        real<&Config::source, &SourceParams::read, &ReadOptions::odometry_scale>(
+            {"source.odometry_scale", "", 0.001, 1000,
+             HITOS_TEXT("ParameterLabel", "Odometry scale"),
+             HITOS_TEXT("Parameter",
+                        "The odometry's way is taken that many times as long; a higher value "
+                        "lengthens it.")}),
+        choice<&Config::source, &SourceParams::read, &ReadOptions::mend>(
+            {"source.mend", HITOS_TEXT("ParameterLabel", "Mend"),
+             HITOS_TEXT("Parameter",
+                        "Whether what is known to be wrong is mended: rays that were measured one "
+                        "after the other are moved by the odometry to one time (rays); besides, "
+                        "leaps of the odometry that no robot makes are bridged, stamps of too few "
+                        "digits give way to the logger's times, and where there is no odometry the "
+                        "scans say how the robot moved (on).")},
+            {{"off", HITOS_TEXT("ParameterChoice", "Off")},
+             {"rays", HITOS_TEXT("ParameterChoice", "Rays only")},
+             {"on", HITOS_TEXT("ParameterChoice", "On")}}),
+    };
 }
 
-void add_source(Table& table) {
-    table.push_back(text<&Config::source, &SourceParams::file>(
-        {.key = "source.file",
-         .description = HITOS_TEXT(
-             "Parameter", "Path of the log or ROS recording to read; empty where none is chosen."),
-         .label = HITOS_TEXT("ParameterLabel", "Log"),
-         .card = "source"}));
-    table.push_back(choice<&Config::source, &SourceParams::format>(
-        {.key = "source.format",
-         .description =
+Table source_entries() {
+    return {
+        text<&Config::source, &SourceParams::file>(
+            {"source.file", HITOS_TEXT("ParameterLabel", "Log"),
+             HITOS_TEXT("Parameter",
+                        "Path of the log or ROS recording to read; empty where none is chosen."),
+             "source"}),
+        choice<&Config::source, &SourceParams::format>(
+            {"source.format", HITOS_TEXT("ParameterLabel", "Format"),
              HITOS_TEXT("Parameter", "Format of the log; auto finds it from its beginning."),
-         .label = HITOS_TEXT("ParameterLabel", "Format"),
-         .card = "source",
-         .choices = format_choices()}));
-    table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::max_range_m>(
-        {.key = "source.max_range",
-         .unit = "m",
-         .minimum = 0.0,
-         .maximum = 1000.0,
-         .description = HITOS_TEXT("Parameter",
-                                   "Readings at or beyond this range are no points, so a higher "
-                                   "value keeps more far readings; 0 takes what the log says."),
-         .label = HITOS_TEXT("ParameterLabel", "Maximum range")}));
-    table.push_back(choice<&Config::source, &SourceParams::read, &ReadOptions::odometry>(
-        {.key = "source.odometry",
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Whether controls come from the differences of the logged poses, are the logged v and "
-             "omega, or come from the scans alone, as where a log has no odometry."),
-         .label = HITOS_TEXT("ParameterLabel", "Odometry from"),
-         .card = "source",
-         .choices = {{"poses", HITOS_TEXT("ParameterChoice", "Logged poses")},
-                     {"velocities", HITOS_TEXT("ParameterChoice", "Logged velocities")},
-                     {"scans", HITOS_TEXT("ParameterChoice", "Scans")}}}));
-    table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::scan_topic>(
-        {.key = "source.scan_topic",
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Topic of the laser in a ROS recording with several: one, some with commas between "
-             "them, or all. Lasers that see from one place become one; empty takes the only one."),
-         .label = HITOS_TEXT("ParameterLabel", "Laser topic")}));
-    table.push_back(text<&Config::source, &SourceParams::read, &ReadOptions::odom_topic>(
-        {.key = "source.odom_topic",
-         .description =
+             "source"},
+            format_choices()),
+        real<&Config::source, &SourceParams::read, &ReadOptions::max_range_m>(
+            {"source.max_range", "m", 0, 1000, HITOS_TEXT("ParameterLabel", "Maximum range"),
+             HITOS_TEXT("Parameter",
+                        "Readings at or beyond this range are no points, so a higher value keeps "
+                        "more far readings; 0 takes what the log says.")}),
+        choice<&Config::source, &SourceParams::read, &ReadOptions::odometry>(
+            {"source.odometry", HITOS_TEXT("ParameterLabel", "Odometry from"),
+             HITOS_TEXT(
+                 "Parameter",
+                 "Whether controls come from the differences of the logged poses, are the logged v "
+                 "and omega, or come from the scans alone, as where a log has no odometry."),
+             "source"},
+            {{"poses", HITOS_TEXT("ParameterChoice", "Logged poses")},
+             {"velocities", HITOS_TEXT("ParameterChoice", "Logged velocities")},
+             {"scans", HITOS_TEXT("ParameterChoice", "Scans")}}),
+        text<&Config::source, &SourceParams::read, &ReadOptions::scan_topic>(
+            {"source.scan_topic", HITOS_TEXT("ParameterLabel", "Laser topic"),
+             HITOS_TEXT("Parameter",
+                        "Topic of the laser in a ROS recording with several: one, some with commas "
+                        "between them, or all. Lasers that see from one place become one; empty "
+                        "takes the only one.")},
+            {of_log()}),
+        text<&Config::source, &SourceParams::read, &ReadOptions::odom_topic>(
+            {"source.odom_topic", HITOS_TEXT("ParameterLabel", "Odometry topic"),
              HITOS_TEXT("Parameter",
                         "Topic of the odometry in a ROS recording with several, or tf for its "
-                        "transforms; empty takes the only one, else the transforms."),
-         .label = HITOS_TEXT("ParameterLabel", "Odometry topic")}));
-    table.push_back(
+                        "transforms; empty takes the only one, else the transforms.")},
+            {of_log()}),
         choice<&Config::source, &SourceParams::read, &ReadOptions::leave_out_early_scans>(
-            {.key = "source.early_scans",
-             .description = HITOS_TEXT(
-                 "Parameter",
-                 "What becomes of scans before the first odometry reading: they are used as if the "
-                 "robot had stood still until then, or left out. Both are counted."),
-             .label = HITOS_TEXT("ParameterLabel", "Scans before the odometry"),
-             .choices = {{"keep", HITOS_TEXT("ParameterChoice", "Keep, robot at rest")},
-                         {"leave_out", HITOS_TEXT("ParameterChoice", "Leave out")}}}));
-    table.push_back(real<&Config::source, &SourceParams::read, &ReadOptions::scan_delay_s>(
-        {.key = "source.scan_delay",
-         .unit = "s",
-         .minimum = -1e10,
-         .maximum = 1e10,
-         .description = HITOS_TEXT("Parameter",
-                                   "Added to the times of the scans, where the laser's clock is "
-                                   "not the odometry's; hitos-cli check says by how much they "
-                                   "differ. A higher value pairs scans with later odometry."),
-         .label = HITOS_TEXT("ParameterLabel", "Scan delay")}));
-    add_mended_source(table);
-    const ConfigParameter::Condition world{
-        "source.file", "a world (.toml)",
-        [](const Config& configuration) { return is_world_file(configuration.source.file); }};
-    const ConfigParameter::Condition log{
-        "source.file", "a log or ROS recording, no world",
-        [](const Config& configuration) { return !is_world_file(configuration.source.file); }};
-    for (const char* key : {"source.scan_topic", "source.odom_topic", "source.laser_pose",
-                            "source.same_frames", "source.ray_time"}) {
-        at(table, key).conditions.push_back(log);
-    }
-    table.push_back(used(
-        integer<&Config::source, &SourceParams::tour_seed>(
-            {.key = "source.tour_seed",
-             .minimum = 0.0,
-             .maximum = 0x1p63,
-             .description = HITOS_TEXT(
-                 "Parameter",
-                 "Seed of the noise of a world's laser and odometry, so that runs with other seeds "
-                 "drive the same tour; 0 takes what the world says, else the run's seed."),
-             .label = HITOS_TEXT("ParameterLabel", "Tour seed")}),
-        {world}));
-    table.push_back(
-        used(text<&Config::source, &SourceParams::world_set>(
-                 {.key = "source.world_set",
-                  .description = HITOS_TEXT(
-                      "Parameter",
-                      "Changes of a world's values, with spaces between them, e.g. "
-                      "laser.sigma=0.003 tour.laps=2; hitos-cli simulate --help lists the keys."),
-                  .label = HITOS_TEXT("ParameterLabel", "World values")}),
-             {world}));
+            {"source.early_scans", HITOS_TEXT("ParameterLabel", "Scans before the odometry"),
+             HITOS_TEXT("Parameter",
+                        "What becomes of scans before the first odometry reading: they are used as "
+                        "if the robot had stood still until then, or left out. Both are counted.")},
+            {{"keep", HITOS_TEXT("ParameterChoice", "Keep, robot at rest")},
+             {"leave_out", HITOS_TEXT("ParameterChoice", "Leave out")}}),
+        real<&Config::source, &SourceParams::read, &ReadOptions::scan_delay_s>(
+            {"source.scan_delay", "s", -1e10, 1e10, HITOS_TEXT("ParameterLabel", "Scan delay"),
+             HITOS_TEXT("Parameter",
+                        "Added to the times of the scans, where the laser's clock is not the "
+                        "odometry's; hitos-cli check says by how much they differ. A higher value "
+                        "pairs scans with later odometry.")}),
+    };
 }
 
-void add_run(Table& table) {
-    table.push_back(integer<&Config::run, &RunParams::seed>(
-        {.key = "run.seed",
-         .minimum = 0.0,
-         .maximum = 0x1p63,
-         .description = HITOS_TEXT(
-             "Parameter",
-             "Seed of all random numbers; the same seed gives the same result to the last bit."),
-         .label = HITOS_TEXT("ParameterLabel", "Seed"),
-         .card = "filter"}));
-    table.push_back(integer<&Config::run, &RunParams::threads>(
-        {.key = "run.threads",
-         .minimum = 0.0,
-         .maximum = 256.0,
-         .description = HITOS_TEXT("Parameter",
-                                   "Number of threads, which changes the time and never the "
-                                   "result; 0 uses as many as the machine has."),
-         .label = HITOS_TEXT("ParameterLabel", "Threads")}));
+/// What of a world is run as another.
+Table world_source_entries() {
+    return {
+        integer<&Config::source, &SourceParams::tour_seed>(
+            {"source.tour_seed", "", 0, 0x1p63, HITOS_TEXT("ParameterLabel", "Tour seed"),
+             HITOS_TEXT(
+                 "Parameter",
+                 "Seed of the noise of a world's laser and odometry, so that runs with other seeds "
+                 "drive the same tour; 0 takes what the world says, else the run's seed.")},
+            {of_world()}),
+        text<&Config::source, &SourceParams::world_set>(
+            {"source.world_set", HITOS_TEXT("ParameterLabel", "World values"),
+             HITOS_TEXT(
+                 "Parameter",
+                 "Changes of a world's values, with spaces between them, e.g. laser.sigma=0.003 "
+                 "tour.laps=2; hitos-cli simulate --help lists the keys.")},
+            {of_world()}),
+    };
+}
+
+Table run_entries() {
+    return {
+        integer<&Config::run, &RunParams::seed>(
+            {"run.seed", "", 0, 0x1p63, HITOS_TEXT("ParameterLabel", "Seed"),
+             HITOS_TEXT("Parameter",
+                        "Seed of all random numbers; the same seed gives the same result to the "
+                        "last bit."),
+             "filter"}),
+        integer<&Config::run, &RunParams::threads>(
+            {"run.threads", "", 0, 256, HITOS_TEXT("ParameterLabel", "Threads"),
+             HITOS_TEXT("Parameter",
+                        "Number of threads, which changes the time and never the result; 0 uses as "
+                        "many as the machine has.")}),
+    };
 }
 
 template <class Part>
@@ -256,13 +229,12 @@ std::size_t rank(std::string_view table) {
 }  // namespace
 
 std::vector<ConfigParameter> make_parameter_table() {
-    Table table;
-    add_source(table);
+    Table table = together({source_entries(), mended_source_entries(), world_source_entries()});
     add_lifted(table, filter_parameters(), &Config::filter);
     add_lifted(table, registration_parameters(), &Config::registration);
     add_lifted(table, extraction_parameters(), &Config::extraction);
     add_lifted(table, grid_parameters(), &Config::grid);
-    add_run(table);
+    std::ranges::copy(run_entries(), std::back_inserter(table));
     join_layers(table);
     require_known(table, slam_algorithms());
     require_known(table, proposals());

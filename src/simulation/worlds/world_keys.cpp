@@ -22,7 +22,6 @@ using Laser = LaserParams;
 using Raster = RasterParams;
 using Odometry = OdometryParams;
 
-/// Key, unit, least, greatest, meaning, label.
 std::vector<WorldKey> make_keys() {
     const std::vector<ParameterChoice> yes_no = {{"false", HITOS_TEXT("ParameterChoice", "no")},
                                                  {"true", HITOS_TEXT("ParameterChoice", "yes")}};
@@ -33,150 +32,122 @@ std::vector<WorldKey> make_keys() {
     }
     return {
         integer<&W::seed>(
-            {"seed", "", 0, 0x1p53,
+            {"seed", "", 0, 0x1p53, HITOS_TEXT("ParameterLabel", "Seed of the noise"),
              HITOS_TEXT("Parameter",
-                        "seed of the laser's and the odometry's noise; 0: that of the run"),
-             HITOS_TEXT("ParameterLabel", "Seed of the noise")}),
+                        "seed of the laser's and the odometry's noise; 0: that of the run")}),
         integer<&W::tour, &Tour::laps>(
-            {"tour.laps", "", 1, 1000,
-             HITOS_TEXT("Parameter", "how often the way points are driven, end to end"),
-             HITOS_TEXT("ParameterLabel", "Laps")}),
+            {"tour.laps", "", 1, 1000, HITOS_TEXT("ParameterLabel", "Laps"),
+             HITOS_TEXT("Parameter", "how often the way points are driven, end to end")}),
         real<&W::tour, &Tour::rest_s>(
-            {"tour.rest", "s", 0, 3600,
-             HITOS_TEXT("Parameter", "time at rest before the robot leaves"),
-             HITOS_TEXT("ParameterLabel", "Rest at first")}),
+            {"tour.rest", "s", 0, 3600, HITOS_TEXT("ParameterLabel", "Rest at first"),
+             HITOS_TEXT("Parameter", "time at rest before the robot leaves")}),
         choice<&W::tour, &Tour::look_around>(
-            {.key = "tour.look_around",
-             .description = HITOS_TEXT("Parameter", "turn once round on the spot before leaving"),
-             .label = HITOS_TEXT("ParameterLabel", "Look around first"),
-             .choices = yes_no}),
+            {"tour.look_around", HITOS_TEXT("ParameterLabel", "Look around first"),
+             HITOS_TEXT("Parameter", "turn once round on the spot before leaving")},
+            yes_no),
         choice<&W::tour, &Tour::reverse>(
-            {.key = "tour.reverse",
-             .description =
-                 HITOS_TEXT("Parameter", "the way points backwards, the last one still last"),
-             .label = HITOS_TEXT("ParameterLabel", "Backwards"),
-             .choices = yes_no}),
+            {"tour.reverse", HITOS_TEXT("ParameterLabel", "Backwards"),
+             HITOS_TEXT("Parameter", "the way points backwards, the last one still last")},
+            yes_no),
         real<&W::robot, &Robot::radius_m>(
-            {"robot.radius", "m", 0, 10,
-             HITOS_TEXT("Parameter", "no wall may come nearer to the robot's centre"),
-             HITOS_TEXT("ParameterLabel", "Radius")}),
+            {"robot.radius", "m", 0, 10, HITOS_TEXT("ParameterLabel", "Radius"),
+             HITOS_TEXT("Parameter", "no wall may come nearer to the robot's centre")}),
         real<&W::robot, &Robot::max_speed>({"robot.max_speed", "m/s", 0.01, 10,
-                                            HITOS_TEXT("Parameter", "greatest speed"),
-                                            HITOS_TEXT("ParameterLabel", "Greatest speed")}),
-        real<&W::robot, &Robot::acceleration>({"robot.acceleration", "m/s^2", 0.01, 100,
-                                               HITOS_TEXT("Parameter", "greatest change of speed"),
-                                               HITOS_TEXT("ParameterLabel", "Acceleration")}),
-        real<&W::robot, &Robot::max_turn_rate>(
-            {"robot.max_turn_rate", "rad/s", 0.01, 10,
-             HITOS_TEXT("Parameter", "greatest turn rate"),
-             HITOS_TEXT("ParameterLabel", "Greatest turn rate")}),
+                                            HITOS_TEXT("ParameterLabel", "Greatest speed"),
+                                            HITOS_TEXT("Parameter", "greatest speed")}),
+        real<&W::robot, &Robot::acceleration>(
+            {"robot.acceleration", "m/s^2", 0.01, 100, HITOS_TEXT("ParameterLabel", "Acceleration"),
+             HITOS_TEXT("Parameter", "greatest change of speed")}),
+        real<&W::robot, &Robot::max_turn_rate>({"robot.max_turn_rate", "rad/s", 0.01, 10,
+                                                HITOS_TEXT("ParameterLabel", "Greatest turn rate"),
+                                                HITOS_TEXT("Parameter", "greatest turn rate")}),
         real<&W::robot, &Robot::turn_acceleration>(
             {"robot.turn_acceleration", "rad/s^2", 0.01, 100,
-             HITOS_TEXT("Parameter", "greatest change of the turn rate"),
-             HITOS_TEXT("ParameterLabel", "Turn acceleration")}),
+             HITOS_TEXT("ParameterLabel", "Turn acceleration"),
+             HITOS_TEXT("Parameter", "greatest change of the turn rate")}),
         real<&W::robot, &Robot::tolerance_m>(
-            {"robot.tolerance", "m", 0.01, 10,
-             HITOS_TEXT("Parameter", "every way point is passed at least this near"),
-             HITOS_TEXT("ParameterLabel", "Tolerance")}),
+            {"robot.tolerance", "m", 0.01, 10, HITOS_TEXT("ParameterLabel", "Tolerance"),
+             HITOS_TEXT("Parameter", "every way point is passed at least this near")}),
         real<&W::robot, &Robot::control_rate_hz>(
-            {"robot.control_rate", "Hz", 1, 1000,
-             HITOS_TEXT("Parameter", "how often the robot's velocities are set anew"),
-             HITOS_TEXT("ParameterLabel", "Control rate")}),
+            {"robot.control_rate", "Hz", 1, 1000, HITOS_TEXT("ParameterLabel", "Control rate"),
+             HITOS_TEXT("Parameter", "how often the robot's velocities are set anew")}),
         real<&W::robot, &Robot::track_m>(
-            {"robot.track", "m", 0.01, 10,
-             HITOS_TEXT("Parameter", "between the wheels; of a robot whose wheel slips"),
-             HITOS_TEXT("ParameterLabel", "Track")}),
+            {"robot.track", "m", 0.01, 10, HITOS_TEXT("ParameterLabel", "Track"),
+             HITOS_TEXT("Parameter", "between the wheels; of a robot whose wheel slips")}),
         integer<&W::laser, &Laser::rays>({"laser.rays", "", 2, 100000,
-                                          HITOS_TEXT("Parameter", "rays of a scan"),
-                                          HITOS_TEXT("ParameterLabel", "Rays")}),
+                                          HITOS_TEXT("ParameterLabel", "Rays"),
+                                          HITOS_TEXT("Parameter", "rays of a scan")}),
         real<&W::laser, &Laser::field_of_view_deg>(
             {"laser.field_of_view", "degrees", 1, 360,
-             HITOS_TEXT("Parameter", "from the first ray to the last"),
-             HITOS_TEXT("ParameterLabel", "Field of view")}),
+             HITOS_TEXT("ParameterLabel", "Field of view"),
+             HITOS_TEXT("Parameter", "from the first ray to the last")}),
         real<&W::laser, &Laser::fan_turn_deg>(
-            {"laser.fan_turn", "degrees", -360, 360,
+            {"laser.fan_turn", "degrees", -360, 360, HITOS_TEXT("ParameterLabel", "Fan turned"),
              HITOS_TEXT("Parameter",
                         "how far the fan is turned to the left in the laser's frame, which has it "
-                        "straight ahead where this is 0"),
-             HITOS_TEXT("ParameterLabel", "Fan turned")}),
+                        "straight ahead where this is 0")}),
         choice<&W::laser, &Laser::clockwise>(
-            {.key = "laser.clockwise",
-             .description = HITOS_TEXT("Parameter", "the rays follow each other to the right"),
-             .label = HITOS_TEXT("ParameterLabel", "Clockwise"),
-             .choices = yes_no}),
+            {"laser.clockwise", HITOS_TEXT("ParameterLabel", "Clockwise"),
+             HITOS_TEXT("Parameter", "the rays follow each other to the right")},
+            yes_no),
         real<&W::laser, &Laser::max_range_m>(
-            {"laser.max_range", "m", 0.1, 1000,
-             HITOS_TEXT("Parameter", "walls further away give no reading"),
-             HITOS_TEXT("ParameterLabel", "Greatest range")}),
-        real<&W::laser, &Laser::sigma_m>({"laser.sigma", "m", 0, 1,
-                                          HITOS_TEXT("Parameter", "standard deviation of a range"),
-                                          HITOS_TEXT("ParameterLabel", "σ range")}),
+            {"laser.max_range", "m", 0.1, 1000, HITOS_TEXT("ParameterLabel", "Greatest range"),
+             HITOS_TEXT("Parameter", "walls further away give no reading")}),
+        real<&W::laser, &Laser::sigma_m>(
+            {"laser.sigma", "m", 0, 1, HITOS_TEXT("ParameterLabel", "σ range"),
+             HITOS_TEXT("Parameter", "standard deviation of a range")}),
         real<&W::laser, &Laser::rate_hz>({"laser.rate", "Hz", 0.01, 1000,
-                                          HITOS_TEXT("Parameter", "scans per second"),
-                                          HITOS_TEXT("ParameterLabel", "Scans")}),
+                                          HITOS_TEXT("ParameterLabel", "Scans"),
+                                          HITOS_TEXT("Parameter", "scans per second")}),
         choice<&W::laser, &Laser::sweep>(
-            {.key = "laser.sweep",
-             .description = HITOS_TEXT("Parameter",
-                                       "the rays of a scan are measured one after the other while "
-                                       "the robot drives on, a whole turn from scan to scan"),
-             .label = HITOS_TEXT("ParameterLabel", "Rays one by one"),
-             .choices = off_on()}),
+            {"laser.sweep", HITOS_TEXT("ParameterLabel", "Rays one by one"),
+             HITOS_TEXT("Parameter",
+                        "the rays of a scan are measured one after the other while the robot "
+                        "drives on, a whole turn from scan to scan")},
+            off_on()),
         real<&W::laser, &Laser::mount_x_m>(
-            {"laser.mount_x", "m", -10, 10,
-             HITOS_TEXT("Parameter", "the laser's place, ahead of the robot's centre"),
-             HITOS_TEXT("ParameterLabel", "Mounted ahead")}),
+            {"laser.mount_x", "m", -10, 10, HITOS_TEXT("ParameterLabel", "Mounted ahead"),
+             HITOS_TEXT("Parameter", "the laser's place, ahead of the robot's centre")}),
         real<&W::laser, &Laser::mount_y_m>(
-            {"laser.mount_y", "m", -10, 10,
-             HITOS_TEXT("Parameter", "the laser's place, left of the robot's centre"),
-             HITOS_TEXT("ParameterLabel", "Mounted left")}),
+            {"laser.mount_y", "m", -10, 10, HITOS_TEXT("ParameterLabel", "Mounted left"),
+             HITOS_TEXT("Parameter", "the laser's place, left of the robot's centre")}),
         real<&W::laser, &Laser::mount_heading_deg>(
             {"laser.mount_heading", "degrees", -180, 180,
-             HITOS_TEXT("Parameter", "the laser's heading, left of the robot's"),
-             HITOS_TEXT("ParameterLabel", "Mounted turned")}),
+             HITOS_TEXT("ParameterLabel", "Mounted turned"),
+             HITOS_TEXT("Parameter", "the laser's heading, left of the robot's")}),
         choice<&W::laser, &Laser::no_return>(
-            {.key = "laser.no_return",
-             .description = HITOS_TEXT(
-                 "Parameter",
-                 "what a ray gives that meets no wall: nothing, or a point at max_range"),
-             .label = HITOS_TEXT("ParameterLabel", "No return"),
-             .choices = {{"none", HITOS_TEXT("ParameterChoice", "no point")},
-                         {"max-range", HITOS_TEXT("ParameterChoice", "greatest range")}}}),
+            {"laser.no_return", HITOS_TEXT("ParameterLabel", "No return"),
+             HITOS_TEXT("Parameter",
+                        "what a ray gives that meets no wall: nothing, or a point at max_range")},
+            {{"none", HITOS_TEXT("ParameterChoice", "no point")},
+             {"max-range", HITOS_TEXT("ParameterChoice", "greatest range")}}),
         real<&W::raster, &Raster::cell_m>(
-            {"raster.cell", "m", 0, 1,
-             HITOS_TEXT("Parameter", "cells in which the laser sees the walls; 0: none"),
-             HITOS_TEXT("ParameterLabel", "Cell")}),
+            {"raster.cell", "m", 0, 1, HITOS_TEXT("ParameterLabel", "Cell"),
+             HITOS_TEXT("Parameter", "cells in which the laser sees the walls; 0: none")}),
         real<&W::raster, &Raster::wall_m>(
-            {"raster.wall", "m", 0, 1,
-             HITOS_TEXT("Parameter", "how thick the walls are drawn into the cells"),
-             HITOS_TEXT("ParameterLabel", "Wall")}),
+            {"raster.wall", "m", 0, 1, HITOS_TEXT("ParameterLabel", "Wall"),
+             HITOS_TEXT("Parameter", "how thick the walls are drawn into the cells")}),
         choice<&W::raster, &Raster::fit>(
-            {.key = "raster.fit",
-             .description =
-                 HITOS_TEXT("Parameter",
-                            "shrink the drawing until the thick walls end at the outermost lines"),
-             .label = HITOS_TEXT("ParameterLabel", "Fit"),
-             .choices = yes_no}),
+            {"raster.fit", HITOS_TEXT("ParameterLabel", "Fit"),
+             HITOS_TEXT("Parameter",
+                        "shrink the drawing until the thick walls end at the outermost lines")},
+            yes_no),
         choice<&W::raster, &Raster::ranges>(
-            {.key = "raster.ranges",
-             .description = HITOS_TEXT(
-                 "Parameter",
-                 "to the edge of the cell that is hit, or in whole cells as Stage counts"),
-             .label = HITOS_TEXT("ParameterLabel", "Ranges"),
-             .choices = {{"exact", HITOS_TEXT("ParameterChoice", "to the edge")},
-                         {"whole-cells", HITOS_TEXT("ParameterChoice", "in whole cells")}}}),
+            {"raster.ranges", HITOS_TEXT("ParameterLabel", "Ranges"),
+             HITOS_TEXT("Parameter",
+                        "to the edge of the cell that is hit, or in whole cells as Stage counts")},
+            {{"exact", HITOS_TEXT("ParameterChoice", "to the edge")},
+             {"whole-cells", HITOS_TEXT("ParameterChoice", "in whole cells")}}),
         real<&W::odometry, &Odometry::rate_hz>(
-            {"odometry.rate", "Hz", 0.01, 1000,
-             HITOS_TEXT("Parameter", "odometry readings per second"),
-             HITOS_TEXT("ParameterLabel", "Readings")}),
+            {"odometry.rate", "Hz", 0.01, 1000, HITOS_TEXT("ParameterLabel", "Readings"),
+             HITOS_TEXT("Parameter", "odometry readings per second")}),
         real<&W::odometry, &Odometry::noise>(
-            {"odometry.noise", "", 0, 10,
-             HITOS_TEXT("Parameter", "level of the noise on v and w of each reading"),
-             HITOS_TEXT("ParameterLabel", "Noise")}),
+            {"odometry.noise", "", 0, 10, HITOS_TEXT("ParameterLabel", "Noise"),
+             HITOS_TEXT("Parameter", "level of the noise on v and w of each reading")}),
         choice<&W::odometry, &Odometry::noise_kind>(
-            {.key = "odometry.noise_kind",
-             .description = HITOS_TEXT("Parameter", "sigma = level |v|, or variance = level |v|"),
-             .label = HITOS_TEXT("ParameterLabel", "Kind of noise"),
-             .choices = kinds}),
+            {"odometry.noise_kind", HITOS_TEXT("ParameterLabel", "Kind of noise"),
+             HITOS_TEXT("Parameter", "sigma = level |v|, or variance = level |v|")},
+            kinds),
     };
 }
 

@@ -9,11 +9,11 @@ namespace hitos {
 
 using FilterTable = std::vector<Parameter<FilterParams>>;
 
-/// Bounded lines, exclusion and hypotheses, at the end of the table "association".
-void add_bounded_association(FilterTable& table);
+/// Bounded lines, exclusion and hypotheses: the end of the table "association".
+FilterTable bounded_association_entries();
 /// Which landmarks stay.
-void add_landmarks(FilterTable& table);
+FilterTable landmark_entries();
 /// The motion model "registered".
-void add_registered_motion(FilterTable& table);
+FilterTable registered_motion_entries();
 
 }  // namespace hitos

@@ -37,15 +37,15 @@ const Registry<RegistryEntry>& tyres() {
 }
 
 std::vector<Parameter<Wheel>> make_wheel() {
-    std::vector<Parameter<Wheel>> table;
-    table.push_back(real<&Wheel::radius_m>({.key = "wheel.radius", .unit = "m", .maximum = 2.0}));
-    table.push_back(integer<&Wheel::spokes>({.key = "wheel.spokes", .minimum = 3, .maximum = 40}));
-    const auto shape = choice<&Wheel::shape>(
-        {.key = "wheel.shape", .choices = {{"round", "Round"}, {"square", "Square"}}});
-    table.push_back(shape);
-    table.push_back(choice<&Wheel::tyre>({.key = "wheel.tyre", .choices = choices_of(tyres())}));
-    table.push_back(used(real<&Wheel::pressure_bar>({.key = "wheel.pressure", .maximum = 9.0}),
-                         {where(shape, {"round"})}));
+    const auto shape =
+        choice<&Wheel::shape>({.key = "wheel.shape"}, {{"round", "Round"}, {"square", "Square"}});
+    std::vector<Parameter<Wheel>> table = together<Wheel>({
+        {real<&Wheel::radius_m>({.key = "wheel.radius", .unit = "m", .maximum = 2.0}),
+         integer<&Wheel::spokes>({.key = "wheel.spokes", .minimum = 3, .maximum = 40}), shape},
+        {choice<&Wheel::tyre>({.key = "wheel.tyre"}, choices_of(tyres())),
+         real<&Wheel::pressure_bar>({.key = "wheel.pressure", .maximum = 9.0},
+                                    {where(shape, {"round"})})},
+    });
     heed_readers(table, "wheel.tyre", tyres());
     return table;
 }
