@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "hitos/base/random_stream.hpp"
 
@@ -29,6 +31,20 @@ class CumulatedWeights {
     std::size_t i_ = 0;
     double cumulated_;
 };
+
+/// A draw from each M-th part of the weights: draw(), in [0, 1), says where in its part.
+template <class Draw>
+void select_from_parts(std::span<const double> weights, Draw draw,
+                       std::vector<std::uint32_t>& selected) {
+    const std::size_t count = weights.size();
+    selected.resize(count);
+    const double spacing = 1.0 / static_cast<double>(count);
+    const auto weight = [&](std::size_t i) { return weights[i]; };
+    CumulatedWeights walk(count, weight);
+    for (std::size_t m = 0; m < count; ++m) {
+        selected[m] = walk.at((draw() + static_cast<double>(m)) * spacing);
+    }
+}
 
 /// n independent uniform draws in (0, 1) in ascending order, one after the other: the least of n is
 /// distributed as 1 - u^(1/n), and the others are uniform in what it leaves (Bentley and Saxe,

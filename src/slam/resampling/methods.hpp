@@ -6,6 +6,11 @@
 
 namespace hitos {
 
+using Selection = void (*)(std::span<const double> weights, RandomStream& random,
+                           std::vector<std::uint32_t>& selected);
+/// The entry of a method that is this function and reads no parameters.
+ResamplingMethodEntry selecting(RegistryEntry words, Selection selection);
+
 ResamplingMethodEntry low_variance_resampling();
 ResamplingMethodEntry stratified_resampling();
 ResamplingMethodEntry residual_resampling();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "hitos/base/vectorised.hpp"
 #include "methods.hpp"
@@ -20,7 +21,25 @@ HITOS_INLINE void exponentials(const double* logs, double greatest, std::size_t 
     }
 }
 
+class Selecting final : public ResamplingMethod {
+  public:
+    explicit Selecting(Selection selection) : selection_(selection) {}
+    void select(std::span<const double> weights, RandomStream& random,
+                std::vector<std::uint32_t>& selected) const override {
+        selection_(weights, random, selected);
+    }
+
+  private:
+    Selection selection_;
+};
+
 }  // namespace
+
+ResamplingMethodEntry selecting(RegistryEntry words, Selection selection) {
+    return {std::move(words), [selection](const ResamplingParams&) {
+                return std::make_unique<Selecting>(selection);
+            }};
+}
 
 void normalize_log_weights(std::span<const double> log_weights, std::vector<double>& weights) {
     weights.resize(log_weights.size());

@@ -41,10 +41,6 @@ std::string mean(const std::optional<Spread>& spread, int decimals) {
     return spread ? fmt::format("{:.{}f}", spread->mean, decimals) : "";
 }
 
-std::string number(const std::optional<double>& value, int decimals) {
-    return value ? fmt::format("{:.{}f}", *value, decimals) : "";
-}
-
 /// "0.003" of "0.003/0.003".
 std::string shown(std::string_view value) {
     const std::size_t slash = value.find('/');
@@ -103,7 +99,7 @@ std::string experiment_text(const ReproducedExperiment& experiment, const std::s
         text += "| odometry alone |";
         for (int i = 0; i < columns - 3; ++i) text += " |";
         text += fmt::format(" {} | {} |\n", mean(experiment.cells.front().odometry_error_m, 3),
-                            number(experiment.odometry_blur_m2, 1));
+                            text_or(experiment.odometry_blur_m2, "{:.1f}", ""));
     }
     if (!thesis.remark.empty()) text += fmt::format("\n{}\n", thesis.remark);
     if (thesis.show == ThesisExperiment::Show::maps) {
@@ -127,11 +123,11 @@ std::string pairs_text(const MapReproduction& reproduction, const std::string& s
         if (!is_pair(experiment)) continue;
         const ThesisExperiment& thesis = *experiment.thesis;
         const StudyCell& cell = experiment.cells.front();
-        rows += fmt::format("| [{}]({}/{}.png) | {} | {} = {} | {} | {} | {} | {} | {} |\n",
-                            thesis.figure, sheets, thesis.stem(), thesis.name, thesis.parameter,
-                            thesis.claims.front().value, mean(cell.error_m, 3),
-                            mean(cell.trajectory_error_m, 3), mean(cell.odometry_error_m, 3),
-                            mean(cell.blur_m2, 1), number(experiment.odometry_blur_m2, 1));
+        rows += fmt::format(
+            "| [{}]({}/{}.png) | {} | {} = {} | {} | {} | {} | {} | {} |\n", thesis.figure, sheets,
+            thesis.stem(), thesis.name, thesis.parameter, thesis.claims.front().value,
+            mean(cell.error_m, 3), mean(cell.trajectory_error_m, 3), mean(cell.odometry_error_m, 3),
+            mean(cell.blur_m2, 1), text_or(experiment.odometry_blur_m2, "{:.1f}", ""));
     }
     if (rows.empty()) return "";
     return "## Pairs: the best particle's map and the odometry's\n\n"
@@ -184,10 +180,6 @@ std::string sections(const MapReproduction& reproduction, const std::string& she
     return text.empty() ? "" : fmt::format("## {}\n\n{}", title, text);
 }
 
-std::string csv_of(const std::optional<double>& value) {
-    return value ? fmt::format("{}", *value) : "";
-}
-
 }  // namespace
 
 std::string map_reproduction_csv(const MapReproduction& reproduction) {
@@ -198,13 +190,14 @@ std::string map_reproduction_csv(const MapReproduction& reproduction) {
         const ThesisExperiment& thesis = *experiment.thesis;
         for (std::size_t run = 0; run < experiment.records.size(); ++run) {
             const StudyRecord& record = experiment.records[run];
-            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", thesis.figure,
-                                thesis.name, thesis.parameter,
-                                shown(thesis.claims[experiment.plan.cell_of(run)].value),
-                                experiment.plan.seed_of(run), record.ok ? "ok" : "failed",
-                                csv_of(record.error_m), record.lines, record.corners,
-                                csv_of(record.trajectory_error_m), csv_of(record.odometry_error_m),
-                                csv_of(record.blur_m2), csv_of(experiment.odometry_blur_m2));
+            text += fmt::format(
+                "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", thesis.figure, thesis.name,
+                thesis.parameter, shown(thesis.claims[experiment.plan.cell_of(run)].value),
+                experiment.plan.seed_of(run), record.ok ? "ok" : "failed",
+                text_or(record.error_m, "{}", ""), record.lines, record.corners,
+                text_or(record.trajectory_error_m, "{}", ""),
+                text_or(record.odometry_error_m, "{}", ""), text_or(record.blur_m2, "{}", ""),
+                text_or(experiment.odometry_blur_m2, "{}", ""));
         }
     }
     return text;

@@ -71,6 +71,11 @@ std::vector<StudyOutcome> run_as_one(const std::vector<Study>& studies,
     return outcomes;
 }
 
+std::string text_or(const std::optional<double>& number, const char* format,
+                    const char* otherwise) {
+    return number ? fmt::format(fmt::runtime(format), *number) : otherwise;
+}
+
 void write_with_pictures(const fs::path& document, const fs::path& pictures,
                          const std::vector<std::string>& stems,
                          const std::function<std::string(const std::string&)>& text) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ Reading whole_reading(const ReproductionOptions& options);
 /// stopped writers left there and in its folder of pictures.
 std::vector<StudyOutcome> run_as_one(const std::vector<Study>& studies,
                                      const ReproductionOptions& options, const char* pictures);
+
+/// The number in that format, where there is one.
+std::string text_or(const std::optional<double>& number, const char* format, const char* otherwise);
 
 /// Writes the document, and beside it, in a folder of its stem, those of the pictures that are
 /// there; `text` is given the folder as the document names it.

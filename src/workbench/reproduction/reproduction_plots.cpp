@@ -7,16 +7,12 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/drawing/gnuplot.hpp"
-#include "hitos/workbench/reproduction.hpp"
+#include "reproduction_parts.hpp"
 
 namespace hitos {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string number_or_gap(const std::optional<double>& value) {
-    return value ? fmt::format("{:.6g}", *value) : "NaN";
-}
 
 std::string data_text(const ReproducedFigure& figure) {
     std::string text =
@@ -26,11 +22,11 @@ std::string data_text(const ReproducedFigure& figure) {
         return fmt::format("{:.6g}", std::sqrt(spread.variance.value_or(0.0)));
     };
     for (const ReproducedRow& row : figure.rows) {
-        text += fmt::format("{} {} {} {}", row.thesis.value, number_or_gap(row.thesis.error_m),
-                            row.thesis.error_m
-                                ? fmt::format("{:.6g}", std::sqrt(row.thesis.error_variance))
-                                : "NaN",
-                            row.thesis.landmarks);
+        text += fmt::format(
+            "{} {} {} {}", row.thesis.value, text_or(row.thesis.error_m, "{:.6g}", "NaN"),
+            row.thesis.error_m ? fmt::format("{:.6g}", std::sqrt(row.thesis.error_variance))
+                               : "NaN",
+            row.thesis.landmarks);
         for (const auto& spread : {row.error_m, row.landmarks}) {
             text += spread ? fmt::format(" {:.6g} {} {:.6g} {:.6g}", spread->mean, sd(*spread),
                                          spread->minimum, spread->maximum)

@@ -14,10 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string exact(const std::optional<double>& value) {
-    return value ? fmt::format("{}", *value) : "inf";
-}
-
 std::string misses_text(const Reproduction& reproduction) {
     struct Miss {
         double excess = 0.0;
@@ -50,24 +46,19 @@ std::string misses_text(const Reproduction& reproduction) {
     return text + (outside.empty() ? "* none.\n" : outside) + "\n";
 }
 
-std::string error_text(const std::optional<double>& value) {
-    return value ? fmt::format("{:.3f}", *value) : "∞";
-}
-
 std::string row_text(const ReproducedRow& row) {
     const std::string value =
         row.in_range ? fmt::format("**{}**", row.thesis.value) : row.thesis.value;
     std::string ours = "∞ | |";
     if (row.error_m) {
-        ours =
-            fmt::format("{:.3f} | {} |", row.error_m->mean,
-                        row.error_m->variance ? fmt::format("{:.4f}", *row.error_m->variance) : "");
+        ours = fmt::format("{:.3f} | {} |", row.error_m->mean,
+                           text_or(row.error_m->variance, "{:.4f}", ""));
     }
     std::string words = row.verdict.words;
     if (row.bare > 0 && row.error_m) words += fmt::format("; {} runs without landmarks", row.bare);
     if (row.failed > 0) words += fmt::format("; {} runs failed", row.failed);
     return fmt::format("| {} | {} | {:.4f} | {:.1f} | {} {} | {} | {} |\n", value,
-                       error_text(row.thesis.error_m), row.thesis.error_variance,
+                       text_or(row.thesis.error_m, "{:.3f}", "∞"), row.thesis.error_variance,
                        row.thesis.landmarks, ours,
                        row.landmarks ? fmt::format("{:.1f}", row.landmarks->mean) : "",
                        row.verdict.difference, words);
@@ -102,12 +93,12 @@ std::string reproduction_csv(const Reproduction& reproduction) {
             const auto& error = row.error_m;
             text += fmt::format("{},{},{},{},{},{},{},", figure.thesis.name, figure.thesis.world,
                                 figure.thesis.table->parameter, row.thesis.value,
-                                exact(row.thesis.error_m), row.thesis.error_variance,
+                                text_or(row.thesis.error_m, "{}", "inf"), row.thesis.error_variance,
                                 row.thesis.landmarks);
-            text += error ? fmt::format("{},{},{},{},", error->mean,
-                                        error->variance ? fmt::format("{}", *error->variance) : "",
-                                        error->minimum, error->maximum)
-                          : std::string(row.finished > 0 ? "inf,,,," : ",,,,");
+            text +=
+                error ? fmt::format("{},{},{},{},", error->mean, text_or(error->variance, "{}", ""),
+                                    error->minimum, error->maximum)
+                      : std::string(row.finished > 0 ? "inf,,,," : ",,,,");
             const auto yes_no = [](bool value) { return value ? "yes" : "no"; };
             text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n",
                                 row.landmarks ? fmt::format("{}", row.landmarks->mean) : "",

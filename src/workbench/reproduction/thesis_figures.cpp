@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <fstream>
-
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 
 namespace hitos {
 namespace {
@@ -15,7 +11,8 @@ namespace {
 constexpr std::string_view kHeader = "figure,map,parameter,value,error_m,error_variance,landmarks";
 constexpr std::size_t kColumns = 7;
 
-std::vector<std::string> split(const std::string& line) {
+/// The words between commas, empty ones too.
+std::vector<std::string> split(std::string_view line) {
     std::vector<std::string> words(1);
     for (const char c : line) {
         if (c == ',') {
@@ -27,46 +24,18 @@ std::vector<std::string> split(const std::string& line) {
     return words;
 }
 
-/// One line of the file at a time, each with its place for messages.
-class Reader {
-  public:
-    explicit Reader(const std::filesystem::path& path) : path_(path.string()), in_(path) {
-        if (!in_) throw FileError(path_, HITOS_TEXT("Errors", "cannot be read"));
-    }
+[[noreturn]] void refuse(const input::Place& place, const Message& problem) {
+    throw FormatError(place.file, place.line, problem);
+}
 
-    bool next() {
-        ++line_;
-        return static_cast<bool>(std::getline(in_, text_));
-    }
-    const std::string& text() const { return text_; }
-    [[noreturn]] void fail(const Message& problem) const {
-        throw FormatError(path_, line_, problem);
-    }
-    double number(const std::string& word) const {
-        double value = 0.0;
-        const char* end = word.data() + word.size();
-        const auto [stop, error] = std::from_chars(word.data(), end, value);
-        if (error != std::errc{} || stop != end || std::isnan(value) || value < 0.0) {
-            fail(verbatim(fmt::format("found '{}', expected a number from 0 or inf", word)));
-        }
-        return value;
-    }
-    double finite(const std::string& word) const {
-        const double value = number(word);
-        if (!std::isfinite(value)) {
-            fail(verbatim(fmt::format("found '{}', expected a finite number", word)));
-        }
-        return value;
-    }
+double number(const std::string& word, std::string_view column, const input::Place& place) {
+    const double value = input::finite_number(word, column, place);
+    if (value < 0.0)
+        refuse(place, verbatim(fmt::format("{} is {}; expected 0 or more", column, word)));
+    return value;
+}
 
-  private:
-    std::string path_;
-    std::ifstream in_;
-    std::string text_;
-    std::uint64_t line_ = 0;
-};
-
-ThesisFigure make_figure(const Reader& reader, const std::vector<std::string>& words) {
+ThesisFigure make_figure(const std::vector<std::string>& words, const input::Place& place) {
     try {
         return {words[0],
                 words[1],
@@ -74,7 +43,7 @@ ThesisFigure make_figure(const Reader& reader, const std::vector<std::string>& w
                 working_range(words[2], words[1]),
                 {}};
     } catch (const ConfigError& error) {
-        reader.fail(error.message());
+        refuse(place, error.message());
     }
 }
 
@@ -123,29 +92,36 @@ Configuracion thesis_configuration(const ThesisTable& table) {
 }
 
 std::vector<ThesisFigure> read_thesis_figures(const std::filesystem::path& path) {
-    Reader reader(path);
-    if (!reader.next() || split(reader.text()) != split(std::string(kHeader))) {
-        reader.fail(
-            verbatim(fmt::format("found '{}', expected the header {}", reader.text(), kHeader)));
+    const std::string file = path.string();
+    const std::string text = input::read_text(path);
+    std::string_view rest = text;
+    input::Place place{file, 1};
+    const std::string_view header = input::next_line(rest).value_or("");
+    if (split(header) != split(kHeader)) {
+        refuse(place, verbatim(fmt::format("found {}, expected the header {}",
+                                           input::in_quotes(header), kHeader)));
     }
     std::vector<ThesisFigure> figures;
-    while (reader.next()) {
-        const std::vector<std::string> words = split(reader.text());
+    while (const auto line = input::next_line(rest)) {
+        ++place.line;
+        const std::vector<std::string> words = split(*line);
         if (words.size() != kColumns) {
-            reader.fail(
-                verbatim(fmt::format("found {} columns, expected {}", words.size(), kColumns)));
+            refuse(place,
+                   verbatim(fmt::format("found {} columns, expected {}", words.size(), kColumns)));
         }
         if (figures.empty() || figures.back().name != words[0]) {
-            figures.push_back(make_figure(reader, words));
+            figures.push_back(make_figure(words, place));
         }
         ThesisFigure& figure = figures.back();
         if (figure.world != words[1] || figure.table->parameter != words[2]) {
-            reader.fail(verbatim("world or parameter changes within a figure"));
+            refuse(place, verbatim("world or parameter changes within a figure"));
         }
-        static_cast<void>(reader.finite(words[3]));
-        const double error = reader.number(words[4]);
-        figure.rows.push_back({words[3], std::isfinite(error) ? std::optional(error) : std::nullopt,
-                               reader.finite(words[5]), reader.finite(words[6])});
+        static_cast<void>(number(words[3], "value", place));
+        ThesisRow& row = figure.rows.emplace_back();
+        row.value = words[3];
+        if (words[4] != "inf") row.error_m = number(words[4], "error_m", place);
+        row.error_variance = number(words[5], "error_variance", place);
+        row.landmarks = number(words[6], "landmarks", place);
     }
     return figures;
 }

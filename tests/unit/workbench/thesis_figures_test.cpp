@@ -125,8 +125,12 @@ TEST(ThesisFigures, RefusesWhatIsNoTableOfResults) {
     };
     EXPECT_NE(message("a,b\n").find(":1: "), std::string::npos);
     EXPECT_NE(message(kHeader + "10.85,recinto,p,5,0.2\n").find("5 columns"), std::string::npos);
-    EXPECT_NE(message(kHeader + "10.85,recinto,p,5,x,0,8\n").find("'x'"), std::string::npos);
-    EXPECT_NE(message(kHeader + "10.85,recinto,p,inf,1,0,8\n").find("finite"), std::string::npos);
+    EXPECT_NE(message(kHeader + "10.85,recinto,p,5,x,0,8\n").find("error_m is \"x\""),
+              std::string::npos);
+    EXPECT_NE(message(kHeader + "10.85,recinto,p,inf,1,0,8\n").find("value is \"inf\""),
+              std::string::npos);
+    EXPECT_NE(message(kHeader + "10.85,recinto,p,5,1,0,-8\n").find("landmarks is -8"),
+              std::string::npos);
     EXPECT_NE(message(kHeader + "10.85,recinto,speed,5,1,0,8\n").find("speed"), std::string::npos);
     EXPECT_NE(message(kHeader + "10.85,recinto,p,5,1,0,8\n10.85,complex,p,5,1,0,8\n").find(":3: "),
               std::string::npos);
