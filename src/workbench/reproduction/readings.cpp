@@ -4,88 +4,85 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 
 namespace hitos {
 namespace {
 
 constexpr std::string_view kAsPublished = "fitted-no-rest-2-pixels";
 
-/// What a reading adds to another one.
-struct More {
-    std::vector<std::string> world = {};
+/// A reading by what it adds to one before it.
+struct ReadingStep {
+    const char* base;
+    const char* name;
+    const char* sentence;
+    const char* world = "";  ///< "key=value" of world files, with spaces between them
     double wall_pixels = 0.0;
     double motion_factor = 1.0;
+    bool variances = false;
 };
 
-Reading with_more(Reading base, std::string name, std::string sentence, const More& more) {
-    base.name = std::move(name);
-    base.sentence = std::move(sentence);
-    base.world.insert(base.world.end(), more.world.begin(), more.world.end());
-    if (more.wall_pixels > 0.0) base.wall_pixels = more.wall_pixels;
-    base.motion_factor *= more.motion_factor;
-    return base;
-}
-
 std::vector<Reading> make_readings() {
-    const Reading plain{"plain",
-                        "the worlds as they are: exact walls, 3 mm of noise, 5 s at rest, then "
-                        "northwards"};
-    Reading variances = plain;
-    variances.name = "variances";
-    variances.sentence = "the thesis's words: motion and odometry noise are variances";
-    variances.variances = true;
-    // Walls 3 pixels thick in cells of 2 cm are [T 10.3.1]; how its version of Stage fitted the
-    // picture and counted ranges the thesis does not say.
-    const Reading walls =
-        with_more(plain, "thick-walls",
-                  "cells of 2 cm, walls 3 pixels thick about their lines, no noise of ranges",
-                  {{"raster.cell=0.02", "laser.sigma=0"}, 3.0});
-    const Reading fitted =
-        with_more(walls, "fitted-walls",
-                  "`thick-walls`, the picture's ink fitted to the world's size, so "
-                  "that outer walls lie wholly inside",
-                  {{"raster.fit=true"}});
-    const Reading stage = with_more(
-        fitted, "stage", "`fitted-walls`, ranges counted in whole cells as Stage 3 and 4 do",
-        {{"raster.ranges=whole-cells"}});
-    const Reading stage_no_rest = with_more(
-        stage, "stage-no-rest", "`stage`, and the robot leaves at once", {{"tour.rest=0"}});
-    const Reading fitted_no_rest =
-        with_more(fitted, "fitted-no-rest", "`fitted-walls`, and the robot leaves at once",
-                  {{"tour.rest=0"}});
     constexpr double kTwoReadings = 1.4142135623730951;
-    return {
-        plain,
-        walls,
-        fitted,
-        stage,
-        with_more(plain, "no-rest", "the robot leaves at once", {{"tour.rest=0"}}),
-        fitted_no_rest,
+    constexpr auto kSteps = std::to_array<ReadingStep>({
+        {"", "plain",
+         "the worlds as they are: exact walls, 3 mm of noise, 5 s at rest, then northwards"},
+        // Walls 3 pixels thick in cells of 2 cm are [T 10.3.1]; how its version of Stage fitted the
+        // picture and counted ranges the thesis does not say.
+        {"plain", "thick-walls",
+         "cells of 2 cm, walls 3 pixels thick about their lines, no noise of ranges",
+         "raster.cell=0.02 laser.sigma=0", 3.0},
+        {"thick-walls", "fitted-walls",
+         "`thick-walls`, the picture's ink fitted to the world's size, so that outer walls lie "
+         "wholly inside",
+         "raster.fit=true"},
+        {"fitted-walls", "stage",
+         "`fitted-walls`, ranges counted in whole cells as Stage 3 and 4 do",
+         "raster.ranges=whole-cells"},
+        {"plain", "no-rest", "the robot leaves at once", "tour.rest=0"},
+        {"fitted-walls", "fitted-no-rest", "`fitted-walls`, and the robot leaves at once",
+         "tour.rest=0"},
         // Stage's own description of this laser has 361 rays.
-        with_more(fitted_no_rest, "fitted-no-rest-361-rays",
-                  "`fitted-no-rest` with a ray every half degree", {{"laser.rays=361"}}),
-        with_more(fitted_no_rest, "fitted-no-rest-per-reading",
-                  "`fitted-no-rest`, motion noise drawn for every odometry reading, two a scan",
-                  {{}, 0.0, kTwoReadings}),
-        with_more(fitted_no_rest, "fitted-no-rest-east",
-                  "`fitted-no-rest` with tours that leave eastwards", {{"tour.reverse=true"}}),
-        with_more(fitted_no_rest, "fitted-no-rest-2-pixels",
-                  "`fitted-no-rest`, walls 2 pixels thick", {{}, 2.0}),
-        with_more(fitted_no_rest, "fitted-no-rest-2-pixels-361-rays",
-                  "`fitted-no-rest` with both, thinner walls and more rays",
-                  {{"laser.rays=361"}, 2.0}),
-        with_more(fitted_no_rest, "fitted-no-rest-2-hz",
-                  "`fitted-no-rest` with 2 scans a second, not 5", {{"laser.rate=2"}}),
-        stage_no_rest,
-        with_more(stage_no_rest, "stage-no-rest-361-rays",
-                  "`stage-no-rest` with a ray every half degree", {{"laser.rays=361"}}),
-        variances,
-        with_more(plain, "far-points", "rays without return are points at 8 m",
-                  {{"laser.no_return=max-range"}}),
-    };
+        {"fitted-no-rest", "fitted-no-rest-361-rays",
+         "`fitted-no-rest` with a ray every half degree", "laser.rays=361"},
+        {"fitted-no-rest", "fitted-no-rest-per-reading",
+         "`fitted-no-rest`, motion noise drawn for every odometry reading, two a scan", "", 0.0,
+         kTwoReadings},
+        {"fitted-no-rest", "fitted-no-rest-east",
+         "`fitted-no-rest` with tours that leave eastwards", "tour.reverse=true"},
+        {"fitted-no-rest", "fitted-no-rest-2-pixels", "`fitted-no-rest`, walls 2 pixels thick", "",
+         2.0},
+        {"fitted-no-rest", "fitted-no-rest-2-pixels-361-rays",
+         "`fitted-no-rest` with both, thinner walls and more rays", "laser.rays=361", 2.0},
+        {"fitted-no-rest", "fitted-no-rest-2-hz", "`fitted-no-rest` with 2 scans a second, not 5",
+         "laser.rate=2"},
+        {"stage", "stage-no-rest", "`stage`, and the robot leaves at once", "tour.rest=0"},
+        {"stage-no-rest", "stage-no-rest-361-rays", "`stage-no-rest` with a ray every half degree",
+         "laser.rays=361"},
+        {"plain", "variances", "the thesis's words: motion and odometry noise are variances", "",
+         0.0, 1.0, true},
+        {"plain", "far-points", "rays without return are points at 8 m",
+         "laser.no_return=max-range"},
+    });
+    std::vector<Reading> made;
+    for (const ReadingStep& step : kSteps) {
+        const auto base = std::ranges::find(made, step.base, &Reading::name);
+        Reading reading = base != made.end() ? *base : Reading();
+        reading.name = step.name;
+        reading.sentence = step.sentence;
+        for (const std::string_view change : input::fields(step.world)) {
+            reading.world.emplace_back(change);
+        }
+        if (step.wall_pixels > 0.0) reading.wall_pixels = step.wall_pixels;
+        reading.motion_factor *= step.motion_factor;
+        reading.variances = reading.variances || step.variances;
+        made.push_back(std::move(reading));
+    }
+    return made;
 }
 
 /// Metres per pixel of the thesis's picture of a world, by the size of its walls.

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <system_error>
 
@@ -31,8 +28,13 @@ constexpr const char* kTimeStem = "10.95-time";
 constexpr const char* kTimeWorld = "bigloop2";
 constexpr const char* kTimeParticles = "p=5,10,20,50,100,200,500";
 
-void set_world(Study& study, const std::string& name, const Reading& reading) {
+/// The study drives through the world; its landmarks are the reference.
+void set_world(Study& study, const std::string& name, const ReproductionOptions& options) {
+    const Reading reading = whole_reading(options);
+    apply(reading, study.configuration);
     World world = thesis_world(name, reading);
+    // The two large worlds have no landmarks in the thesis to compare with.
+    if (name != "usc-sal" && name != "iusiani") study.reference = reference_map(world);
     study.setting = world_setting(world, reading);
     study.source = driven_through(std::move(world));
 }
@@ -54,13 +56,7 @@ Study study_of_claims(const ThesisExperiment& experiment, const ReproductionOpti
     const bool maps = experiment.show == ThesisExperiment::Show::maps;
     study.pictures = maps ? StudyPictures::first : StudyPictures::none;
     if (experiment.place == ThesisExperiment::Place::world) {
-        const Reading reading = whole_reading(options);
-        apply(reading, study.configuration);
-        set_world(study, experiment.name, reading);
-        // The two large worlds have no landmarks in the thesis to compare with.
-        if (experiment.name != "usc-sal" && experiment.name != "iusiani") {
-            study.reference = reference_map(thesis_world(experiment.name, reading));
-        }
+        set_world(study, experiment.name, options);
     } else {
         study.configuration.source.file = log_file(options, experiment).string();
         study.reference_trajectory =
@@ -76,10 +72,7 @@ Study time_study(const ReproductionOptions& options) {
         thesis_experiments(), [](const ThesisExperiment& e) { return e.is_named("10.95"); }));
     study.parameters.push_back(parse_study_parameter(kTimeParticles));
     study.seeds = 1;
-    const Reading reading = whole_reading(options);
-    apply(reading, study.configuration);
-    set_world(study, kTimeWorld, reading);
-    study.reference = reference_map(thesis_world(kTimeWorld, reading));
+    set_world(study, kTimeWorld, options);
     study.layout = study_in_folder(options.out / "runs" / kTimeStem);
     return study;
 }
