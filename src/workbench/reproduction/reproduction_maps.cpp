@@ -205,13 +205,7 @@ MapReproduction reproduce_maps(const ReproductionOptions& options) {
         result.computed += outcome.computed;
         result.reused += outcome.reused;
     }
-    const fs::path sheets = options.out / "maps";
-    std::error_code error;
-    fs::create_directories(sheets, error);
-    if (error) {
-        throw FileError(sheets.string(), HITOS_TEXT("Errors", "cannot be made: %1"),
-                        error.message());
-    }
+    const fs::path sheets = made_output_folder(options.out / "maps");
     std::map<std::string, OdometryMap> odometry;
     result.experiments.reserve(chosen.size());
     for (std::size_t i = 0; i < chosen.size(); ++i) {

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
-#include <system_error>
 
-#include "hitos/base/error.hpp"
+#include "hitos/base/staged_folder.hpp"
 #include "hitos/services/drawing/gnuplot.hpp"
 #include "reproduction_parts.hpp"
 
@@ -110,12 +110,7 @@ std::string script_text(const ReproducedFigure& figure, const std::string& stem)
 }  // namespace
 
 std::string draw_reproduction(const Reproduction& reproduction, const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw FileError(folder.string(), HITOS_TEXT("Errors", "cannot make this output folder: %1"),
-                        error.message());
-    }
+    made_output_folder(folder);
     std::string problem;
     for (const ReproducedFigure& figure : reproduction.figures) {
         const std::string stem = figure.thesis.stem();

@@ -1107,10 +1107,6 @@
         <translation>es de otro estudio que %1: difieren el programa, la configuración, el registro, los valores o las semillas</translation>
     </message>
     <message>
-        <source>cannot make this output folder: %1</source>
-        <translation>no se puede crear esta carpeta de salida: %1</translation>
-    </message>
-    <message>
         <source>out of memory; fewer particles, coarser cells of the grid or fewer runs at a time take less</source>
         <translation>no queda memoria; menos partículas, celdas de la rejilla más gruesas o menos ejecuciones a la vez piden menos</translation>
     </message>
