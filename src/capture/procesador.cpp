@@ -114,7 +114,9 @@ std::optional<Scan> Procesador::next_scan() {
             }
             last_scan_ = *scan;
             if (options_.scan_delay_s != 0.0) {
+                const double logged_s = scan->time_s;
                 scan->time_s += options_.scan_delay_s;
+                scan->delay_s = scan->time_s - logged_s;
                 scan->carries_odometry = false;
             }
             if (is_early(*scan)) {

@@ -35,10 +35,12 @@ if(HITOS_BASELINE)
       base/geometry=capture/geometry
       base/random_stream=features/random_stream
       services/configuration/archivo_configuracion=services/archivo_configuracion
-      services/maps/map_file=services/map_file
-      services/maps/picture_file=services/picture_file
-      services/maps/trajectory_file=services/trajectory_file
-      services/run/grid=services/grid)
+      services/drawing/picture_file=services/picture_file
+      services/files/map_file=services/map_file
+      services/files/trajectory_file=services/trajectory_file
+      services/grid/grid=services/grid
+      simulation/drive/simulated_tour=simulation/simulated_tour
+      simulation/worlds/odometry_noise=simulation/odometry_noise)
     string(REPLACE "=" ";" moved ${moved})
     list(GET moved 0 now)
     list(GET moved 1 then)

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hitos/services/files/trajectory_file.hpp"
 #include "program.hpp"
@@ -79,6 +81,7 @@ class PathMeasures : public test::ProgramTest {
 
     const std::string truth_ = path("truth.tum");
     const std::string estimate_ = path("estimate.tum");
+    const std::string short_log_ = kSource + "/data/logs/normalized.log.gz";
     const std::string both_ =
         cli_ + " evaluate --trajectory " + estimate_ + " --reference-trajectory " + truth_;
 };
@@ -270,6 +273,69 @@ TEST_F(PathMeasures, RefuseWhatCannotBeMeasured) {
                 Not(HasSubstr("relations of")));
     EXPECT_THAT(error(cli_ + " relations " + truth_ + " --time 1 --distance 1 --out " + path("r")),
                 HasSubstr("--distance"));
+}
+
+/// The poses at every n-th stamp.
+Trajectory thinned(const Trajectory& all, std::size_t n) {
+    Trajectory some;
+    for (std::size_t i = 0; i < all.size(); i += n) some.push_back(all[i]);
+    return some;
+}
+
+TEST_F(PathMeasures, OfARunAreThoseOfEvaluateWhateverTheRateOfTheReference) {
+    const std::string run = cli_ + " run " + short_log_ + " --out " + path("run");
+    ASSERT_EQ(shell(run).status, 0);
+    const Trajectory own = read_trajectory(path("run/trajectory.tum"));
+    ASSERT_GT(own.size(), 40U);
+    const double step_s =
+        (own.back().time_s - own.front().time_s) / static_cast<double>(own.size() - 1);
+    const auto every = static_cast<std::size_t>(0.45 / step_s);  // dense enough to interpolate
+    ASSERT_GE(every, 2U);
+    const std::string reference = path("reference.tum");
+    const std::string measured = " --reference-trajectory " + reference;
+    const auto compared = [&](const std::string& more) {
+        const Outcome said = shell(run + measured + more);
+        EXPECT_EQ(said.status, 0) << said.output;
+        const Figures by_evaluate =
+            figures(shell(cli_ + " evaluate " + path("run") + measured + more));
+        const auto summary = nlohmann::json::parse(content(path("run/summary.json")));
+        EXPECT_NEAR(summary.at("/trajectory_error/ate_rmse_m"_json_pointer).get<double>(),
+                    by_evaluate.at("ate_rmse_m"), 1e-5);
+        EXPECT_EQ(summary.at("/trajectory_error/poses"_json_pointer).get<double>(),
+                  by_evaluate.at("poses"));
+        return static_cast<std::size_t>(by_evaluate.at("poses"));
+    };
+    write_trajectory(thinned(own, every), reference);
+    const std::size_t last = (own.size() - 1) / every * every;
+    EXPECT_EQ(compared(""), last + 1);
+    // One every few seconds is too slow to drive straight on between, unless the user says so.
+    const auto slow = static_cast<std::size_t>(3.0 / step_s);
+    write_trajectory(thinned(own, slow), reference);
+    EXPECT_EQ(compared(""), (own.size() - 1) / slow + 1);
+    EXPECT_EQ(compared(" --tolerance 2"), (own.size() - 1) / slow * slow + 1);
+    // Of another clock there is none, and the option is named.
+    write_trajectory({{1e6, {}}, {1e6 + 1.0, {}}}, reference);
+    EXPECT_THAT(shell(run + measured).output, HasSubstr("--tolerance"));
+    EXPECT_THAT(shell(cli_ + " evaluate " + path("run") + measured).output,
+                HasSubstr("--tolerance"));
+}
+
+TEST_F(PathMeasures, ScansKeepTheirStampsWhateverIsAddedToTheirTimes) {
+    const auto stamps = [&](const std::string& more) {
+        EXPECT_EQ(shell(cli_ + " run " + short_log_ + " --out " + path("run") + more).status, 0);
+        std::vector<double> all;
+        for (const char* name : {"trajectory", "trajectory_online", "odometry"}) {
+            for (const StampedPose& pose :
+                 read_trajectory(path("run/" + std::string(name) + ".tum")))
+                all.push_back(pose.time_s);
+        }
+        return all;
+    };
+    const std::vector<double> as_logged = stamps("");
+    EXPECT_THAT(stamps(" --scan-delay 0.37"),
+                ::testing::Pointwise(::testing::DoubleNear(1e-6), as_logged));
+    // The log is found again by these stamps.
+    EXPECT_EQ(shell(cli_ + " evaluate " + path("run")).status, 0);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "damage.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/log_format.hpp"
@@ -50,7 +51,7 @@ void convert(const ConvertOptions& options) {
         parse_noise_kind(options.noise_kind, "--odometry-noise-kind"), options.seed);
     const auto writer = make_log_writer(target, options.out);
 
-    ProgressLine line("scans");
+    ProgressLine line("scan");
     const ReadReport& report = reader->report();
     write_tour(*reader, *writer, [&] { line.show(report.scans, reader->progress()); });
     if (report.scans == 0) {
@@ -59,8 +60,8 @@ void convert(const ConvertOptions& options) {
     writer->finish();
     line.finish(report.scans);
     Report said(options.json);
-    said.say("{}: {} scans, {} odometry readings\n{}", on_one_line(options.out), report.scans,
-             report.odometry, damage_text(report));
+    said.say("{}: {}, {}\n{}", on_one_line(options.out), plural(report.scans, "scan"),
+             plural(report.odometry, "odometry reading"), damage_text(report));
     said.object() = {{"file", options.out}, {"format", target}, {"scans", report.scans}};
     said.object()["log"] = parsed_object(to_json(report));
     said.end();
@@ -81,8 +82,9 @@ void add_convert(CLI::App& program) {
     command->add_option("--out", options->out, "File to write; .gz compresses it")
         ->required()
         ->check(&complaint_of_output);
-    command->add_option("--odometry-noise", options->noise,
-                        "Level of the noise on v and w; the thesis uses 0.1 (default: 0, none)");
+    command->add_option(
+        "--odometry-noise", options->noise,
+        "Level of the noise on v and w, 0 or more; the thesis uses 0.1 (default: 0, none)");
     command->add_option("--odometry-noise-kind", options->noise_kind,
                         noise_kind_choices() + " (default: relative-sigma)");
     command->add_option("--seed", options->seed, "Seed of the noise (default: 1)")

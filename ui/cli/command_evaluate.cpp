@@ -89,7 +89,8 @@ void evaluate_distances(const EvaluateOptions& options, Report& report) {
 [[noreturn]] void fail_without_common_stamp(const EvaluateOptions& options, const char* what) {
     throw FormatError(
         options.trajectory, 0,
-        verbatim(fmt::format("has no pose within {} s of {}; are the clocks the same?",
+        verbatim(fmt::format("has no pose within {:g} s of {}; are the clocks the same? "
+                             "--tolerance takes poses that are further away",
                              options.tolerance_s, what)));
 }
 
@@ -290,10 +291,7 @@ void add_evaluate(CLI::App& program) {
                      "Relative pose error over so much time [s], likewise")
         ->check(positive());
     add_spacing_options(*command, "rpe-", options->rpe);
-    command
-        ->add_option("--tolerance", options->tolerance_s,
-                     "Greatest difference of stamps of a pair of poses [s] (default: 0.02)")
-        ->check(non_negative());
+    add_tolerance_option(*command, options->tolerance_s);
     add_report_option(*command, options->json);
     command->callback([options] { evaluate(*options); });
 }

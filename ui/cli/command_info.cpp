@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "damage.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/services/results/results.hpp"
@@ -81,8 +82,8 @@ void tell(const std::string& source, const SourceInspection& found, Report& repo
     const double scan_rate = per_second(tour.report.scans, tour.duration_s);
     const double odometry_rate = per_second(tour.report.odometry, tour.duration_s);
     report.say("{}: {}\n", on_one_line(source), tour.format);
-    report.say("{} scans ({:.1f}/s), {} odometry readings ({:.1f}/s)\n", tour.report.scans,
-               scan_rate, tour.report.odometry, odometry_rate);
+    report.say("{} ({:.1f}/s), {} ({:.1f}/s)\n", plural(tour.report.scans, "scan"), scan_rate,
+               plural(tour.report.odometry, "odometry reading"), odometry_rate);
     report.say("{:.1f} s from {:.6f} s on, {:.1f} m by the odometry\n", tour.duration_s,
                tour.first_stamp_s, tour.distance_m);
     report.object() = {{"source", source},
@@ -111,7 +112,7 @@ SourceInspection inspected(const InfoOptions& options, const std::string& source
     Configuracion configuration = load(options.configuration, source);
     configuration.source.file = source;
     options.source.choose(configuration.source);
-    ProgressLine line("parts");
+    ProgressLine line("part");
     return inspect_source(configuration.source, [&line](double fraction) {
         constexpr double kParts = 100.0;
         line.show(static_cast<std::uint64_t>(fraction * kParts), fraction);
@@ -134,8 +135,9 @@ void check_source(const InfoOptions& options) {
     const SourceInspection found = inspected(options, source);
     if (!found.choice.empty()) throw ConfigError("log", found.choice);
     Report report(options.json);
-    report.say("{}: {}, {} scans, {} odometry readings\n", on_one_line(source), found.tour.format,
-               found.tour.report.scans, found.tour.report.odometry);
+    report.say("{}: {}, {}, {}\n", on_one_line(source), found.tour.format,
+               plural(found.tour.report.scans, "scan"),
+               plural(found.tour.report.odometry, "odometry reading"));
     report.say("{}", damage_text(found.tour.report));
     report.object() = {{"source", source},
                        {"format", found.tour.format},

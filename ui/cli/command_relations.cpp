@@ -13,6 +13,7 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/files/trajectory_file.hpp"
@@ -55,8 +56,8 @@ void make_relations(RelationsOptions options) {
     }
     write_file(out, relations_text(relations));
     Report report(options.json);
-    report.say("{} relations of {} poses in {}\n", relations.size(), trajectory.size(),
-               on_one_line(options.out));
+    report.say("{} of {} in {}\n", plural(relations.size(), "relation"),
+               plural(trajectory.size(), "pose"), on_one_line(options.out));
     report.object() = {
         {"file", options.out}, {"relations", relations.size()}, {"poses", trajectory.size()}};
     report.end();

@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/reproduction_maps.hpp"
@@ -40,8 +41,8 @@ class Teller {
     StudyObserver observer() {
         return [this](const StudyProgress& progress) {
             if (!begun_) {
-                line_->say(
-                    fmt::format("{} runs to do, {} found done", progress.runs, progress.reused));
+                line_->say(fmt::format("{} to do, {} found done", plural(progress.runs, "run"),
+                                       progress.reused));
                 begun_ = true;
             }
             if (!progress.failure.empty()) line_->say("run failed: " + progress.failure);
@@ -62,7 +63,7 @@ class Teller {
     }
 
   private:
-    std::optional<ProgressLine> line_{std::in_place, "runs"};
+    std::optional<ProgressLine> line_{std::in_place, "run"};
     bool begun_ = false;
     std::size_t finished_ = 0;
 };
@@ -106,7 +107,7 @@ int reproduce_tables(ReproduceArguments options, Report& report) {
     }
     const std::string document = (options.reproduction.out / "reproduction.md").string();
     const std::size_t done = result.computed - result.failures.size();
-    report.say("{} runs done, {} found done, {} failed: {}\n", done, result.reused,
+    report.say("{} done, {} found done, {} failed: {}\n", plural(done, "run"), result.reused,
                result.failures.size(), document);
     report.object()["tables"] = {{"document", document},
                                  {"figures", document.substr(0, document.size() - 2) + "csv"},
@@ -137,12 +138,12 @@ int reproduce_experiments(const ReproduceArguments& options, const std::vector<s
     }
     const std::string document = (maps.out / "reproduction-maps.md").string();
     const std::size_t done = result.computed - result.failures.size();
-    report.say("{} runs shown by maps and counts done, {} found done, {} failed: {}\n", done,
-               result.reused, result.failures.size(), document);
+    report.say("{} shown by maps and counts done, {} found done, {} failed: {}\n",
+               plural(done, "run"), result.reused, result.failures.size(), document);
     nlohmann::ordered_json times = nlohmann::ordered_json::array();
     for (const ParticleTime& time : result.times) {
-        report.say("{:4} particles: {:.3f} s for {} scans\n", time.particles, time.cpu_seconds,
-                   time.scans);
+        report.say("{:4} particles: {:.3f} s for {}\n", time.particles, time.cpu_seconds,
+                   plural(time.scans, "scan"));
         times.push_back({{"particles", time.particles},
                          {"cpu_seconds", time.cpu_seconds},
                          {"scans", time.scans}});
@@ -220,15 +221,15 @@ void add_reproduce(CLI::App& program) {
             "--only", options->reproduction.only,
             "Only these figures: a number (10.85), a world or a parameter; may be repeated")
         ->allow_extra_args(false);
-    command->add_option(
-        "--runs", options->reproduction.runs,
-        "Runs of each value of the figures with errors, with seeds from 1 (default: 5); "
-        "those of grid maps have a number of their own");
+    command->add_option("--runs", options->reproduction.runs,
+                        "Runs of each value of the figures with errors, with seeds from 1: 1 to "
+                        "10000 (default: 5); "
+                        "those of grid maps have a number of their own");
     command
         ->add_option("--threads", options->reproduction.threads,
                      "Runs at a time (default: as many as the machine has); results do not depend "
                      "on it")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(0, 256));
     command
         ->add_option("--out", options->out,
                      "Folder for the results, made if missing (default: out/reproduction, for a "

@@ -20,6 +20,7 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/results/optional_outputs.hpp"
@@ -41,6 +42,7 @@ struct RunOptions {
     SourceOptions source;
     std::string reference;
     std::string reference_trajectory;
+    double tolerance_s = kSameStamp;
     std::string distances;
     std::string figures;
     bool uncertainty = false;
@@ -54,18 +56,19 @@ struct RunOptions {
 constexpr int kNotWhole = 2;  // the program's status
 
 void tell_summary(const RunSummary& summary, const std::string& folder, const Report& report) {
-    report.say("{} scans in {:.1f} s of tour, {} lines and {} corners\n", summary.scans,
-               summary.duration_s, summary.lines, summary.corners);
+    report.say("{} in {:.1f} s of tour, {} and {}\n", plural(summary.scans, "scan"),
+               summary.duration_s, plural(summary.lines, "line"),
+               plural(summary.corners, "corner"));
     report.say("{}", damage_text(summary.report));
     if (summary.searches_cut > 0) {
-        report.say("{} joint associations were cut short; each has the best found until then\n",
-                   summary.searches_cut);
+        report.say("{} cut short; each has the best found until then\n",
+                   plural(summary.searches_cut, "joint association"));
     }
     if (summary.map_error) {
-        report.say(
-            "map error {:.3f} m (after rigid alignment {:.3f} m), {} of {} landmarks found\n",
-            summary.map_error->mean_m, summary.aligned_map_error->error.mean_m,
-            summary.map_error->reference_found, summary.map_error->reference_landmarks);
+        report.say("map error {:.3f} m (after rigid alignment {:.3f} m), {} of {} found\n",
+                   summary.map_error->mean_m, summary.aligned_map_error->error.mean_m,
+                   summary.map_error->reference_found,
+                   plural(summary.map_error->reference_landmarks, "landmark"));
     }
     if (summary.trajectory_error && summary.odometry_error) {
         report.say(
@@ -73,17 +76,15 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
             summary.trajectory_error->rmse_m, summary.online_error->rmse_m,
             summary.odometry_error->rmse_m);
         if (static_cast<std::uint64_t>(summary.trajectory_error->poses) < summary.scans) {
-            report.say(
-                "  over {} of {} scans: the reference has no pose at the times of the others\n",
-                summary.trajectory_error->poses, summary.scans);
+            report.say("  over {} of {}: the reference has no pose at the times of the others\n",
+                       summary.trajectory_error->poses, plural(summary.scans, "scan"));
         }
     }
     if (!summary.distances.empty()) report.say("{}", distance_table(summary.distances));
     if (const auto& figures = summary.quality.registration; figures && figures->scans > 0) {
-        report.say("{} of {} scans fitted, {} loop{} closed, largest correction {:.2f} m\n",
-                   figures->scans - figures->unmatched, figures->scans,
-                   summary.quality.loops.size(), summary.quality.loops.size() == 1 ? "" : "s",
-                   figures->largest_correction_m);
+        report.say("{} of {} fitted, {} closed, largest correction {:.2f} m\n",
+                   figures->scans - figures->unmatched, plural(figures->scans, "scan"),
+                   plural(summary.quality.loops.size(), "loop"), figures->largest_correction_m);
     }
     for (const TourFinding& finding : summary.quality.findings) report.warn(words_of(finding));
     for (const Advice& warning : summary.quality.warnings) {
@@ -91,10 +92,14 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
     }
     for (const Advice& advice : summary.advice) report.note(advice.words());
     for (const NotWritten& missing : summary.not_written) {
-        report.warn(fmt::format("not written: {}: {}", missing.file, missing.reason.english()));
+        std::string reason = missing.reason.english();
+        const std::string again = (std::filesystem::path(folder) / missing.file).string() + ": ";
+        if (reason.starts_with(again)) reason.erase(0, again.size());
+        report.warn(fmt::format("not written: {}: {}", missing.file, reason));
     }
     if (!summary.finished) {
-        report.say("stopped: these are the results of the first {} scans\n", summary.scans);
+        report.say("stopped: these are the results of the first {}\n",
+                   plural(summary.scans, "scan"));
     }
     report.say("results in {}\n", on_one_line(folder));
 }
@@ -172,9 +177,8 @@ class LogWatch {
     const InputFiles& inputs() const { return inputs_; }
     std::string words(std::uint64_t scans) const {
         return fmt::format(
-            "{}; the results are of the first {} scans, of which {} were surely read "
-            "before that",
-            problem_->what(), scans, unchanged_for_);
+            "{}; the results are of the first {}, of which {} surely read before that",
+            problem_->what(), plural(scans, "scan"), unchanged_for_);
     }
 
   private:
@@ -198,6 +202,7 @@ void run(const RunOptions& options) {
         references.trajectory =
             read_trajectory(input_named(options.reference_trajectory, "--reference-trajectory"));
     }
+    references.tolerance_s = options.tolerance_s;
     if (!options.distances.empty())
         references.distances = read_distances(input_named(options.distances, "--distances"));
     const std::vector<std::filesystem::path> tour = tour_files(source);
@@ -221,7 +226,7 @@ void run(const RunOptions& options) {
         };
     }
     RunWorker worker(configuration, std::move(reader), run_options);
-    ProgressLine line("scans");
+    ProgressLine line("scan");
     bool stopped = false;
     worker.run();
     Progress progress = worker.progress();
@@ -233,7 +238,7 @@ void run(const RunOptions& options) {
         worker.wait_for(std::chrono::milliseconds(20));
         progress = worker.progress();
         line.show(progress.steps, progress.fraction,
-                  fmt::format("{} landmarks", progress.lines + progress.corners));
+                  plural(progress.lines + progress.corners, "landmark"));
     }
     if (progress.state == Progress::State::failed) throw Error(progress.error);
     // Of the last scans of all nobody would know.
@@ -245,14 +250,14 @@ void run(const RunOptions& options) {
     }
     stopped = !finished;
     const double seconds = line.seconds();
-    const std::string landmarks = fmt::format("{} landmarks", progress.lines + progress.corners);
+    const std::string landmarks = plural(progress.lines + progress.corners, "landmark");
     if (stopped) {
-        line.say(fmt::format("stopped: {} scans are done  {}", progress.steps, landmarks));
+        line.say(fmt::format("stopped: {} done  {}", plural(progress.steps, "scan"), landmarks));
     } else {
         line.finish(progress.steps, landmarks);
     }
 
-    ProgressLine files("files");
+    ProgressLine files("file");
     const WritingObserver told = [&](const WritingProgress& now) {
         // It is read once more for the grids.
         if (!log.changed()) log.inputs().check();
@@ -291,7 +296,7 @@ void run(const RunOptions& options) {
         if (!options.figures.empty()) {
             write_figures(worker.figures_since(0),
                           references.trajectory ? &*references.trajectory : nullptr,
-                          options.figures);
+                          options.figures, references.tolerance_s);
         }
     } catch (const Error& error) {
         report.warn(fmt::format("not written: {}", error.what()));
@@ -335,6 +340,7 @@ void add_run(CLI::App& program) {
     command->add_option("--reference-trajectory", options->reference_trajectory,
                         "Reference trajectory in TUM format to measure the path against and to "
                         "draw beside it (default for a world: the true one)");
+    add_tolerance_option(*command, options->tolerance_s);
     command->add_option("--distances", options->distances,
                         "Named distances between parallel walls (docs/formats.md) to measure in "
                         "the map: printed, and in distances.csv");

@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/simulation/drive/simulated_tour.hpp"
@@ -66,7 +67,7 @@ void simulate(const SimulateOptions& options) {
     }
     const auto tour = std::make_shared<const SimulatedTour>(load_world(options));
     const StopByRequest request;
-    ProgressLine line("scans");
+    ProgressLine line("scan");
     write_tour_files(tour, files, tour_files(find_world(options.world)), [&](const auto& reader) {
         if (StopByRequest::wanted()) throw CLI::RuntimeError(StopByRequest::status());
         line.show(reader.report().scans, reader.progress());
@@ -74,9 +75,9 @@ void simulate(const SimulateOptions& options) {
     if (!options.out.empty()) line.finish(tour->scans());
     Report report(options.json);
     for (const Message& warning : tour->world().drawing_warnings) report.warn(warning.english());
-    report.say("{}: {:.1f} m in {:.1f} s, {} scans, {} odometry readings\n",
-               on_one_line(tour->world().name), tour->path().length_m(), tour->path().duration_s(),
-               tour->scans(), tour->readings());
+    report.say("{}: {:.1f} m in {:.1f} s, {}, {}\n", on_one_line(tour->world().name),
+               tour->path().length_m(), tour->path().duration_s(), plural(tour->scans(), "scan"),
+               plural(tour->readings(), "odometry reading"));
     report.object() = {{"world", tour->world().name},
                        {"distance_m", tour->path().length_m()},
                        {"duration_s", tour->path().duration_s()},
@@ -91,11 +92,12 @@ void simulate(const SimulateOptions& options) {
 }
 
 std::string footer() {
-    std::string text = "Keys for --set, with the default of each (docs/simulation.md):\n";
+    std::string text = "Keys for --set, with default and range of each (docs/simulation.md):\n";
     const World defaults;
     for (const WorldKey& key : world_keys()) {
+        const bool number = key.type == WorldKey::Type::real || key.type == WorldKey::Type::integer;
         text += fmt::format("  {} = {}  {}{}\n", key.key, key.text(defaults), key.description,
-                            key.unit.empty() ? "" : fmt::format(" [{}]", key.unit));
+                            number ? fmt::format(" [{}]", key.allowed()) : "");
     }
     text += "Worlds that come with Hitos:";
     for (const std::string& name : shipped_worlds()) text += " " + name;
@@ -117,11 +119,13 @@ void add_simulate(CLI::App& program) {
         ->check(&complaint_of_output);
     command->add_option("--seed,--tour-seed", options->seed,
                         "Seed of the noise (default: as the world says, else 1)");
-    command->add_option("--laps", options->laps, "How often the way points are driven");
-    command->add_option("--laser-sigma", options->laser_sigma,
-                        "Standard deviation of a range [m]; 0.003 reproduces the thesis");
-    command->add_option("--odometry-noise", options->noise,
-                        "Level of the noise on v and w; the thesis uses 0.1; 0: none");
+    command->add_option("--laps", options->laps, "How often the way points are driven (tour.laps)");
+    command->add_option(
+        "--laser-sigma", options->laser_sigma,
+        "Standard deviation of a range [m] (laser.sigma); 0.003 reproduces the thesis");
+    command->add_option(
+        "--odometry-noise", options->noise,
+        "Level of the noise on v and w (odometry.noise); the thesis uses 0.1; 0: none");
     command->add_option("--odometry-noise-kind", options->noise_kind, noise_kind_choices());
     command
         ->add_option("--set", options->assignments,

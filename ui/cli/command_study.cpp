@@ -121,9 +121,8 @@ void add_study(CLI::App& program) {
     add_configuration_options(*command, options->configuration);
     command->get_option("--seed")->description("First seed of each value (default: 1)");
     command->get_option("--threads")
-        ->description(
-            "Runs at a time (default: as many as the machine has); results do not "
-            "depend on it");
+        ->description("Runs at a time, " + allowed_threads() +
+                      " (default: 0, as many as the machine has); results do not depend on it");
     command->add_option("--shard", options->shard,
                         "Do part i of n only, e.g. 2/8 (default: what the job array says, else "
                         "all); study merge puts the parts together");

@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/services/results/results_check.hpp"
 #include "hitos/services/study/study_check.hpp"
 #include "report.hpp"
@@ -47,7 +48,7 @@ bool verify_run(const std::string& folder, Report& report) {
     object["finished"] = check.finished;
     object["whole"] = check.whole();
     if (!check.whole()) return false;
-    report.say("whole: {} files as they were written\n", check.files);
+    report.say("whole: {} as written\n", plural(check.files, "file"));
     if (!check.finished) report.say("of a run that was stopped before the end of its tour\n");
     return true;
 }
@@ -79,7 +80,7 @@ bool verify_study(const StudyLayout& layout, Report& report) {
     object["another_under_way"] = check.another;
     object["whole"] = check.whole();
     if (!check.whole()) return false;
-    report.say("whole: {} runs, {} of them failed, and their tables\n", check.runs, check.failed);
+    report.say("whole: {}, {} failed, and the tables\n", plural(check.runs, "run"), check.failed);
     return true;
 }
 
@@ -111,7 +112,8 @@ void recover(const FolderOptions& options) {
         if (!problem.empty()) fmt::print(stderr, "not drawn: {}\n", problem.english());
     }
     Report report(options.json);
-    report.say("tables made anew of {} of {} runs\n", outcome.reused, outcome.records.size());
+    report.say("tables made anew of {} of {}\n", outcome.reused,
+               plural(outcome.records.size(), "run"));
     if (outcome.failed != 0) {
         report.say(
             "the others stand in them as failed; the command of the study goes on with them\n");

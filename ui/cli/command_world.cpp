@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/simulation/drawings/dxf_walls.hpp"
@@ -120,9 +121,8 @@ void make_world(WorldOptions options) {
     const World& world = text.world();
     const WorldCheck check = check_world(world);
     Report report(options.json);
-    report.say("{}: {} walls in {} polylines\n",
-               on_one_line(out.empty() ? source.string() : options.out), world.walls.size(),
-               text.walls().size());
+    report.say("{}: {} in {}\n", on_one_line(out.empty() ? source.string() : options.out),
+               plural(world.walls.size(), "wall"), plural(text.walls().size(), "polyline"));
     report.object() = {{"source", source.string()},
                        {"file", options.out},
                        {"walls", world.walls.size()},
@@ -145,9 +145,8 @@ void make_world(WorldOptions options) {
     }
     tell("warnings", made.warnings, report);
     if (made.left_out > 0) {
-        report.note(
-            fmt::format("{} lines of the map have no two corners and so no ends; they are left out",
-                        made.left_out));
+        report.note(fmt::format("{} of the map left out: without two corners there are no ends",
+                                plural(made.left_out, "line")));
     }
     report.end();
 }

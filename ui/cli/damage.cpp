@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "hitos/base/plural.hpp"
+
 namespace hitos::cli {
 
 std::string damage_text(const ReadReport& report) {
@@ -35,9 +37,8 @@ std::string damage_text(const ReadReport& report) {
         text += '\n';
     }
     if (report.stamps_backwards > 0) {
-        text +=
-            fmt::format("{} time stamps lie before the one before them; the log's order was kept\n",
-                        report.stamps_backwards);
+        text += fmt::format("{} before the one ahead of it in the log, whose order was kept\n",
+                            plural(report.stamps_backwards, "time stamp"));
     }
     return text;
 }

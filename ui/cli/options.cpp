@@ -16,6 +16,7 @@
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_summary.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "manual/topic_options.hpp"
@@ -111,6 +112,19 @@ CLI::Validator non_negative() {
     return finite_number(true);
 }
 
+std::string allowed_threads() {
+    return find_parameter("run.threads").allowed();
+}
+
+void add_tolerance_option(CLI::App& command, double& tolerance_s) {
+    command
+        .add_option("--tolerance", tolerance_s,
+                    "Greatest difference of the stamps of a pose and its reference [s] (default: "
+                    "0.02); between poses of a reference trajectory that are no more than twice as "
+                    "far apart, or 0.5 s, it is interpolated")
+        ->check(non_negative());
+}
+
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options) {
     CLI::Option* file = command.add_option(
         "--config", options.file,
@@ -133,24 +147,26 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
                     "laser.sigma=0.003; may be repeated; hitos-cli simulate --help lists them")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    command.add_option("--seed", options.values.seed, "Seed of all random numbers")
+    command.add_option("--seed", options.values.seed, "Seed of all random numbers, 0 or more")
         ->check(&complaint_of_seed);
     command
         .add_option("--tour-seed", options.values.tour_seed,
                     "Seed of a world's noise, to drive the same tour with other seeds "
                     "(default: as the world says, else the seed)")
         ->check(&complaint_of_seed);
-    command.add_option("--threads", options.values.threads,
-                       "Threads (default: all); results do not depend on it");
+    command.add_option(
+        "--threads", options.values.threads,
+        "Threads, " + allowed_threads() + " (default: 0, all); results do not depend on it");
 }
 
 void add_source_options(CLI::App& command, SourceOptions& options) {
     command.add_option("--format", options.format, log_format_choices() + " (default: auto)");
     manual::add_topic_options(command, options.topics);
     command
-        .add_option("--scan-delay", options.scan_delay,
-                    "Seconds to add to the scans' times, as check advises; auto looks for them "
-                    "(default: 0)")
+        .add_option(
+            "--scan-delay", options.scan_delay,
+            "Seconds to add to the scans' times, as check advises, up to 1e10 either way; auto "
+            "looks for them (default: 0). Paths that are written keep the scans' stamps")
         ->type_name("SECONDS|auto");
 }
 
@@ -164,7 +180,8 @@ void SourceOptions::choose(SourceParams& source) const {
     if (scan_delay != kAuto && (!number || !(std::abs(*number) <= kGreatest))) {
         throw ConfigError(
             "--scan-delay",
-            verbatim(fmt::format("found \"{}\", expected seconds or {}", scan_delay, kAuto)));
+            verbatim(fmt::format("found \"{}\", expected seconds from -{} to {}, or {}", scan_delay,
+                                 kGreatest, kGreatest, kAuto)));
     }
     source.read.scan_delay_s = number ? *number : found_delay(source);
 }

@@ -16,6 +16,12 @@ namespace hitos::cli {
 CLI::Validator positive();
 CLI::Validator non_negative();
 
+/// "integers from 0 to …": what --threads takes.
+std::string allowed_threads();
+
+/// --tolerance, of trajectory_error().
+void add_tolerance_option(CLI::App& command, double& tolerance_s);
+
 /// --config, --preset and those of ValueChoices.
 struct ConfigurationOptions {
     std::string file;

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "hitos/base/message.hpp"
+#include "hitos/base/plural.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -71,7 +72,7 @@ void ProgressLine::print(std::uint64_t count, std::optional<double> fraction,
         }
         line += percent_text(*fraction) + "  ";
     }
-    line += fmt::format("{} {}", count, unit_);
+    line += plural(count, unit_);
     if (elapsed > 0.05) {
         constexpr double kFast = 10.0;  // below it whole numbers say too little
         const double rate = static_cast<double>(count) / elapsed;

@@ -6,6 +6,7 @@
 
 #include "damage.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/simulation/worlds/odometry_noise.hpp"
 #include "hitos/workbench/study_noise.hpp"
@@ -48,10 +49,13 @@ SummaryForm summary_form(bool csv, bool json) {
 
 void add_study_options(CLI::App& command, StudyRunOptions& options) {
     command.add_option("--runs", options.runs,
-                       "Runs of each value, with one seed after the other (default: 5)");
-    command.add_option("--odometry-noise", options.noise,
-                       "Level of the noise that every run gets on its odometry, drawn with the "
-                       "run's seed; the thesis uses 0.1 (default: 0, none)");
+                       fmt::format("Runs of each value, with one seed after the other; of all "
+                                   "values together up to {} (default: 5)",
+                                   StudyPlan::kMostRuns));
+    command.add_option(
+        "--odometry-noise", options.noise,
+        "Level of the noise, 0 or more, that every run gets on its odometry, drawn with the "
+        "run's seed; the thesis uses 0.1 (default: 0, none)");
     command.add_option("--odometry-noise-kind", options.noise_kind,
                        noise_kind_choices() + " (default: relative-sigma)");
     command.add_option("--reference-trajectory", options.reference_trajectory,
@@ -79,12 +83,13 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
     StudyOptions how;
     how.threads = options.threads;
     how.shard = shard;
-    ProgressLine line("runs");
+    ProgressLine line("run");
     bool begun = false;
     std::size_t finished = 0;
     how.observer = [&](const StudyProgress& progress) {
         if (!begun) {
-            line.say(fmt::format("{} runs to do, {} found done", progress.runs, progress.reused));
+            line.say(fmt::format("{} to do, {} found done", plural(progress.runs, "run"),
+                                 progress.reused));
             begun = true;
         }
         if (!progress.failure.empty()) line.say("run failed: " + progress.failure);
@@ -98,9 +103,9 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
     const StudyOutcome outcome = std::move(run_studies({&study, 1}, how).front());
     if (begun && !outcome.stopped) line.finish(finished);
     if (outcome.stopped) {
-        line.say(
-            fmt::format("stopped: {} of {} runs are done; the same command goes on with the rest",
-                        outcome.computed + outcome.reused - outcome.failed, outcome.plan.runs()));
+        line.say(fmt::format("stopped: {} of {} done; the same command goes on with the rest",
+                             outcome.computed + outcome.reused - outcome.failed,
+                             plural(outcome.plan.runs(), "run")));
         if (outcome.beside) line.say("the study that was in the folder before is still in place");
         return StopByRequest::status();
     }
@@ -113,10 +118,10 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
     }
     Report said(options.json);
     said.say(
-        "shard {} of {}: {} runs done, {} found done, {} failed; put the shards together "
+        "shard {} of {}: {} done, {} found done, {} failed; put the shards together "
         "with: hitos-cli study merge {}\n",
-        shard.index, shard.count, outcome.computed - outcome.failed, outcome.reused, outcome.failed,
-        study.layout.folder.string());
+        shard.index, shard.count, plural(outcome.computed - outcome.failed, "run"), outcome.reused,
+        outcome.failed, study.layout.folder.string());
     said.object() = {{"shard", shard.index},
                      {"shards", shard.count},
                      {"runs_done", outcome.computed - outcome.failed},
@@ -152,8 +157,8 @@ int report(const StudyOutcome& outcome, const StudyLayout& layout, SummaryForm f
                layout.quality_file().string());
     tell_damage(outcome);
     if (outcome.failed == 0) return 0;
-    fmt::print(stderr, "{} of {} runs failed; the quality file says why\n", outcome.failed,
-               outcome.records.size());
+    fmt::print(stderr, "{} of {} failed; the quality file says why\n", outcome.failed,
+               plural(outcome.records.size(), "run"));
     return kSomeFailed;
 }
 

@@ -67,8 +67,9 @@ void bind_measures(py::module_& module) {
     define(module, "trajectory_error", &error_of, py::arg("estimate"), py::arg("reference"),
            py::arg("tolerance") = kSameStamp,
            R"(The absolute trajectory error of a path against the true one, both N x 4 arrays of
-t, x, y, theta, after the best rigid alignment (docs/evaluation.md). Poses whose stamps agree within
-`tolerance` seconds are compared; None where there are none.)");
+t, x, y, theta, after the best rigid alignment (docs/evaluation.md). Between poses of the
+reference that are no more than 0.5 s apart, or twice `tolerance`, it is interpolated; elsewhere
+stamps have to agree within `tolerance` seconds. None where nothing can be compared.)");
     define(module, "read_trajectory", &read, py::arg("path"),
            "Reads a trajectory in TUM format, plain or gzip: N x 4 of t, x, y, theta.");
 }

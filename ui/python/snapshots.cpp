@@ -283,7 +283,7 @@ in the world, whose origin is the robot's first pose: metres and radians.)");
             "finished", [](const HeldState& s) { return s->finished(); },
             "Whether the tour is over, and what smooths the path has done it.")
         .def_property_readonly(
-            "time", [](const HeldState& s) { return s->shown()->scan.time_s; },
+            "time", [](const HeldState& s) { return s->shown()->scan.stamp_s(); },
             "Stamp of the last scan [s].")
         .def("__repr__", [](const HeldState& s) {
             return fmt::format("<{} after {} scans: {} landmarks, {} particles>",

@@ -155,7 +155,7 @@ void bind_scan(py::module_& module) {
 the robot's frame, in the order of the rays; rays without a usable reading leave none. All arrays
 are read-only views of the scan's own memory and keep it alive.)")
         .def_property_readonly(
-            "time", [](const ScanView& s) { return s.scan()->time_s; }, "Stamp as logged [s].")
+            "time", [](const ScanView& s) { return s.scan()->stamp_s(); }, "Stamp as logged [s].")
         .def_property_readonly(
             "points", [](const ScanView& s) { return view_of(s.scan()->points, s.scan()); },
             "N x 2: x, y of every point in the robot's frame [m].")

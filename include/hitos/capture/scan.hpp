@@ -43,7 +43,7 @@ struct Fan {
 /// mounting pose where the log gives one), in ray order. Rays without a usable reading leave no
 /// point but end a run of neighbours.
 struct Scan {
-    double time_s = 0.0;                    ///< stamp as logged
+    double time_s = 0.0;                    ///< by the odometry's clock
     std::vector<Point2> points;             ///< robot frame, ray order
     std::vector<std::uint32_t> run_starts;  ///< index of the first point of each run of neighbours
     std::vector<std::uint32_t> rays;        ///< ray number of each point; empty: unknown
@@ -51,7 +51,10 @@ struct Scan {
     Fan fan;                        ///< count == 0: unknown (normalised logs)
     std::uint64_t line = 0;         ///< 1-based line of the log
     bool carries_odometry = false;  ///< the same line is an odometry reading too
+    double delay_s = 0.0;           ///< what was added to the logged stamp (source.scan_delay)
 
+    /// As logged, by the laser's clock: what paths are stamped with.
+    double stamp_s() const { return time_s - delay_s; }
     /// Index behind the last point of a run.
     std::uint32_t run_end(std::size_t run) const {
         return run + 1 < run_starts.size() ? run_starts[run + 1]

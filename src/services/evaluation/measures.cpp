@@ -13,10 +13,6 @@
 namespace hitos {
 namespace {
 
-Point2 position_of(const StampedPose& stamped) {
-    return {stamped.pose.x, stamped.pose.y};
-}
-
 /// A landmark, by index, and the nearest reference landmark of its kind.
 struct MapPair {
     std::size_t landmark = 0;
@@ -209,33 +205,29 @@ std::optional<AlignedMapError> aligned_map_error(const LandmarkMap& map,
 
 std::optional<TrajectoryError> trajectory_error(const Trajectory& estimate,
                                                 const Trajectory& reference, double tolerance_s) {
-    const auto pairs = pairs_by_stamp(estimate, reference, tolerance_s);
+    const auto pairs = matched_by_stamp(estimate, reference, tolerance_s);
     if (pairs.empty()) return std::nullopt;
     const auto count = static_cast<Eigen::Index>(pairs.size());
     Eigen::MatrixXd points(2, count);
     Eigen::MatrixXd partners(2, count);
     for (Eigen::Index k = 0; k < count; ++k) {
-        const auto& [i, j] = pairs[static_cast<std::size_t>(k)];
-        const Point2 point = position_of(estimate[i]);
-        const Point2 partner = position_of(reference[j]);
-        points.col(k) << point.x, point.y;
-        partners.col(k) << partner.x, partner.y;
+        const auto& [i, there] = pairs[static_cast<std::size_t>(k)];
+        const Pose& own = estimate[i].pose;
+        points.col(k) << own.x, own.y;
+        partners.col(k) << there.x, there.y;
     }
     TrajectoryError error;
     error.poses = static_cast<int>(pairs.size());
     error.pose_reference_estimate = rigid_alignment(points, partners);
     double squares = 0.0;
     double heading_squares = 0.0;
-    for (const auto& [own, other] : pairs) {
-        const Point2 point = position_of(estimate[own]);
-        const Point2 partner = position_of(reference[other]);
-        const double away = distance(transform(error.pose_reference_estimate, point), partner);
+    for (const auto& [i, there] : pairs) {
+        const Pose own = compose(error.pose_reference_estimate, estimate[i].pose);
+        const double away = std::hypot(own.x - there.x, own.y - there.y);
         squares += away * away;
         error.mean_m += away / error.poses;
         error.maximum_m = std::max(error.maximum_m, away);
-        const double turn =
-            wrap_angle(estimate[own].pose.theta + error.pose_reference_estimate.theta -
-                       reference[other].pose.theta);
+        const double turn = wrap_angle(own.theta - there.theta);
         heading_squares += turn * turn;
     }
     error.rmse_m = std::sqrt(squares / error.poses);

@@ -25,12 +25,12 @@ PathCrispness path_crispness(const TourReader& tour, const Trajectory& path,
                                          "tour that the path was made of"),
                               crispness.scans, path.size());
         }
-        if (!(std::abs(scan->time_s - time_s) <= kSameStamp)) {
+        if (!(std::abs(scan->stamp_s() - time_s) <= kSameStamp)) {
             throw FormatError(tour.name(), 0,
                               HITOS_TEXT("Errors",
                                          "scan %1 has the stamp %2 s, its pose %3 s; expected the "
                                          "tour that the path was made of"),
-                              crispness.scans + 1, scan->time_s, time_s);
+                              crispness.scans + 1, scan->stamp_s(), time_s);
         }
         cells.add(*scan, pose);
         grid.add(*scan, pose);

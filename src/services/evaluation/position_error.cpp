@@ -8,17 +8,16 @@
 
 namespace hitos {
 
-PositionError::PositionError(Trajectory reference) : reference_(std::move(reference)) {
+PositionError::PositionError(Trajectory reference, double tolerance_s)
+    : reference_(std::move(reference)), tolerance_s_(tolerance_s) {
     std::ranges::stable_sort(reference_, {}, &StampedPose::time_s);
 }
 
 std::optional<Pose> PositionError::reference_at(const StampedPose& estimate) {
-    const StampedPose* nearest = nearest_pose(reference_, estimate.time_s, kSameStamp);
-    if (nearest == nullptr) return std::nullopt;
-    if (!pose_world_reference_) {
-        pose_world_reference_ = compose(estimate.pose, inverse(nearest->pose));
-    }
-    return compose(*pose_world_reference_, nearest->pose);
+    const std::optional<Pose> there = pose_at(reference_, estimate.time_s, tolerance_s_);
+    if (!there) return std::nullopt;
+    if (!pose_world_reference_) pose_world_reference_ = compose(estimate.pose, inverse(*there));
+    return compose(*pose_world_reference_, *there);
 }
 
 std::optional<double> PositionError::at(const StampedPose& estimate) {

@@ -11,20 +11,19 @@ namespace hitos {
 
 std::optional<RelativeError> relative_error(const Trajectory& estimate, const Trajectory& reference,
                                             const PairSpacing& spacing, double tolerance_s) {
-    auto common = pairs_by_stamp(estimate, reference, tolerance_s);
+    auto common = matched_by_stamp(estimate, reference, tolerance_s);
     std::ranges::stable_sort(common, {},
-                             [&](const auto& pair) { return estimate[pair.first].time_s; });
+                             [&](const Matched& pair) { return estimate[pair.estimate].time_s; });
     Trajectory own;
-    Trajectory other;
-    for (const auto& [i, j] : common) {
+    std::vector<Pose> other;
+    for (const auto& [i, there] : common) {
         own.push_back(estimate[i]);
-        other.push_back(reference[j]);
+        other.push_back(there);
     }
     std::vector<double> translations;
     std::vector<double> rotations;
     for (const auto& [i, j] : pose_pairs(own, spacing)) {
-        const Pose error =
-            between(between(other[i].pose, other[j].pose), between(own[i].pose, own[j].pose));
+        const Pose error = between(between(other[i], other[j]), between(own[i].pose, own[j].pose));
         translations.push_back(std::hypot(error.x, error.y));
         rotations.push_back(std::abs(error.theta));
     }

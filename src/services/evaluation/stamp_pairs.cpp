@@ -17,6 +17,24 @@ struct Stamp {
     std::size_t index = 0;
 };
 
+// [s] A robot indoors drives straight enough for so long.
+constexpr double kLongestGap = 0.5;
+
+/// Strictly between two poses that are near enough.
+std::optional<Pose> interpolated(const Trajectory& by_stamp, double time_s, double tolerance_s) {
+    const auto after = std::ranges::lower_bound(by_stamp, time_s, {}, &StampedPose::time_s);
+    if (after == by_stamp.begin() || after == by_stamp.end() || !(after->time_s > time_s))
+        return std::nullopt;
+    const StampedPose& before = *std::prev(after);
+    const double gap = after->time_s - before.time_s;
+    if (!(gap <= std::max(kLongestGap, 2.0 * tolerance_s))) return std::nullopt;
+    const double share = (time_s - before.time_s) / gap;
+    const Pose& a = before.pose;
+    const Pose& b = after->pose;
+    return Pose{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y),
+                wrap_angle(a.theta + share * wrap_angle(b.theta - a.theta))};
+}
+
 }  // namespace
 
 // The two nearest that are left always stand side by side in the order of stamps, so a list of what
@@ -67,6 +85,35 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs_by_stamp(const Trajectory
     }
     std::ranges::sort(pairs);
     return pairs;
+}
+
+std::vector<Matched> matched_by_stamp(const Trajectory& estimate, const Trajectory& reference,
+                                      double tolerance_s) {
+    Trajectory by_stamp = reference;
+    std::erase_if(by_stamp, [](const StampedPose& pose) { return !std::isfinite(pose.time_s); });
+    std::ranges::stable_sort(by_stamp, {}, &StampedPose::time_s);
+    std::vector<Matched> matched;
+    Trajectory rest;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < estimate.size(); ++i) {
+        if (const auto there = interpolated(by_stamp, estimate[i].time_s, tolerance_s)) {
+            matched.push_back({i, *there});
+        } else {
+            rest.push_back(estimate[i]);
+            places.push_back(i);
+        }
+    }
+    for (const auto& [own, other] : pairs_by_stamp(rest, by_stamp, tolerance_s)) {
+        matched.push_back({places[own], by_stamp[other].pose});
+    }
+    std::ranges::sort(matched, {}, &Matched::estimate);
+    return matched;
+}
+
+std::optional<Pose> pose_at(const Trajectory& by_stamp, double time_s, double tolerance_s) {
+    if (const auto there = interpolated(by_stamp, time_s, tolerance_s)) return there;
+    const StampedPose* nearest = nearest_pose(by_stamp, time_s, tolerance_s);
+    return nearest != nullptr ? std::optional(nearest->pose) : std::nullopt;
 }
 
 const StampedPose* nearest_pose(const Trajectory& by_stamp, double time_s, double tolerance_s) {

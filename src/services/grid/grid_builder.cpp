@@ -23,7 +23,7 @@ bool GridBuilder::step() {
         grid_.add(*scan, (*given_)[steps_].pose);
     } else {
         controls_.controls_until(*scan, step_controls_);
-        odometry_.add(scan->time_s, step_controls_);
+        odometry_.add(scan->stamp_s(), step_controls_);
         grid_.add(*scan, odometry_.trajectory().back().pose);
     }
     ++steps_;

@@ -152,16 +152,29 @@ RunSummary summarize(const Algoritmo& run, const References& references,
     }
     summary.distances = measure_distances(map, references.distances);
     if (references.trajectory) {
-        summary.trajectory_error = trajectory_error(run.best_trajectory(), *references.trajectory);
-        summary.online_error = trajectory_error(run.online_trajectory(), *references.trajectory);
-        summary.odometry_error =
-            trajectory_error(run.odometry_trajectory(), *references.trajectory);
+        const auto error_of = [&](const Trajectory& path) {
+            return trajectory_error(path, *references.trajectory, references.tolerance_s);
+        };
+        summary.trajectory_error = error_of(run.best_trajectory());
+        summary.online_error = error_of(run.online_trajectory());
+        summary.odometry_error = error_of(run.odometry_trajectory());
+        const double delay_s = run.scan().delay_s;
+        if (delay_s != 0.0 && !run.reader().truth()) {
+            summary.advice.push_back(
+                {HITOS_TEXT("Advice",
+                            "Paths keep the scans' own stamps, without the %1 of the scan delay, "
+                            "and the reference is compared by these: where its clock is the "
+                            "odometry's, subtract them from its stamps."),
+                 fmt::format("{:g} s", delay_s),
+                 {}});
+        }
         if (!summary.trajectory_error) {
             summary.quality.warnings.push_back(
                 {HITOS_TEXT("Advice",
                             "No pose of the reference trajectory is within %1 of a scan, so no "
-                            "error is told: are the clocks the same?"),
-                 fmt::format("{:g} s", kSameStamp),
+                            "error is told: are the clocks the same? Of a slow reference "
+                            "--tolerance takes poses that are further away."),
+                 fmt::format("{:g} s", references.tolerance_s),
                  {}});
         }
     }

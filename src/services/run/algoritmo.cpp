@@ -109,7 +109,7 @@ bool Algoritmo::step(AssociationRecord* record) {
     note_scan();
     if (options_.step_grid) draw_scan(registered && registered->key);
     if (state_.registration) take_correction();
-    state_.online.push_back({state_.scan.time_s, state_.filter->best_pose()});
+    state_.online.push_back({state_.scan.stamp_s(), state_.filter->best_pose()});
     return true;
 }
 
@@ -137,8 +137,8 @@ void Algoritmo::note_scan() {
     state_.line_extents.note(*state_.filter, state_.observation);
     state_.suitability.note(step_controls_, state_.observation, state_.filter->associations());
     if (options_.uncertainty)
-        state_.uncertainty.note(state_.scan.time_s, state_.filter->best_map());
-    state_.odometry.add(state_.scan.time_s, step_controls_);
+        state_.uncertainty.note(state_.scan.stamp_s(), state_.filter->best_map());
+    state_.odometry.add(state_.scan.stamp_s(), step_controls_);
     if (options_.taken) options_.taken(state_.scan, odometry_trajectory().back().pose);
 }
 

@@ -362,7 +362,7 @@ void RunWorker::note_progress() {
     progress_.steps = run_.steps();
     progress_.revision = run_.revision();
     progress_.fraction = run_.reader().progress();
-    progress_.time_s = run_.scan().time_s;
+    progress_.time_s = run_.scan().stamp_s();
     progress_.duration_s = run_.duration_s();
     progress_.lines = run_.filter().best_count(FeatureKind::line);
     progress_.corners = run_.filter().best_count(FeatureKind::corner);

@@ -72,9 +72,10 @@ std::optional<double> nees_of(const StepFigures& figures, PositionError& referen
     return there ? pose_nees(figures.mean, figures.covariance, *there) : std::nullopt;
 }
 
-std::string figures_to_csv(std::span<const StepFigures> figures, const Trajectory* reference) {
+std::string figures_to_csv(std::span<const StepFigures> figures, const Trajectory* reference,
+                           double tolerance_s) {
     std::optional<PositionError> error;
-    if (reference != nullptr) error.emplace(*reference);
+    if (reference != nullptr) error.emplace(*reference, tolerance_s);
     std::string text = kHeading;
     text += error ? ",position_error_m,pose_nees\n" : "\n";
     std::size_t scan = 0;
@@ -89,8 +90,8 @@ std::string figures_to_csv(std::span<const StepFigures> figures, const Trajector
 }
 
 void write_figures(std::span<const StepFigures> figures, const Trajectory* reference,
-                   const std::filesystem::path& path) {
-    write_file(path, figures_to_csv(figures, reference));
+                   const std::filesystem::path& path, double tolerance_s) {
+    write_file(path, figures_to_csv(figures, reference, tolerance_s));
 }
 
 StopReason StopRules::met(const StepFigures& step, std::optional<double> position_error_m) const {

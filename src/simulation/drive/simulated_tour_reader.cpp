@@ -68,6 +68,7 @@ std::optional<Scan> SimulatedTourReader::next_scan() {
         }
         scan.line = taken_ + readings_before_;
         scan.time_s += options_.scan_delay_s;
+        scan.delay_s = options_.scan_delay_s;
         if (scan.time_s < 0.0) {  // the first reading's time is 0
             if (options_.leave_out_early_scans) {
                 ++report_.early_scans_left_out;
@@ -141,7 +142,7 @@ std::optional<Truth> SimulatedTourReader::truth() const {
     const std::uint64_t scans = tour_->scans();
     truth.path.reserve(scans);
     for (std::uint64_t k = 0; k < scans; ++k) {
-        truth.path.push_back({tour_->scan_time(k) + options_.scan_delay_s, tour_->true_pose(k)});
+        truth.path.push_back({tour_->scan_time(k), tour_->true_pose(k)});
     }
     const Pose pose_start_world = inverse(tour_->world().tour.start);
     for (const auto* walls : {&tour_->world().walls, &tour_->world().doors}) {

@@ -163,7 +163,8 @@ class FiltroParticulas final : public SlamFilter {
                       body(Block{begin, end, workers_[number]});
                   });
     }
-    /// What that particle, as it was before resampling, made of the scan: the best one's map is its.
+    /// What that particle, as it was before resampling, made of the scan: the best one's map is
+    /// its.
     void note_associations(std::size_t source);
     /// Makes associations_ of what was noted: places in the map that is told.
     void publish_associations();

@@ -12,8 +12,8 @@
 #include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/folder_entries.hpp"
-#include "hitos/simulation/worlds/odometry_noise.hpp"
 #include "hitos/simulation/drive/simulated_tour_reader.hpp"
+#include "hitos/simulation/worlds/odometry_noise.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 

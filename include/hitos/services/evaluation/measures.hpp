@@ -8,7 +8,8 @@
 
 namespace hitos {
 
-/// Stamps of an estimate and of a reference that are no further apart [s] are of one moment.
+/// Stamps of an estimate and of a reference that are no further apart [s] are of one moment, where
+/// nothing else is asked for.
 inline constexpr double kSameStamp = 0.02;
 
 /// Errors of a landmark map against a reference map.
@@ -40,9 +41,10 @@ std::optional<AlignedMapError> aligned_map_error(const LandmarkMap& map,
                                                  const LandmarkMap& reference);
 
 /// Absolute trajectory error after the best rigid alignment without scale (Horn 1987; Umeyama
-/// 1991), over the poses whose stamps agree within `tolerance_s`: nearest stamps first, every pose
-/// once. Where the positions do not fix a rotation (a robot at rest) there is none. Nothing where
-/// no stamps agree.
+/// 1991), over the poses at whose stamps the reference tells where the robot was: between two of
+/// its poses that are no more than 0.5 s apart, or twice `tolerance_s`, it is interpolated; else
+/// the stamps have to agree within `tolerance_s`, nearest first, every pose once. Where the
+/// positions do not fix a rotation (a robot at rest) there is none. Nothing where no stamps agree.
 struct TrajectoryError {
     double rmse_m = 0.0;  ///< ATE: root mean square distance
     double mean_m = 0.0;

@@ -8,12 +8,12 @@
 
 namespace hitos {
 
-/// The distance of poses, in the order of their stamps, to those of a reference with the same
-/// stamps, within kSameStamp. The first pair brings the reference into the run's frame; so the
+/// The distance of poses, in the order of their stamps, to those of a reference at these stamps, as
+/// trajectory_error() finds them. The first pair brings the reference into the run's frame; so the
 /// error needs nothing that lies ahead, unlike trajectory_error().
 class PositionError {
   public:
-    explicit PositionError(Trajectory reference);
+    explicit PositionError(Trajectory reference, double tolerance_s = kSameStamp);
 
     /// In metres; nothing where the reference has no pose at this stamp.
     std::optional<double> at(const StampedPose& estimate);
@@ -24,6 +24,7 @@ class PositionError {
 
   private:
     Trajectory reference_;  // by stamps
+    double tolerance_s_;
     std::optional<Pose> pose_world_reference_;
 };
 

@@ -29,7 +29,8 @@ std::string build_identity();
 /// What to compare a run with.
 struct References {
     std::optional<LandmarkMap> map;
-    std::optional<Trajectory> trajectory;  ///< of the same clock, in any frame
+    std::optional<Trajectory> trajectory;  ///< of the clock of the scans' stamps, in any frame
+    double tolerance_s = kSameStamp;       ///< of trajectory_error()
     std::vector<NamedDistance> distances;  ///< in the map's frame
     Walls walls;                           ///< true walls for pictures, in the map's frame
 };

@@ -44,10 +44,11 @@ std::optional<double> nees_of(const StepFigures& figures, PositionError& referen
 /// A table with one line a scan and a heading, comma separated, RFC 4180: the members of
 /// StepFigures but mean and covariance, and where there is a reference the position error [m]
 /// (PositionError) and the NEES of the pose.
-std::string figures_to_csv(std::span<const StepFigures> figures, const Trajectory* reference);
+std::string figures_to_csv(std::span<const StepFigures> figures, const Trajectory* reference,
+                           double tolerance_s = kSameStamp);
 /// Writes it atomically. Throws FileError.
 void write_figures(std::span<const StepFigures> figures, const Trajectory* reference,
-                   const std::filesystem::path& path);
+                   const std::filesystem::path& path, double tolerance_s = kSameStamp);
 
 /// What stopped a run.
 enum class StopReason : std::uint8_t {

@@ -322,19 +322,46 @@ int slow_pairs(const Trajectory& a, const Trajectory& b, double tolerance_s) {
 
 TEST(TrajectoryError, PairsEveryPoseOnceNearestFirst) {
     std::mt19937_64 random(7);
-    std::uniform_real_distribution<double> times(0.0, 2.0);
+    std::uniform_real_distribution<double> times(0.0, 2000.0);  // too far apart to interpolate
     for (int i = 0; i < 200; ++i) {
         Trajectory a(30);
         Trajectory b(25);
         for (StampedPose& p : a) p.time_s = times(random);
         for (StampedPose& p : b) p.time_s = times(random);
-        EXPECT_EQ(trajectory_error(a, b, 0.05)->poses, slow_pairs(a, b, 0.05));
+        EXPECT_EQ(trajectory_error(a, b, 5.0)->poses, slow_pairs(a, b, 5.0));
     }
     // Two estimates near one reference: only the nearer counts.
     const Trajectory reference = {{1.0, {}}, {5.0, {4.0, 0.0, 0.0}}};
     const Trajectory estimate = {{0.99, {9.0, 9.0, 0.0}}, {1.001, {}}, {5.0, {4.0, 0.0, 0.0}}};
     EXPECT_EQ(trajectory_error(estimate, reference)->poses, 2);
     EXPECT_NEAR(trajectory_error(estimate, reference)->rmse_m, 0.0, 1e-15);
+}
+
+TEST(TrajectoryError, IsInterpolatedBetweenPosesThatAreNear) {
+    // A turn through pi at 4 Hz, and what drives it between: straight from pose to pose.
+    const Trajectory reference = {
+        {0.0, {0.0, 0.0, 3.0}}, {0.25, {1.0, 0.0, -3.0}}, {0.5, {1.0, 1.0, -3.0}}};
+    Trajectory estimate;
+    for (const double time : {0.1, 0.125, 0.2, 0.3, 0.4}) {
+        const double along = time / 0.25;
+        estimate.push_back(
+            {time, along < 1.0 ? Pose{along, 0.0, wrap_angle(3.0 + along * (2.0 * kPi - 6.0))}
+                               : Pose{1.0, along - 1.0, -3.0}});
+    }
+    const auto error = trajectory_error(estimate, reference);
+    ASSERT_TRUE(error.has_value());
+    EXPECT_EQ(error->poses, 5);
+    EXPECT_NEAR(error->maximum_m, 0.0, 1e-12);
+    EXPECT_NEAR(error->heading_rmse_rad, 0.0, 1e-12);
+    // At 1 Hz only who allows for it is told.
+    Trajectory slow = reference;
+    for (StampedPose& pose : slow) pose.time_s *= 4.0;
+    for (StampedPose& pose : estimate) pose.time_s *= 4.0;
+    EXPECT_FALSE(trajectory_error(estimate, slow).has_value());
+    EXPECT_EQ(trajectory_error(estimate, slow, 0.5)->poses, 5);
+    EXPECT_NEAR(trajectory_error(estimate, slow, 0.5)->maximum_m, 0.0, 1e-12);
+    // What lies outside is not continued.
+    EXPECT_FALSE(trajectory_error({{2.1, {}}}, slow).has_value());
 }
 
 TEST(TrajectoryError, IsNothingWithoutCommonStamps) {
