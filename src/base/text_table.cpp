@@ -21,7 +21,8 @@ bool is_formula(std::string_view text) {
 std::string csv_field(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     if (is_formula(text)) text.insert(text.begin(), '\'');
-    if (text.find_first_of(",\"\r") == std::string::npos) return text;
+    const auto plain = [](unsigned char c) { return c >= 0x20 && c != ',' && c != '"'; };
+    if (std::ranges::all_of(text, plain)) return text;
     std::string quoted = "\"";
     for (const char c : text) {
         if (c == '"') quoted += '"';

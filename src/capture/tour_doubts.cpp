@@ -43,10 +43,13 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                      "Errors",
                      "%1 of %2 scans have no reading that can be used, so there is nothing to map"),
                  empty_scans_, scans_),
-             marked(HITOS_TEXT(
-                 "Errors",
-                 "look whether the range limits of the recording are swapped or tiny, or its "
-                 "readings not in metres; source.max_range sets the greatest range"))});
+             fan_.count == 0
+                 ? marked(HITOS_TEXT("Errors",
+                                     "its scans are points and hold none; look at what wrote them"))
+                 : marked(HITOS_TEXT(
+                       "Errors",
+                       "look whether the range limits of the recording are swapped or tiny, or its "
+                       "readings not in metres; source.max_range sets the greatest range"))});
     }
     const auto typical = static_cast<double>(median(medians_));
     constexpr double kFarthest = 200.0;

@@ -18,8 +18,8 @@ inline constexpr const char* kNoFigure = "–";
 /// Rows for columns.
 TextTable transposed(const TextTable& table);
 
-/// One line of a CSV file: fields with commas or quotes in quotes, line ends as spaces, and before
-/// what a spreadsheet would take for a formula an apostrophe.
+/// One line of a CSV file: fields with commas, quotes or control characters in quotes, line ends as
+/// spaces, and before what a spreadsheet would take for a formula an apostrophe.
 std::string csv_line(std::vector<std::string> fields);
 
 /// The head and a line a row; kNoFigure gives an empty field.

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "hitos/base/plural.hpp"
 #include "hitos/base/text_table.hpp"
 #include "hitos/services/study/study_result.hpp"
 
@@ -109,9 +110,9 @@ std::string damage_sentence(std::span<const StudyCell> cells) {
     }
     if (skipped + backwards == 0) return {};
     return fmt::format(
-        " The log is damaged: {} lines skipped, {} stamps that did not advance (of several logs, "
-        "the most of one).",
-        skipped, backwards);
+        " The log is damaged: {} skipped, {} that did not advance (of several logs, the most of "
+        "one).",
+        plural(skipped, "line"), plural(backwards, "stamp"));
 }
 
 std::string reference_sentence(const StudyPlan& plan, std::span<const StudyCell> cells) {
@@ -121,9 +122,10 @@ std::string reference_sentence(const StudyPlan& plan, std::span<const StudyCell>
                                                                    : "") +
                " Blur: undecided area of the grid map; lower is crisper.";
     }
-    return fmt::format("{} landmarks in the reference: {} lines, {} corners.",
-                       plan.reference_lines + plan.reference_corners, plan.reference_lines,
-                       plan.reference_corners);
+    return fmt::format("{} in the reference: {}, {}.",
+                       plural(plan.reference_lines + plan.reference_corners, "landmark"),
+                       plural(plan.reference_lines, "line"),
+                       plural(plan.reference_corners, "corner"));
 }
 
 /// For CSV files; empty where there is no reference map.

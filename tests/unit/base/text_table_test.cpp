@@ -12,7 +12,8 @@ TEST(TextTable, CsvQuotesWhatNeedsIt) {
 }
 
 TEST(TextTable, NothingIsAFormula) {
-    EXPECT_EQ(csv_line({"=cmd()", "+1+1", "-x", "@a", "\tb"}), "'=cmd(),'+1+1,'-x,'@a,'\tb\n");
+    EXPECT_EQ(csv_line({"=cmd()", "+1+1", "-x", "@a", "\tb"}), "'=cmd(),'+1+1,'-x,'@a,\"'\tb\"\n");
+    EXPECT_EQ(csv_line({"a\tb", "c\x1b[1m"}), "\"a\tb\",\"c\x1b[1m\"\n");
     EXPECT_EQ(csv_line({"-1.5", "+2", "-inf", "a=b", "", "\n=1"}), "-1.5,+2,-inf,a=b,, =1\n");
 }
 

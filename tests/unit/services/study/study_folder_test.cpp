@@ -380,7 +380,7 @@ TEST_F(StudyFolderTest, DamageOfTheLogIsInRecordsAndOutlastsAMerge) {
     ASSERT_NE(record, nullptr);
     EXPECT_EQ(record->report.skipped, 1U);
     EXPECT_THAT(content(out("quality.csv")), HasSubstr(",1,0,0,\"line 63: "));
-    EXPECT_THAT(content(out("summary.md")), HasSubstr("The log is damaged: 1 lines skipped"));
+    EXPECT_THAT(content(out("summary.md")), HasSubstr("The log is damaged: 1 line skipped"));
 }
 
 }  // namespace
