@@ -1,5 +1,8 @@
 // What becomes of a long run whose window ends without anybody being asked.
 
+#include <QComboBox>
+#include <QDate>
+#include <QLocale>
 #include <QProcess>
 #include <QStandardPaths>
 
@@ -48,7 +51,16 @@ void expect_told() {
     const QString words = f.prompts.confirmed_texts.front();
     const QString folder = words.section("Its results are in ", 1).chopped(1);
     QVERIFY2(QFileInfo::exists(folder + "/map.txt"), qPrintable(words));
-    QVERIFY(f.window->runs().comparison() != nullptr);
+    QVERIFY2(words.contains(QLocale().toString(QDate::currentDate(), QLocale::ShortFormat)),
+             qPrintable(words));
+    QVERIFY2(f.prompts.confirmed_texts.front().contains("with Cancel", Qt::CaseInsensitive),
+             qPrintable(words));
+    // Nothing else is there to compare it with: its odometry is.
+    const CompareWindow* comparison = f.window->runs().comparison();
+    QVERIFY(comparison != nullptr);
+    for (const char* box : {"compare_left", "compare_right"})
+        QVERIFY(comparison->findChild<QComboBox*>(box)->currentIndex() >= 0);
+    QVERIFY(comparison->findChild<QComboBox*>("compare_right")->currentText().contains("odometry"));
     QCOMPARE(f.window->runs().list().runs().size(), std::size_t{1});
     QVERIFY(f.window->runs().list().runs().front().run->path.size() > 1000);
     f.window->tell_left_runs();

@@ -136,6 +136,24 @@ void RunTest::all_results_of_a_world_are_those_of_the_command_line() {
     QVERIFY(Fixture::read(f.path("results/summary.json")).contains("\"trajectory_error\""));
 }
 
+void RunTest::closing_waits_for_results_that_are_being_written() {
+    Fixture f(true, 20);
+    f.run_to_end();
+    f.prompts.saves = {f.path("results")};
+    f.trigger("action_save_results");
+    const QString said = f.window->statusBar()->currentMessage();
+    QVERIFY2(said.contains("Writing results"), qPrintable(said));
+    f.window->close();  // declined
+    QVERIFY(f.window->isVisible());
+    QVERIFY(f.prompts.confirmed_texts.value(0).contains("written"));
+    f.prompts.confirms = {true};
+    f.window->close();
+    QTRY_VERIFY(!f.window->isVisible());
+    QVERIFY(!f.window->result_actions().writing());
+    QVERIFY(QFile::exists(f.path("results/summary.json")));
+    QVERIFY(f.prompts.warnings.isEmpty());
+}
+
 void RunTest::results_that_cannot_be_written_are_asked_for_again() {
     Fixture f;
     f.run_steps(20);

@@ -176,6 +176,7 @@ class RunTest : public QObject {
     void the_map_is_saved_while_running();
     void all_results_are_those_of_the_command_line();
     void all_results_of_a_world_are_those_of_the_command_line();
+    void closing_waits_for_results_that_are_being_written();
     void results_that_cannot_be_written_are_asked_for_again();
     void saving_the_map_can_fail_and_be_cancelled();
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/command_line.hpp"
+#include "app/words_of.hpp"
 #include "dialogs/configuration_dialog.hpp"
 #include "dialogs/parameter_text.hpp"
 #include "dialogs/source_dialog.hpp"
@@ -179,8 +180,9 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed) {
         files_.note_folder("log", file);
         files_.note_recent(file);
         const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
-        emit notice(tr("Source loaded: %1, %2 scans")
-                        .arg(QFileInfo(file).fileName(), QString::number(summary.report.scans)));
+        emit notice(tr("Source loaded: %1, %2")
+                        .arg(QFileInfo(file).fileName(),
+                             counted_words(summary.report.scans, tr("1 scan"), tr("%1 scans"))));
         return true;
     }
     return false;

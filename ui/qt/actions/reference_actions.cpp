@@ -1,5 +1,6 @@
 // References to measure a run against: a map and a trajectory, from files.
 
+#include "app/words_of.hpp"
 #include "configuration_actions.hpp"
 
 namespace hitos::window {
@@ -10,11 +11,15 @@ bool ConfigurationActions::use_reference(const QString& path, FileKind kind) {
         if (kind == FileKind::map) {
             references.map = read_map(path.toStdString());
             session_.set_references(references, path);
-            emit notice(tr("Reference map: %1 landmarks").arg(references.map->size()));
+            emit notice(tr("Reference map: %1")
+                            .arg(counted_words(references.map->size(), tr("1 landmark"),
+                                               tr("%1 landmarks"))));
         } else {
             references.trajectory = read_trajectory(path.toStdString());
             session_.set_references(references, session_.reference_map_file());
-            emit notice(tr("Reference trajectory: %1 poses").arg(references.trajectory->size()));
+            emit notice(tr("Reference trajectory: %1")
+                            .arg(counted_words(references.trajectory->size(), tr("1 pose"),
+                                               tr("%1 poses"))));
         }
     } catch (const std::exception& error) {
         prompts_.warn(window_, tr("The reference was not loaded"), words_of(error));

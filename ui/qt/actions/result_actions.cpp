@@ -34,7 +34,12 @@ ResultActions::ResultActions(Session& session, UserFiles& files, Prompts& prompt
       files_(files),
       prompts_(prompts),
       settings_(settings),
-      window_(window) {}
+      window_(window) {
+    // Of a run that is no more nothing is written.
+    connect(&session, &Session::restarted, this, [this] {
+        if (!writing()) emit busy({});
+    });
+}
 
 ResultActions::~ResultActions() {
     if (writing_.valid()) writing_.wait();  // it calls back here
@@ -221,7 +226,7 @@ void ResultActions::write_results_to(const QString& folder) {
                                       .arg(now.number)
                                       .arg(now.count);
             QMetaObject::invokeMethod(
-                this, [this, words] { emit notice(words); }, Qt::QueuedConnection);
+                this, [this, words] { emit busy(words); }, Qt::QueuedConnection);
         };
         try {
             const RunSummary summary =
@@ -238,6 +243,7 @@ void ResultActions::write_results_to(const QString& folder) {
             },
             Qt::QueuedConnection);
     });
+    emit busy(tr("Writing results…"));
     emit writing_changed();
 }
 
@@ -246,7 +252,9 @@ void ResultActions::end_writing(int number, const QString& folder, const QString
     if (number != writings_) return;
     writing_ = {};
     emit writing_changed();
+    emit written(problem.isEmpty());
     if (!problem.isEmpty()) {
+        emit busy({});
         tell_not_written(prompts_, window_, problem);
         save_results();
         return;

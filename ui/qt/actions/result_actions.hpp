@@ -52,7 +52,11 @@ class ResultActions final : public QObject {
 
   signals:
     void notice(QString text);
+    /// What lasts until the next notice; empty: no longer.
+    void busy(QString text);
     void writing_changed();
+    /// save_results() has come to its end: whether all is there.
+    void written(bool good);
     /// A map has a window of its own now.
     void opened(QWidget* window);
 

@@ -10,6 +10,7 @@
 #include "actions/user_files.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/results/kept_run.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
@@ -64,7 +65,7 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
                     "Change one value of the world that is simulated; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    program.add_option("--seed", out.values.seed, "Seed of all random numbers")
+    program.add_option("--seed", out.values.seed, "Seed of all random numbers, 0 or more")
         ->check(&complaint_of_seed);
     program
         .add_option("--tour-seed", out.values.tour_seed,
@@ -75,7 +76,9 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         .add_option("--scan-delay", out.scan_delay_s,
                     "Seconds to add to the scans' times, as a finding advises")
         ->type_name("SECONDS");
-    program.add_option("--threads", out.values.threads, "Threads (default: all)");
+    program.add_option(
+        "--threads", out.values.threads,
+        "Threads, " + find_parameter("run.threads").allowed() + " (default: 0, all)");
     program.add_option("--reference", out.reference, "Reference map to measure the map against");
     program.add_option("--reference-trajectory", out.reference_trajectory,
                        "Reference trajectory (TUM) to measure the path against");

@@ -9,6 +9,7 @@
 #include <QMimeData>
 #include <QShortcut>
 #include <QTimer>
+#include <utility>
 
 #include "actions/configuration_actions.hpp"
 #include "actions/file_menus.hpp"
@@ -236,6 +237,10 @@ void MainWindow::connect_run() {
     });
     connect(ui_->action_exit, &QAction::triggered, this, &QWidget::close);
     connect(results_, &ResultActions::notice, status_, &StatusLine::notice);
+    connect(results_, &ResultActions::busy, status_, &StatusLine::lasting);
+    connect(results_, &ResultActions::written, this, [this](bool good) {
+        if (std::exchange(close_when_written_, false) && good) close();
+    });
     connect(status_, &StatusLine::skipped_wanted, results_, &ResultActions::list_skipped);
     // The keys of the run go there too.
     connect(results_, &ResultActions::opened, this,
@@ -345,6 +350,10 @@ void MainWindow::name_what_runs() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!may_close_now()) {
+        event->ignore();
+        return;
+    }
     if (study_ != nullptr && !study_->may_end()) {
         event->ignore();
         return;

@@ -86,6 +86,7 @@ class MainWindow final : public QMainWindow {
     void set_highlight(const PickedLandmark& picked);
     /// The one with the keyboard, else the grid map.
     const CanvasView& view_in_use() const;
+    bool may_close_now();
     void restyle();
     void save_state();
     void restore_state();
@@ -114,6 +115,7 @@ class MainWindow final : public QMainWindow {
     MeasurementTable* measurement_table_ = nullptr;
     StudyDialog* study_ = nullptr;
     WorldWindow* world_ = nullptr;
+    bool close_when_written_ = false;
 };
 
 }  // namespace hitos::window

@@ -1,10 +1,14 @@
 // Runs to compare, studies of many and tours to drive, and what the window does with them.
 
+#include <QDateTime>
 #include <QDir>
+#include <QFileInfo>
+#include <QLocale>
 
 #include "actions/configuration_actions.hpp"
 #include "actions/result_actions.hpp"
 #include "dialogs/study_dialog.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "main_window.hpp"
 #include "runs/compare_window.hpp"
 #include "runs/run_keeper.hpp"
@@ -18,17 +22,47 @@
 #include "world/world_window.hpp"
 
 namespace hitos::window {
+namespace {
+
+/// The name of the log that results are of, else that of their folder.
+QString log_in(const QString& folder) {
+    try {
+        const Configuracion configuration =
+            ArchivoConfiguracion::read(folder.toStdString() + "/config.cfg");
+        return QFileInfo(QString::fromStdString(configuration.source.file)).fileName();
+    } catch (const std::exception&) {
+        return QFileInfo(folder).fileName();
+    }
+}
+
+}  // namespace
 
 void MainWindow::tell_left_runs() {
     // One after the other: what is not told of stays for the next start.
     for (QString folder; !(folder = RunKeeper::take_left()).isEmpty();) {
+        const QFileInfo written(folder + "/summary.json");
         const bool look = prompts_.confirm(
-            this, {tr("A run was kept"), tr("Look at the run that was kept?"),
-                   tr("Hitos was ended from outside after a long run. Its results are in %1.")
-                       .arg(QDir::toNativeSeparators(folder)),
+            this, {tr("Run kept"), tr("Look at the run of %1 that was kept?").arg(log_in(folder)),
+                   tr("Hitos was ended from outside after this long run, which was over on %1. "
+                      "With Cancel it stays where it is, for Run → Open results. Its results are "
+                      "in %2.")
+                       .arg(QLocale().toString(written.lastModified(), QLocale::ShortFormat),
+                            QDir::toNativeSeparators(folder)),
                    tr("Look")});
         if (look) runs_->open(folder);
     }
+}
+
+/// Results that are being written are waited for, where the user wants to.
+bool MainWindow::may_close_now() {
+    if (!results_->writing()) return true;
+    if (!prompts_.confirm(
+            this, {tr("Results are being written"), tr("Close when all results are written?"),
+                   tr("Until then the window stays open."), tr("Close then")})) {
+        return false;
+    }
+    close_when_written_ = results_->writing();
+    return !close_when_written_;
 }
 
 void MainWindow::connect_runs() {

@@ -109,6 +109,10 @@ void StatusLine::notice(const QString& text) {
     bar_->showMessage(text, kNoticeMs);
 }
 
+void StatusLine::lasting(const QString& text) {
+    bar_->showMessage(text);
+}
+
 void StatusLine::show_doubts(const std::vector<TourFinding>& findings) {
     QStringList sentences;
     for (const TourFinding& finding : findings) sentences << set_apart(words_of(finding));
@@ -156,7 +160,8 @@ void StatusLine::refresh() {
     scan_->setText(total_ ? tr("Scan %1 of %2").arg(p.steps).arg(*total_)
                           : tr("Scan %1").arg(p.steps));
     time_->setText(tr("Time %1 s").arg(p.duration_s, 0, 'f', 1));
-    speed_->setText(p.steps_per_second <= 0.0
+    // At the end it would be that of the last few steps.
+    speed_->setText(p.steps_per_second <= 0.0 || p.state == State::finished
                         ? QString()
                         : tr("%1 steps/s").arg(p.steps_per_second, 0, 'f', 0));
     neff_->setVisible(has_particles(session_.configuration()));

@@ -29,6 +29,8 @@ class StatusLine final : public QObject {
     void clear_place();
     /// A short message that goes away.
     void notice(const QString& text);
+    /// Until the next notice; empty: nothing any more.
+    void lasting(const QString& text);
 
   signals:
     /// The user wants to see the damaged lines.

@@ -25,6 +25,10 @@ QString set_apart(const QString& note) {
     return QString::fromUtf8("• ") + note.left(1).toUpper() + note.mid(1);
 }
 
+QString counted_words(quint64 count, const QString& one, const QString& several) {
+    return count == 1 ? one : several.arg(count);
+}
+
 QString metre_words(double metres) {
     return QString("%1 m").arg(metres, 0, 'f', 3);
 }

@@ -17,6 +17,9 @@ QString words_of(const TourFinding& finding);
 /// A line of its own among several, which findings begin as parts of a sentence do: "• What …".
 QString set_apart(const QString& note);
 
+/// "1 scan", "2 scans": of the words for one and for several ("%1 scans").
+QString counted_words(quint64 count, const QString& one, const QString& several);
+
 /// "1.234 m", as tables show a length [m].
 QString metre_words(double metres);
 /// "12.34°", as they show an angle [rad].

@@ -7,6 +7,7 @@
 #include <QFontDatabase>
 #include <QMimeData>
 #include <QPushButton>
+#include <cmath>
 #include <utility>
 
 #include "app/screen_fit.hpp"
@@ -17,6 +18,7 @@
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "parameter_text.hpp"
 #include "source_reading.hpp"
+#include "source_remedies.hpp"
 #include "ui_source_dialog.h"
 #include "workers/background.hpp"
 
@@ -36,15 +38,18 @@ bool needs_topics(const std::string& file) {
 
 /// How much of a tour there is.
 QString source_counts(const TourSummary& summary) {
-    QString words = SourceDialog::tr("%1: %2 scans, %3 odometry readings, %4 s, %5 m.")
-                        .arg(format_words(summary.format))
-                        .arg(summary.report.scans)
-                        .arg(summary.report.odometry)
-                        .arg(summary.duration_s, 0, 'f', 1)
-                        .arg(summary.distance_m, 0, 'f', 1);
+    QString words =
+        SourceDialog::tr("%1: %2, %3, %4 s, %5 m.")
+            .arg(format_words(summary.format))
+            .arg(counted_words(summary.report.scans, SourceDialog::tr("1 scan"),
+                               SourceDialog::tr("%1 scans")))
+            .arg(counted_words(summary.report.odometry, SourceDialog::tr("1 odometry reading"),
+                               SourceDialog::tr("%1 odometry readings")))
+            .arg(summary.duration_s, 0, 'f', 1)
+            .arg(summary.distance_m, 0, 'f', 1);
     if (summary.fan.count == 0) return words;
     const double degrees =
-        (summary.fan.max_angle_rad - summary.fan.min_angle_rad) * kDegreesPerRadian;
+        std::abs(summary.fan.max_angle_rad - summary.fan.min_angle_rad) * kDegreesPerRadian;
     return words + ' ' +
            SourceDialog::tr("Laser: %1 rays over %2°.")
                .arg(summary.fan.count)
@@ -107,6 +112,9 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
         ui_->type->addItem(choice_of(format, i), to_qt(format.choices[i].word));
     ui_->type->setCurrentIndex(ui_->type->findData(QString::fromStdString(source_.format)));
     ui_->lines->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    QSizePolicy place_kept = ui_->reading->sizePolicy();
+    place_kept.setRetainSizeWhenHidden(true);
+    ui_->reading->setSizePolicy(place_kept);
     ui_->reading->hide();
     ui_->path->setText(QString::fromStdString(source_.file));
     ui_->scan_topic->setText(QString::fromStdString(source_.read.scan_topic));
@@ -114,6 +122,7 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     show_topics(needs_topics(source_.file));
     how_read_ = new SourceReading(source_, this);
     ui_->reading_place->addWidget(how_read_);
+    scroll_down_only(*ui_->verdict_area);
     how_read_->hide();
     connect_fields();
     begin_check();
@@ -132,7 +141,12 @@ void SourceDialog::connect_fields() {
     connect(ui_->browse, &QPushButton::clicked, this, &SourceDialog::browse);
     connect(ui_->buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(ui_->buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(ui_->how, &QCheckBox::toggled, how_read_, &QWidget::setVisible);
+    connect(ui_->how, &QCheckBox::toggled, this, [this](bool on) {
+        how_read_->setVisible(on);
+        constexpr int kMore = 6;  // than the first lines get
+        auto* column = static_cast<QVBoxLayout*>(layout());
+        column->setStretch(column->indexOf(ui_->verdict_area), on ? kMore : 1);
+    });
     connect(how_read_, &SourceReading::changed, this, &SourceDialog::check_reading);
 }
 
@@ -183,6 +197,7 @@ void SourceDialog::begin_check() {
     summary_.reset();
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
     ui_->lines->clear();
+    offer_remedies({});
     const SourceParams wanted = source();
     checked_ = wanted;
     how_read_->mark_unused(wanted);
@@ -248,6 +263,7 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
                             : tr("The file holds odometry but not one readable scan.")};
     for (const QString& note : notes) lines << set_apart(note);
     show_verdict(lines.join('\n'), !scans ? "error" : notes.isEmpty() ? "good" : "warning");
+    offer_remedies(summary->tour.findings);
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans && how_read_->good());
     emit checked(scans);
 }
@@ -279,6 +295,31 @@ void SourceDialog::offer_topics(const std::vector<RecordedTopic>& topics) {
 void SourceDialog::show_verdict(const QString& text, const char* role) {
     ui_->verdict->setText(text);
     set_look(*ui_->verdict, "role", role);
+}
+
+void SourceDialog::offer_remedies(const std::vector<TourFinding>& findings) {
+    for (QPushButton* before : ui_->verdict_box->findChildren<QPushButton*>()) {
+        before->hide();
+        before->deleteLater();  // it may be the one that was pressed
+    }
+    Configuracion now;
+    now.source = checked_;
+    for (const TourFinding& finding : findings) {
+        for (const SourceRemedy& remedy : remedies_of(finding, checked_)) {
+            const ConfigParameter& parameter = *remedy.parameter;
+            if (!how_read_->has(parameter) || parameter.text(now) == remedy.value) continue;
+            auto* button = new QPushButton(
+                tr("Set “%1” to %2").arg(label_of(parameter), value_words(parameter, remedy.value)),
+                ui_->verdict_box);
+            button->setObjectName("remedy_" + to_qt(parameter.key));
+            button->setAutoDefault(false);
+            connect(button, &QPushButton::clicked, this, [this, remedy] {
+                ui_->how->setChecked(true);
+                how_read_->set(*remedy.parameter, remedy.value);
+            });
+            ui_->remedies->addWidget(button, 0, Qt::AlignLeft);
+        }
+    }
 }
 
 void SourceDialog::dragEnterEvent(QDragEnterEvent* event) {

@@ -69,6 +69,8 @@ class SourceDialog final : public QDialog {
     void show_lines(const std::vector<Message>& first_lines);
     void offer_topics(const std::vector<RecordedTopic>& topics);
     void show_verdict(const QString& text, const char* role);
+    /// A button for each setting that a finding advises, unless it is so already.
+    void offer_remedies(const std::vector<TourFinding>& findings);
 
     std::unique_ptr<Ui::SourceDialog> ui_;
     Prompts& prompts_;

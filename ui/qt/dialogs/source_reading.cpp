@@ -1,5 +1,6 @@
 #include "source_reading.hpp"
 
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <algorithm>
@@ -16,8 +17,14 @@ SourceReading::SourceReading(const SourceParams& source, QWidget* parent) : QWid
     pause_.setSingleShot(true);
     pause_.setInterval(kPauseMs);
     connect(&pause_, &QTimer::timeout, this, &SourceReading::take);
-    auto* columns = new QHBoxLayout(this);
-    columns->setContentsMargins(0, 0, 0, 0);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    auto* wide = new QGridLayout;  // texts may be long
+    wide->setColumnStretch(1, 1);
+    wide->setVerticalSpacing(kTight);
+    all->addLayout(wide);
+    auto* columns = new QHBoxLayout;
+    all->addLayout(columns);
     std::array<QGridLayout*, 2> rows{};
     for (QGridLayout*& grid : rows) {
         auto* column = new QVBoxLayout;
@@ -30,20 +37,42 @@ SourceReading::SourceReading(const SourceParams& source, QWidget* parent) : QWid
     }
     Configuracion configuration;
     configuration.source = source;
+    std::size_t short_fields = 0;
     for (const ConfigParameter& parameter : parameters()) {
         if (parameter.table() != "source" || names_source(parameter)) continue;
-        QGridLayout* column = rows[fields_.size() % rows.size()];
+        const bool text = parameter.type == ConfigParameter::Type::text;
+        QGridLayout* column = text ? wide : rows[short_fields++ % rows.size()];
         auto* field = new FieldOf<Configuracion>(parameter, column, this);
         field->set_value(configuration);
         connect(field, &ParameterField::edited, &pause_, qOverload<>(&QTimer::start));
         fields_.push_back(field);
     }
+    for (QComboBox* choice : findChildren<QComboBox*>())
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     mark_unused(source);
 }
 
 void SourceReading::take() {
     Configuracion scratch;
     for (FieldOf<Configuracion>* field : fields_) field->apply(scratch);
+    emit changed();
+}
+
+FieldOf<Configuracion>* SourceReading::field_of(const ConfigParameter& parameter) const {
+    const auto found = std::ranges::find_if(fields_, [&](const FieldOf<Configuracion>* field) {
+        return field->parameter().key == parameter.key;
+    });
+    return found == fields_.end() ? nullptr : *found;
+}
+
+bool SourceReading::has(const ConfigParameter& parameter) const {
+    return field_of(parameter) != nullptr;
+}
+
+void SourceReading::set(const ConfigParameter& parameter, const std::string& value) {
+    FieldOf<Configuracion>* field = field_of(parameter);
+    if (field == nullptr) return;
+    field->set_text(value);
     emit changed();
 }
 

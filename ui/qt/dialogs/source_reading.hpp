@@ -3,14 +3,11 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <string>
 #include <vector>
 
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "parameter_field.hpp"
-
-namespace hitos {
-struct Configuracion;
-struct SourceParams;
-}  // namespace hitos
 
 namespace hitos::window {
 
@@ -24,6 +21,9 @@ class SourceReading final : public QWidget {
     void give(SourceParams& source) const;
     /// Every field holds a value that is possible.
     bool good() const;
+    bool has(const ConfigParameter& parameter) const;
+    /// As if it were typed; nothing where the form has no such field.
+    void set(const ConfigParameter& parameter, const std::string& value);
     /// Greys out what such a source has no use for.
     void mark_unused(const SourceParams& source);
 
@@ -33,6 +33,7 @@ class SourceReading final : public QWidget {
 
   private:
     void take();
+    FieldOf<Configuracion>* field_of(const ConfigParameter& parameter) const;
 
     std::vector<FieldOf<Configuracion>*> fields_;
     QTimer pause_;

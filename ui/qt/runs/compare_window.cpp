@@ -150,17 +150,19 @@ void CompareWindow::fill_boxes() {
 }
 
 void CompareWindow::compare(const std::vector<ListedRun>& runs) {
-    Choice left;
-    Choice right{0, true};
     const std::vector<ListedRun> all = list_.runs();
-    if (runs.empty() && all.size() > 1 && all.front().run->scans == 0) {
-        left = {all.back().number, false};  // of this run there is nothing to see yet
-        right = {all.back().number, true};
+    const bool present =
+        !all.empty() && all.front().number == 0 && all.front().run->scans > 0;  // to be seen
+    Choice left;
+    if (!runs.empty()) {
+        left = {runs.front().number, false};
+    } else if (!present && !all.empty()) {
+        left = {all.back().number, false};
     }
-    if (!runs.empty()) left = {runs.front().number, false};
+    Choice right{left.number, true};
     if (runs.size() == 2) {
         right = {runs.back().number, false};
-    } else if (left.number != 0) {
+    } else if (present && left.number != 0) {
         right = {};
     }
     choose(0, left);

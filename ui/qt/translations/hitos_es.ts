@@ -60,8 +60,12 @@
         <translation>%1 barridos son anteriores a la primera lectura de odometría, y se supone que hasta ella el robot estuvo parado: si se movía, omítalos (source.early_scans).</translation>
     </message>
     <message>
-        <source>No pose of the reference trajectory is within %1 of a scan, so no error is told: are the clocks the same?</source>
-        <translation>Ninguna pose de la trayectoria de referencia está a menos de %1 de un barrido, así que no se da ningún error: ¿son los mismos los relojes?</translation>
+        <source>No pose of the reference trajectory is within %1 of a scan, so no error is told: are the clocks the same? Of a slow reference --tolerance takes poses that are further away.</source>
+        <translation>Ninguna pose de la trayectoria de referencia está a menos de %1 de un barrido, así que no se da ningún error: ¿son los mismos los relojes? De una referencia lenta, --tolerance admite poses más alejadas.</translation>
+    </message>
+    <message>
+        <source>Paths keep the scans&apos; own stamps, without the %1 of the scan delay, and the reference is compared by these: where its clock is the odometry&apos;s, subtract them from its stamps.</source>
+        <translation>Las trayectorias conservan los instantes propios de los barridos, sin los %1 del retraso de los barridos, y la referencia se compara según ellos: si su reloj es el de la odometría, réstelos de sus instantes.</translation>
     </message>
 </context>
 <context>
@@ -2710,6 +2714,10 @@
         <source>let the recording say the angles that the laser measures at: %1 degrees from ray to ray, the middle one at %2</source>
         <translation>haga que la grabación indique los ángulos en que mide el láser: %1 grados de rayo a rayo, el central a %2</translation>
     </message>
+    <message>
+        <source>its scans are points and hold none; look at what wrote them</source>
+        <translation>sus barridos son puntos y no contienen ninguno; revise lo que los escribió</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -4608,10 +4616,6 @@
         <translation>La configuración no se puede usar</translation>
     </message>
     <message>
-        <source>Source loaded: %1, %2 scans</source>
-        <translation>Origen cargado: %1, %2 barridos</translation>
-    </message>
-    <message>
         <source>The log cannot be used</source>
         <translation>El registro no se puede usar</translation>
     </message>
@@ -4684,10 +4688,6 @@
         <translation>Mapas (*.map *.txt);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Reference map: %1 landmarks</source>
-        <translation>Mapa de referencia: %1 hitos</translation>
-    </message>
-    <message>
         <source>The reference was not loaded</source>
         <translation>La referencia no se ha cargado</translation>
     </message>
@@ -4698,10 +4698,6 @@
     <message>
         <source>Trajectories (*.tum *.txt *.gz);;All files (*)</source>
         <translation>Trayectorias (*.tum *.txt *.gz);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Reference trajectory: %1 poses</source>
-        <translation>Trayectoria de referencia: %1 poses</translation>
     </message>
     <message>
         <source>References removed</source>
@@ -4718,6 +4714,42 @@
     <message>
         <source>Save as preset</source>
         <translation>Guardar como configuración propia</translation>
+    </message>
+    <message>
+        <source>Source loaded: %1, %2</source>
+        <translation>Origen cargado: %1, %2</translation>
+    </message>
+    <message>
+        <source>1 scan</source>
+        <translation>1 barrido</translation>
+    </message>
+    <message>
+        <source>%1 scans</source>
+        <translation>%1 barridos</translation>
+    </message>
+    <message>
+        <source>Reference map: %1</source>
+        <translation>Mapa de referencia: %1</translation>
+    </message>
+    <message>
+        <source>1 landmark</source>
+        <translation>1 hito</translation>
+    </message>
+    <message>
+        <source>%1 landmarks</source>
+        <translation>%1 hitos</translation>
+    </message>
+    <message>
+        <source>Reference trajectory: %1</source>
+        <translation>Trayectoria de referencia: %1</translation>
+    </message>
+    <message>
+        <source>1 pose</source>
+        <translation>1 pose</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 poses</translation>
     </message>
 </context>
 <context>
@@ -5679,20 +5711,36 @@
         <translation>dibujar un mundo, conducir un robot por él</translation>
     </message>
     <message>
-        <source>A run was kept</source>
-        <translation>Se ha guardado una ejecución</translation>
-    </message>
-    <message>
-        <source>Look at the run that was kept?</source>
-        <translation>¿Ver la ejecución que se ha guardado?</translation>
-    </message>
-    <message>
-        <source>Hitos was ended from outside after a long run. Its results are in %1.</source>
-        <translation>Hitos fue terminado desde fuera después de una ejecución larga. Sus resultados están en %1.</translation>
-    </message>
-    <message>
         <source>Look</source>
         <translation>Ver</translation>
+    </message>
+    <message>
+        <source>Run kept</source>
+        <translation>Ejecución guardada</translation>
+    </message>
+    <message>
+        <source>Look at the run of %1 that was kept?</source>
+        <translation>¿Ver la ejecución de %1 que se ha guardado?</translation>
+    </message>
+    <message>
+        <source>Hitos was ended from outside after this long run, which was over on %1. With Cancel it stays where it is, for Run → Open results. Its results are in %2.</source>
+        <translation>Hitos fue terminado desde fuera después de esta ejecución larga, que acabó el %1. Con Cancelar se queda donde está, para Ejecución → Abrir resultados. Sus resultados están en %2.</translation>
+    </message>
+    <message>
+        <source>Results are being written</source>
+        <translation>Se escriben resultados</translation>
+    </message>
+    <message>
+        <source>Close when all results are written?</source>
+        <translation>¿Cerrar cuando estén escritos todos los resultados?</translation>
+    </message>
+    <message>
+        <source>Until then the window stays open.</source>
+        <translation>Hasta entonces la ventana sigue abierta.</translation>
+    </message>
+    <message>
+        <source>Close then</source>
+        <translation>Cerrar entonces</translation>
     </message>
 </context>
 <context>
@@ -5724,6 +5772,14 @@
     <message>
         <source>&amp;Layers</source>
         <translation>Ca&amp;pas</translation>
+    </message>
+    <message>
+        <source>Stopped after 1 scan</source>
+        <translation>Detenido tras 1 barrido</translation>
+    </message>
+    <message>
+        <source>Map of 1 scan</source>
+        <translation>Mapa de 1 barrido</translation>
     </message>
 </context>
 <context>
@@ -6037,7 +6093,7 @@
     </message>
     <message>
         <source>Save best particle&apos;s map</source>
-        <translation>Guardar mapa mejor partícula</translation>
+        <translation>Guardar el mapa de la mejor partícula</translation>
     </message>
     <message>
         <source>Maps (*.txt *.map);;Segments (*.seg);;CAD drawings (*.dxf);;All files (*)</source>
@@ -6122,6 +6178,10 @@
     <message>
         <source>Writing results: %1 (%2 of %3)</source>
         <translation>Escribiendo resultados: %1 (%2 de %3)</translation>
+    </message>
+    <message>
+        <source>Writing results…</source>
+        <translation>Escribiendo resultados…</translation>
     </message>
 </context>
 <context>
@@ -6349,10 +6409,6 @@
         <translation>El archivo contiene odometría pero ni un barrido legible.</translation>
     </message>
     <message>
-        <source>%1: %2 scans, %3 odometry readings, %4 s, %5 m.</source>
-        <translation>%1: %2 barridos, %3 lecturas de odometría, %4 s, %5 m.</translation>
-    </message>
-    <message>
         <source>Laser: %1 rays over %2°.</source>
         <translation>Láser: %1 rayos en %2°.</translation>
     </message>
@@ -6419,6 +6475,30 @@
     <message>
         <source>Clocks, the laser&apos;s place, ranges and what else is put right</source>
         <translation>Relojes, posición del láser, alcances y demás correcciones</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3, %4 s, %5 m.</source>
+        <translation>%1: %2, %3, %4 s, %5 m.</translation>
+    </message>
+    <message>
+        <source>1 scan</source>
+        <translation>1 barrido</translation>
+    </message>
+    <message>
+        <source>%1 scans</source>
+        <translation>%1 barridos</translation>
+    </message>
+    <message>
+        <source>1 odometry reading</source>
+        <translation>1 lectura de odometría</translation>
+    </message>
+    <message>
+        <source>%1 odometry readings</source>
+        <translation>%1 lecturas de odometría</translation>
+    </message>
+    <message>
+        <source>Set “%1” to %2</source>
+        <translation>Poner «%1» en %2</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include <QPushButton>
 #include <cmath>
 
+#include "app/words_of.hpp"
 #include "ui_map_window.h"
 #include "views/view_settings.hpp"
 
@@ -50,9 +51,11 @@ void MapWindow::finish() {
     if (!state.error.isEmpty()) {
         ui_->verdict->setText(state.error);
     } else if (state.stopped) {
-        ui_->verdict->setText(tr("Stopped after %1 scans").arg(state.path.size()));
+        ui_->verdict->setText(counted_words(state.path.size(), tr("Stopped after 1 scan"),
+                                            tr("Stopped after %1 scans")));
     } else {
-        ui_->verdict->setText(tr("Map of %1 scans").arg(state.path.size()));
+        ui_->verdict->setText(
+            counted_words(state.path.size(), tr("Map of 1 scan"), tr("Map of %1 scans")));
     }
 }
 
