@@ -93,7 +93,7 @@ TEST(StepFigures, TheTableHasALineForEveryScan) {
     EXPECT_THAT(text, testing::HasSubstr(",step_s\n1,"));
     EXPECT_THAT(text, testing::EndsWith(",0.5\n"));
     const Trajectory reference = {{figures[0].online.time_s, {1.0, 2.0, 0.0}},
-                                  {figures[2].online.time_s, {1.0, 2.0, 0.0}}};
+                                  {figures[0].online.time_s + 1.0, {1.0, 2.0, 0.0}}};
     const TempFolder folder;
     write_figures(figures, &reference, folder.path() / "figures.csv");
     const std::string with = content(folder.path() / "figures.csv");
@@ -137,6 +137,10 @@ TEST(PositionErrorTest, IsMeasuredFromTheFirstCommonPose) {
     EXPECT_NEAR(error.at({12.0, {2.0, 0.5, 0.0}}).value(), 0.5, 1e-12);
     EXPECT_EQ(error.at({12.03, {2.0, 0.5, 0.0}}), std::nullopt);
     EXPECT_NEAR(error.at({11.0, {1.0, 0.0, 0.3}}).value(), 0.0, 1e-12);  // back again
+    // Between poses that are near it is interpolated.
+    PositionError dense({{10.0, {}}, {10.4, {0.4, 0.0, 0.0}}});
+    EXPECT_NEAR(dense.at({10.0, {}}).value(), 0.0, 1e-12);
+    EXPECT_NEAR(dense.at({10.1, {0.1, 0.2, 0.0}}).value(), 0.2, 1e-12);
 }
 
 TEST(StopRulesTest, EveryRuleLooksAtItsFigure) {
