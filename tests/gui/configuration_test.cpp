@@ -6,12 +6,12 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/command_line.hpp"
+#include "actions/command_line.hpp"
 #include "dialogs/configuration_dialog.hpp"
-#include "dialogs/parameter_text.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "look/parameter_text.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {

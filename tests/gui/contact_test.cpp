@@ -12,15 +12,15 @@
 #include <QPushButton>
 #include <cmath>
 
-#include "app/command_line.hpp"
+#include "actions/command_line.hpp"
 #include "app/hint_bar.hpp"
 #include "app/language.hpp"
 #include "dialogs/configuration_dialog.hpp"
-#include "dialogs/parameter_text.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "look/parameter_text.hpp"
 #include "tests.hpp"
 #include "workers/log_counter.hpp"
 

@@ -10,12 +10,12 @@
 #include <QScrollBar>
 #include <QToolButton>
 
-#include "dialogs/parameter_text.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/files/map_file.hpp"
 #include "hitos/simulation/worlds/world.hpp"
 #include "hitos/simulation/worlds/world_key.hpp"
 #include "hitos/workbench/shipped_data.hpp"
+#include "look/parameter_text.hpp"
 #include "tests.hpp"
 #include "world/check_line.hpp"
 #include "world/import_dialog.hpp"

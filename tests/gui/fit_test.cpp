@@ -11,13 +11,13 @@
 #include <QTranslator>
 
 #include "animation/animation_dialog.hpp"
-#include "app/screen_fit.hpp"
 #include "dialogs/configuration_dialog.hpp"
 #include "dialogs/picture_dialog.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "look/screen_fit.hpp"
 #include "runs/compare_window.hpp"
 #include "runs/runs.hpp"
 #include "tests.hpp"

@@ -9,7 +9,7 @@
 
 #include "gui_fixture.hpp"
 #include "hitos/services/evaluation/hand_measurement.hpp"
-#include "inspect/figures_table.hpp"
+#include "look/figures_table.hpp"
 #include "measure/measurement_table.hpp"
 #include "tests.hpp"
 

@@ -10,7 +10,7 @@
 #include <QPushButton>
 #include <QTest>
 
-#include "app/command_line.hpp"
+#include "actions/command_line.hpp"
 #include "gui_fixture.hpp"
 #include "runs/compare_window.hpp"
 #include "runs/runs_panel.hpp"

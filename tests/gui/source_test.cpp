@@ -12,7 +12,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
-#include "app/command_line.hpp"
+#include "actions/command_line.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "tests.hpp"

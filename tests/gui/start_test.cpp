@@ -4,7 +4,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
-#include "app/command_line.hpp"
+#include "actions/command_line.hpp"
 #include "gui_fixture.hpp"
 #include "tests.hpp"
 #include "views/plots.hpp"

@@ -10,14 +10,14 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
+#include "actions/command_line.hpp"
 #include "app/application.hpp"
-#include "app/command_line.hpp"
 #include "app/screenshot.hpp"
 #include "dialogs/configuration_dialog.hpp"
-#include "dialogs/parameter_text.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "look/parameter_text.hpp"
 #include "tests.hpp"
 #include "views/plots.hpp"
 

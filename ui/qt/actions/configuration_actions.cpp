@@ -9,16 +9,16 @@
 #include <utility>
 #include <vector>
 
-#include "app/command_line.hpp"
-#include "app/words_of.hpp"
+#include "command_line.hpp"
 #include "dialogs/configuration_dialog.hpp"
-#include "dialogs/parameter_text.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/workbench/presets.hpp"
+#include "look/parameter_text.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 namespace {

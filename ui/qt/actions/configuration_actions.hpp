@@ -4,10 +4,10 @@
 #include <QObject>
 #include <vector>
 
-#include "app/session.hpp"
-#include "prompts.hpp"
-#include "run_guard.hpp"
-#include "user_files.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
+#include "session/run_guard.hpp"
+#include "session/session.hpp"
 
 class QWidget;
 

@@ -5,8 +5,8 @@
 #include <QMenu>
 
 #include "configuration_actions.hpp"
-#include "dialogs/parameter_text.hpp"
 #include "hitos/workbench/presets.hpp"
+#include "look/parameter_text.hpp"
 
 namespace hitos::window {
 

@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <array>
 
-#include "app/icons.hpp"
+#include "look/icons.hpp"
 
 namespace hitos::window {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "app/session.hpp"
+#include "session/session.hpp"
 
 class QAction;
 class QComboBox;

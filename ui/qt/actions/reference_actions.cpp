@@ -1,7 +1,7 @@
 // References to measure a run against: a map and a trajectory, from files.
 
-#include "app/words_of.hpp"
 #include "configuration_actions.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 

@@ -8,14 +8,14 @@
 #include <chrono>
 #include <optional>
 
-#include "app/screen_fit.hpp"
-#include "dialogs/parameter_text.hpp"
 #include "dialogs/picture_dialog.hpp"
 #include "dialogs/skipped_lines.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/files/dxf_file.hpp"
 #include "hitos/services/files/segment_file.hpp"
 #include "hitos/slam/filters.hpp"
+#include "look/parameter_text.hpp"
+#include "look/screen_fit.hpp"
 #include "views/grid_view.hpp"
 
 namespace hitos::window {

@@ -6,9 +6,9 @@
 #include <functional>
 #include <future>
 
-#include "app/session.hpp"
-#include "prompts.hpp"
-#include "user_files.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
+#include "session/session.hpp"
 #include "views/map_window.hpp"
 #include "views/picture.hpp"
 

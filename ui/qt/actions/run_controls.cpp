@@ -7,9 +7,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/icons.hpp"
-#include "dialogs/parameter_text.hpp"
 #include "hitos/simulation/drive/simulated_tour.hpp"
+#include "look/icons.hpp"
+#include "look/parameter_text.hpp"
 #include "pace_control.hpp"
 #include "views/time_line.hpp"
 

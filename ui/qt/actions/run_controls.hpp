@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/session.hpp"
+#include "session/session.hpp"
 
 class QAction;
 class QSettings;

@@ -5,7 +5,7 @@
 #include <QStandardPaths>
 #include <utility>
 
-#include "actions/prompts.hpp"
+#include "look/prompts.hpp"
 
 namespace hitos::window {
 namespace {

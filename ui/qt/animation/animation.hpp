@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-#include "app/session.hpp"
+#include "session/session.hpp"
 #include "views/picture.hpp"
 
 namespace hitos::window {

@@ -4,9 +4,9 @@
 #include <QDialog>
 #include <functional>
 
-#include "actions/prompts.hpp"
-#include "actions/user_files.hpp"
 #include "animation.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
 
 class QComboBox;
 class QLabel;

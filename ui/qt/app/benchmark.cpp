@@ -17,10 +17,10 @@
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "main_window.hpp"
-#include "session.hpp"
+#include "session/background.hpp"
+#include "session/session.hpp"
 #include "views/grid_view.hpp"
 #include "views/scan_view.hpp"
-#include "workers/background.hpp"
 
 namespace hitos::window {
 namespace {

@@ -13,7 +13,7 @@
 #include "benchmark.hpp"
 #include "hitos/base/error.hpp"
 #include "main_window.hpp"
-#include "session.hpp"
+#include "session/session.hpp"
 #include "world/live_drive.hpp"
 #include "world/world_window.hpp"
 

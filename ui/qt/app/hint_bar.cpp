@@ -5,9 +5,9 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "dialogs/parameter_text.hpp"
 #include "hitos/workbench/presets.hpp"
-#include "words_of.hpp"
+#include "look/parameter_text.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hitos/capture/tour_finding.hpp"
-#include "session.hpp"
+#include "session/session.hpp"
 
 class QLabel;
 class QPushButton;

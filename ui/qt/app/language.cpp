@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "actions/user_files.hpp"
+#include "look/user_files.hpp"
 #include "status_line.hpp"
 
 namespace hitos::window {

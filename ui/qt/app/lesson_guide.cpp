@@ -7,11 +7,11 @@
 #include <QTextBrowser>
 
 #include "actions/configuration_actions.hpp"
-#include "actions/prompts.hpp"
-#include "actions/run_guard.hpp"
-#include "docks.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "look/docks.hpp"
+#include "look/prompts.hpp"
+#include "session/run_guard.hpp"
 
 namespace hitos::window {
 

@@ -11,23 +11,23 @@
 #include <limits>
 #include <optional>
 
+#include "actions/command_line.hpp"
 #include "actions/configuration_actions.hpp"
 #include "actions/pace_control.hpp"
 #include "application.hpp"
 #include "benchmark.hpp"
-#include "command_line.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "drive_benchmark.hpp"
 #include "hitos/base/process.hpp"
 #include "language.hpp"
+#include "look/screen_fit.hpp"
+#include "look/words_of.hpp"
 #include "main_window.hpp"
 #include "measure/measurements.hpp"
 #include "runs/run_keeper.hpp"
 #include "runs/runs.hpp"
-#include "screen_fit.hpp"
 #include "screenshot.hpp"
 #include "views/view_settings.hpp"
-#include "words_of.hpp"
 
 namespace {
 

@@ -15,16 +15,16 @@
 #include "actions/file_menus.hpp"
 #include "actions/result_actions.hpp"
 #include "animation/animation_dialog.hpp"
-#include "dialogs/parameter_text.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
-#include "docks.hpp"
-#include "icons.hpp"
 #include "inspect/inspection.hpp"
 #include "language.hpp"
+#include "look/docks.hpp"
+#include "look/icons.hpp"
+#include "look/parameter_text.hpp"
+#include "look/screen_fit.hpp"
 #include "runs/run_keeper.hpp"
 #include "runs/runs.hpp"
-#include "screen_fit.hpp"
 #include "status_line.hpp"
 #include "ui_main_window.h"
 #include "views/plots.hpp"
@@ -284,7 +284,11 @@ void MainWindow::connect_views() {
     }
     connect(inspection_, &Inspection::landmark_chosen, this, &MainWindow::set_highlight);
     inspection_->connect_views(*ui_->scan_view, *ui_->grid_view);
-    inspection_->connect_results(*results_);
+    connect(inspection_, &Inspection::grid_wanted, results_, &ResultActions::view_grid_of);
+    connect(inspection_, &Inspection::map_wanted, results_, &ResultActions::save_map_of);
+    connect(inspection_, &Inspection::path_wanted, results_, &ResultActions::save_path_of);
+    connect(inspection_, &Inspection::picture_wanted, results_,
+            qOverload<const Picture&, const QString&>(&ResultActions::save_picture));
     connect(view_settings_, &ViewSettings::layers_changed, inspection_, &Inspection::set_layers);
     inspection_->set_layers(view_settings_->layers());
     connect(&session_, &Session::restarted, this, [this] { set_highlight({}); });

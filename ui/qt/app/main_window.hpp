@@ -4,10 +4,10 @@
 #include <QMainWindow>
 #include <memory>
 
-#include "actions/prompts.hpp"
-#include "actions/run_guard.hpp"
-#include "actions/user_files.hpp"
-#include "session.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
+#include "session/run_guard.hpp"
+#include "session/session.hpp"
 
 class QDockWidget;
 

@@ -12,10 +12,10 @@
 
 #include "hitos/services/results/results.hpp"
 #include "hitos/workbench/shipped_data.hpp"
-#include "icons.hpp"
 #include "lesson_guide.hpp"
+#include "look/icons.hpp"
+#include "look/screen_fit.hpp"
 #include "main_window.hpp"
-#include "screen_fit.hpp"
 #include "ui_main_window.h"
 
 namespace hitos::window {

@@ -3,8 +3,8 @@
 #include <QDockWidget>
 
 #include "actions/result_actions.hpp"
-#include "docks.hpp"
-#include "icons.hpp"
+#include "look/docks.hpp"
+#include "look/icons.hpp"
 #include "main_window.hpp"
 #include "measure/measure_tool.hpp"
 #include "measure/measurement_table.hpp"

@@ -1,7 +1,7 @@
 // Pictures of the window for documents and tests.
 #pragma once
 
-#include "command_line.hpp"
+#include "actions/command_line.hpp"
 
 namespace hitos::window {
 

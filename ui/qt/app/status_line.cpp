@@ -4,10 +4,10 @@
 #include <QStatusBar>
 #include <utility>
 
-#include "dialogs/parameter_text.hpp"
 #include "hitos/workbench/presets.hpp"
+#include "look/parameter_text.hpp"
+#include "look/words_of.hpp"
 #include "views/canvas_view.hpp"
-#include "words_of.hpp"
 
 namespace hitos::window {
 namespace {

@@ -12,8 +12,8 @@
 #include <array>
 #include <vector>
 
-#include "dialogs/parameter_text.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "look/parameter_text.hpp"
 
 namespace hitos::window {
 namespace {

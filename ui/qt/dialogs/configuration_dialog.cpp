@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <array>
 
-#include "app/screen_fit.hpp"
-#include "app/theme.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
-#include "parameter_text.hpp"
+#include "look/parameter_text.hpp"
+#include "look/screen_fit.hpp"
+#include "look/theme.hpp"
 #include "ui_configuration_dialog.h"
 
 namespace hitos::window {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "actions/prompts.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
+#include "look/prompts.hpp"
 #include "parameter_field.hpp"
 
 class QGridLayout;

@@ -5,9 +5,9 @@
 #include <QLabel>
 #include <QLineEdit>
 
-#include "app/theme.hpp"
 #include "hitos/base/error.hpp"
-#include "parameter_text.hpp"
+#include "look/parameter_text.hpp"
+#include "look/theme.hpp"
 
 namespace hitos::window {
 namespace {

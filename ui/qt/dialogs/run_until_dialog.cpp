@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/theme.hpp"
-#include "parameter_text.hpp"
+#include "look/parameter_text.hpp"
+#include "look/theme.hpp"
 
 namespace hitos::window {
 namespace {

@@ -4,7 +4,7 @@
 #include <QDialog>
 #include <vector>
 
-#include "app/session.hpp"
+#include "session/session.hpp"
 
 class QAbstractSpinBox;
 class QCheckBox;

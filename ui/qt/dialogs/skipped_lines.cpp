@@ -7,8 +7,8 @@
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
 
-#include "app/screen_fit.hpp"
-#include "app/words_of.hpp"
+#include "look/screen_fit.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 namespace {

@@ -10,17 +10,17 @@
 #include <cmath>
 #include <utility>
 
-#include "app/screen_fit.hpp"
-#include "app/theme.hpp"
-#include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
-#include "parameter_text.hpp"
+#include "look/parameter_text.hpp"
+#include "look/screen_fit.hpp"
+#include "look/theme.hpp"
+#include "look/words_of.hpp"
+#include "session/background.hpp"
 #include "source_reading.hpp"
 #include "source_remedies.hpp"
 #include "ui_source_dialog.h"
-#include "workers/background.hpp"
 
 namespace hitos::window {
 namespace {

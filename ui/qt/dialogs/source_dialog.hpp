@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "actions/prompts.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/workbench/source_inspection.hpp"
+#include "look/prompts.hpp"
 
 namespace hitos::window {
 

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "hitos/services/configuration/config_parameter.hpp"
-#include "parameter_text.hpp"
+#include "look/parameter_text.hpp"
 
 namespace hitos::window {
 

@@ -7,11 +7,11 @@
 #include <QUrl>
 #include <cmath>
 
-#include "app/screen_fit.hpp"
-#include "app/theme.hpp"
-#include "app/words_of.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "look/screen_fit.hpp"
+#include "look/theme.hpp"
+#include "look/words_of.hpp"
 #include "ui_study_dialog.h"
 
 namespace hitos::window {

@@ -5,9 +5,9 @@
 #include <QElapsedTimer>
 #include <memory>
 
-#include "actions/prompts.hpp"
-#include "actions/user_files.hpp"
-#include "app/session.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
+#include "session/session.hpp"
 #include "study_form.hpp"
 #include "views/study_plots.hpp"
 #include "workers/study_runner.hpp"

@@ -6,12 +6,12 @@
 #include <array>
 #include <thread>
 
-#include "app/theme.hpp"
-#include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/workbench/study_noise.hpp"
-#include "parameter_text.hpp"
+#include "look/parameter_text.hpp"
+#include "look/theme.hpp"
+#include "look/words_of.hpp"
 #include "ui_study_dialog.h"
 
 namespace hitos::window {

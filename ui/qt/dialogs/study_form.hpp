@@ -4,9 +4,9 @@
 #include <QObject>
 #include <optional>
 
-#include "actions/prompts.hpp"
-#include "actions/user_files.hpp"
-#include "app/session.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
+#include "session/session.hpp"
 #include "workers/study_runner.hpp"
 
 class QLabel;

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/words_of.hpp"
 #include "association_words.hpp"
-#include "dialogs/parameter_text.hpp"
+#include "look/parameter_text.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 namespace {

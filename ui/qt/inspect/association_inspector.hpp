@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/session.hpp"
-#include "figures_table.hpp"
 #include "hitos/slam/association_record.hpp"
+#include "look/figures_table.hpp"
+#include "session/session.hpp"
 #include "views/landmark_painter.hpp"
 
 class QLabel;

@@ -1,6 +1,5 @@
 #include "inspection.hpp"
 
-#include "actions/result_actions.hpp"
 #include "association_inspector.hpp"
 #include "joint_covariance.hpp"
 #include "landmark_table.hpp"
@@ -25,6 +24,11 @@ Inspection::Inspection(Session& session, const DockPlace& place)
     connect(landmarks_, &LandmarkTable::landmark_chosen, this, &Inspection::landmark_chosen);
     connect(associations_, &AssociationInspector::landmark_chosen, this,
             &Inspection::landmark_chosen);
+    connect(particles_, &ParticleTable::grid_wanted, this, &Inspection::grid_wanted);
+    connect(particles_, &ParticleTable::map_wanted, this, &Inspection::map_wanted);
+    connect(particles_, &ParticleTable::path_wanted, this, &Inspection::path_wanted);
+    connect(joint_, &JointCovariance::picture_wanted, this,
+            [this] { emit picture_wanted(joint_->picture(2.0), "joint-covariance.png"); });
 }
 
 void Inspection::connect_views(ScanView& scan, GridView& grid) {
@@ -37,15 +41,6 @@ void Inspection::connect_views(ScanView& scan, GridView& grid) {
         if (associations_->isVisible()) associations_->choose(feature);
     });
     connect(associations_, &AssociationInspector::feature_chosen, &scan, &ScanView::set_feature);
-}
-
-void Inspection::connect_results(ResultActions& results) {
-    connect(particles_, &ParticleTable::grid_wanted, &results, &ResultActions::view_grid_of);
-    connect(particles_, &ParticleTable::map_wanted, &results, &ResultActions::save_map_of);
-    connect(particles_, &ParticleTable::path_wanted, &results, &ResultActions::save_path_of);
-    connect(joint_, &JointCovariance::picture_wanted, &results, [this, &results] {
-        results.save_picture(joint_->picture(2.0), "joint-covariance.png");
-    });
 }
 
 void Inspection::set_highlight(const PickedLandmark& picked) {

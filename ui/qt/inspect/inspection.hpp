@@ -3,9 +3,10 @@
 
 #include <QObject>
 
-#include "app/docks.hpp"
+#include "look/docks.hpp"
 #include "views/landmark_painter.hpp"
 #include "views/layers.hpp"
+#include "views/picture.hpp"
 
 namespace hitos::window {
 
@@ -14,7 +15,6 @@ class GridView;
 class JointCovariance;
 class LandmarkTable;
 class ParticleTable;
-class ResultActions;
 class ScanView;
 class Session;
 
@@ -26,12 +26,15 @@ class Inspection final : public QObject {
     Inspection(Session& session, const DockPlace& place);
 
     void connect_views(ScanView& scan, GridView& grid);
-    void connect_results(ResultActions& results);
     void set_highlight(const hitos::window::PickedLandmark& picked);
     void set_layers(const LayerSet& layers);
 
   signals:
     void landmark_chosen(hitos::window::PickedLandmark landmark);
+    void grid_wanted(int particle);
+    void map_wanted(int particle);
+    void path_wanted(int particle);
+    void picture_wanted(const hitos::window::Picture& picture, const QString& name);
 
   private:
     Session& session_;

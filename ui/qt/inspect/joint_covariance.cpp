@@ -12,8 +12,8 @@
 #include <array>
 #include <cmath>
 
-#include "dialogs/parameter_text.hpp"
 #include "hitos/base/thread_clock.hpp"
+#include "look/parameter_text.hpp"
 #include "views/canvas_paint.hpp"
 
 namespace hitos::window {

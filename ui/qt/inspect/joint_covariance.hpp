@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/session.hpp"
-#include "app/theme.hpp"
+#include "look/theme.hpp"
+#include "session/session.hpp"
 #include "views/picture.hpp"
 
 class QLabel;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/words_of.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 namespace {

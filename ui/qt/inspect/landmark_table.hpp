@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/session.hpp"
-#include "figures_table.hpp"
+#include "look/figures_table.hpp"
+#include "session/session.hpp"
 #include "views/landmark_painter.hpp"
 
 namespace hitos::window {

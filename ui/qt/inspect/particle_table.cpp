@@ -5,8 +5,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/words_of.hpp"
-#include "dialogs/parameter_text.hpp"
+#include "look/parameter_text.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 ParticleModel::ParticleModel(QObject* parent)

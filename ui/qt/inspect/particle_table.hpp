@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/session.hpp"
-#include "figures_table.hpp"
+#include "look/figures_table.hpp"
+#include "session/session.hpp"
 
 class QLabel;
 class QPushButton;

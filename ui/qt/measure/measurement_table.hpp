@@ -3,9 +3,9 @@
 
 #include <QWidget>
 
-#include "actions/prompts.hpp"
-#include "actions/user_files.hpp"
-#include "inspect/figures_table.hpp"
+#include "look/figures_table.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
 #include "measurements.hpp"
 
 class QAction;

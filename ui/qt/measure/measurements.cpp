@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/words_of.hpp"
 #include "hitos/base/atomic_file.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session.hpp"
 #include "hitos/services/evaluation/hand_measurement.hpp"
+#include "session/session.hpp"
 
 namespace hitos::window {
 

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/screen_fit.hpp"
-#include "app/theme.hpp"
+#include "look/screen_fit.hpp"
+#include "look/theme.hpp"
 #include "views/canvas_paint.hpp"
 #include "views/grid_view.hpp"
 

@@ -8,10 +8,10 @@
 #include <system_error>
 #include <utility>
 
-#include "actions/user_files.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/staged_folder.hpp"
 #include "hitos/services/results/results.hpp"
+#include "look/user_files.hpp"
 
 namespace hitos::window {
 namespace {

@@ -6,8 +6,8 @@
 #include <future>
 #include <memory>
 
-#include "app/session.hpp"
 #include "hitos/base/folder_lock.hpp"
+#include "session/session.hpp"
 
 namespace hitos::window {
 

@@ -8,10 +8,10 @@
 #include <array>
 #include <utility>
 
-#include "dialogs/parameter_text.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/evaluation/measures.hpp"
-#include "workers/background.hpp"
+#include "look/parameter_text.hpp"
+#include "session/background.hpp"
 
 namespace hitos::window {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/session.hpp"
 #include "hitos/services/results/kept_run.hpp"
+#include "session/session.hpp"
 
 namespace hitos::window {
 

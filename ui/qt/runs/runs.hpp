@@ -5,10 +5,10 @@
 #include <QPointer>
 #include <vector>
 
-#include "actions/prompts.hpp"
-#include "actions/user_files.hpp"
-#include "app/docks.hpp"
 #include "compare_window.hpp"
+#include "look/docks.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
 #include "run_list.hpp"
 
 namespace hitos::window {

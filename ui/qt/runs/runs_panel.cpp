@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "app/words_of.hpp"
+#include "look/words_of.hpp"
 #include "views/canvas_paint.hpp"
 
 namespace hitos::window {

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "actions/prompts.hpp"
-#include "actions/user_files.hpp"
-#include "inspect/figures_table.hpp"
+#include "look/figures_table.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
 #include "run_list.hpp"
 #include "views/grid_view.hpp"
 

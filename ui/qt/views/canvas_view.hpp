@@ -9,8 +9,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "views/picture.hpp"
-#include "views/view_tool.hpp"
+#include "picture.hpp"
+#include "view_tool.hpp"
 
 class QContextMenuEvent;
 

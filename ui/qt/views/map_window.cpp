@@ -3,9 +3,9 @@
 #include <QPushButton>
 #include <cmath>
 
-#include "app/words_of.hpp"
+#include "look/words_of.hpp"
 #include "ui_map_window.h"
-#include "views/view_settings.hpp"
+#include "view_settings.hpp"
 
 namespace hitos::window {
 

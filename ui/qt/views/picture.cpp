@@ -11,9 +11,9 @@
 #include <QPdfWriter>
 #include <QSvgGenerator>
 
-#include "app/theme.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "look/theme.hpp"
 
 namespace hitos::window {
 namespace {

@@ -4,7 +4,7 @@
 #include <QFont>
 #include <QString>
 
-#include "app/theme.hpp"
+#include "look/theme.hpp"
 
 class QCPAxisRect;
 class QCPTextElement;

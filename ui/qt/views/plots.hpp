@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/session.hpp"
-#include "views/picture.hpp"
+#include "picture.hpp"
+#include "session/session.hpp"
 #include "workers/reference_meter.hpp"
 
 class QCPAxisRect;

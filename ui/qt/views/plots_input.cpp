@@ -12,9 +12,9 @@
 #include <iterator>
 #include <utility>
 
-#include "app/session.hpp"
-#include "app/theme.hpp"
+#include "look/theme.hpp"
 #include "plots.hpp"
+#include "session/session.hpp"
 
 namespace hitos::window {
 

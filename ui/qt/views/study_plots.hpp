@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/theme.hpp"
 #include "hitos/services/study/study_abscissa.hpp"
 #include "hitos/services/study/study_result.hpp"
-#include "views/picture.hpp"
+#include "look/theme.hpp"
+#include "picture.hpp"
 
 class QCPAxisRect;
 class QCPErrorBars;

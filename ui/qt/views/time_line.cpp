@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/theme.hpp"
+#include "look/theme.hpp"
 
 namespace hitos::window {
 namespace {

@@ -4,9 +4,9 @@
 #include <QObject>
 #include <array>
 
-#include "actions/user_files.hpp"
-#include "app/theme.hpp"
 #include "layers.hpp"
+#include "look/theme.hpp"
+#include "look/user_files.hpp"
 
 class QAction;
 class QMenu;

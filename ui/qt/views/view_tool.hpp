@@ -6,8 +6,8 @@
 #include <QTransform>
 #include <optional>
 
-#include "app/theme.hpp"
 #include "hitos/features/caracteristica.hpp"
+#include "look/theme.hpp"
 
 class QPainter;
 

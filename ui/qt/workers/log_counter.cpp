@@ -3,8 +3,8 @@
 #include <exception>
 #include <utility>
 
-#include "background.hpp"
 #include "hitos/workbench/source_inspection.hpp"
+#include "session/background.hpp"
 
 namespace hitos::window {
 

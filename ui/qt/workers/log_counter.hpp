@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/session.hpp"
 #include "hitos/capture/tour_finding.hpp"
+#include "session/session.hpp"
 
 namespace hitos::window {
 

@@ -3,11 +3,11 @@
 #include <exception>
 #include <utility>
 
-#include "app/words_of.hpp"
-#include "background.hpp"
 #include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
+#include "look/words_of.hpp"
+#include "session/background.hpp"
 
 namespace hitos::window {
 namespace {

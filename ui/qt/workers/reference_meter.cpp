@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "background.hpp"
+#include "session/background.hpp"
 
 namespace hitos::window {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/session.hpp"
+#include "session/session.hpp"
 
 namespace hitos::window {
 

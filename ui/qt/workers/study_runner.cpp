@@ -3,9 +3,9 @@
 #include <exception>
 #include <utility>
 
-#include "app/words_of.hpp"
-#include "background.hpp"
 #include "hitos/base/error.hpp"
+#include "look/words_of.hpp"
+#include "session/background.hpp"
 
 namespace hitos::window {
 namespace {

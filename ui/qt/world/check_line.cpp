@@ -3,10 +3,10 @@
 #include <QStringList>
 #include <cmath>
 
-#include "app/theme.hpp"
-#include "app/words_of.hpp"
 #include "hitos/simulation/drive/world_check.hpp"
-#include "workers/background.hpp"
+#include "look/theme.hpp"
+#include "look/words_of.hpp"
+#include "session/background.hpp"
 
 namespace hitos::window {
 namespace {

@@ -7,10 +7,10 @@
 #include <QToolButton>
 #include <array>
 
-#include "dialogs/parameter_text.hpp"
 #include "draw_tool.hpp"
+#include "look/parameter_text.hpp"
+#include "look/steady_label.hpp"
 #include "numbers_strip.hpp"
-#include "steady_label.hpp"
 #include "world_draft.hpp"
 #include "world_view.hpp"
 

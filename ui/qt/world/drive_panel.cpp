@@ -12,11 +12,11 @@
 #include <cmath>
 #include <utility>
 
-#include "app/words_of.hpp"
 #include "disturb_bar.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/services/evaluation/nees.hpp"
-#include "steady_label.hpp"
+#include "look/steady_label.hpp"
+#include "look/words_of.hpp"
 #include "world_view.hpp"
 
 namespace hitos::window {

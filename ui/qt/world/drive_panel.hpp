@@ -3,11 +3,11 @@
 
 #include <QWidget>
 
-#include "actions/prompts.hpp"
-#include "actions/user_files.hpp"
 #include "gamepad.hpp"
 #include "live_drive.hpp"
 #include "log_saver.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
 
 class QComboBox;
 class QLabel;

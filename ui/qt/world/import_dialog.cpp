@@ -12,10 +12,10 @@
 #include <QPushButton>
 #include <QThreadPool>
 
-#include "app/theme.hpp"
-#include "app/words_of.hpp"
 #include "hitos/simulation/drawings/dxf_walls.hpp"
-#include "workers/background.hpp"
+#include "look/theme.hpp"
+#include "look/words_of.hpp"
+#include "session/background.hpp"
 
 namespace hitos::window {
 namespace {

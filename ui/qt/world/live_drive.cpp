@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "actions/user_files.hpp"
-#include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/simulation/drive/driver.hpp"
 #include "hitos/workbench/open_tour.hpp"
+#include "look/user_files.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 namespace {

@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/session.hpp"
 #include "hitos/simulation/drive/simulated_tour.hpp"
 #include "hitos/simulation/text/world_text.hpp"
+#include "session/session.hpp"
 
 namespace hitos::window {
 

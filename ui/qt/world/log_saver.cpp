@@ -5,10 +5,10 @@
 #include <memory>
 #include <utility>
 
-#include "app/words_of.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/workbench/open_tour.hpp"
-#include "workers/background.hpp"
+#include "look/words_of.hpp"
+#include "session/background.hpp"
 
 namespace hitos::window {
 namespace {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/theme.hpp"
-#include "dialogs/parameter_text.hpp"
+#include "look/parameter_text.hpp"
+#include "look/theme.hpp"
 
 namespace hitos::window {
 namespace {

@@ -3,8 +3,8 @@
 #include <QFileInfo>
 #include <utility>
 
-#include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 namespace {

@@ -4,13 +4,13 @@
 #include <QFileInfo>
 #include <QMenu>
 
-#include "app/words_of.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "hitos/workbench/world_import.hpp"
 #include "import_dialog.hpp"
+#include "look/words_of.hpp"
 #include "world_draft.hpp"
 
 namespace hitos::window {

@@ -4,8 +4,8 @@
 #include <QObject>
 #include <string>
 
-#include "actions/prompts.hpp"
-#include "actions/user_files.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
 
 class QMenu;
 class QWidget;

@@ -9,10 +9,10 @@
 #include <array>
 #include <utility>
 
-#include "app/screen_fit.hpp"
-#include "app/words_of.hpp"
-#include "dialogs/parameter_text.hpp"
 #include "hitos/simulation/worlds/world_key.hpp"
+#include "look/parameter_text.hpp"
+#include "look/screen_fit.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 namespace {

@@ -9,15 +9,15 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/screen_fit.hpp"
-#include "app/session.hpp"
-#include "app/words_of.hpp"
 #include "check_line.hpp"
 #include "draw_bar.hpp"
 #include "drive_panel.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/workbench/presets.hpp"
-#include "steady_label.hpp"
+#include "look/screen_fit.hpp"
+#include "look/steady_label.hpp"
+#include "look/words_of.hpp"
+#include "session/session.hpp"
 #include "world_form.hpp"
 #include "world_view.hpp"
 

@@ -3,10 +3,10 @@
 
 #include <QDialog>
 
-#include "actions/prompts.hpp"
-#include "actions/run_guard.hpp"
-#include "actions/user_files.hpp"
 #include "draw_tool.hpp"
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
+#include "session/run_guard.hpp"
 #include "views/layers.hpp"
 #include "world_draft.hpp"
 #include "world_files.hpp"

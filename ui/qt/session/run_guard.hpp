@@ -1,8 +1,8 @@
 // Whether what a run has computed may be thrown away.
 #pragma once
 
-#include "app/session.hpp"
-#include "prompts.hpp"
+#include "look/prompts.hpp"
+#include "session.hpp"
 
 namespace hitos::window {
 

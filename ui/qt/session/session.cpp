@@ -7,11 +7,11 @@
 #include <system_error>
 #include <utility>
 
+#include "background.hpp"
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
-#include "words_of.hpp"
-#include "workers/background.hpp"
+#include "look/words_of.hpp"
 
 namespace hitos::window {
 namespace {

@@ -7,7 +7,7 @@
 #include <exception>
 #include <optional>
 
-#include "app/words_of.hpp"
+#include "words_of.hpp"
 
 class QWidget;
 

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "actions/user_files.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/results/kept_run.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
+#include "look/user_files.hpp"
 #include "manual/describe.hpp"
 #include "manual/topic_options.hpp"
 #include "world/live_drive.hpp"
