@@ -68,6 +68,8 @@ Pose OdometrySteps::taken(const OdometryRecord& before, const OdometryRecord& re
     const double seconds = record.time_s - before.time_s;
     const Pose logged = between(*before.pose_odom_robot, *record.pose_odom_robot);
     tracks_.note({*record.pose_odom_robot});
+    positions_.note({{record.pose_odom_robot->x, record.pose_odom_robot->y, 0.0}});
+    headings_.note(*record.pose_odom_robot);
     if (steps_a_turn_of_degrees(*before.pose_odom_robot, *record.pose_odom_robot)) {
         if (turns_of_degrees_++ == 0) turn_line_ = record.line;
     }
@@ -151,6 +153,10 @@ void OdometrySteps::learn(const OdometryRecord& before, const OdometryRecord& re
 void OdometrySteps::tell(std::vector<TourFinding>& found) const {
     using Kind = TourFinding::Kind;
     const auto tenths = [](double value) { return std::round(value * 10.0) / 10.0; };
+    if (std::optional<TourFinding> doubt = headings_.doubt()) {
+        found.push_back(*std::move(doubt));
+        return;
+    }
     constexpr std::uint64_t kMoreThanOneMistake = 2;
     if (turns_of_degrees_ >= kMoreThanOneMistake) {
         found.push_back({Kind::odometry_units, kRadiansPerDegree,
@@ -159,15 +165,23 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
                                             "the other in steps of 360, %1 times (first in line "
                                             "%2): they are in degrees, and are read as radians"),
                                  turns_of_degrees_, turn_line_),
-                         marked(HITOS_TEXT(
-                             "Errors",
-                             "record them in radians; or take how the robot moved from the scans, "
-                             "where they show enough for that: --set source.odometry=scans"))});
+                         headings_in_degrees()});
         return;
     }
     const bool told = std::ranges::count(found, Kind::two_publishers, &TourFinding::kind) > 0;
     if (tracks_.returns() > 0) {
         if (told) return;
+        if (positions_.returns() == 0) {
+            found.push_back(
+                {Kind::two_publishers, static_cast<double>(tracks_.returns()),
+                 message(HITOS_TEXT("Errors",
+                                    "the odometry's headings go to and fro, %1 times, and its "
+                                    "positions do not: they are not in radians, or two programs "
+                                    "tell them"),
+                         tracks_.returns()),
+                 take_it_from_scans()});
+            return;
+        }
         found.push_back(
             {Kind::two_publishers, static_cast<double>(tracks_.returns()),
              message(HITOS_TEXT("Errors",

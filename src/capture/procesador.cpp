@@ -32,14 +32,20 @@ void scale(OdometryRecord& record, double factor) {
     }
 }
 
+void turn(Twist& twist, double factor) {
+    twist.w *= factor;
+    if (factor < 0.0) twist.v_lateral = -twist.v_lateral;
+}
+
 }  // namespace
 
 Procesador::Procesador(std::unique_ptr<Fuente> fuente, ReadOptions options)
     : fuente_(std::move(fuente)),
       options_(std::move(options)),
       conversor_scans_(fuente_->format().make_conversor(*fuente_, options_)),
-      conversor_odometry_(
-          fuente_->format().make_conversor(*fuente_, without_look_ahead(options_))) {
+      conversor_odometry_(fuente_->format().make_conversor(*fuente_, without_look_ahead(options_))),
+      clock_(options_.scan_clock),
+      axes_(options_.odometry_axes) {
     begin_report();
 }
 
@@ -64,6 +70,8 @@ void Procesador::restart() {
     last_odometry_.reset();
     track_.reset();
     sweeps_ = {};
+    clock_ = ScanClock(options_.scan_clock);
+    axes_ = OdometryAxes(options_.odometry_axes);
     steps_ = {};
     poses_move_ = velocities_move_ = false;
     clock_s_ = 0.0;
@@ -113,9 +121,10 @@ std::optional<Scan> Procesador::next_scan() {
                 continue;
             }
             last_scan_ = *scan;
-            if (options_.scan_delay_s != 0.0) {
+            const double late_s = options_.scan_delay_s + clock_.added(scan->time_s);
+            if (late_s != 0.0) {
                 const double logged_s = scan->time_s;
-                scan->time_s += options_.scan_delay_s;
+                scan->time_s += late_s;
                 scan->delay_s = scan->time_s - logged_s;
                 scan->carries_odometry = false;
             }
@@ -215,6 +224,8 @@ std::optional<Odometria> Procesador::next_odometry() {
         try {
             std::optional<OdometryRecord> record = conversor_odometry_->odometry(*line);
             if (!record) continue;
+            if (record->pose_odom_robot)
+                record->pose_odom_robot = axes_.taken(*record->pose_odom_robot);
             scale(*record, options_.odometry_scale);  // leaps are those of metres
             const bool by_pose =
                 record->pose_odom_robot && options_.odometry != OdometryFrom::velocities;
@@ -268,6 +279,7 @@ std::optional<Odometria> Procesador::from_velocity(const OdometryRecord& record)
 Odometria Procesador::hand_out(double time_s, Twist twist, std::uint64_t line) {
     clock_s_ = time_s;
     if (twist != Twist{}) poses_move_ = true;
+    turn(twist, options_.odometry_turns);
     ++report_.odometry;
     return {time_s, twist, line};
 }

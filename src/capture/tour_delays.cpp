@@ -36,6 +36,20 @@ BestFit refined(const Fit& fit, const Hypothesis& start, double Hypothesis::*cha
     });
 }
 
+std::string hundredths(double seconds) {
+    constexpr double kNone = 0.005;  // else "-0.00"
+    return fmt::format("{:.2f}", std::abs(seconds) < kNone ? 0.0 : seconds);
+}
+
+/// By a clock's text.
+Message add_to_times(const std::string& clock) {
+    return message(
+        HITOS_TEXT("Errors",
+                   "add that to their times: --scan-delay %1; and set the clocks of both "
+                   "computers alike before recording"),
+        clock);
+}
+
 }  // namespace
 
 std::string seconds_words(double seconds) {
@@ -109,7 +123,8 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
     if (std::abs(gained_s) < kShortestDelay) drifting.agreement = 0.0;
     if (std::abs(set.hypothesis.set_by_s) < kShortestDelay) set.agreement = 0.0;
     const BestFit& best = set.agreement > drifting.agreement ? set : drifting;
-    if (best.agreement < least) return std::nullopt;
+    // Of one that was set either side speaks for itself.
+    if (best.agreement < least - (&best == &set ? kPromising : 0.0)) return std::nullopt;
     if (&best == &set) {
         // In the midst of a turn one time is as good as another: all pairs tell it better.
         const std::vector<const Pair*> all = some_pairs(2 * pairs.size());
@@ -119,34 +134,89 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
                     set.hypothesis, &Hypothesis::set_by_s, 1.0, step_s);
         if (std::abs(by_all.hypothesis.set_by_s) >= kShortestDelay)
             set = {by_all.hypothesis, agreed};
+        // Where each pair is on the side that it fits better; the middle of where that is so.
+        Hypothesis later = set.hypothesis;
+        later.set_at_s = first_scan_s_;
+        Hypothesis sooner = set.hypothesis;
+        sooner.set_by_s = 0.0;
+        constexpr double kAsWell = 0.05;
+        double sum = 0.0;
+        double highest = 0.0;
+        double begin_s = set.hypothesis.set_at_s;
+        double end_s = begin_s;
+        for (const Pair* pair : all) {
+            sum += agreement(*pair, sooner).value_or(0.0) - agreement(*pair, later).value_or(0.0);
+            if (sum > highest + kAsWell) begin_s = pair->second.time_s;
+            if (sum > highest - kAsWell) end_s = pair->second.time_s;
+            highest = std::max(highest, sum);
+        }
+        set.hypothesis.set_at_s = (begin_s + end_s) / 2.0;
+        return told_set(set.hypothesis, set.agreement, agreement(pairs, asked).value_or(0.0));
     }
-    const long told = percent(agreement(pairs, asked).value_or(0.0));
-    const std::string begin = seconds_words(best.hypothesis.delay_s);
-    Message remedy = marked(HITOS_TEXT(
-        "Errors",
-        "set the clocks of both computers alike before recording; or take how the robot moved from "
-        "the scans, where they show enough for that: --set source.odometry=scans"));
-    if (&best == &set) {
-        return TourFinding{
-            Kind::clock_set, best.hypothesis.set_by_s,
-            message(HITOS_TEXT("Errors",
-                               "the scans' clock was set during the tour: they fit the odometry "
-                               "where %1 are added up to second %2 and %3 from there on (%4 % of "
-                               "their points, against %5 % as they are stamped)"),
-                    begin, std::lround(best.hypothesis.set_at_s - first_scan_s_),
-                    seconds_words(best.hypothesis.delay_s + best.hypothesis.set_by_s),
-                    percent(best.agreement), told),
-            std::move(remedy)};
-    }
+    const double end_s = best.hypothesis.delay_s + gained_s;
+    std::string clock = fmt::format("{}@0,{}@{:.0f}", hundredths(best.hypothesis.delay_s),
+                                    hundredths(end_s), seconds);
     return TourFinding{
-        Kind::clock_speed, best.hypothesis.gained,
+        Kind::clock_speed,
+        best.hypothesis.gained,
         message(HITOS_TEXT("Errors",
                            "the scans' clock does not run as fast as the odometry's: they fit it "
                            "where %1 are added at the beginning and %2 at the end (%3 % of their "
                            "points, against %4 % as they are stamped)"),
-                begin, seconds_words(best.hypothesis.delay_s + gained_s), percent(best.agreement),
-                told),
-        std::move(remedy)};
+                seconds_words(best.hypothesis.delay_s), seconds_words(end_s),
+                percent(best.agreement), percent(agreement(pairs, asked).value_or(0.0))),
+        add_to_times(clock),
+        {},
+        clock};
+}
+
+/// A clock that was set where the stamps leap: that leap itself says by how much.
+std::optional<TourFinding> TourExamination::set_clock(const std::vector<const Pair*>& pairs,
+                                                      double otherwise) const {
+    constexpr double kBetter = 0.02;  // than what has a number of its own to fit by
+    const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
+    const double told = fit({});
+    const double period_s = (last_scan_s_ - first_scan_s_) / static_cast<double>(scans_);
+    BestFit best;
+    for (const StampLeap& leap : stamp_leaps_) {
+        const double by_s = period_s - leap.by_s;
+        if (std::abs(by_s) < kShortestDelay) continue;
+        best.try_out(fit,
+                     {.set_by_s = by_s, .set_at_s = std::nextafter(leap.after_s, last_scan_s_)});
+    }
+    if (best.agreement < std::max({kLeastFit, told + kClearly, otherwise + kBetter}) ||
+        !beats_standing(best.agreement)) {
+        return std::nullopt;
+    }
+    return told_set(best.hypothesis, best.agreement, told);
+}
+
+TourFinding TourExamination::told_set(const Hypothesis& set, double fits, double told) const {
+    constexpr double kNear = 0.3;  // [s]
+    constexpr double kHundredth = 0.01;
+    // The stamps leap where it was set.
+    double at_s = set.set_at_s;
+    double nearest = last_scan_s_ - first_scan_s_;
+    for (const StampLeap& leap : stamp_leaps_) {
+        const double away = std::abs(leap.after_s - set.set_at_s);
+        if (std::abs(leap.by_s + set.set_by_s) > kNear || away > nearest) continue;
+        nearest = away;
+        at_s = leap.after_s;
+    }
+    at_s = std::ceil((at_s - first_scan_s_) / kHundredth) * kHundredth;
+    std::string clock = fmt::format("{0}@{2:.2f},{1}@{2:.2f}", hundredths(set.delay_s),
+                                    hundredths(set.delay_s + set.set_by_s), at_s);
+    return {Kind::clock_set,
+            set.set_by_s,
+            message(HITOS_TEXT("Errors",
+                               "the scans' clock was set during the tour: they fit the odometry "
+                               "where %1 are added up to second %2 and %3 from there on (%4 % of "
+                               "their points, against %5 % as they are stamped)"),
+                    seconds_words(set.delay_s), std::lround(at_s),
+                    seconds_words(set.delay_s + set.set_by_s), percent(fits), percent(told)),
+            add_to_times(clock),
+            {},
+            clock};
 }
 
 std::optional<TourFinding> TourExamination::turning_clock(const Turning& turning,

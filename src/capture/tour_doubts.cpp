@@ -222,9 +222,15 @@ void TourExamination::doubt_heading(std::vector<TourFinding>& found) const {
     constexpr double kLeastWay = 3.0;
     constexpr double kOneDirection = 0.9;
     constexpr double kOff = 20.0 * kRadiansPerDegree;
-    const double off_rad = std::atan2(across_m_, along_m_) / 2.0;
+    double off_rad = std::atan2(across_m_, along_m_) / 2.0;
     if (way_m_ > kLeastWay && std::hypot(along_m_, across_m_) > kOneDirection * way_m_ &&
         std::abs(off_rad) > kOff) {
+        // Which end is ahead, the scans say.
+        for (const TourFinding& turned : found) {
+            if (turned.kind == Kind::turned_laser && std::cos(turned.value - off_rad) < 0.0) {
+                off_rad = wrap_angle(off_rad + kPi);
+            }
+        }
         const double whole = std::round(off_rad * kDegreesPerRadian) * kRadiansPerDegree;
         const Pose turned = compose({0.0, 0.0, whole}, fan_.pose_robot_laser);
         found.push_back(
@@ -250,11 +256,16 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     doubt_stamps(own);
     doubt_speed(own);
     const bool sees = !holds(told, Kind::laser_units) && !holds(told, Kind::blind_laser);
-    if (own.empty() && sees) doubt_fit(own);
+    // Axes and units that the reader doubts explain what else does not fit.
+    const bool of_axes = holds(told, Kind::sideways_odometry) || holds(told, Kind::odometry_units);
+    if (own.empty() && sees && !of_axes) doubt_fit(own);
     doubt_odometry(own);
     if (own.empty() && sees) doubt_stills(own);
     doubt_self_hits(own);
-    doubt_heading(own);
+    if (!of_axes) doubt_heading(own);
+    for (TourFinding& finding : told) {
+        if (finding.kind == Kind::sideways_odometry) settle_axes(finding);
+    }
     if (own.empty() && told.empty()) doubt_whole(own);
     if (own.empty() && told.empty()) doubt_motion(own);
     std::erase_if(told, [&](const TourFinding& finding) {

@@ -102,6 +102,7 @@ TourExamination::View TourExamination::view_of(const Scan& scan) const {
 }
 
 void TourExamination::note(const Scan& scan) {
+    note_leap(scan);
     if (scans_ > 0 && scan.time_s <= last_scan_s_) {
         // A tour that is read again has the same lines again.
         if (scan.time_s == last_scan_s_ && scan.line > last_scan_line_) ++scans_of_one_time_;
@@ -150,6 +151,20 @@ void TourExamination::note(const Scan& scan) {
         medians_.push_back(median(std::move(ranges)));
     }
     keep(scan);
+}
+
+void TourExamination::note_leap(const Scan& scan) {
+    constexpr double kLeast = 0.25;  // [s]
+    constexpr std::size_t kMost = 16;
+    if (scans_ > 0 && scan.line <= last_scan_line_) return;  // read again
+    const double by_s = scan.time_s - last_stamp_s_;
+    const double after_s = last_stamp_s_;
+    last_stamp_s_ = scan.time_s;
+    if (scans_ == 0 || std::abs(by_s) < kLeast) return;
+    stamp_leaps_.push_back({after_s, by_s});
+    if (stamp_leaps_.size() <= kMost) return;
+    stamp_leaps_.erase(std::ranges::min_element(
+        stamp_leaps_, {}, [](const StampLeap& leap) { return std::abs(leap.by_s); }));
 }
 
 /// What is as near as before although the robot turned is a part of it. By direction, as some

@@ -51,6 +51,10 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     const double told = fit({});
     const BestFit mounted = best_mounting(fit, fan_);
     const double otherwise = std::max({told, late.agreement, mounted.agreement});
+    if (std::optional<TourFinding> set = set_clock(pairs, otherwise)) {
+        found.push_back(*std::move(set));
+        return;
+    }
     constexpr double kTableStep = 0.25;  // [s]
     constexpr int kTableSteps = 60;
     std::optional<TourFinding> clock = changing_clock(pairs, {}, kTableStep, kTableSteps,

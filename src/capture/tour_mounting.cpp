@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "hitos/capture/odometry_axes.hpp"
 #include "hypothesis_search.hpp"
 #include "laser_pose.hpp"
 
@@ -114,7 +115,16 @@ void TourExamination::tell_mounting(const Fit& fit, double told, const BestFit& 
     }
     const double turn_rad = middle_turn(fit, other);
     Pose pose = fan_.pose_robot_laser;
-    pose.theta = static_cast<double>(degrees(pose.theta + turn_rad)) * kRadiansPerDegree;
+    // A heading that points elsewhere turns the laser about the robot's middle.
+    const Pose about = compose({0.0, 0.0, turn_rad}, pose);
+    Hypothesis near = closely(other);
+    near.turn_rad = turn_rad;
+    const double in_place = fit(near);
+    near.shift = {about.x - pose.x, about.y - pose.y};
+    const bool heading = !other.mirrored && fit(near) > in_place;
+    if (heading) pose = about;
+    pose.theta =
+        static_cast<double>(degrees(fan_.pose_robot_laser.theta + turn_rad)) * kRadiansPerDegree;
     const std::string place = text_of({pose, fan_.upside_down != other.mirrored});
     if (other.mirrored) {
         found.push_back(
@@ -128,8 +138,9 @@ void TourExamination::tell_mounting(const Fit& fit, double told, const BestFit& 
                  HITOS_TEXT(
                      "Errors",
                      "if the laser is upside down, or its rays go the other way round: "
-                     "--laser-pose %1; if it is the odometry that counts turns to the right, mend "
-                     "its signs, or know that with that option the map is right but mirrored"),
+                     "--laser-pose %1; if it is the odometry that counts turns to the right: --set "
+                     "source.odometry_turns=-1; with the wrong one of both the map is right but "
+                     "mirrored"),
                  place)});
         return;
     }
@@ -140,10 +151,15 @@ void TourExamination::tell_mounting(const Fit& fit, double told, const BestFit& 
                             "their points fit turned so, %3 % as they are): the map's path and "
                             "walls do not fit each other"),
                  degrees(turn_rad), fits, percent(told)),
-         message(
-             HITOS_TEXT("Errors",
-                        "the laser is mounted otherwise than the recording says: --laser-pose %1"),
-             place)});
+         heading
+             ? message(HITOS_TEXT("Errors",
+                                  "the odometry's heading points elsewhere than the robot; let the "
+                                  "laser turn with it: --laser-pose %1"),
+                       place)
+             : message(HITOS_TEXT("Errors",
+                                  "the laser is mounted otherwise than the recording says: "
+                                  "--laser-pose %1"),
+                       place)});
 }
 
 /// Whether the laser is turned by less than sectors tell apart.
@@ -164,6 +180,27 @@ bool TourExamination::doubt_slight_turn(const Fit& fit, std::vector<TourFinding>
     if (best.agreement < least) return false;
     tell_mounting(fit, told, best, found);
     return true;
+}
+
+/// Whether it is headings or positions that count the other way: by how the scans turn.
+void TourExamination::settle_axes(TourFinding& told) const {
+    constexpr std::size_t kAsked = 128;
+    const std::vector<const Pair*> pairs = some_pairs(kAsked);
+    const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
+    BestFit headings;
+    BestFit positions;  // as the other, all of it mirrored: told of a mirrored laser's scans
+    for (int i = 0; i < kSectors; ++i) {
+        Hypothesis other{.turn_rad = wrap_angle(2.0 * kPi * i / kSectors), .turn_scale = -1.0};
+        headings.try_out(fit, other);
+        other.mirrored = true;
+        positions.try_out(fit, other);
+    }
+    if (std::max(headings.agreement, positions.agreement) < kLeastFit) return;
+    if (headings.agreement > positions.agreement + kClearly) {
+        told.remedy = reversed_headings(told.value);
+    } else if (positions.agreement > headings.agreement + kClearly) {
+        told.remedy = reversed_positions(told.value);
+    }
 }
 
 /// Whether headings are in degrees, or were scaled as if they had been.

@@ -152,8 +152,15 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
         return;
     }
     constexpr double kNearlyOne = 0.07;
-    const double scale = turned.hypothesis.pair_turn_scale;
+    constexpr double kAround = 0.08;
+    constexpr int kSteps = 16;
+    double scale = turned.hypothesis.pair_turn_scale;
     if (std::abs(scale - 1.0) < kNearlyOne) return;
+    scale *= 1.0 + middle_offset(fit, kAround, kSteps, [&](double off) {
+                 Hypothesis other = turned.hypothesis;
+                 other.pair_turn_scale *= 1.0 + off;
+                 return other;
+             });
     found.push_back(
         {Kind::odometry_turns, scale,
          message(
@@ -162,10 +169,10 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
                  "by the scans the robot turns %1 times as far as by the odometry (%2 % of their "
                  "points fit closely so, %3 % as it is told): walls fan out where it turns"),
              fmt::format("{:.2f}", scale), percent(best), percent(told)),
-         marked(
-             HITOS_TEXT("Errors",
-                        "take how it moved from the scans, where they show enough for that: --set "
-                        "source.odometry=scans; or map it with registration: --preset recorded"))});
+         message(HITOS_TEXT("Errors",
+                            "say so: --set source.odometry_turns=%1; or map it with registration: "
+                            "--preset recorded"),
+                 fmt::format("{:.2f}", scale))});
 }
 
 }  // namespace hitos

@@ -1,5 +1,10 @@
 #include "hitos/workbench/configuration_choices.hpp"
 
+#include <cmath>
+
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+#include "hitos/capture/scan_clock.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 
 namespace hitos {
@@ -30,6 +35,21 @@ void TopicChoices::choose(SourceParams& source) const {
     if (!odom_topic.empty()) source.read.odom_topic = odom_topic;
     if (!same_frames.empty()) source.read.same_frames = same_frames;
     if (!laser_pose.empty()) source.read.laser_pose = laser_pose;
+    if (scan_delay.empty()) return;
+    const bool of_clock = scan_delay.find('@') != std::string::npos;
+    constexpr double kGreatest = 1e10;
+    const std::optional<double> number = input::parse_number(scan_delay);
+    if (of_clock) {
+        static_cast<void>(ScanClock(scan_delay));  // throws
+    } else if (!number || !(std::abs(*number) <= kGreatest)) {
+        throw ConfigError("--scan-delay",
+                          HITOS_TEXT("Errors",
+                                     "found \"%1\", expected seconds, or seconds@second of the "
+                                     "tour as in 0@0,-1.39@680, as check advises"),
+                          scan_delay);
+    }
+    source.read.scan_delay_s = of_clock ? 0.0 : *number;
+    source.read.scan_clock = of_clock ? scan_delay : "";
 }
 
 std::string complaint_of_seed(const std::string& text) {

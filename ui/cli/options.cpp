@@ -87,19 +87,19 @@ std::string slip_of(const CLI::App& program) {
     }
 }
 
-/// What check advises, to a hundredth of a second; told, so that it can be given as a number.
-double found_delay(SourceParams source) {
-    source.read.scan_delay_s = 0.0;
+/// What check advises; told, so that it can be given.
+std::string found_delay(const SourceParams& source) {
     const std::unique_ptr<TourReader> reader = open_source(source);
-    constexpr double kHundredths = 100.0;
     for (const TourFinding& finding : inspect_tour(*reader).findings) {
-        if (!finding.scan_delay_s) continue;
-        const double delay_s = std::round(*finding.scan_delay_s * kHundredths) / kHundredths;
-        fmt::print(stderr, "scan delay found: {:.2f} s\n", delay_s);
-        return delay_s;
+        if (!finding.scan_delay_s && finding.scan_clock.empty()) continue;
+        const std::string delay = finding.scan_delay_s
+                                      ? fmt::format("{:.2f}", *finding.scan_delay_s)
+                                      : finding.scan_clock;
+        fmt::print(stderr, "scan delay found: {} s\n", delay);
+        return delay;
     }
     fmt::print(stderr, "no scan delay found\n");
-    return 0.0;
+    return "0";
 }
 
 }  // namespace
@@ -162,28 +162,17 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
 void add_source_options(CLI::App& command, SourceOptions& options) {
     command.add_option("--format", options.format, log_format_choices() + " (default: auto)");
     manual::add_topic_options(command, options.topics);
-    command
-        .add_option(
-            "--scan-delay", options.scan_delay,
-            "Seconds to add to the scans' times, as check advises, up to 1e10 either way; auto "
-            "looks for them (default: 0). Paths that are written keep the scans' stamps")
-        ->type_name("SECONDS|auto");
 }
 
 void SourceOptions::choose(SourceParams& source) const {
     if (!format.empty()) source.format = checked_log_format(format, "--format");
-    topics.choose(source);
-    if (scan_delay.empty()) return;
-    constexpr const char* kAuto = "auto";
-    constexpr double kGreatest = 1e10;
-    const std::optional<double> number = input::parse_number(scan_delay);
-    if (scan_delay != kAuto && (!number || !(std::abs(*number) <= kGreatest))) {
-        throw ConfigError(
-            "--scan-delay",
-            verbatim(fmt::format("found \"{}\", expected seconds from -{} to {}, or {}", scan_delay,
-                                 kGreatest, kGreatest, kAuto)));
-    }
-    source.read.scan_delay_s = number ? *number : found_delay(source);
+    TopicChoices chosen = topics;
+    const bool looked_for = chosen.scan_delay == "auto";
+    if (looked_for) chosen.scan_delay = "0";
+    chosen.choose(source);
+    if (!looked_for) return;
+    chosen.scan_delay = found_delay(source);
+    chosen.choose(source);
 }
 
 std::string complaint_of_output(const std::string& name) {

@@ -31,11 +31,10 @@ struct ConfigurationOptions {
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options);
 
-/// --format, those of TopicChoices and --scan-delay.
+/// --format and those of TopicChoices.
 struct SourceOptions {
     std::string format;
     TopicChoices topics;
-    std::string scan_delay;
 
     /// Over what the configuration says, which names the log already: with "auto" its scans' delay
     /// is looked for and told. Throws ConfigError for a word that no format has and for a delay

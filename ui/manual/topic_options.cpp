@@ -18,6 +18,13 @@ void add_topic_options(CLI::App& program, TopicChoices& choices) {
                     "Where the laser sits on the robot, whatever the log says: metres ahead, "
                     "metres to the left, degrees to the left, and upside-down where it does")
         ->type_name("X,Y,DEGREES[,upside-down]");
+    program
+        .add_option(
+            "--scan-delay", choices.scan_delay,
+            "Seconds to add to the scans' times, as check advises, or where their clock "
+            "runs at another speed or was set SECONDS@SECOND of the tour,…; hitos-cli looks "
+            "for them where it is auto (default: 0)")
+        ->type_name("SECONDS");
 }
 
 }  // namespace hitos::manual

@@ -1,4 +1,4 @@
-// The options for topics of ROS recordings, which both programs have.
+// The options that say how a log is to be read, which both programs have.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hitos/capture/conversor.hpp"
+#include "hitos/capture/odometry_axes.hpp"
 #include "hitos/capture/to_and_fro.hpp"
 #include "hitos/capture/tour_finding.hpp"
 
@@ -51,6 +52,8 @@ class OdometrySteps {
     void learn(const OdometryRecord& before, const OdometryRecord& record, const Pose& step);
 
     ToAndFro<Place> tracks_;
+    ToAndFro<Place> positions_;  ///< of all of them the heading left out
+    HeadingCheck headings_;
     std::uint64_t turns_of_degrees_ = 0;  ///< steps of 360
     std::uint64_t turn_line_ = 0;         ///< of the first
     Twist twist_;                         ///< of the last step that took time

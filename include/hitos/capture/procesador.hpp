@@ -11,8 +11,10 @@
 #include "hitos/base/message.hpp"
 #include "hitos/capture/conversor.hpp"
 #include "hitos/capture/fuente.hpp"
+#include "hitos/capture/odometry_axes.hpp"
 #include "hitos/capture/odometry_steps.hpp"
 #include "hitos/capture/scan.hpp"
+#include "hitos/capture/scan_clock.hpp"
 
 namespace hitos {
 
@@ -83,6 +85,8 @@ class Procesador final : public TourReader {
     std::optional<OdometryRecord> last_odometry_;
     std::unique_ptr<OdometryTrack> track_;  ///< where scans are unwarped
     Sweeps sweeps_;
+    ScanClock clock_;
+    OdometryAxes axes_;
     OdometrySteps steps_;
     bool poses_move_ = false;
     bool velocities_move_ = false;

@@ -86,6 +86,11 @@ class TourExamination {
     std::optional<TourFinding> changing_clock(const std::vector<const Pair*>& pairs,
                                               const Hypothesis& asked, double step_s, int steps,
                                               double least) const;
+    /// One that was set where the stamps leap.
+    std::optional<TourFinding> set_clock(const std::vector<const Pair*>& pairs,
+                                         double otherwise) const;
+    TourFinding told_set(const Hypothesis& set, double fits, double told) const;
+    void note_leap(const Scan& scan);
     std::optional<double> agreement(const std::vector<const Pair*>& pairs,
                                     const Hypothesis& hypothesis) const;
     /// At least as many as are asked, where there are so many, evenly over the tour.
@@ -124,6 +129,7 @@ class TourExamination {
     void doubt_stamps(std::vector<TourFinding>& found) const;
     void doubt_self_hits(std::vector<TourFinding>& found) const;
     void doubt_heading(std::vector<TourFinding>& found) const;
+    void settle_axes(TourFinding& told) const;
     void doubt_pauses(std::vector<TourFinding>& found) const;
     void note_self(const Scan& scan);
     void note_pause(const Scan& scan);
@@ -178,6 +184,13 @@ class TourExamination {
     double scan_way_ = 0.0;
     double first_scan_s_ = 0.0;
     double last_scan_s_ = 0.0;
+    /// Where a scan's stamp does not follow on the one before.
+    struct StampLeap {
+        double after_s = 0.0;  ///< stamp before it
+        double by_s = 0.0;     ///< to the next
+    };
+    std::vector<StampLeap> stamp_leaps_;  ///< the longest ones
+    double last_stamp_s_ = 0.0;           ///< of the newest line
     std::vector<Point2> last_points_;
     Fan last_fan_;
     /// The scans round a pause.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "hitos/base/message.hpp"
@@ -32,7 +33,8 @@ struct TourFinding {
         still_odometry,     ///< the scans change and the odometry does not; value: 0, or for how
                             ///< long [s]
         leaping_odometry,   ///< steps that no robot makes in their time; value: the longest [m]
-        sideways_odometry,  ///< always off where the robot looks; value: by that, to the left [rad]
+        sideways_odometry,  ///< always off where the robot looks; value: by that, to the left; or
+                            ///< headings that turn against its way; value: both together [rad]
         odometry_scale,  ///< it counts too far or too short; value: the way by the scans over its
                          ///< own
         odometry_turns,  ///< it turns too far or too little; value: the turn by the scans over its
@@ -53,6 +55,7 @@ struct TourFinding {
     Message what;    ///< what was found, with its number, and what it does to a map
     Message remedy;  ///< what to do
     std::optional<double> scan_delay_s = {};  ///< where --scan-delay mends it
+    std::string scan_clock = {};              ///< where that with one of ScanClock's texts does
 };
 
 /// The word of a kind, for programs: "scan-delay".

@@ -75,6 +75,8 @@ struct ReadOptions {
     /// Added to the scans' times [s], where the laser's clock is not the odometry's. Scans whose
     /// line carries odometry then go by their times like all others.
     double scan_delay_s = 0.0;
+    /// Added besides where that clock does not stay as it is: ScanClock's text.
+    std::string scan_clock = {};
     /// Where the laser sits on the robot, whatever the log says: "x,y,degrees", with
     /// ",upside-down" behind it where it does. Empty: as the log says.
     std::string laser_pose = {};
@@ -87,6 +89,11 @@ struct ReadOptions {
     double ray_time_s = 0.0;
     /// By this the odometry's way is longer than it says.
     double odometry_scale = 1.0;
+    /// By this its turns are wider than it says; negative: it counts them to the right.
+    double odometry_turns = 1.0;
+    /// What its poses have in the place of x, y and heading: "y,x,theta", "x,y,90-theta",
+    /// "x,y,degrees". Empty: those.
+    std::string odometry_axes = {};
     Mend mend = Mend::all;
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };

@@ -23,14 +23,15 @@ struct ValueChoices {
 /// behind what source.world_set says already. All checked. Throws ConfigError.
 void choose_values(Configuracion& configuration, const ValueChoices& choices);
 
-/// --scan-topic, --odom-topic, --same-frames and --laser-pose.
+/// --scan-topic, --odom-topic, --same-frames, --laser-pose and --scan-delay.
 struct TopicChoices {
     std::string scan_topic = {};
     std::string odom_topic = {};
     std::string same_frames = {};
     std::string laser_pose = {};
+    std::string scan_delay = {};  ///< seconds, or a clock's text
 
-    /// Over what the configuration says, where they are given.
+    /// Over what the configuration says, where they are given. Throws ConfigError.
     void choose(SourceParams& source) const;
 };
 

@@ -77,6 +77,18 @@ Table mended_source_entries() {
              HITOS_TEXT("Parameter",
                         "The odometry's way is taken that many times as long; a higher value "
                         "lengthens it.")}),
+        real<&Config::source, &SourceParams::read, &ReadOptions::odometry_turns>(
+            {"source.odometry_turns", "", -100, 100, HITOS_TEXT("ParameterLabel", "Scale of turns"),
+             HITOS_TEXT("Parameter",
+                        "The odometry's turns are taken that many times as wide; a higher value "
+                        "widens them, a negative one turns right what it says is left.")}),
+        text<&Config::source, &SourceParams::read, &ReadOptions::odometry_axes>(
+            {"source.odometry_axes", HITOS_TEXT("ParameterLabel", "Axes of the odometry"),
+             HITOS_TEXT("Parameter",
+                        "What logged poses have in the place of x, y and heading: axes in another "
+                        "order or negative, and theta or, in degrees, degrees, with an angle that "
+                        "is added, as in y,x,theta or x,y,90-theta; empty takes x,y,theta.")},
+            {of_log()}),
         choice<&Config::source, &SourceParams::read, &ReadOptions::mend>(
             {"source.mend", HITOS_TEXT("ParameterLabel", "Mend"),
              HITOS_TEXT("Parameter",
@@ -144,6 +156,14 @@ Table source_entries() {
                         "Added to the times of the scans, where the laser's clock is not the "
                         "odometry's; hitos-cli check says by how much they differ. A higher value "
                         "pairs scans with later odometry.")}),
+        text<&Config::source, &SourceParams::read, &ReadOptions::scan_clock>(
+            {"source.scan_clock", HITOS_TEXT("ParameterLabel", "Clock of the scans"),
+             HITOS_TEXT("Parameter",
+                        "Added to the scans' times besides, where the laser's clock runs at "
+                        "another speed or was set: seconds@second of the tour, as in "
+                        "0@0,-1.39@680, evenly in between; two points of one second are a leap; "
+                        "empty adds nothing.")},
+            {of_log()}),
     };
 }
 

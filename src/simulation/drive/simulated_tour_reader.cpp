@@ -103,6 +103,8 @@ std::optional<Odometria> SimulatedTourReader::next_odometry() {
         noise_(tour_->true_reading(report_.odometry), tour_->odometry_noise(report_.odometry));
     reading.twist.v *= options_.odometry_scale;
     reading.twist.v_lateral *= options_.odometry_scale;
+    reading.twist.w *= options_.odometry_turns;
+    if (options_.odometry_turns < 0.0) reading.twist.v_lateral *= -1.0;
     while (scans_before_ < tour_->scans() && tour_->scan_time(scans_before_) < reading.time_s) {
         ++scans_before_;
     }

@@ -72,10 +72,6 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
                     "Seed of a world's noise (default: as the world says, else the seed)")
         ->check(&complaint_of_seed);
     manual::add_topic_options(program, out.topics);
-    program
-        .add_option("--scan-delay", out.scan_delay_s,
-                    "Seconds to add to the scans' times, as a finding advises")
-        ->type_name("SECONDS");
     program.add_option(
         "--threads", out.values.threads,
         "Threads, " + find_parameter("run.threads").allowed() + " (default: 0, all)");
@@ -165,7 +161,6 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     }
     choose_values(configuration, line.values);
     line.topics.choose(configuration.source);
-    if (line.scan_delay_s) configuration.source.read.scan_delay_s = *line.scan_delay_s;
     return configuration;
 }
 

@@ -19,7 +19,6 @@ struct CommandLine {
     std::string preset;
     ValueChoices values;
     TopicChoices topics;
-    std::optional<double> scan_delay_s;
     std::string reference;
     std::string reference_trajectory;
     std::string distances;  ///< a file of them, to measure

@@ -150,11 +150,12 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
         idle_with({"features.detect=lines"}),
         with(idle, {"features.corner_distance", "features.corner_angle", "features.corner_lines"},
              {}));
-    EXPECT_EQ(idle_with({"source.file=a.toml"}),
-              with(idle,
-                   {"source.scan_topic", "source.odom_topic", "source.laser_pose",
-                    "source.same_frames", "source.ray_time"},
-                   {"source.tour_seed", "source.world_set"}));
+    EXPECT_EQ(
+        idle_with({"source.file=a.toml"}),
+        with(idle,
+             {"source.scan_topic", "source.odom_topic", "source.laser_pose", "source.same_frames",
+              "source.ray_time", "source.odometry_axes", "source.scan_clock"},
+             {"source.tour_seed", "source.world_set"}));
     EXPECT_EQ(idle_with({"features.detect=corners"}), idle);
     EXPECT_EQ(idle_with({"association.method=gnn"}),
               with(idle, {}, {"association.gate_probability"}));
@@ -238,11 +239,14 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.source.read.odom_topic = "tf";
     c.source.read.leave_out_early_scans = true;
     c.source.read.scan_delay_s = -0.25;
+    c.source.read.scan_clock = "0@0,-1@9";
     c.source.read.laser_pose = "0.1,0.2,30";
     c.source.read.same_frames = "a=b";
     c.source.read.min_range_m = 0.27;
     c.source.read.ray_time_s = 0.28;
     c.source.read.odometry_scale = 1.29;
+    c.source.read.odometry_turns = -1.5;
+    c.source.read.odometry_axes = "y,x,theta";
     c.source.read.mend = Mend::rays;
     c.source.tour_seed = 43;
     c.source.world_set = "laser.sigma=0.003";
@@ -287,11 +291,14 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"source.odom_topic", "tf"},
         {"source.early_scans", "leave_out"},
         {"source.scan_delay", "-0.25"},
+        {"source.scan_clock", "0@0,-1@9"},
         {"source.laser_pose", "0.1,0.2,30"},
         {"source.same_frames", "a=b"},
         {"source.min_range", "0.27"},
         {"source.ray_time", "0.28"},
         {"source.odometry_scale", "1.29"},
+        {"source.odometry_turns", "-1.5"},
+        {"source.odometry_axes", "y,x,theta"},
         {"source.mend", "rays"},
         {"source.tour_seed", "43"},
         {"source.world_set", "laser.sigma=0.003"},

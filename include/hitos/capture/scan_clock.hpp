@@ -1,0 +1,31 @@
+// A laser's clock that runs at another speed than the odometry's, or that was set.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace hitos {
+
+/// What is to be added to the scans' times, by how long the tour has lasted.
+class ScanClock {
+  public:
+    /// "0@0,-1.39@680": so many seconds are added at that second after the first scan, evenly more
+    /// or less in between; of two points of one second the later one counts from then on. Empty:
+    /// nothing. Throws ConfigError, under the parameter's key, for another text.
+    explicit ScanClock(std::string_view text = {});
+    /// To a scan of that stamp. Asked for every scan, in order: a clock that is set back does not
+    /// shorten the tour.
+    double added(double stamp_s);
+
+  private:
+    struct Point {
+        double at_s = 0.0;
+        double added_s = 0.0;
+    };
+    std::vector<Point> points_;
+    std::optional<double> last_s_;
+    double elapsed_s_ = 0.0;
+};
+
+}  // namespace hitos
