@@ -126,9 +126,6 @@ void ConfigurationTest::what_findings_advise_is_taken_from_the_command_line() {
     QCOMPARE(read.laser_pose, std::string("0.1,0,90"));
     QCOMPARE(read.same_frames, std::string("a=b"));
     QVERIFY(f.prompts.warnings.isEmpty());
-    f.window->configuration_actions().start_or_warn(parsed({"--scan-delay", "0@0,-1.5@90"}));
-    QCOMPARE(f.session.configuration().source.read.scan_clock, std::string("0@0,-1.5@90"));
-    QVERIFY(f.prompts.warnings.isEmpty());
 }
 
 void ConfigurationTest::what_is_saved_finds_its_log_from_everywhere() {

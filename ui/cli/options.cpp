@@ -12,7 +12,6 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/parameter.hpp"
 #include "hitos/base/process.hpp"
-#include "hitos/base/text_input.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_summary.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
