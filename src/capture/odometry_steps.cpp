@@ -64,12 +64,47 @@ void OdometrySteps::Told::note(const Pose& step, std::uint64_t at_line) {
     line = at_line;
 }
 
+void OdometrySteps::Turns::note(double told_rad, double other_rad) {
+    constexpr double kLeast = 0.3;
+    constexpr double kMost = 2.5;
+    constexpr double kOff = 0.25;
+    const double expected = kDegreesPerRadian * other_rad;
+    if (std::abs(expected) < kLeast || std::abs(expected) > kMost) return;
+    ++asked;
+    if (std::abs(wrap_angle(told_rad - expected)) < kOff * std::abs(expected)) ++of_degrees;
+}
+
+bool OdometrySteps::Turns::are_degrees() const {
+    constexpr std::uint64_t kLeast = 20;
+    return asked >= kLeast && 2 * of_degrees > asked;
+}
+
+/// Degrees that were turned into a quaternion are wrapped to one turn in radians, and step by
+/// nothing that looks like a heading.
+void OdometrySteps::note_turn(const OdometryRecord& before, const OdometryRecord& record) {
+    const Pose& from = *before.pose_odom_robot;
+    const Pose& to = *record.pose_odom_robot;
+    const Pose step{to.x - from.x, to.y - from.y, wrap_angle(to.theta - from.theta)};
+    if (record.velocity) {
+        by_velocity_.note(step.theta, record.velocity->w * (record.time_s - before.time_s));
+    }
+    constexpr double kMoves = 5e-3;  // [m]
+    if (way_of(step) < kMoves) return;
+    if (way_of(last_step_) > 0.0) {
+        const double turn =
+            wrap_angle(std::atan2(step.y, step.x) - std::atan2(last_step_.y, last_step_.x));
+        by_path_.note((step.theta + last_step_.theta) / 2.0, turn);
+    }
+    last_step_ = step;
+}
+
 Pose OdometrySteps::taken(const OdometryRecord& before, const OdometryRecord& record) {
     const double seconds = record.time_s - before.time_s;
     const Pose logged = between(*before.pose_odom_robot, *record.pose_odom_robot);
     tracks_.note({*record.pose_odom_robot});
     positions_.note({{record.pose_odom_robot->x, record.pose_odom_robot->y, 0.0}});
     headings_.note(*record.pose_odom_robot);
+    note_turn(before, record);
     if (steps_a_turn_of_degrees(*before.pose_odom_robot, *record.pose_odom_robot)) {
         if (turns_of_degrees_++ == 0) turn_line_ = record.line;
     }
@@ -166,6 +201,23 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
                                             "%2): they are in degrees, and are read as radians"),
                                  turns_of_degrees_, turn_line_),
                          headings_in_degrees()});
+        return;
+    }
+    const bool velocities_turn = by_velocity_.are_degrees();
+    if (velocities_turn || by_path_.are_degrees()) {
+        const Turns& by = velocities_turn ? by_velocity_ : by_path_;
+        found.push_back(
+            {Kind::odometry_units, kRadiansPerDegree,
+             message(HITOS_TEXT("Errors",
+                                "the odometry's headings turn 57 times as far as its %1, in %2 of "
+                                "%3 steps: degrees were taken for radians"),
+                     velocities_turn ? marked(HITOS_TEXT("Errors", "velocities"))
+                                     : marked(HITOS_TEXT("Errors", "way")),
+                     by.of_degrees, by.asked),
+             velocities_turn ? marked(HITOS_TEXT("Errors",
+                                                 "take the velocities: --set "
+                                                 "source.odometry=velocities"))
+                             : take_it_from_scans()});
         return;
     }
     const bool told = std::ranges::count(found, Kind::two_publishers, &TourFinding::kind) > 0;

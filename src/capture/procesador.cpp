@@ -168,6 +168,8 @@ void Procesador::mend(Scan& scan) {
         auto ahead = std::make_shared<Procesador>(fuente_->reopen(), without_look_ahead(options_));
         track_ = std::make_unique<OdometryTrack>([ahead] { return ahead->next_odometry(); });
     }
+    scan.first_s = scan.times_s.front();
+    scan.last_s = scan.times_s.back();
     unwarp(scan, *track_);
 }
 
@@ -181,8 +183,8 @@ std::vector<TourFinding> Procesador::findings() const {
                                 "the next; they are taken to be of one time"),
                      fmt::format("{:.3g}", sweeps_.longest_s)),
              marked(HITOS_TEXT("Errors",
-                               "say how long it takes from one ray to the next: --set "
-                               "source.ray_time=SECONDS"))});
+                               "let the driver say how long it takes from one ray to the next "
+                               "(time_increment)"))});
     }
     steps_.tell(found);
     if (velocities_move_ && !poses_move_ && report_.odometry > 1 &&

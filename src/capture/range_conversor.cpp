@@ -19,6 +19,23 @@ void RangeConversor::Readings::clear() {
 RangeConversor::RangeConversor(ReadOptions options)
     : options_(std::move(options)), laser_pose_(laser_pose_of(options_.laser_pose)) {}
 
+namespace {
+
+/// Rays that go round more than twice are of no laser.
+void refuse_turns(const Fan& fan) {
+    constexpr double kMost = 4.0 * kPi;
+    const double turn = std::abs(fan.max_angle_rad - fan.min_angle_rad);
+    if (turn <= kMost) return;
+    throw FormatError(
+        {}, 0,
+        HITOS_TEXT("Errors",
+                   "its rays go over %1 degrees, expected no more than a turn; if its angles are "
+                   "in degrees and not in radians: --set source.fan_scale=%2"),
+        std::round(turn * kDegreesPerRadian), std::to_string(kRadiansPerDegree));
+}
+
+}  // namespace
+
 /// Puts the laser, and its rays' times, where the options say.
 void RangeConversor::mount(Readings& readings) const {
     if (options_.ray_time_s != 0.0) {
@@ -75,9 +92,31 @@ void RangeConversor::point_along(const Pose& pose_robot_laser,
     }
 }
 
+bool RangeConversor::read(const RawLine& line, Readings& out) {
+    if (!parse_scan(line, out)) return false;
+    if (options_.range_scale != 1.0 || options_.range_offset_m != 0.0) {
+        // To the micrometre: what is written as the greatest range is that, whatever the unit.
+        const auto put_right = [this](double range) {
+            const double metres = range * options_.range_scale + options_.range_offset_m;
+            return std::round(metres * 1e6) * 1e-6;
+        };
+        for (double& range : out.ranges_m) {
+            if (range > 0.0) range = put_right(range);
+        }
+        if (out.fan.max_range_m > 0.0) out.fan.max_range_m = put_right(out.fan.max_range_m);
+    }
+    if (options_.fan_scale != 1.0) {
+        out.fan.min_angle_rad *= options_.fan_scale;
+        out.fan.max_angle_rad *= options_.fan_scale;
+        for (double& bearing : out.bearings_rad) bearing *= options_.fan_scale;
+    }
+    return true;
+}
+
 std::optional<Scan> RangeConversor::scan(const RawLine& line) {
     readings_.clear();
-    if (!parse_scan(line, readings_)) return std::nullopt;
+    if (!read(line, readings_)) return std::nullopt;
+    refuse_turns(readings_.fan);
     mount(readings_);
     const double greatest = limit(readings_);
     const Pose& mount = readings_.fan.pose_robot_laser;

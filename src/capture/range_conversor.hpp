@@ -45,6 +45,9 @@ class RangeConversor : public Conversor {
     /// Parses a line; false for metadata and for what another device says. Throws FormatError.
     virtual bool parse_scan(const RawLine& line, Readings& out) = 0;
 
+    /// The same, put right as the options say.
+    bool read(const RawLine& line, Readings& out);
+
     /// Readings from `value` less a margin on are no points, where the log does not say it better.
     void set_no_return(std::optional<double> value) { no_return_m_ = value; }
 
@@ -85,7 +88,7 @@ void look_at_readings(const Fuente& fuente, RangeConversor& conversor, Take take
         if (!line) return;
         readings.clear();
         try {
-            if (!conversor.parse_scan(*line, readings)) continue;
+            if (!conversor.read(*line, readings)) continue;
         } catch (const FormatError&) {
             continue;  // counted when the line is read in earnest
         }
@@ -96,6 +99,7 @@ void look_at_readings(const Fuente& fuente, RangeConversor& conversor, Take take
 
 /// Whether the log's first scans say that its readings are in another unit than metres: nearly all
 /// lie beyond the limit, and far, and they are no code for "no return". The conversor is used up.
-std::optional<TourFinding> doubt_units(const Fuente& fuente, RangeConversor& conversor);
+std::optional<TourFinding> doubt_units(const Fuente& fuente, const ReadOptions& options,
+                                       RangeConversor& conversor);
 
 }  // namespace hitos

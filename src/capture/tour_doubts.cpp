@@ -10,6 +10,7 @@
 #include "hitos/base/median.hpp"
 #include "hitos/capture/tour_examination.hpp"
 #include "laser_pose.hpp"
+#include "laser_units.hpp"
 #include "scans_remedy.hpp"
 
 namespace hitos {
@@ -29,6 +30,42 @@ constexpr std::array<std::string_view, 29> kWords{
 
 std::string_view word_of(Kind kind) {
     return kWords.at(static_cast<std::size_t>(kind));
+}
+
+/// Ranges that are no metres.
+void TourExamination::doubt_units(std::vector<TourFinding>& found) const {
+    constexpr double kFar = 30.0;
+    constexpr double kFarthest = 200.0;
+    const auto typical = static_cast<double>(median(medians_));
+    if (typical < kFar) return;
+    const LengthUnit* unit = nullptr;
+    double shown = std::max(0.0, way_shown(1.0)) + kWayShown;
+    for (const LengthUnit& other : kLengthUnits) {
+        const double found_so = way_shown(other.metres);
+        if (found_so <= shown) continue;
+        shown = found_so;
+        unit = &other;
+    }
+    if (unit != nullptr) {
+        found.push_back(
+            {Kind::laser_units, typical,
+             message(HITOS_TEXT("Errors",
+                                "half of the readings are beyond %1 m, and by the odometry they "
+                                "are %2; the map is that many times too large"),
+                     fmt::format("{:.0f}", typical), marked(unit->name)),
+             message(HITOS_TEXT("Errors", "read them as such: --set source.range_scale=%1"),
+                     unit->metres)});
+    } else if (typical > kFarthest) {
+        found.push_back(
+            {Kind::laser_units, typical,
+             message(HITOS_TEXT("Errors",
+                                "half of the readings are beyond %1 m, which no such "
+                                "laser sees; the map is that many times too large"),
+                     fmt::format("{:.0f}", typical)),
+             marked(HITOS_TEXT("Errors",
+                               "if they are millimetres: --set source.range_scale=0.001; "
+                               "if they are centimetres: --set source.range_scale=0.01"))});
+    }
 }
 
 void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
@@ -51,22 +88,10 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                        "look whether the range limits of the recording are swapped or tiny, or its "
                        "readings not in metres; source.max_range sets the greatest range"))});
     }
-    const auto typical = static_cast<double>(median(medians_));
-    constexpr double kFarthest = 200.0;
-    if (typical > kFarthest) {
-        found.push_back({Kind::laser_units, typical,
-                         message(HITOS_TEXT("Errors",
-                                            "half of the readings are beyond %1 m, which no such "
-                                            "laser sees; the map is that many times too large"),
-                                 fmt::format("{:.0f}", typical)),
-                         marked(HITOS_TEXT("Errors",
-                                           "if they are millimetres, record them as metres, which "
-                                           "messages of lasers are in"))});
-    }
+    doubt_units(found);
     const double turn = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
     constexpr double kRounding = 0.9 * kRadiansPerDegree;
     constexpr double kSteps = 0.75;  // a closed fan has half of one
-    constexpr double kByFar = 2.0 * kPi;
     if (fan_.count > 1 &&
         turn > 2.0 * kPi + std::max(kRounding, kSteps * std::abs(fan_.step_rad()))) {
         found.push_back(
@@ -75,12 +100,9 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                                 "the rays of a scan go over %1 degrees, more than a whole turn; "
                                 "they lie upon each other in the map"),
                      fmt::format("{:.0f}", turn * kDegreesPerRadian)),
-             turn > 2.0 * kPi + kByFar
-                 ? marked(HITOS_TEXT("Errors",
-                                     "if angles were written in degrees, record them in radians"))
-                 : marked(HITOS_TEXT("Errors",
-                                     "all of them are taken; let the driver say the step between "
-                                     "rays that the laser makes (angle_increment)"))});
+             marked(HITOS_TEXT("Errors",
+                               "all of them are taken; let the driver say the step between rays "
+                               "that the laser makes (angle_increment)"))});
     }
     constexpr double kMostSame = 0.03;  // no sound laser measures the same twice
     constexpr std::uint64_t kLeastMoved = 20;
@@ -261,6 +283,7 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     if (own.empty() && sees && !of_axes) doubt_fit(own);
     doubt_odometry(own);
     if (own.empty() && sees) doubt_stills(own);
+    doubt_lost_rays(own);
     doubt_self_hits(own);
     if (!of_axes) doubt_heading(own);
     for (TourFinding& finding : told) {
@@ -271,6 +294,9 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     std::erase_if(told, [&](const TourFinding& finding) {
         return finding.kind == Kind::late_stamps && prefers_stamps(finding, own);
     });
+    for (TourFinding& finding : told) {
+        if (finding.kind == Kind::ray_times) tell_ray_times(finding);
+    }
     if (holds(told, Kind::late_stamps)) {
         std::erase_if(own, [](const TourFinding& finding) {
             return finding.kind == Kind::scan_delay || finding.kind == Kind::clocks_apart;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hitos/base/median.hpp"
+#include "hypothesis_search.hpp"
 #include "turned_step.hpp"
 
 namespace hitos {
@@ -71,16 +72,27 @@ void TourExamination::note(const Odometria& odometry) {
     path_stride_ *= 2;
 }
 
+std::size_t TourExamination::View::bin_of(double direction_rad) const {
+    const double turn = 2.0 * kPi;
+    double off = direction_rad - first_rad;
+    off -= turn * std::floor((off + step_rad / 2.0) / turn);
+    return std::min(static_cast<std::size_t>(std::lround(off / step_rad)), ranges.size() - 1);
+}
+
 TourExamination::View TourExamination::view_of(const Scan& scan) const {
     constexpr double kStepWhereUnknown = kRadiansPerDegree;
     constexpr double kFinestStep = 1e-3;       // however many rays there are,
     constexpr std::size_t kMostPoints = 1024;  // a scan is kept in some kilobytes
     const double step = std::abs(scan.fan.step_rad());
     const bool known = scan.fan.count > 1 && step > 0.0 && step < 0.2;
-    const auto bins = static_cast<std::size_t>(
-        std::lround(2.0 * kPi / (known ? std::max(step, kFinestStep) : kStepWhereUnknown)));
     const std::size_t every = scan.points.size() / kMostPoints + 1;
-    View view{scan.time_s, scan.fan.pose_robot_laser, std::vector<float>(bins, 0.0F), {}, {}};
+    View view;
+    view.time_s = scan.time_s;
+    view.pose_robot_laser = scan.fan.pose_robot_laser;
+    view.first_rad = std::min(scan.fan.min_angle_rad, scan.fan.max_angle_rad);
+    view.step_rad = known ? std::ceil(kFinestStep / step) * step : kStepWhereUnknown;
+    view.span_rad = std::abs(scan.fan.max_angle_rad - scan.fan.min_angle_rad);
+    view.ranges.assign(static_cast<std::size_t>(std::lround(2.0 * kPi / view.step_rad)) + 1, 0.0F);
     const Pose pose_laser_robot = inverse(scan.fan.pose_robot_laser);
     std::size_t count = 0;
     for (const Point2& point : scan.points) {
@@ -92,10 +104,7 @@ TourExamination::View TourExamination::view_of(const Scan& scan) const {
             view.directions.push_back(static_cast<float>(direction));
             view.distances.push_back(static_cast<float>(range));
         }
-        const double turns = (direction + kPi) / (2.0 * kPi);
-        float& bin =
-            view.ranges[static_cast<std::size_t>(std::lround(turns * static_cast<double>(bins))) %
-                        bins];
+        float& bin = view.ranges[view.bin_of(direction)];
         if (bin == 0.0F || bin > static_cast<float>(range)) bin = static_cast<float>(range);
     }
     return view;
@@ -142,6 +151,17 @@ void TourExamination::note(const Scan& scan) {
     scan_way_ = odometer;
     last_points_ = scan.points;
     last_fan_ = scan.fan;
+    constexpr std::uint32_t kMostCounted = 10'000;
+    if (scan.fan.count <= kMostCounted) {
+        seen_rays_.resize(std::max<std::size_t>(seen_rays_.size(), scan.fan.count));
+        for (const std::uint32_t ray : scan.rays) {
+            if (ray < seen_rays_.size()) ++seen_rays_[ray];
+        }
+    }
+    if (std::abs(scan.last_s - scan.first_s) > std::abs(last_ray_s_ - first_ray_s_)) {
+        first_ray_s_ = scan.first_s;
+        last_ray_s_ = scan.last_s;
+    }
     if (!scan.points.empty() && medians_.size() < kMostSamples) {
         std::vector<float> ranges;
         for (const Point2& point : scan.points) {
@@ -261,18 +281,55 @@ std::optional<double> TourExamination::agreement(const Pair& pair,
                                                  const Hypothesis& hypothesis) const {
     const std::optional<Pose> step = step_of(pair, hypothesis);
     if (!step) return {};
-    return agreement(pair, *step, hypothesis);
+    if (hypothesis.first_ray_s == 0.0 && hypothesis.last_ray_s == 0.0)
+        return agreement(pair, *step, hypothesis, {});
+    const std::optional<Speeds> speeds = speeds_of(pair, hypothesis);
+    return speeds ? agreement(pair, *step, hypothesis, *speeds) : std::nullopt;
+}
+
+std::optional<TourExamination::Speeds> TourExamination::speeds_of(
+    const Pair& pair, const Hypothesis& hypothesis) const {
+    constexpr double kAround = 0.1;  // [s]
+    const auto speed_at = [&](double time_s) -> std::optional<double> {
+        const std::optional<Pose> before = pose_at(time_s + hypothesis.delay_s - kAround);
+        const std::optional<Pose> after = pose_at(time_s + hypothesis.delay_s + kAround);
+        if (!before || !after) return {};
+        return wrap_angle(after->theta - before->theta) / (2.0 * kAround);
+    };
+    const std::optional<double> first = speed_at(pair.first.time_s);
+    const std::optional<double> second = speed_at(pair.second.time_s);
+    if (!first || !second) return {};
+    return Speeds{*first, *second};
 }
 
 std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& step,
-                                                 const Hypothesis& hypothesis) {
+                                                 const Hypothesis& hypothesis,
+                                                 const Speeds& speeds) {
     constexpr int kLeastPoints = 10;
     const double sign = hypothesis.mirrored ? -1.0 : 1.0;
-    const double scale = hypothesis.fan_scale;
-    const double middle = hypothesis.fan_middle_rad;
+    // Where rays truly go by where they are told to. One that is measured later, while the robot
+    // turns on, looks further round: the fan of such a scan is wider, from its first ray on.
+    struct Rays {
+        double middle;
+        double scale;
+        double offset;
+        bool told() const { return scale == 1.0 && offset == 0.0; }
+    };
+    const auto fan_of = [&](const View& view, double speed) {
+        if (speed == 0.0 || view.span_rad == 0.0) {
+            return Rays{hypothesis.fan_middle_rad, hypothesis.fan_scale, 0.0};
+        }
+        const double first = hypothesis.first_ray_s * speed;
+        const double last = hypothesis.last_ray_s * speed;
+        return Rays{view.first_rad + view.span_rad / 2.0, 1.0 + (last - first) / view.span_rad,
+                    (first + last) / 2.0};
+    };
+    const Rays first_fan = fan_of(pair.first, speeds.first);
+    const Rays fan = fan_of(pair.second, speeds.second);
     const auto direction_of = [&](float told) {
         const auto angle = static_cast<double>(told);
-        return sign * (scale == 1.0 ? angle : middle + scale * wrap_angle(angle - middle));
+        if (fan.told()) return sign * angle;
+        return sign * (fan.middle + fan.scale * wrap_angle(angle - fan.middle) + fan.offset);
     };
     const auto mounted = [&](Pose laser) {
         laser.theta += hypothesis.turn_rad;
@@ -284,26 +341,27 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
     const Pose lasers = between(mounted(pair.first.pose_robot_laser),
                                 compose(step, mounted(pair.second.pose_robot_laser)));
     const std::vector<float>& ranges = pair.first.ranges;
-    const auto bins = static_cast<double>(ranges.size());
     int asked = 0;
     int lie = 0;
     for (std::size_t i = 0; i < pair.second.directions.size(); ++i) {
         const double direction = direction_of(pair.second.directions[i]);
-        const auto range = static_cast<double>(pair.second.distances[i]);
+        const double range =
+            static_cast<double>(pair.second.distances[i]) + hypothesis.range_offset_m;
         const Point2 at =
             transform(lasers, {range * std::cos(direction), range * std::sin(direction)});
         double seen = sign * std::atan2(at.y, at.x);
-        if (scale != 1.0) {
-            const double off = wrap_angle(seen - middle) / scale;
+        if (!first_fan.told()) {
+            const double off =
+                wrap_angle(seen - first_fan.middle - first_fan.offset) / first_fan.scale;
             if (std::abs(off) > kPi) continue;
-            seen = wrap_angle(middle + off);
+            seen = first_fan.middle + off;
         }
-        const double turns = (seen + kPi) / (2.0 * kPi);
-        const auto bin = static_cast<std::size_t>(std::lround(turns * bins)) % ranges.size();
+        const std::size_t bin = pair.first.bin_of(seen);
         if (ranges[bin] == 0.0F) continue;
         const double expected = std::hypot(at.x, at.y);
         ++asked;
-        if (std::abs(static_cast<double>(ranges[bin]) - expected) <
+        const double seen_m = static_cast<double>(ranges[bin]) + hypothesis.range_offset_m;
+        if (std::abs(seen_m - expected) <
             hypothesis.near_m + hypothesis.near_per_range * expected) {
             ++lie;
         }
@@ -338,6 +396,21 @@ std::optional<double> TourExamination::agreement(const std::vector<const Pair*>&
 
 std::optional<double> TourExamination::agreement(const Hypothesis& hypothesis) const {
     return agreement(some_pairs(pairs_.size()), hypothesis);
+}
+
+double TourExamination::way_shown(double range_scale) const {
+    constexpr std::size_t kAsked = 128;
+    const Point2 laser{fan_.pose_robot_laser.x, fan_.pose_robot_laser.y};
+    // In the readings' unit: so much longer is the way, and so much farther off sits the laser.
+    const double longer = 1.0 / range_scale;
+    Hypothesis hypothesis = closely();
+    hypothesis.near_m *= longer;
+    hypothesis.scale = longer;
+    hypothesis.shift = {(longer - 1.0) * laser.x, (longer - 1.0) * laser.y};
+    const std::vector<const Pair*> pairs = some_pairs(kAsked);
+    const double fits = agreement(pairs, hypothesis).value_or(0.0);
+    hypothesis.scale = 0.0;
+    return fits < kLeastFit ? 0.0 : fits - agreement(pairs, hypothesis).value_or(fits);
 }
 
 }  // namespace hitos

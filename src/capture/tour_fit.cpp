@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hypothesis_search.hpp"
+#include "laser_units.hpp"
 #include "scans_remedy.hpp"
 
 namespace hitos {
@@ -97,7 +98,10 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
              delay_s});
         return;
     }
-    if (doubt_dead(found)) return;
+    if (doubt_dead(found) || doubt_slight_fan(fit, found) || doubt_range_offset(fit, found) ||
+        doubt_ray_times(found)) {
+        return;
+    }
     doubt_scale(found);
     if (found.size() > before || doubt_slight_turn(fit, found)) return;
     doubt_turning(found);
@@ -146,7 +150,10 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
     for (int i = -kSteps; i <= kSteps; ++i) try_out(1.0 + i * kStep);
     if (std::abs(best.hypothesis.scale - 1.0) > (kSteps - 1.5) * kStep) {
         for (int i = -kFarSteps; i <= kFarSteps; ++i) try_out(std::pow(1.0 + kStep, i));
-        for (const double unit : {100.0, 39.37, 1.0 / 39.37, 0.01}) try_out(unit);
+    }
+    for (const LengthUnit& unit : kLengthUnits) {
+        try_out(unit.metres);
+        try_out(1.0 / unit.metres);
     }
     const double told = fit(asked);
     Hypothesis driven_nowhere = asked;
@@ -163,16 +170,18 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
                                      return other;
                                  }));
     const std::string words = fmt::format("{:.3g}", scale);
+    const std::string inverse = fmt::format("{:.3g}", 1.0 / scale);
     found.push_back(
         {Kind::odometry_scale, scale,
          message(HITOS_TEXT("Errors",
                             "by the scans the robot drives %1 times as far as by the odometry (%2 "
                             "% of their points fit so, %3 % as it is told)"),
                  words, percent(best.agreement), percent(told)),
-         message(HITOS_TEXT("Errors",
-                            "say so: --set source.odometry_scale=%1; or the laser's readings are "
-                            "%2 times what they should be: let its driver tell metres"),
-                 words, words)});
+         message(
+             HITOS_TEXT("Errors",
+                        "say so: --set source.odometry_scale=%1; or, where the laser's readings "
+                        "are no metres: --set source.range_scale=%2"),
+             words, inverse)});
 }
 
 /// Whether scans fit the odometry better as they are stamped, or by another time that was found,

@@ -66,7 +66,7 @@ std::vector<TourExamination::Motion> TourExamination::motions() const {
         if (!told) continue;
         all.push_back({*told, nearest_arc(
                                   [&](const Pose& other) {
-                                      return agreement(*pair, other, kNear).value_or(0.0);
+                                      return agreement(*pair, other, kNear, {}).value_or(0.0);
                                   },
                                   *told)});
     }

@@ -97,20 +97,7 @@ void TourExamination::tell_mounting(const Fit& fit, double told, const BestFit& 
     const long fits = percent(mounted.agreement);
     const auto degrees = [](double rad) { return std::lround(rad * kDegreesPerRadian); };
     if (other.fan_scale != 1.0) {
-        const double angle = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
-        found.push_back(
-            {Kind::wrong_fan, angle * other.fan_scale,
-             message(HITOS_TEXT(
-                         "Errors",
-                         "the scans fit the odometry where their rays go over %1 degrees, not over "
-                         "%2 as is told (%3 % of their points, against %4 %): walls are bent"),
-                     degrees(angle * other.fan_scale), degrees(angle), fits, percent(told)),
-             message(HITOS_TEXT("Errors",
-                                "let the recording say the angles that the laser measures at: %1 "
-                                "degrees from ray to ray, the middle one at %2"),
-                     fmt::format("{:.3g}",
-                                 std::abs(fan_.step_rad()) * other.fan_scale * kDegreesPerRadian),
-                     degrees(wrap_angle(other.fan_middle_rad + other.turn_rad)))});
+        tell_fan(fit, told, mounted, found);
         return;
     }
     const double turn_rad = middle_turn(fit, other);

@@ -74,7 +74,7 @@ void TourExamination::doubt_pauses(std::vector<TourFinding>& found) const {
         const Pose step = between(*first, *second);
         if (motion_between({}, step) < kMoved) continue;
         const auto fit_of = [&](const Pose& other) {
-            return agreement(pause.scans, other, kAsTold).value_or(0.0);
+            return agreement(pause.scans, other, kAsTold, {}).value_or(0.0);
         };
         const double told = fit_of(step);
         if (told + kFarBetter > 1.0 || fit_of({}) < kHint) continue;

@@ -27,7 +27,8 @@ void TourExamination::note_still(const Pair& pair, double odometer) {
         still_view_ = pair.first;
         still_.begin_s = pair.first.time_s;
     }
-    const std::optional<double> same = agreement(Pair{*still_view_, pair.second}, Pose{}, kClosely);
+    const std::optional<double> same =
+        agreement(Pair{*still_view_, pair.second}, Pose{}, kClosely, {});
     if (!same || *same > kMoved) return;
     ++still_.pairs;
     still_.end_s = pair.second.time_s;

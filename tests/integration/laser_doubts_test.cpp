@@ -1,9 +1,13 @@
 // Lasers whose driver says something wrong, or whose scans are not all their own.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
+#include <utility>
 
+#include "hitos/capture/tour_summary.hpp"
 #include "integration/wrong_tours.hpp"
 
 namespace hitos {
@@ -67,6 +71,100 @@ TEST(LaserDoubts, APartOfTheRobotIsToldThoughItsReadingsWaverAndItsRaysAreNotAsM
     EXPECT_GE(found->value, 6.0);
     EXPECT_NE(found->remedy.english().find("source.min_range=0.4"), std::string::npos)
         << found->remedy.english();
+}
+
+/// What the laser saw, in its frame, changed.
+template <class Change>
+void seen_otherwise(Readings& tour, const Change& change) {
+    for (Scan& scan : tour.scans) {
+        const Pose laser = scan.fan.pose_robot_laser;
+        for (std::size_t i = 0; i < scan.points.size(); ++i) {
+            const Point2 seen = transform(inverse(laser), scan.points[i]);
+            const double range = std::hypot(seen.x, seen.y);
+            const auto [angle, length] = change(scan, i, std::atan2(seen.y, seen.x), range);
+            scan.points[i] =
+                transform(laser, Point2{length * std::cos(angle), length * std::sin(angle)});
+        }
+    }
+}
+
+TEST(LaserDoubts, TheUnitOfRangesIsToldByTheOdometry) {
+    const std::vector<std::pair<double, std::string>> units{
+        {0.001, "millimetres"}, {0.01, "centimetres"}, {0.0254, "inches"}};
+    for (const char* world : {"bigloop2", "usc-sal"}) {
+        const Readings tour = test::read(source_named(world));
+        for (const auto& [metres, name] : units) {
+            Readings wrong = tour;
+            const double unit = metres;
+            seen_otherwise(wrong, [unit](const Scan&, std::size_t, double angle, double range) {
+                return std::pair(angle, range / unit);
+            });
+            const auto found = wrong.of_kind(Kind::laser_units);
+            ASSERT_TRUE(found) << world << ' ' << name << '\n' << wrong.said();
+            EXPECT_NE(found->what.english().find(name), std::string::npos) << wrong.said();
+            EXPECT_EQ(found->remedy.english(),
+                      fmt::format("read them as such: --set source.range_scale={}", metres));
+        }
+    }
+}
+
+TEST(LaserDoubts, RangesBeyondTheLimitAreToldWithTheOptionsThatMendThem) {
+    SourceParams params;
+    params.file = std::string(HITOS_SHARED_DIR) + "/data/foreign/ranges-in-millimetres/tour.mcap";
+    if (!std::filesystem::exists(params.file)) GTEST_SKIP() << "no recording " << params.file;
+    params.read.max_range_m = 12.0;
+    const auto found = inspect_tour(*open_tour(params)).findings;
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].kind, Kind::laser_units);
+    EXPECT_EQ(found[0].remedy.english(),
+              "by the odometry they are millimetres: --set source.range_scale=0.001 --set "
+              "source.max_range=12");
+    params.read.range_scale = 0.001;
+    EXPECT_TRUE(inspect_tour(*open_tour(params)).findings.empty());
+}
+
+TEST(LaserDoubts, AFanThatIsALittleWiderThanItIsToldIsTold) {
+    for (const char* world : {"bigloop2", "complex", "usc-sal"}) {
+        const Readings tour = test::read(source_named(world));
+        for (const double scale : {0.9, 0.95, 1.05, 1.1}) {
+            Readings wrong = tour;
+            seen_otherwise(wrong, [scale](const Scan&, std::size_t, double angle, double range) {
+                return std::pair(scale * angle, range);
+            });
+            for (Scan& scan : wrong.scans) {
+                scan.fan.min_angle_rad *= scale;
+                scan.fan.max_angle_rad *= scale;
+            }
+            const auto found = wrong.of_kind(Kind::wrong_fan);
+            ASSERT_TRUE(found) << world << ' ' << scale << '\n' << wrong.said();
+            const Fan& fan = tour.scans.front().fan;
+            EXPECT_NEAR(found->value, fan.max_angle_rad - fan.min_angle_rad, 0.03);
+            EXPECT_NE(found->remedy.english().find("--set source.fan_scale="), std::string::npos);
+        }
+    }
+}
+
+TEST(LaserDoubts, RayTimesThatAreSaidAndAreNoneAreTold) {
+    constexpr float kSweep = 0.1F;
+    for (const char* world : {"bigloop2", "complex"}) {
+        Readings tour = test::read(source_named(world));
+        for (Scan& scan : tour.scans) scan.last_s = kSweep;
+        EXPECT_FALSE(tour.of_kind(Kind::ray_times)) << world << tour.said();
+        // Moved by the time of each ray, although all were measured at once.
+        seen_otherwise(tour, [&](const Scan& scan, std::size_t i, double angle, double range) {
+            double turn_rad_per_s = 0.0;
+            for (const Odometria& reading : tour.odometry) {
+                if (reading.time_s < scan.time_s) continue;
+                turn_rad_per_s = reading.twist.w;
+                break;
+            }
+            const double share = static_cast<double>(scan.rays[i]) / scan.fan.count;
+            return std::pair(angle + turn_rad_per_s * share * static_cast<double>(kSweep), range);
+        });
+        const auto found = tour.of_kind(Kind::ray_times);
+        ASSERT_TRUE(found) << world << '\n' << tour.said();
+        EXPECT_NEAR(found->value, 0.1, 1e-6);
+    }
 }
 
 }  // namespace

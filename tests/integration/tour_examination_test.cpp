@@ -293,7 +293,6 @@ TEST(TourExamination, TellsWhatIsWrongWithRecordingsFromElsewhere) {
     if (!fs::exists(foreign)) GTEST_SKIP() << "no recordings in " << foreign;
     const std::map<std::string, std::vector<Kind>> wrong = {
         {"00-control/tour.mcap", {}},
-        {"angles-in-degrees/tour.mcap", {Kind::beyond_a_turn}},
         {"carmen-millimetres/tour.log", {Kind::laser_units}},
         {"clock-no-overlap/tour.mcap", {Kind::clocks_apart}},
         {"clock-offset-12s/tour.mcap", {Kind::scan_delay}},
@@ -319,6 +318,22 @@ TEST(TourExamination, TellsWhatIsWrongWithRecordingsFromElsewhere) {
         }
         EXPECT_EQ(found, kinds) << file;
     }
+}
+
+TEST(TourExamination, AnglesInDegreesAreRefusedAndMendedByTheOptionThatIsAdvised) {
+    const fs::path tour = kShared / "data" / "foreign" / "angles-in-degrees" / "tour.mcap";
+    if (!fs::exists(tour)) GTEST_SKIP() << "no recording in " << tour;
+    SourceParams params;
+    params.file = tour.string();
+    const TourSummary refused = inspect_tour(*open_tour(params));
+    EXPECT_EQ(refused.report.scans, 0U);
+    ASSERT_FALSE(refused.report.examples.empty());
+    EXPECT_NE(refused.report.examples[0].reason.english().find("source.fan_scale=0.0174"),
+              std::string::npos);
+    params.read.fan_scale = kRadiansPerDegree;
+    const TourSummary read = inspect_tour(*open_tour(params));
+    EXPECT_TRUE(read.findings.empty());
+    EXPECT_GT(read.report.scans, 0U);
 }
 
 TEST(TourExamination, AScaleOfTheOdometryIsTold) {

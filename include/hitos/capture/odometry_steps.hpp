@@ -47,6 +47,15 @@ class OdometrySteps {
         double before = 0.0;  ///< motion a second, a radian counted as a metre, of the step before
         std::uint64_t still = 0;  ///< readings since then that repeat the pose
     };
+    /// How often a step's heading turns 57 times as far as something else says, of those steps
+    /// where that would be less than half a turn.
+    struct Turns {
+        std::uint64_t asked = 0;
+        std::uint64_t of_degrees = 0;
+        void note(double told_rad, double other_rad);
+        bool are_degrees() const;
+    };
+    void note_turn(const OdometryRecord& before, const OdometryRecord& record);
     bool makes_up(const OdometryRecord& record, const Pose& step) const;
     Pose bridged(const OdometryRecord& before, const OdometryRecord& record, double seconds);
     void learn(const OdometryRecord& before, const OdometryRecord& record, const Pose& step);
@@ -56,7 +65,10 @@ class OdometrySteps {
     HeadingCheck headings_;
     std::uint64_t turns_of_degrees_ = 0;  ///< steps of 360
     std::uint64_t turn_line_ = 0;         ///< of the first
-    Twist twist_;                         ///< of the last step that took time
+    Turns by_velocity_;
+    Turns by_path_;   ///< by how the direction of the way changes
+    Pose last_step_;  ///< in the odometry's frame
+    Twist twist_;     ///< of the last step that took time
     UnderWay under_way_;
     Told leaps_;
     std::uint64_t in_a_row_ = 0;  ///< other leaps, right behind another

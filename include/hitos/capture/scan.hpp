@@ -48,6 +48,8 @@ struct Scan {
     std::vector<std::uint32_t> run_starts;  ///< index of the first point of each run of neighbours
     std::vector<std::uint32_t> rays;        ///< ray number of each point; empty: unknown
     std::vector<float> times_s;     ///< of each point, from time_s on; empty: all of one time
+    float first_s = 0.0F;           ///< when its first point was measured, and its last, from
+    float last_s = 0.0F;            ///< time_s on, where they were moved to where they lay then
     Fan fan;                        ///< count == 0: unknown (normalised logs)
     std::uint64_t line = 0;         ///< 1-based line of the log
     bool carries_odometry = false;  ///< the same line is an odometry reading too

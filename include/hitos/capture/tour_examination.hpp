@@ -42,6 +42,9 @@ class TourExamination {
         bool mirrored = false;         ///< the rays go the other way round
         double fan_scale = 1.0;        ///< of the angles between them,
         double fan_middle_rad = 0.0;   ///< to either side of this one
+        double range_offset_m = 0.0;   ///< of each reading
+        double first_ray_s = 0.0;      ///< when it was measured, added to what is told
+        double last_ray_s = 0.0;       ///< likewise
         double scale = 1.0;            ///< of the way
         double turn_scale = 1.0;       ///< of the heading, from where the tour begins
         double pair_turn_scale = 1.0;  ///< of the turn from one scan of a pair to the other
@@ -55,14 +58,22 @@ class TourExamination {
     /// than 10 pairs, or than half of them, lie in the odometry.
     std::optional<double> agreement(const Hypothesis& hypothesis) const;
 
+    /// How much more of the points lie there, closely, than if the robot had driven nowhere, were
+    /// the ranges so many metres for one: of a scale that is too large the way tells nothing.
+    double way_shown(double range_scale) const;
+
   private:
-    /// A scan as the laser saw it: ranges by direction, of a whole turn.
+    /// A scan as the laser saw it: ranges by direction, of a whole turn, as its rays part it.
     struct View {
         double time_s = 0.0;
         Pose pose_robot_laser;
+        double first_rad = 0.0;         ///< of ranges,
+        double step_rad = 0.0;          ///< and from one to the next
+        double span_rad = 0.0;          ///< from its fan's first ray to the last
         std::vector<float> ranges;      ///< by direction, 0 where nothing is known
         std::vector<float> directions;  ///< of its points, in the laser's frame [rad]
         std::vector<float> distances;   ///< of its points
+        std::size_t bin_of(double direction_rad) const;
     };
     struct Pair {
         View first;
@@ -72,12 +83,19 @@ class TourExamination {
     View view_of(const Scan& scan) const;
     std::optional<double> agreement(const Pair& pair, const Hypothesis& hypothesis) const;
     std::optional<Pose> step_of(const Pair& pair, const Hypothesis& hypothesis) const;
+    /// How fast the robot turns at the two scans of a pair [rad/s].
+    struct Speeds {
+        double first = 0.0;
+        double second = 0.0;
+    };
+    std::optional<Speeds> speeds_of(const Pair& pair, const Hypothesis& hypothesis) const;
     /// Where the robot made `step` between the two scans.
     static std::optional<double> agreement(const Pair& pair, const Pose& step,
-                                           const Hypothesis& hypothesis);
+                                           const Hypothesis& hypothesis, const Speeds& speeds);
     std::optional<Pose> pose_at(double time_s, double turn_scale = 1.0) const;
     void keep(const Scan& scan);
     void doubt_readings(std::vector<TourFinding>& found) const;
+    void doubt_units(std::vector<TourFinding>& found) const;
     void doubt_speed(std::vector<TourFinding>& found) const;
     void doubt_odometry(std::vector<TourFinding>& found) const;
     void doubt_fit(std::vector<TourFinding>& found) const;
@@ -102,6 +120,13 @@ class TourExamination {
     bool doubt_turns(const Fit& fit, double told, double otherwise,
                      std::vector<TourFinding>& found) const;
     bool doubt_slight_turn(const Fit& fit, std::vector<TourFinding>& found) const;
+    bool doubt_slight_fan(const Fit& fit, std::vector<TourFinding>& found) const;
+    void tell_fan(const Fit& fit, double told, const BestFit& mounted,
+                  std::vector<TourFinding>& found) const;
+    bool doubt_range_offset(const Fit& fit, std::vector<TourFinding>& found) const;
+    void doubt_lost_rays(std::vector<TourFinding>& found) const;
+    bool doubt_ray_times(std::vector<TourFinding>& found) const;
+    void tell_ray_times(TourFinding& told) const;
     void doubt_scale(std::vector<TourFinding>& found) const;
     /// What pairs of scans between which the robot turns say of its turns, and of where the laser
     /// sits.
@@ -201,6 +226,9 @@ class TourExamination {
     };
     std::vector<Pause> pauses_;  ///< the longest ones
     Fan fan_;
+    std::vector<std::uint32_t> seen_rays_;  ///< how often each had a reading
+    float first_ray_s_ = 0.0F;              ///< as the longest sweep says that was believed
+    float last_ray_s_ = 0.0F;
     std::vector<float> medians_;  ///< of the ranges of a sample of scans
 };
 

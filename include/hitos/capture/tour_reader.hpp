@@ -87,6 +87,12 @@ struct ReadOptions {
     double min_range_m = 0.0;
     /// From one ray to the next [s]. 0: as the log says, else all rays are of one time.
     double ray_time_s = 0.0;
+    /// By this readings are multiplied, and the greatest range that the log says, to be metres.
+    double range_scale = 1.0;
+    /// Added to each reading [m].
+    double range_offset_m = 0.0;
+    /// By this the rays' angles, from where the laser looks, are wider than the log says.
+    double fan_scale = 1.0;
     /// By this the odometry's way is longer than it says.
     double odometry_scale = 1.0;
     /// By this its turns are wider than it says; negative: it counts them to the right.

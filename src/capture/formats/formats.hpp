@@ -59,7 +59,7 @@ template <class Made>
 std::vector<TourFinding> range_doubts(const Fuente& fuente, const ReadOptions& options) {
     Made conversor(options);
     look_for_no_return(fuente, options, conversor);
-    const std::optional<TourFinding> units = doubt_units(fuente, conversor);
+    const std::optional<TourFinding> units = doubt_units(fuente, options, conversor);
     return units ? std::vector{*units} : std::vector<TourFinding>{};
 }
 

@@ -61,8 +61,8 @@ std::optional<Scan> ConversorNormalized::scan(const RawLine& line) {
     const double greatest = options_.max_range_m;
     bool run_open = false;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const double x = fields.reading("x");
-        const double y = fields.reading("y");
+        const double x = options_.range_scale * fields.reading("x");
+        const double y = options_.range_scale * fields.reading("y");
         const bool none = (x == 0.0 && y == 0.0) || !std::isfinite(x) || !std::isfinite(y);
         if (none || (greatest > 0.0 && std::hypot(x, y) >= greatest)) {
             run_open = false;

@@ -86,4 +86,8 @@ std::unique_ptr<Conversor> make_recording_conversor(const Fuente& fuente,
     return make_range_conversor<RecordingConversor>(fuente, options);
 }
 
+std::vector<TourFinding> recording_doubts(const Fuente& fuente, const ReadOptions& options) {
+    return range_doubts<RecordingConversor>(fuente, options);
+}
+
 }  // namespace hitos

@@ -1,6 +1,7 @@
 #include "ros/recording_source.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "hitos/base/error.hpp"
 #include "ros/recording_lines.hpp"
@@ -28,8 +29,8 @@ std::shared_ptr<const RecordingPlan> plan_recording(const std::filesystem::path&
                                                     const LogFormat& format, OpenRecording* open,
                                                     const ReadOptions& options) {
     const RecordingSurvey survey = survey_recording(path, open);
-    return std::make_shared<const RecordingPlan>(RecordingPlan{
-        path, format, open, choose_topics(survey, options, path), !options.laser_pose.empty()});
+    return std::make_shared<const RecordingPlan>(
+        RecordingPlan{path, format, open, choose_topics(survey, options, path), options});
 }
 
 RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan)
@@ -64,6 +65,9 @@ std::vector<TourFinding> RecordingSource::findings() const {
     std::vector<TourFinding> found = plan_->topics.findings;
     parts_.tell(found);
     limits_.tell(found);
+    if (std::ranges::count(found, TourFinding::Kind::blind_laser, &TourFinding::kind) == 0) {
+        std::ranges::move(recording_doubts(*this, plan_->options), std::back_inserter(found));
+    }
     return found;
 }
 
@@ -133,7 +137,9 @@ MountedScan RecordingSource::scan_of(const RecordedMessage& found) const {
     std::optional<Transform> robot_laser =
         frames_.at(found.topic->name).between(robot, scan.header.frame);
     // Where the options say it, the converter puts it there; where nothing does, it is doubted.
-    if (plan_->mounted_by_options || plan_->topics.frames.empty()) robot_laser = Transform{};
+    if (!plan_->options.laser_pose.empty() || plan_->topics.frames.empty()) {
+        robot_laser = Transform{};
+    }
     if (!robot_laser) {
         throw FormatError(
             {}, 0,

@@ -28,7 +28,7 @@ struct RecordingPlan {
     const LogFormat& format;
     OpenRecording* open;
     TourTopics topics;
-    bool mounted_by_options = false;  ///< whatever the transforms say
+    ReadOptions options;
 };
 
 /// Surveys the recording and chooses its topics. Throws what survey_recording() and choose_topics()
@@ -92,5 +92,7 @@ class RecordingSource final : public Fuente {
 /// Of such a source's lines.
 std::unique_ptr<Conversor> make_recording_conversor(const Fuente& fuente,
                                                     const ReadOptions& options);
+/// What there is to doubt about its ranges.
+std::vector<TourFinding> recording_doubts(const Fuente& fuente, const ReadOptions& options);
 
 }  // namespace hitos

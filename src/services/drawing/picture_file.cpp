@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <mutex>
 #include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
@@ -67,21 +69,29 @@ MapImage joined(MapImage large, int side) {
     image.picture.height = (cells.height + side - 1) / side;
     image.picture.grey.reserve(static_cast<std::size_t>(image.picture.width) *
                                static_cast<std::size_t>(image.picture.height));
+    // Of large pictures most is unknown, which says nothing in a block, and is passed over.
+    std::array<std::uint8_t, 32> unknown{};
+    unknown.fill(kUnknownGrey);
+    const auto width = static_cast<std::size_t>(cells.width);
+    const auto across = static_cast<std::size_t>(side);
     for (int row = image.picture.height; row-- > 0;) {  // counted from below, as the origin is
         const int top = std::max(cells.height - (row + 1) * side, 0);
         const int bottom = cells.height - row * side;
-        for (int column = 0; column < image.picture.width; ++column) {
-            const int right = std::min((column + 1) * side, cells.width);
-            drawing::Block block;
-            for (int y = top; y < bottom; ++y) {
-                for (int x = column * side; x < right; ++x) {
-                    block.add(cells.grey[static_cast<std::size_t>(y) *
-                                             static_cast<std::size_t>(cells.width) +
-                                         static_cast<std::size_t>(x)]);
+        std::vector<drawing::Block> blocks(static_cast<std::size_t>(image.picture.width));
+        for (int y = top; y < bottom; ++y) {
+            const std::uint8_t* line = &cells.grey[static_cast<std::size_t>(y) * width];
+            for (std::size_t x = 0; x < width;) {
+                if (width - x >= unknown.size() &&
+                    std::memcmp(line + x, unknown.data(), unknown.size()) == 0) {
+                    x += unknown.size();
+                    continue;
                 }
+                const std::size_t column = x / across;
+                const std::size_t end = std::min((column + 1) * across, width);
+                while (x < end) blocks[column].add(line[x++]);
             }
-            image.picture.grey.push_back(block.grey());
         }
+        for (const drawing::Block& block : blocks) image.picture.grey.push_back(block.grey());
     }
     return image;
 }

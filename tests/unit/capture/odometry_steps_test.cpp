@@ -1,6 +1,7 @@
 // Steps of a logged path that no robot drives, and those that only look so.
 #include "hitos/capture/odometry_steps.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,6 +48,32 @@ TEST(OdometrySteps, WhatMakesUpForAHaltOfTheOdometryIsNoLeap) {
     EXPECT_THAT(log.findings.front().what.english(), HasSubstr("1.5 m (line 261), 1 in all"));
     EXPECT_THAT(log.findings.front().remedy.english(), HasSubstr("source.odometry=scans"));
     EXPECT_TRUE(read_text("radish", hung(10.0, 0.2)).findings.empty());
+}
+
+/// Of a robot that winds its way, 20 readings a second, whose heading is `factor` times as far.
+std::string winding(double factor, bool with_velocities) {
+    std::string text;
+    Pose pose;
+    for (int i = 0; i < 600; ++i) {
+        const double w = 0.4 * std::sin(0.1 * i);
+        pose = compose(pose, displacement({0.4, 0.0, w}, 0.05));
+        text += fmt::format("position 0 {:.3f} {:.6f} {:.6f} {:.6f} {} 0 {:.6f}\n", 0.05 * i,
+                            pose.x, pose.y, wrap_angle(factor * pose.theta),
+                            with_velocities ? 0.4 : 0.0, with_velocities ? w : 0.0);
+    }
+    return text;
+}
+
+TEST(OdometrySteps, DegreesThatWereWrappedAsRadiansAreTold) {
+    for (const bool with_velocities : {true, false}) {
+        EXPECT_TRUE(read_text("radish", winding(1.0, with_velocities)).findings.empty());
+        const Log log = read_text("radish", winding(kDegreesPerRadian, with_velocities));
+        ASSERT_EQ(log.findings.size(), 1U);
+        EXPECT_EQ(log.findings[0].kind, TourFinding::Kind::odometry_units);
+        EXPECT_THAT(
+            log.findings[0].remedy.english(),
+            HasSubstr(with_velocities ? "source.odometry=velocities" : "source.odometry=scans"));
+    }
 }
 
 TEST(OdometrySteps, ATurnIsMadeUpForToo) {

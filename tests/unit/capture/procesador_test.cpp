@@ -163,6 +163,33 @@ TEST(Procesador, TheOdometrysWayIsScaled) {
     EXPECT_NEAR(test::summed(log.odometry).back().x, 3.0, 1e-12);
 }
 
+TEST(Procesador, RangesAndAnglesAreScaled) {
+    const std::string text =
+        "ROBOTLASER1 0 -1.0 2.0 1.0 8 0 0 3 1 2 8 0 0 0 0 0 0 0 0 0 0 0 0 1 host 1\n";
+    const Log plain = read_text("carmen", text);
+    const Log log = read_text("carmen", text, {.range_scale = 0.5, .fan_scale = 0.25});
+    ASSERT_EQ(plain.scans.at(0).points.size(), 2U);
+    ASSERT_EQ(log.scans.at(0).points.size(), 2U);  // 8 m of 8 is none, and so are 4 of 4
+    EXPECT_NEAR(log.scans[0].fan.max_range_m, 4.0, 1e-12);
+    test::expect_near(log.scans[0].points[0], {0.5 * std::cos(0.25), -0.5 * std::sin(0.25)}, 1e-12);
+    test::expect_near(log.scans[0].points[1], {1.0, 0.0}, 1e-12);
+    const Log points = read_text("normalized", "LASER 0 1 3 4\nODOM 0 0 0\n", {.range_scale = 0.1});
+    test::expect_near(points.scans.at(0).points.at(0), {0.3, 0.4}, 1e-12);
+}
+
+TEST(Procesador, AnglesInDegreesAreRefusedUnlessTheyAreSaidToBe) {
+    const std::string text =
+        "ROBOTLASER1 0 -90 180 90 8 0 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0 0 0 1 host 1\n";
+    const Log log = read_text("carmen", text);
+    EXPECT_TRUE(log.scans.empty());
+    ASSERT_EQ(log.report.examples.size(), 1U);
+    EXPECT_THAT(log.report.examples[0].reason.english(),
+                HasSubstr("in degrees and not in radians: --set source.fan_scale=0.0174"));
+    const Log said = read_text("carmen", text, {.fan_scale = kRadiansPerDegree});
+    ASSERT_EQ(said.scans.size(), 1U);
+    test::expect_near(said.scans[0].points.at(0), {0.0, -1.0}, 1e-12);
+}
+
 TEST(Procesador, TheLaserSitsWhereTheOptionsSay) {
     const std::string text = "laser 0 2 1 0 0 2 0.1 0 3 1.0 0\n";
     const Log log = read_text("radish", text, {.laser_pose = "0.5, 0.25, 90"});

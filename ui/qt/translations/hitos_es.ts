@@ -2187,16 +2187,8 @@
         <translation>la mitad de las lecturas están a más de %1 m, lo que ningún láser de esta clase ve; el mapa sale otras tantas veces demasiado grande</translation>
     </message>
     <message>
-        <source>if they are millimetres, record them as metres, which messages of lasers are in</source>
-        <translation>si son milímetros, grábelas en metros, que es la unidad de los mensajes de láser</translation>
-    </message>
-    <message>
         <source>the rays of a scan go over %1 degrees, more than a whole turn; they lie upon each other in the map</source>
         <translation>los rayos de un barrido abarcan %1 grados, más de una vuelta entera; en el mapa quedan unos sobre otros</translation>
-    </message>
-    <message>
-        <source>if angles were written in degrees, record them in radians</source>
-        <translation>si los ángulos se escribieron en grados, grábelos en radianes</translation>
     </message>
     <message>
         <source>%1 of %2 scans taken while the robot moved are the same as the one before</source>
@@ -2319,10 +2311,6 @@
         <translation>se dice que los rayos de un barrido tardan %1 s, más que de un barrido al siguiente; se toman como de un mismo instante</translation>
     </message>
     <message>
-        <source>say how long it takes from one ray to the next: --set source.ray_time=SECONDS</source>
-        <translation>diga cuánto pasa de un rayo al siguiente: --set source.ray_time=SEGUNDOS</translation>
-    </message>
-    <message>
         <source>the odometry leaps, by up to %1 m (line %2) and %3 in all, as where a driver begins anew; the robot is taken to drive on there as before, for a second</source>
         <translation>la odometría salta, hasta %1 m (línea %2) y %3 en total, como donde un controlador empieza de nuevo; se supone que el robot sigue ahí como antes, durante un segundo</translation>
     </message>
@@ -2433,10 +2421,6 @@
     <message>
         <source>by the scans the robot drives %1 times as far as by the odometry (%2 % of their points fit so, %3 % as it is told)</source>
         <translation>según los barridos el robot recorre %1 veces lo que dice la odometría (así encaja el %2 % de sus puntos, el %3 % como está dicho)</translation>
-    </message>
-    <message>
-        <source>say so: --set source.odometry_scale=%1; or the laser&apos;s readings are %2 times what they should be: let its driver tell metres</source>
-        <translation>indíquelo: --set source.odometry_scale=%1; o las lecturas del láser son %2 veces lo que deberían: haga que su controlador dé metros</translation>
     </message>
     <message>
         <source>how the robot moved is taken from the scans alone (%1 a second), which cannot tell it where they see the same all along, as in a corridor</source>
@@ -2551,14 +2535,6 @@
         <translation>es un dibujo DXF, no un registro; hitos-cli world hace de él un mundo en el que se puede simular un recorrido</translation>
     </message>
     <message>
-        <source>%1 % of the readings lie beyond the greatest range of %2 m and are no points; half of them are above %3, as millimetres or centimetres are</source>
-        <translation>el %1 % de las lecturas supera el alcance máximo de %2 m y no da puntos; la mitad pasa de %3, como ocurre con milímetros o centímetros</translation>
-    </message>
-    <message>
-        <source>write the readings in metres, which they are read as</source>
-        <translation>escriba las lecturas en metros, que es como se leen</translation>
-    </message>
-    <message>
         <source>is no picture, or a damaged one; expected PNG, JPG, PGM or BMP</source>
         <translation>no es una imagen, o está dañada; se esperaba PNG, JPG, PGM o BMP</translation>
     </message>
@@ -2593,14 +2569,6 @@
     <message>
         <source>the odometry&apos;s heading leaps, by up to %1 degrees (line %2) and %3 in all; the robot is taken to drive on there as before, for a second</source>
         <translation>el rumbo de la odometría salta hasta %1 grados (línea %2), %3 veces en total; se supone que el robot sigue allí como antes, durante un segundo</translation>
-    </message>
-    <message>
-        <source>%1 % of the readings lie beyond the greatest range of %2 m and are no points; half of them are above %3 m</source>
-        <translation>el %1 % de las lecturas está más allá del alcance máximo de %2 m y no son puntos; la mitad supera %3 m</translation>
-    </message>
-    <message>
-        <source>set the greatest range: --set source.max_range=METRES</source>
-        <translation>fije el alcance máximo: --set source.max_range=METROS</translation>
     </message>
     <message>
         <source>%1 says that its least range is %2 m and its greatest %3 m; they are taken the other way round, as no reading lies between them</source>
@@ -2711,8 +2679,108 @@
         <translation>ha cambiado mientras se trabajaba con él; %1 de %2 ejecuciones estaban hechas antes, con el archivo tal como era, y las demás se dejan; empiece otra vez cuando el archivo esté completo</translation>
     </message>
     <message>
-        <source>let the recording say the angles that the laser measures at: %1 degrees from ray to ray, the middle one at %2</source>
-        <translation>haga que la grabación indique los ángulos en que mide el láser: %1 grados de rayo a rayo, el central a %2</translation>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <source>the odometry&apos;s headings turn 57 times as far as its %1, in %2 of %3 steps: degrees were taken for radians</source>
+        <translation>los rumbos de la odometría giran 57 veces más que %1, en %2 de %3 pasos: se tomaron grados por radianes</translation>
+    </message>
+    <message>
+        <source>velocities</source>
+        <translation>sus velocidades</translation>
+    </message>
+    <message>
+        <source>way</source>
+        <translation>su camino</translation>
+    </message>
+    <message>
+        <source>let the driver say how long it takes from one ray to the next (time_increment)</source>
+        <translation>haga que el controlador diga cuánto tarda de un rayo al siguiente (time_increment)</translation>
+    </message>
+    <message>
+        <source>its rays go over %1 degrees, expected no more than a turn; if its angles are in degrees and not in radians: --set source.fan_scale=%2</source>
+        <translation>sus rayos abarcan %1 grados, se esperaba no más de una vuelta; si sus ángulos están en grados y no en radianes: --set source.fan_scale=%2</translation>
+    </message>
+    <message>
+        <source>%1 % of the readings lie beyond the greatest range of %2 m and are no points; half of them are above %3</source>
+        <translation>el %1 % de las lecturas está más allá del alcance máximo de %2 m y no son puntos; la mitad supera %3</translation>
+    </message>
+    <message>
+        <source>by the odometry they are metres: --set source.max_range=%1</source>
+        <translation>según la odometría son metros: --set source.max_range=%1</translation>
+    </message>
+    <message>
+        <source>by the odometry they are %1: --set source.range_scale=%2 --set source.max_range=%3</source>
+        <translation>según la odometría son %1: --set source.range_scale=%2 --set source.max_range=%3</translation>
+    </message>
+    <message>
+        <source>if they are metres: --set source.max_range=%1</source>
+        <translation>si son metros: --set source.max_range=%1</translation>
+    </message>
+    <message>
+        <source>if they are millimetres: --set source.range_scale=0.001; if they are centimetres: --set source.range_scale=0.01</source>
+        <translation>si son milímetros: --set source.range_scale=0.001; si son centímetros: --set source.range_scale=0.01</translation>
+    </message>
+    <message>
+        <source>half of the readings are beyond %1 m, and by the odometry they are %2; the map is that many times too large</source>
+        <translation>la mitad de las lecturas supera %1 m, y según la odometría son %2; el mapa es otras tantas veces demasiado grande</translation>
+    </message>
+    <message>
+        <source>read them as such: --set source.range_scale=%1</source>
+        <translation>léalas como tales: --set source.range_scale=%1</translation>
+    </message>
+    <message>
+        <source>say so: --set source.odometry_scale=%1; or, where the laser&apos;s readings are no metres: --set source.range_scale=%2</source>
+        <translation>dígalo: --set source.odometry_scale=%1; o, si las lecturas del láser no son metros: --set source.range_scale=%2</translation>
+    </message>
+    <message>
+        <source>say so: --set source.fan_scale=%1%2</source>
+        <translation>dígalo: --set source.fan_scale=%1%2</translation>
+    </message>
+    <message>
+        <source>a scan&apos;s rays are said to take %1 s, and where the robot turns they fit as if measured at one time (%2 % of their points closely, against %3 %): walls are bent there</source>
+        <translation>de los rayos de un barrido se dice que tardan %1 s, y donde el robot gira encajan como medidos a la vez (el %2 % de sus puntos de cerca, frente al %3 %): allí las paredes se tuercen</translation>
+    </message>
+    <message>
+        <source>say so: --set source.ray_time=%1</source>
+        <translation>dígalo: --set source.ray_time=%1</translation>
+    </message>
+    <message>
+        <source>so they are by the odometry; say so: --set source.ray_time=%1</source>
+        <translation>así es según la odometría; dígalo: --set source.ray_time=%1</translation>
+    </message>
+    <message>
+        <source>by the odometry they take a turn from scan to scan: --set source.ray_time=%1</source>
+        <translation>según la odometría dan una vuelta de un barrido a otro: --set source.ray_time=%1</translation>
+    </message>
+    <message>
+        <source>the scans fit the odometry where %1 m are added to every reading (%2 % of their points closely, against %3 %): walls are bent</source>
+        <translation>los barridos encajan con la odometría si a cada lectura se suman %1 m (el %2 % de sus puntos de cerca, frente al %3 %): las paredes se tuercen</translation>
+    </message>
+    <message>
+        <source>say so: --set source.range_offset=%1</source>
+        <translation>dígalo: --set source.range_offset=%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rays never have a reading, each between others that have: no two points are neighbours, and walls fall to pieces</source>
+        <translation>%1 de %2 rayos nunca tienen lectura, cada uno entre otros que sí: no hay dos puntos vecinos, y las paredes se deshacen</translation>
+    </message>
+    <message>
+        <source>let the driver tell those rays only that it measures, with the step between these (angle_increment)</source>
+        <translation>haga que el controlador diga solo los rayos que mide, con el paso entre estos (angle_increment)</translation>
     </message>
     <message>
         <source>its scans are points and hold none; look at what wrote them</source>
@@ -3345,6 +3413,18 @@
     <message>
         <source>Whether what is known to be wrong is mended: rays that were measured one after the other are moved by the odometry to one time (rays); besides, leaps of the odometry that no robot makes are bridged, stamps of too few digits give way to the logger&apos;s times, and where there is no odometry the scans say how the robot moved (on).</source>
         <translation>Si se corrige lo que se sabe falso: los rayos medidos uno tras otro se llevan con la odometría a un mismo instante (rays); además se salvan los saltos de la odometría que no da ningún robot, los sellos de tiempo con demasiado pocas cifras ceden a los tiempos del registrador, y donde no hay odometría los barridos dicen cómo se movió (on).</translation>
+    </message>
+    <message>
+        <source>The laser&apos;s readings, and the greatest range that the log says, are taken that many times as long, as 0.001 where they are millimetres; a higher value lengthens them.</source>
+        <translation>Las lecturas del láser, y el alcance máximo que dice el registro, se toman otras tantas veces más largas, como 0.001 si son milímetros; un valor mayor las alarga.</translation>
+    </message>
+    <message>
+        <source>The angles of a scan&apos;s rays, from where the laser looks, are taken that many times as wide, as 0.0174533 where they are in degrees; a higher value widens them. Logs of points have none.</source>
+        <translation>Los ángulos de los rayos de un barrido, desde donde mira el láser, se toman otras tantas veces más anchos, como 0.0174533 si están en grados; un valor mayor los abre. Los registros de puntos no los tienen.</translation>
+    </message>
+    <message>
+        <source>Added to each of the laser&apos;s readings, where all of them are too short or too long by that; a higher value puts walls further away. Logs of points have none.</source>
+        <translation>Se suma a cada lectura del láser, si a todas les falta o les sobra eso; un valor mayor pone las paredes más lejos. Los registros de puntos no la tienen.</translation>
     </message>
 </context>
 <context>
@@ -4142,6 +4222,18 @@
     <message>
         <source>Mend</source>
         <translation>Corregir</translation>
+    </message>
+    <message>
+        <source>Range scale</source>
+        <translation>Escala de los alcances</translation>
+    </message>
+    <message>
+        <source>Fan scale</source>
+        <translation>Escala del abanico</translation>
+    </message>
+    <message>
+        <source>Range offset</source>
+        <translation>Corrección de los alcances</translation>
     </message>
 </context>
 <context>

@@ -154,7 +154,8 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
         idle_with({"source.file=a.toml"}),
         with(idle,
              {"source.scan_topic", "source.odom_topic", "source.laser_pose", "source.same_frames",
-              "source.ray_time", "source.odometry_axes", "source.scan_clock"},
+              "source.ray_time", "source.range_scale", "source.range_offset", "source.fan_scale",
+              "source.odometry_axes", "source.scan_clock"},
              {"source.tour_seed", "source.world_set"}));
     EXPECT_EQ(idle_with({"features.detect=corners"}), idle);
     EXPECT_EQ(idle_with({"association.method=gnn"}),
@@ -244,6 +245,9 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.source.read.same_frames = "a=b";
     c.source.read.min_range_m = 0.27;
     c.source.read.ray_time_s = 0.28;
+    c.source.read.range_scale = 0.0254;
+    c.source.read.range_offset_m = -0.07;
+    c.source.read.fan_scale = 0.97;
     c.source.read.odometry_scale = 1.29;
     c.source.read.odometry_turns = -1.5;
     c.source.read.odometry_axes = "y,x,theta";
@@ -296,6 +300,9 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"source.same_frames", "a=b"},
         {"source.min_range", "0.27"},
         {"source.ray_time", "0.28"},
+        {"source.range_scale", "0.0254"},
+        {"source.range_offset", "-0.07"},
+        {"source.fan_scale", "0.97"},
         {"source.odometry_scale", "1.29"},
         {"source.odometry_turns", "-1.5"},
         {"source.odometry_axes", "y,x,theta"},
