@@ -2619,10 +2619,6 @@
         <translation>según los barridos el robot gira %1 veces lo que dice la odometría (así encaja de cerca el %2 % de sus puntos, el %3 % tal como se dice): las paredes se abren en abanico donde gira</translation>
     </message>
     <message>
-        <source>take how it moved from the scans, where they show enough for that: --set source.odometry=scans; or map it with registration: --preset recorded</source>
-        <translation>tome el movimiento de los barridos, si muestran lo bastante: --set source.odometry=scans; o cartografíe con registro: --preset recorded</translation>
-    </message>
-    <message>
         <source>in %1 pairs of scans the robot turns %2 degrees by the scans and %3 by the odometry, as where a gyro or an encoder is dead; the map is bent straight</source>
         <translation>en %1 pares de barridos el robot gira %2 grados según los barridos y %3 según la odometría, como cuando un giróscopo o un codificador no funciona; el mapa queda enderezado</translation>
     </message>
@@ -2655,10 +2651,6 @@
         <translation>los rumbos de la odometría pasan de un extremo de la vuelta al otro en pasos de 360, %1 veces (la primera en la línea %2): están en grados y se leen como radianes</translation>
     </message>
     <message>
-        <source>set the clocks of both computers alike before recording; or take how the robot moved from the scans, where they show enough for that: --set source.odometry=scans</source>
-        <translation>ponga en hora los relojes de ambos ordenadores antes de grabar; o tome el movimiento del robot de los barridos, si muestran lo bastante: --set source.odometry=scans</translation>
-    </message>
-    <message>
         <source>the scans&apos; clock was set during the tour: they fit the odometry where %1 are added up to second %2 and %3 from there on (%4 % of their points, against %5 % as they are stamped)</source>
         <translation>el reloj de los barridos se cambió durante el recorrido: encajan con la odometría si se les suman %1 hasta el segundo %2 y %3 a partir de ahí (el %4 % de sus puntos, frente al %5 % con sus marcas de tiempo)</translation>
     </message>
@@ -2669,10 +2661,6 @@
     <message>
         <source>the scans fit the odometry where their rays go over %1 degrees, not over %2 as is told (%3 % of their points, against %4 %): walls are bent</source>
         <translation>los barridos encajan con la odometría si sus rayos abarcan %1 grados, no %2 como se dice (el %3 % de sus puntos, frente al %4 %): las paredes se doblan</translation>
-    </message>
-    <message>
-        <source>if the laser is upside down, or its rays go the other way round: --laser-pose %1; if it is the odometry that counts turns to the right, mend its signs, or know that with that option the map is right but mirrored</source>
-        <translation>si el láser está boca abajo o sus rayos van en sentido contrario: --laser-pose %1; si es la odometría la que cuenta los giros a la derecha, corrija sus signos, o sepa que con esa opción el mapa es correcto pero reflejado</translation>
     </message>
     <message>
         <source>has changed while it was being worked on; %1 of %2 runs were done before, of the file as it was, and the others are left out; start again when the file is complete</source>
@@ -2785,6 +2773,70 @@
     <message>
         <source>its scans are points and hold none; look at what wrote them</source>
         <translation>sus barridos son puntos y no contienen ninguno; revise lo que los escribió</translation>
+    </message>
+    <message>
+        <source>the format %1 says not which lines it wants or how they are read; give its entry classify and make_conversor</source>
+        <translation>el formato %1 no dice qué líneas quiere ni cómo se leen; dé a su entrada classify y make_conversor</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected what the log has in the place of x, y and heading: &quot;x,y,theta&quot; with axes in another order or negative and theta, or degrees where it is in degrees, as in &quot;y,x,theta&quot;, &quot;x,y,90-theta&quot;, &quot;x,y,degrees&quot;</source>
+        <translation>se encontró &quot;%1&quot;; se esperaba lo que el registro tiene en el lugar de x, y y rumbo: &quot;x,y,theta&quot; con los ejes en otro orden o negativos y theta, o degrees donde está en grados, como en &quot;y,x,theta&quot;, &quot;x,y,90-theta&quot;, &quot;x,y,degrees&quot;</translation>
+    </message>
+    <message>
+        <source>the odometry&apos;s headings are where its positions go if they are in degrees (%1 % of the way, against %2 % as they are read)</source>
+        <translation>los rumbos de la odometría van hacia donde van sus posiciones si están en grados (%1 % del camino, frente a %2 % tal como se leen)</translation>
+    </message>
+    <message>
+        <source>the odometry&apos;s headings turn the other way than its positions (they fit each other on %1 % of the way so, on %2 % as they are told): headings count to the right, or an axis of the positions is swapped or negative</source>
+        <translation>los rumbos de la odometría giran al revés que sus posiciones (así concuerdan en el %1 % del camino; tal como se dan, en el %2 %): los rumbos cuentan hacia la derecha, o un eje de las posiciones está cambiado o es negativo</translation>
+    </message>
+    <message>
+        <source>%1; or, where the positions are wrong, %2</source>
+        <translation>%1; o, si son las posiciones las que están mal, %2</translation>
+    </message>
+    <message>
+        <source>say so: --set source.odometry_axes=x,y,degrees</source>
+        <translation>indíquelo: --set source.odometry_axes=x,y,degrees</translation>
+    </message>
+    <message>
+        <source>let its headings turn: --set source.odometry_axes=x,y,%1</source>
+        <translation>invierta sus rumbos: --set source.odometry_axes=x,y,%1</translation>
+    </message>
+    <message>
+        <source>put its axes right: --set source.odometry_axes=%1,theta%2</source>
+        <translation>corrija sus ejes: --set source.odometry_axes=%1,theta%2</translation>
+    </message>
+    <message>
+        <source>the odometry&apos;s headings go to and fro, %1 times, and its positions do not: they are not in radians, or two programs tell them</source>
+        <translation>los rumbos de la odometría van y vienen, %1 veces, y sus posiciones no: no están en radianes, o los dan dos programas</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected seconds to add to the scans&apos; times and after how many seconds of the tour, in their order, as in &quot;0@0,-1.39@680&quot;</source>
+        <translation>se encontró &quot;%1&quot;; se esperaban segundos que sumar a los tiempos de los barridos y tras cuántos segundos del recorrido, en su orden, como en &quot;0@0,-1.39@680&quot;</translation>
+    </message>
+    <message>
+        <source>add that to their times: --scan-delay %1; and set the clocks of both computers alike before recording</source>
+        <translation>súmelo a sus tiempos: --scan-delay %1; y ponga en hora los relojes de ambos ordenadores antes de grabar</translation>
+    </message>
+    <message>
+        <source>if the laser is upside down, or its rays go the other way round: --laser-pose %1; if it is the odometry that counts turns to the right: --set source.odometry_turns=-1; with the wrong one of both the map is right but mirrored</source>
+        <translation>si el láser está boca abajo, o sus rayos van en el otro sentido: --laser-pose %1; si es la odometría la que cuenta los giros hacia la derecha: --set source.odometry_turns=-1; con la opción equivocada de las dos el mapa es correcto pero reflejado</translation>
+    </message>
+    <message>
+        <source>the odometry&apos;s heading points elsewhere than the robot; let the laser turn with it: --laser-pose %1</source>
+        <translation>el rumbo de la odometría apunta a otro lado que el robot; gire el láser con él: --laser-pose %1</translation>
+    </message>
+    <message>
+        <source>say so: --set source.odometry_turns=%1; or map it with registration: --preset recorded</source>
+        <translation>indíquelo: --set source.odometry_turns=%1; o cartografíe con registro: --preset recorded</translation>
+    </message>
+    <message>
+        <source>the line method returned %1 points from %2 on, of %3, for line %4 of the scan at %5 s; expected at least one, and all of them in Observation::support</source>
+        <translation>el método de rectas devolvió %1 puntos desde el %2, de %3, para la recta %4 del barrido de %5 s; se esperaba al menos uno, y todos en Observation::support</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected seconds, or seconds@second of the tour as in 0@0,-1.39@680, as check advises</source>
+        <translation>se encontró &quot;%1&quot;; se esperaban segundos, o segundos@segundo del recorrido como en 0@0,-1.39@680, según aconseja check</translation>
     </message>
 </context>
 <context>
@@ -3425,6 +3477,18 @@
     <message>
         <source>Added to each of the laser&apos;s readings, where all of them are too short or too long by that; a higher value puts walls further away. Logs of points have none.</source>
         <translation>Se suma a cada lectura del láser, si a todas les falta o les sobra eso; un valor mayor pone las paredes más lejos. Los registros de puntos no la tienen.</translation>
+    </message>
+    <message>
+        <source>The odometry&apos;s turns are taken that many times as wide; a higher value widens them, a negative one turns right what it says is left.</source>
+        <translation>Los giros de la odometría se toman tantas veces más amplios; un valor mayor los amplía, uno negativo gira a la derecha lo que ella dice a la izquierda.</translation>
+    </message>
+    <message>
+        <source>What logged poses have in the place of x, y and heading: axes in another order or negative, and theta or, in degrees, degrees, with an angle that is added, as in y,x,theta or x,y,90-theta; empty takes x,y,theta.</source>
+        <translation>Lo que las poses registradas tienen en el lugar de x, y y rumbo: ejes en otro orden o negativos, y theta o, en grados, degrees, con un ángulo que se suma, como en y,x,theta o x,y,90-theta; vacío toma x,y,theta.</translation>
+    </message>
+    <message>
+        <source>Added to the scans&apos; times besides, where the laser&apos;s clock runs at another speed or was set: seconds@second of the tour, as in 0@0,-1.39@680, evenly in between; two points of one second are a leap; empty adds nothing.</source>
+        <translation>Se suma además a los tiempos de los barridos, donde el reloj del láser va a otra velocidad o se puso en hora: segundos@segundo del recorrido, como en 0@0,-1.39@680, por igual entre medias; dos puntos de un mismo segundo son un salto; vacío no suma nada.</translation>
     </message>
 </context>
 <context>
@@ -4234,6 +4298,18 @@
     <message>
         <source>Range offset</source>
         <translation>Corrección de los alcances</translation>
+    </message>
+    <message>
+        <source>Scale of turns</source>
+        <translation>Escala de los giros</translation>
+    </message>
+    <message>
+        <source>Axes of the odometry</source>
+        <translation>Ejes de la odometría</translation>
+    </message>
+    <message>
+        <source>Clock of the scans</source>
+        <translation>Reloj de los barridos</translation>
     </message>
 </context>
 <context>
