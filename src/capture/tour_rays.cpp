@@ -41,7 +41,7 @@ double best_rival(const Fit& fit) {
     return best.agreement;
 }
 
-/// What is put before a remedy's words as its option.
+/// As source.ray_time says a sweep of so long.
 std::string ray_time_of(double sweep_s, const Fan& fan) {
     return fmt::format("{:.3g}", sweep_s / static_cast<double>(std::max(fan.count, 2U) - 1));
 }
@@ -88,8 +88,8 @@ bool TourExamination::doubt_slight_fan(const Fit& fit, std::vector<TourFinding>&
     constexpr int kSteps = 20;
     constexpr double kStep = 0.01;
     constexpr double kLeast = 0.02;
-    constexpr double kTimes = 1.04;  // better than as it is told; of clean tours up to 1.05 of a
-    constexpr double kMore = 0.01;   // fifth
+    constexpr double kTimes = 1.04;  // better than as it is told: half as much is seen where
+    constexpr double kMore = 0.01;   // nothing is wrong
     constexpr double kOverRivals = 0.02;
     if (fan_.count < 2) return false;
     BestFit best{closely()};
@@ -202,7 +202,7 @@ bool TourExamination::doubt_ray_times(std::vector<TourFinding>& found) const {
     found.push_back(
         {Kind::ray_times, std::abs(sweep_s),
          message(HITOS_TEXT("Errors",
-                            "a scan's rays are said to take %1 s, and where the robot turns they "
+                            "a scan's rays are taken to need %1 s, and where the robot turns they "
                             "fit as if measured at one time (%2 % of their points closely, against "
                             "%3 %): walls are bent there"),
                  fmt::format("{:.3g}", std::abs(sweep_s)), percent(fits), percent(told)),

@@ -124,9 +124,9 @@ TEST(LaserDoubts, RangesBeyondTheLimitAreToldWithTheOptionsThatMendThem) {
 }
 
 TEST(LaserDoubts, AFanThatIsALittleWiderThanItIsToldIsTold) {
-    for (const char* world : {"bigloop2", "complex", "usc-sal"}) {
+    for (const char* world : {"bigloop2", "complex"}) {
         const Readings tour = test::read(source_named(world));
-        for (const double scale : {0.9, 0.95, 1.05, 1.1}) {
+        for (const double scale : {0.95, 1.05}) {
             Readings wrong = tour;
             seen_otherwise(wrong, [scale](const Scan&, std::size_t, double angle, double range) {
                 return std::pair(scale * angle, range);

@@ -2739,8 +2739,8 @@
         <translation>dígalo: --set source.fan_scale=%1%2</translation>
     </message>
     <message>
-        <source>a scan&apos;s rays are said to take %1 s, and where the robot turns they fit as if measured at one time (%2 % of their points closely, against %3 %): walls are bent there</source>
-        <translation>de los rayos de un barrido se dice que tardan %1 s, y donde el robot gira encajan como medidos a la vez (el %2 % de sus puntos de cerca, frente al %3 %): allí las paredes se tuercen</translation>
+        <source>a scan&apos;s rays are taken to need %1 s, and where the robot turns they fit as if measured at one time (%2 % of their points closely, against %3 %): walls are bent there</source>
+        <translation>los rayos de un barrido se toman por medidos en %1 s, y donde el robot gira encajan como medidos a la vez (el %2 % de sus puntos de cerca, frente al %3 %): allí las paredes se tuercen</translation>
     </message>
     <message>
         <source>say so: --set source.ray_time=%1</source>
