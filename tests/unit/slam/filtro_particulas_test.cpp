@@ -415,8 +415,9 @@ TEST(FiltroParticulas, AssociationsAreOfTheMapThatIsShownWhateverResamplingLeave
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             FilterParams params = room_params(4);
             params.resampling.method = method;
-            params.motion.sigma_x_m = params.motion.sigma_y_m = 0.3;  // so that maps differ
-            params.motion.sigma_theta_rad = 0.2;
+            params.association.p0 = 5.0;  // so that maps differ
+            params.motion.sigma_x_m = params.motion.sigma_y_m = 0.3;
+            params.motion.sigma_theta_rad = 0.15;
             FiltroParticulas filter(params, seed, 1);
             const Tour tour = make_tour(40, 0.4);
             for (std::size_t k = 0; k < tour.controls.size(); ++k) {
