@@ -54,5 +54,26 @@ TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {
     EXPECT_EQ(keys, (std::vector<std::uint32_t>{32, 33, 34, 35, 36, 37, 38, 39, 0, 1, 2, 3}));
 }
 
+TEST(KeyGraph, AKeyThatWouldMoveTheScanByMoreThanHalfAMetreMakesNoEdge) {
+    // A third of a radian counts a metre.
+    const auto edges_where = [](const Eigen::Vector3d& step) {
+        KeyGraph graph = line_of(2, 0.01, 1e-4);
+        Linearization seen;
+        seen.h = 1e6 * Eigen::Matrix3d::Identity();
+        seen.b = -seen.h * step;
+        seen.matches = 20;
+        const std::vector<std::uint32_t> sources{0};
+        graph.add_scan_edges(1, graph.poses[1].pose, sources, std::vector{seen}, 1.0,
+                             EdgeKind::scan);
+        return graph.edges;
+    };
+    const auto near = edges_where({0.3, -0.1, 0.03});
+    ASSERT_EQ(near.size(), 1U);
+    EXPECT_NEAR(near[0].z.x, 1.3, 1e-5);
+    EXPECT_NEAR(near[0].z.y, -0.1, 1e-5);
+    EXPECT_TRUE(edges_where({0.4, -0.2, 0.0}).empty());
+    EXPECT_TRUE(edges_where({0.0, 0.0, 0.2}).empty());
+}
+
 }  // namespace
 }  // namespace hitos

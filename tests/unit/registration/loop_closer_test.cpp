@@ -48,11 +48,12 @@ std::vector<Pose> way(double metres, double step) {
 
 /// Drives the way, seeing `walls` for 40 m and `later` from there on, while its path drifts to the
 /// left; searches at every second key of the second round. After 30 m it is `lost`: moved by that,
-/// and as unsure.
+/// and as unsure. From 47 m on it bends by `bend` at every key.
 class Rounds {
   public:
-    Rounds(const Walls& walls, const Walls& later, double loop_score = 0.6, const Pose& lost = {})
-        : params_{.loop_score = loop_score} {
+    Rounds(const Walls& walls, const Walls& later, double loop_score = 0.6, const Pose& lost = {},
+           double bend = 0.0, int loops_agree = 3)
+        : params_{.loop_score = loop_score, .loops_agree = loops_agree} {
         const double step = 0.5;
         Pose drifted;
         std::size_t k = 0;
@@ -60,7 +61,8 @@ class Rounds {
             if (k == 0) drifted = truth;
             if (k > 0) {
                 const Pose moved = between(before_, truth);
-                drifted = compose(drifted, {moved.x, moved.y + 0.006, moved.theta + 0.0004});
+                const double turn = 0.0004 + (static_cast<double>(k) * step > 47.0 ? bend : 0.0);
+                drifted = compose(drifted, {moved.x, moved.y + 0.006, moved.theta + turn});
             }
             before_ = truth;
             KeyScan key;
@@ -161,6 +163,55 @@ TEST(LoopCloser, NothingIsALoopBeforeTheRobotHasGoneSomewhere) {
         EXPECT_FALSE(closer.search(graph, reached));
     }
     EXPECT_EQ(closer.searches(), 0U);
+}
+
+/// Drives the x axis twice, 20 m and 10 m, and searches at every second key of the second time: how
+/// often that finds the first passage, and how often it is refused.
+std::pair<int, std::uint64_t> found_and_refused(const Walls& walls) {
+    KeyGraph graph;
+    std::vector<GraphReach> reached;
+    const RegistrationParams params;
+    LoopCloser closer(params, ScanMatcher(params.point_sigma_m));
+    std::mt19937 engine(3);
+    int found = 0;
+    for (std::uint64_t k = 0; k < 60; ++k) {
+        const double along = 0.5 * static_cast<double>(k < 40 ? k : k - 40);
+        KeyScan key;
+        std::vector<SurfacePoint> points;
+        find_surface_points(test::drawn_scan(walls, {along, 0.0, 0.0}, 0.01, &engine, 8.0), 80.0,
+                            points);
+        key.hold(points);
+        key.travelled_m = 0.5 * static_cast<double>(k);
+        key.variance_m2 = 4e-4;
+        key.variance_rad2 = 4e-6;
+        graph.add({{along, 0.0, 0.0}, k}, std::move(key));
+        if (k < 40 || k % 2 == 1) continue;
+        graph.reach(graph.size() - 1, reached);
+        if (closer.search(graph, reached)) ++found;
+    }
+    return {found, closer.refused()};
+}
+
+TEST(LoopCloser, APassageOfACorridorFitsAnywhereAlongItAndIsNone) {
+    Walls corridor{{{-200.0, -1.0}, {200.0, -1.0}}, {{-200.0, 1.0}, {200.0, 1.0}}};
+    const auto [found, refused] = found_and_refused(corridor);
+    EXPECT_EQ(found, 0);
+    EXPECT_GE(refused, 5U);
+    // With a bay every few metres there is something to hold on to.
+    for (int i = -2; i < 12; ++i) {
+        const Walls bay = closed({{3.0 * i, 1.0}, {3.0 * i + 0.8, 1.0}, {3.0 * i, 0.5}});
+        corridor.insert(corridor.end(), bay.begin(), bay.end());
+    }
+    EXPECT_GE(found_and_refused(corridor).first, 1);
+}
+
+TEST(LoopCloser, SearchesThatDifferInHeadingDoNotAgree) {
+    // The second round's path turns by more between two searches than a path may.
+    const Walls walls = ring(kBlock);
+    const Rounds bent(walls, walls, 0.35, {0.0, 0.0, 0.1}, 0.02, 2);
+    EXPECT_FALSE(bent.loop);
+    const Rounds straight(walls, walls, 0.35, {0.0, 0.0, 0.1}, 0.0, 2);
+    EXPECT_TRUE(straight.loop);
 }
 
 }  // namespace

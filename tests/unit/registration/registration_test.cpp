@@ -266,5 +266,91 @@ TEST(Registration, ScansWithoutAPointAndStandingStillAreNothingSpecial) {
     EXPECT_EQ(registration.path().size(), 6U);
 }
 
+TEST(Registration, TheWayBetweenKeysIsAsUnsureAsItsStepsTogether) {
+    RegistrationParams params;
+    params.key_distance_m = 1.0;
+    params.calibrate = false;
+    std::vector<Pose> truth;
+    for (int i = 0; i < 12; ++i) truth.push_back({0.3 * i, 0.0, 0.0});
+    const Driven once = drive(ring_walls(), truth, 0.0, 1.0, params);
+    std::size_t edges = 0;
+    for (const PoseEdge& edge : once.registration.edges()) {
+        if (edge.kind != EdgeKind::odometry) continue;
+        ++edges;
+        const std::uint64_t steps =
+            once.registration.keys()[edge.to].scan - once.registration.keys()[edge.from].scan;
+        EXPECT_EQ(steps, 4U);
+        const Eigen::Vector3d together =
+            static_cast<double>(steps) * odometry_variances({0.3, 0.0, 0.0}, 1.0);
+        EXPECT_TRUE(edge.information.inverse().diagonal().isApprox(together, 1e-6));
+    }
+    EXPECT_EQ(edges, 2U);
+}
+
+/// A hall that is unlike itself wherever it is shifted or turned.
+Walls far_hall() {
+    return test::closed({{-4, -5}, {2, -5},  {2, -4},  {5, -4}, {5, -5}, {17, -5}, {17, -3},
+                         {21, -3}, {21, -5}, {26, -5}, {26, 3}, {24, 7}, {11, 7},  {11, 5.5},
+                         {9, 5.5}, {9, 7},   {1, 7},   {1, 4},  {-2, 4}, {-2, 7},  {-4, 7}});
+}
+
+/// Between two passages of a hall nothing is seen for `blind` steps to and fro; then the robot is
+/// elsewhere by `off`. What the loop moves that is closed from there on.
+double moved_after_blindness(const Pose& off, int blind, double step_m, double scale,
+                             double key_distance_m = 2.2) {
+    RegistrationParams params;
+    params.key_scans = 5;
+    params.loops_agree = 1;
+    params.key_distance_m = key_distance_m;
+    params.key_angle_rad = 2.0;
+    params.odometry_scale = scale;
+    params.search = false;  // no scan alone finds where it is
+    Registration registration(params);
+    const auto add = [&](const Scan& scan, double ahead_m) {
+        registration.add(scan, std::vector<Control>{{{ahead_m, 0.0, 0.0}, 1.0}});
+    };
+    const Walls hall = far_hall();
+    for (int i = 0; i <= 16; ++i) {
+        add(test::drawn_scan(hall, {0.8 * i, 0.0, 0.0}), i > 0 ? 0.8 : 0.0);
+    }
+    for (int i = 0; i < blind; ++i) add({}, i % 2 == 0 ? -step_m : step_m);
+    for (int i = 1; i <= 4; ++i) {
+        const Pose at = compose({12.8 + off.x, off.y, off.theta}, {-0.8 * i, 0.0, 0.0});
+        add(test::drawn_scan(hall, at), -0.8);
+    }
+    return registration.figures().largest_correction_m;
+}
+
+TEST(Registration, ALoopIsLookedForAsFarAsAllStepsSinceTheLastKeyAreUnsure) {
+    // Steps that are no keys.
+    EXPECT_GT(moved_after_blindness({-3.2, 0.0, 0.0}, 16, 2.0, 1.5), 2.5);
+    EXPECT_GT(moved_after_blindness({-1.0, -0.5, -0.56}, 200, 1.0, 0.6), 1.0);
+}
+
+TEST(Registration, ALoopThatWouldStretchTheGraphIsRefused) {
+    // Half a metre off: what an odometry good to centimetres cannot have erred by.
+    const Pose off{-0.4, 0.3, 0.0};
+    EXPECT_NEAR(moved_after_blindness(off, 20, 1.0, 1.0, 0.7), 0.5, 0.05);
+    EXPECT_EQ(moved_after_blindness(off, 20, 1.0, 0.05, 0.7), 0.0);
+}
+
+TEST(Registration, AStepThatSlippedIsLookedForAsFarAsItsWayIsUnsure) {
+    // 5.5 m by the odometry: along the way that is unsure by 0.57 m, across it by half of that.
+    Walls room;
+    for (const auto& [a, b] : test::recess_room()) {
+        const Pose turned_room{0.0, 0.0, 0.4};
+        room.emplace_back(transform(turned_room, Point2{2.5 * a.x, 2.5 * a.y}),
+                          transform(turned_room, Point2{2.5 * b.x, 2.5 * b.y}));
+    }
+    const Point2 start = transform(Pose{0.0, 0.0, 0.4}, Point2{-7.0, 3.0});
+    Registration registration{RegistrationParams{}};
+    registration.add(test::drawn_scan(room, {start.x, start.y, 0.0}), {});
+    const Control ahead{{5.5, 0.0, 0.0}, 1.0};
+    const RegisteredStep step = registration.add(
+        test::drawn_scan(room, {start.x + 7.9, start.y, 0.0}), std::span(&ahead, 1));
+    EXPECT_TRUE(step.matched);
+    EXPECT_NEAR(step.pose.x, 7.9, 0.1);
+}
+
 }  // namespace
 }  // namespace hitos

@@ -148,5 +148,22 @@ TEST(ScanMatcher, SourcesAddUpToTheWhole) {
     EXPECT_TRUE((by_source[0].h + by_source[1].h).isApprox(whole.h, 1e-12));
 }
 
+TEST(ScanMatcher, ALoosePointWeighsLessTheFurtherItIsOff) {
+    // A tenth of a point on a surface, and half of that at a decimetre.
+    PointMap map;
+    map.begin({0.0, 0.0}, 5.0);
+    map.add(std::vector<SurfacePoint>{{2.0F, 0.0F}}, {}, 0);
+    map.build();
+    const std::vector<SurfacePoint> scan{{2.0F, 0.0F}};
+    for (const double off : {0.0, 0.1, 0.2}) {
+        const Linearization l = ScanMatcher(0.1).linearize(scan, map, {off, 0.0, 0.0}, kFineStage);
+        const double weight = 0.1 / (1.0 + off * off / 0.01);
+        EXPECT_EQ(l.matches, 1);
+        EXPECT_NEAR(l.h(0, 0), weight, 1e-6);
+        EXPECT_NEAR(l.h(2, 2), 4.0 * weight, 1e-6);
+        EXPECT_NEAR(l.b(0), weight * off, 1e-6);
+    }
+}
+
 }  // namespace
 }  // namespace hitos

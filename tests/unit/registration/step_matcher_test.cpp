@@ -81,5 +81,18 @@ TEST_F(Steps, WhereNothingFitsItStaysWithTheOdometry) {
     EXPECT_EQ(step.pose, outside);
 }
 
+TEST_F(Steps, WhatDepartsFromTheOdometryScoresLess) {
+    // By a twentieth for each metre and radian: of places that fit alike the nearest is taken.
+    const Pose odometry{0.7, -0.1, 0.85};
+    const MatchedStep step = match(odometry, 0.3, 0.2);
+    expect_truth(step);
+    const double departs = std::hypot(step.pose.x - odometry.x, step.pose.y - odometry.y) +
+                           std::abs(step.pose.theta - odometry.theta);
+    EXPECT_GT(departs, 0.4);
+    EXPECT_NEAR(step.score,
+                match_score(drawn_points(room_, truth_), map_, step.pose, 2) - 0.05 * departs,
+                1e-9);
+}
+
 }  // namespace
 }  // namespace hitos
