@@ -380,5 +380,34 @@ TEST(GraphSlam, ReadsWhatItsEntrySays) {
     EXPECT_FALSE(slam_algorithms().reads("graph-slam", "association.p0"));
 }
 
+TEST(GraphSlam, AShortPieceJoinsShortWallsByAQuarterOfThem) {
+    // Of walls of 0.6 m it sees 0.2 m, or 0.1 m.
+    for (const auto& [end, left] : {std::pair{0.6, 1}, std::pair{0.5, 2}}) {
+        GraphSlam filter(graph_params());
+        SimRegistration registration({0.0, 0.0}, 1);
+        for (int i = 0; i < 4; ++i) {
+            const Pose pose{0.3 * i, 0.0, 0.0};
+            feed_scan(filter, registration, pose, piece(pose, {{-1.0, -0.4}, {0.4, 1.0}}));
+        }
+        ASSERT_EQ(filter.best_count(FeatureKind::line), 2);
+        const Pose pose{1.2, 0.0, 0.0};
+        feed_scan(filter, registration, pose, piece(pose, {{-end, end}}));
+        EXPECT_EQ(filter.best_count(FeatureKind::line), left) << end;
+    }
+}
+
+TEST(GraphSlam, OfADifferenceThatIsNotKnownNothingIsSaid) {
+    // Two corners 0.2 m apart, and two walls: known to 0.2 m they are one, to 0.3 m nobody knows.
+    PlaceDifference apart;
+    apart.value << 0.2, 0.0;
+    for (const FeatureKind kind : {FeatureKind::corner, FeatureKind::line}) {
+        EXPECT_TRUE(is_none(apart, Vector2(0.04, 0.04).asDiagonal(), kind, 9.0));
+        EXPECT_FALSE(is_none(apart, Vector2(0.09, 0.04).asDiagonal(), kind, 9.0));
+    }
+    EXPECT_FALSE(is_none(apart, Vector2(0.04, 0.09).asDiagonal(), FeatureKind::corner, 9.0));
+    EXPECT_TRUE(is_none(apart, Vector2(0.04, 0.09).asDiagonal(), FeatureKind::line, 9.0))
+        << "its direction is bounded by what is near";
+}
+
 }  // namespace
 }  // namespace hitos

@@ -139,6 +139,28 @@ TEST(Segments, HoldForThePosteriorProposalToo) {
     EXPECT_NEAR(mean, 0.5, 0.1);
 }
 
+TEST(Segments, ThePosteriorProposalReachesAsFarAsThePoseIsUnsure) {
+    // A wall seen a metre behind the landmark's end, by a robot whose place is known to 5 cm, tells
+    // nothing; one that the landmark reaches moves the robot by all that it is off.
+    FilterParams params = still_params();
+    params.particles = 200;
+    params.motion.sigma_x_m = 0.05;
+    params.observation = {1e-6, 1e-6};
+    params.proposal = "posterior";
+    params.association.segments = true;
+    for (const auto& [low, x] : {std::pair{0.0, 0.5}, std::pair{-1.0, 0.6}}) {
+        FiltroParticulas filter(params, 1, 1);
+        feed(filter, {}, choice_wall(4.0, -3.0, -1.0));
+        const Control ahead{{0.5, 0.0, 0.0}, 1.0};
+        feed(filter, std::span(&ahead, 1), choice_wall(3.4, low, 3.0));
+        double mean = 0.0;
+        for (const WeightedPose& hypothesis : filter.hypotheses()) {
+            mean += hypothesis.pose.x / params.particles;
+        }
+        EXPECT_NEAR(mean, x, 0.02) << low;
+    }
+}
+
 TEST(Exclusion, OfTwoThatClaimALandmarkTheLikelierTakesIt) {
     FilterParams params = still_params();
     params.association.ambiguity = AmbiguityRule::off;
@@ -350,6 +372,25 @@ TEST(Probation, OnlyWhatIsSeenAgainInTimeIsTold) {
     feed(filter, {}, both);
     feed(filter, {}, both);
     EXPECT_EQ(filter.best_map().size(), 2U);
+}
+
+TEST(FreeSpace, AWallOfWhichOnlyAPartIsLookedThroughIsNotMissing) {
+    // The scan ends at the wall but for `open` of its 29 rays.
+    const auto sight_with = [](int open) {
+        Scan scan;
+        for (int i = -14; i <= 14; ++i) {
+            const double angle = i * kPi / 180.0;
+            const double range = i + 14 < open ? 8.0 : 4.0 / std::cos(angle);
+            scan.points.push_back({range * std::cos(angle), range * std::sin(angle)});
+        }
+        FreeSpace space;
+        space.set(scan);
+        return space.sight({}, Recta{4.0, 0.0}, {-1.3, 1.3});
+    };
+    EXPECT_EQ(sight_with(0), Sight::unknown);
+    EXPECT_EQ(sight_with(15), Sight::unknown);
+    EXPECT_EQ(sight_with(22), Sight::unknown);
+    EXPECT_EQ(sight_with(29), Sight::missing);
 }
 
 }  // namespace
