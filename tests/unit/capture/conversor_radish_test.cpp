@@ -123,5 +123,13 @@ TEST(ConversorRadish, TheFirstDeviceIsUsed) {
     EXPECT_EQ(log.scans[1].time_s, 3.0);
 }
 
+TEST(ConversorRadish, TheCodeIsFoundBehindManyDamagedLines) {
+    std::string damaged;
+    for (int i = 0; i < 1500; ++i) damaged += "laser 0 2 1.0 nan 0\n";
+    const Log log = radish(damaged + scans_with("8.00", 5, 30));
+    EXPECT_EQ(log.report.skipped, 1500U);
+    EXPECT_EQ(log.scans.at(0).points.size(), 16U);
+}
+
 }  // namespace
 }  // namespace hitos

@@ -372,5 +372,35 @@ TEST(LogWriter, NormalizedBreaksAreCounted) {
     EXPECT_THAT(test::read_log(folder / "a").scans.at(0).run_starts, ElementsAre(0, 2));
 }
 
+TEST(LogWriter, PointsOfOneBearingAreRefused) {
+    // A twentieth of a milliradian apart: no scanner has such rays.
+    const TempDir folder;
+    Scan scan;
+    for (const double bearing : {0.0, 5e-5, 1e-4}) {
+        scan.points.push_back({2 * std::cos(bearing), 2 * std::sin(bearing)});
+    }
+    scan.run_starts = {0};
+    const auto writer = make_log_writer("player", folder / "a");
+    EXPECT_THAT(test::message_of<FormatError>([&] { writer->write(scan); }),
+                HasSubstr("two of its points have one bearing"));
+}
+
+TEST(LogWriter, RadishSaysNoReturnBetweenTwoRuns) {
+    // Halfway, where the ray was: the bearings stay a fan's.
+    const TempDir folder;
+    Scan scan;
+    for (const double bearing : {0.0, 0.1, 0.3, 0.4}) {
+        scan.points.push_back({2 * std::cos(bearing), 2 * std::sin(bearing)});
+    }
+    scan.run_starts = {0, 2};
+    const auto writer = make_log_writer("radish", folder / "a");
+    writer->write(scan);
+    writer->finish();
+    const Log log = test::read_log(folder / "a");
+    EXPECT_EQ(log.scans.at(0).fan.count, 5U);
+    EXPECT_THAT(log.scans[0].rays, ElementsAre(0, 1, 3, 4));
+    EXPECT_THAT(log.scans[0].run_starts, ElementsAre(0, 2));
+}
+
 }  // namespace
 }  // namespace hitos

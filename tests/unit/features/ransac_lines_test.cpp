@@ -243,5 +243,20 @@ TEST(Ransac, RefusesImpossibleParameters) {
     EXPECT_THROW(make_extractor(params), ConfigError);
 }
 
+TEST(Ransac, ALineIsFittedAnewUntilItsPointsStay) {
+    // One draw alone, of two points that are as often as not near each other: the wall's other
+    // points come to the line step by step.
+    ExtractionParams params = ransac_params();
+    params.ransac.iterations = 1;
+    int whole = 0;
+    for (unsigned seed = 1; seed <= 100; ++seed) {
+        Observation seen;
+        make_extractor(params, seed)
+            ->extract(scan_of({wall({3.0, -1.5}, {3.0, 1.5}, 60)}, 0.02, seed), seen);
+        if (seen.lines.size() == 1 && seen.lines[0].count >= 54) ++whole;
+    }
+    EXPECT_GE(whole, 80);  // where it is fitted but once 68
+}
+
 }  // namespace
 }  // namespace hitos
