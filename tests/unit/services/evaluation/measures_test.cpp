@@ -399,5 +399,13 @@ TEST(TrajectoryError, OfPositionsThatOverflowIsNotFinite) {
     EXPECT_FALSE(std::isfinite(error.rmse_m));
 }
 
+TEST(TrajectoryError, PlacesATenthOfAMillimetreApartFixTheRotation) {
+    Trajectory small = wavy(50);
+    for (StampedPose& p : small) p.pose = {1e-4 * p.pose.x, 1e-4 * p.pose.y, p.pose.theta};
+    const TrajectoryError error = trajectory_error(moved(small, {3.0, -7.0, 0.7}), small).value();
+    EXPECT_NEAR(error.pose_reference_estimate.theta, -0.7, 1e-6);
+    EXPECT_NEAR(error.heading_rmse_rad, 0.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace hitos

@@ -92,6 +92,11 @@ TEST_F(ResultsTest, TheSummaryStatesTheRun) {
     EXPECT_NEAR(stated["trajectory_error"]["ate_rmse_m"].get<double>(), 0.0, 1e-12);
     EXPECT_EQ(stated["trajectory_error"]["poses"], 50);
     EXPECT_GT(stated["odometry_error"]["ate_rmse_m"].get<double>(), 1e-6);
+    // What the robot had while driving is another path.
+    const TrajectoryError online =
+        trajectory_error(run.online_trajectory(), *references.trajectory).value();
+    EXPECT_GT(online.rmse_m, 1e-6);
+    EXPECT_EQ(stated["online_error"]["ate_rmse_m"], online.rmse_m);
     EXPECT_FALSE(stated.contains("distances"));
 }
 
