@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "drawn_scan.hpp"
+#include "hitos/registration/odometry_step.hpp"
 
 namespace hitos {
 namespace {
