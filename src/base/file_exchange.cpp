@@ -44,10 +44,12 @@ FileExchange::~FileExchange() {
 }
 
 void FileExchange::add(const std::string& name) {
-    done_.push_back({from_ / name, to_ / name, from_ / (name + ".former")});
+    Places places{from_ / name, to_ / name, from_ / (name + ".former")};
     std::error_code ignored;
-    for (const fs::path& place : {done_.back().a, done_.back().b})
+    for (const fs::path& place : {places.a, places.b})
         fs::create_directories(place.parent_path(), ignored);
+    // What is noted is turned back: from here on nothing needs memory before it is turned.
+    done_.push_back(std::move(places));
     if (turn(done_.back())) return;
     const int reason = errno;
     done_.pop_back();

@@ -174,7 +174,11 @@ void Procesador::mend(Scan& scan) {
 }
 
 std::vector<TourFinding> Procesador::findings() const {
-    std::vector<TourFinding> found = fuente_->findings();
+    std::vector<TourFinding> found;
+    try {
+        found = fuente_->findings();
+    } catch (const FileError&) {  // it reads the beginning again, and the file may be gone
+    }
     if (2 * sweeps_.too_long > sweeps_.scans) {
         found.push_back(
             {TourFinding::Kind::ray_times, sweeps_.longest_s,

@@ -30,7 +30,7 @@ std::optional<Odometria> RememberedTour::next_odometry() {
     if (odometry_end_) return std::nullopt;
     const std::optional<Odometria> reading = reader_->next_odometry();
     if (!reading) {
-        odometry_end_ = true;
+        odometry_end_ = scans_end_;  // else of a tour that is being driven more may come
         note_end();
         return reading;
     }
@@ -57,7 +57,7 @@ void RememberedTour::note_bytes(std::size_t bytes) {
 
 /// From here on the tour does not change: it may be read by others at the same time.
 void RememberedTour::note_end() {
-    if (!whole_ || !scans_end_ || !odometry_end_) return;
+    if (!at_end()) return;
     tour_->name = reader_->name();
     tour_->format = reader_->format();
     tour_->findings = reader_->findings();
@@ -68,8 +68,12 @@ void RememberedTour::note_end() {
 }
 
 std::unique_ptr<TourReader> RememberedTour::reopen() const {
-    if (!whole_ || !scans_end_ || !odometry_end_) return reader_->reopen();
+    if (!at_end()) return reader_->reopen();
     return std::make_unique<RecordedReader>(tour_);
+}
+
+std::vector<TourFinding> RememberedTour::findings() const {
+    return at_end() ? tour_->findings : reader_->findings();
 }
 
 std::optional<double> RememberedTour::progress() const {

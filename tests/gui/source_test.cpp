@@ -14,7 +14,10 @@
 
 #include "actions/command_line.hpp"
 #include "dialogs/source_dialog.hpp"
+#include "dialogs/source_remedies.hpp"
 #include "gui_fixture.hpp"
+#include "hitos/capture/odometry_axes.hpp"
+#include "look/parameter_text.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {
@@ -164,6 +167,28 @@ void SourceTest::what_findings_advise_is_set_in_the_form() {
     QVERIFY(std::abs(f.session.configuration().source.read.scan_delay_s) < 0.2);
 }
 
+void SourceTest::remedies_are_what_one_can_type() {
+    const auto read = [](Message remedy, const SourceParams& now = {}) {
+        QStringList all;
+        for (const SourceRemedy& one : remedies_of({{}, 0.0, {}, std::move(remedy)}, now))
+            all << to_qt(one.parameter->key) + '=' + to_qt(one.value);
+        return all;
+    };
+    QCOMPARE(read(reversed_headings(0.0)), QStringList("source.odometry_axes=x,y,-theta"));
+    QCOMPARE(read(reversed_positions(kPi / 2.0)), QStringList("source.odometry_axes=y,x,theta"));
+    const Message clock = verbatim("mend it: --scan-delay 0.00@200.00,-2.50@200.00");
+    QCOMPARE(read(clock), QStringList("source.scan_clock=0.00@200.00,-2.50@200.00"));
+    SourceParams set;
+    set.read.scan_clock = "1@0,2@100";
+    QCOMPARE(read(clock, set), QStringList());
+    set.read.scan_delay_s = -1.0;
+    QCOMPARE(read(verbatim("add it: --scan-delay -0.72"), set),
+             QStringList("source.scan_delay=-1.72"));
+    QCOMPARE(read(verbatim("say where it sits: --laser-pose x,y,degrees")), QStringList());
+    QCOMPARE(read(verbatim("say where it sits: --laser-pose 0,0,180")),
+             QStringList("source.laser_pose=0,0,180"));
+}
+
 void SourceTest::findings_are_set_apart() {
     Fixture f;
     SourceParams source = f.session.configuration().source;
@@ -184,11 +209,18 @@ void SourceTest::topics_of_another_recording_are_forgotten() {
     SourceParams source = f.session.configuration().source;
     source.read.scan_topic = "/front";
     source.read.odom_topic = "tf";
+    source.read.scan_delay_s = -1.7;
+    source.read.odometry_axes = "y,x,theta";
+    source.read.odometry = OdometryFrom::velocities;
     SourceDialog dialog(source, f.prompts, {}, nullptr);
-    QCOMPARE(dialog.source().read.scan_topic, "/front");
+    QCOMPARE(dialog.source().read, source.read);
+    QVERIFY(dialog.findChild<QCheckBox*>("how")->isChecked());
     dialog.set_path("/nowhere/tour.bag");
-    QCOMPARE(dialog.source().read.scan_topic, "");
-    QCOMPARE(dialog.source().read.odom_topic, "");
+    ReadOptions other;
+    other.odometry = OdometryFrom::velocities;
+    QCOMPARE(dialog.source().read, other);
+    dialog.set_path(QString::fromStdString(source.file));
+    QCOMPARE(dialog.source().read, source.read);
     wait_for_check(dialog);
 }
 

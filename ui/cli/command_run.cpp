@@ -306,7 +306,8 @@ void run(const RunOptions& options) {
     }
     report.end();
     if (log.changed()) throw Error(verbatim(log.words(progress.steps)));
-    if (stopped) throw CLI::RuntimeError(StopByRequest::status());
+    if (stopped || (!whole && StopByRequest::wanted()))
+        throw CLI::RuntimeError(StopByRequest::status());
     if (options.strict && !whole) throw CLI::RuntimeError(kNotWhole);
 }
 

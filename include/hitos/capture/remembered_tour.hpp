@@ -39,7 +39,7 @@ class RememberedTour final : public TourReader {
     std::optional<double> progress() const override;
     std::string name() const override { return reader_->name(); }
     std::string format() const override { return reader_->format(); }
-    std::vector<TourFinding> findings() const override { return reader_->findings(); }
+    std::vector<TourFinding> findings() const override;
     std::optional<Truth> truth() const override { return reader_->truth(); }
 
     Place place() const { return at_; }
@@ -51,6 +51,7 @@ class RememberedTour final : public TourReader {
   private:
     void note_bytes(std::size_t bytes);
     void note_end();
+    bool at_end() const { return whole_ && scans_end_ && odometry_end_; }
 
     std::unique_ptr<TourReader> reader_;
     std::size_t most_bytes_;

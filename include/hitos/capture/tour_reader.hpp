@@ -104,6 +104,16 @@ struct ReadOptions {
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 
+/// For another recording: what was said of this one alone, its topics, clocks, mounting, units, is
+/// not said of that one.
+inline ReadOptions for_another_recording(const ReadOptions& read) {
+    ReadOptions other;
+    other.odometry = read.odometry;
+    other.leave_out_early_scans = read.leave_out_early_scans;
+    other.mend = read.mend;
+    return other;
+}
+
 /// The word that asks for detection from the content; no format may have it.
 inline constexpr std::string_view kAutoFormat = "auto";
 

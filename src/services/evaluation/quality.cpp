@@ -37,6 +37,7 @@ constexpr std::uint64_t kManyEarlyScans = 2;  // one may come first by chance
 
 void measure_crispness(const RunEvidence& run, const Trajectory& path,
                        const std::function<bool()>& stop, RunQuality& quality) {
+    if (stop && stop()) return;  // there may be nothing to read any more
     MapCrispness best;
     MapCrispness odometry;
     const std::unique_ptr<TourReader> reader = run.reader.reopen();

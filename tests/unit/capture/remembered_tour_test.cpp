@@ -30,6 +30,7 @@ class Counted final : public TourReader {
     std::string name() const override { return "counted"; }
     std::string format() const override { return "test"; }
     int reopened() const { return reopened_; }
+    void drive_on(int readings) { readings_ = readings; }
 
   private:
     int scans_;
@@ -88,6 +89,25 @@ TEST(RememberedTour, IsReadAnewFromMemoryOnceItsEndIsKnown) {
     }
     EXPECT_EQ(first->report().skipped, 3U);
     EXPECT_EQ(source.reopened(), 1);
+}
+
+/// A tour that is being driven has readings as far as it has come.
+TEST(RememberedTour, AsksAgainForOdometryThatWasNotThereYet) {
+    auto counted = std::make_unique<Counted>(3, 1);
+    Counted& source = *counted;
+    RememberedTour tour(std::move(counted));
+    EXPECT_TRUE(tour.next_scan());
+    EXPECT_TRUE(tour.next_odometry());
+    EXPECT_FALSE(tour.next_odometry());
+    source.drive_on(2);
+    EXPECT_EQ(tour.next_odometry()->time_s, 2.0);
+    while (tour.next_scan()) {
+    }
+    source.drive_on(3);
+    EXPECT_EQ(tour.next_odometry()->time_s, 3.0);
+    EXPECT_FALSE(tour.next_odometry());
+    EXPECT_EQ(tour.reopen()->next_scan()->time_s, 1.0);
+    EXPECT_EQ(source.reopened(), 0);
 }
 
 TEST(RememberedTour, ForgetsWhatIsTooMuchAndStillReadsOn) {

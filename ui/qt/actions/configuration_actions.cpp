@@ -193,8 +193,8 @@ bool ConfigurationActions::use_log(const QString& path) {
     Configuracion next = session_.configuration();
     next.source.file = path.toStdString();
     next.source.format = kAutoFormat;
-    next.source.read.scan_topic.clear();  // names of another recording
-    next.source.read.odom_topic.clear();
+    const ReadOptions former =
+        std::exchange(next.source.read, for_another_recording(next.source.read));
     try {
         session_.set_configuration(next);
     } catch (const std::exception& error) {
@@ -204,7 +204,10 @@ bool ConfigurationActions::use_log(const QString& path) {
         return false;
     }
     files_.note_recent(path);
-    emit notice(tr("Source loaded: %1").arg(QFileInfo(path).fileName()));
+    const QString loaded = tr("Source loaded: %1").arg(QFileInfo(path).fileName());
+    emit notice(former == next.source.read
+                    ? loaded
+                    : tr("%1. How the former one was read is not applied").arg(loaded));
     return true;
 }
 

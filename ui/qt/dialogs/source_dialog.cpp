@@ -125,14 +125,23 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     scroll_down_only(*ui_->verdict_area);
     how_read_->hide();
     connect_fields();
+    ReadOptions set = source_.read;
+    set.scan_topic.clear();
+    set.odom_topic.clear();
+    ui_->how->setChecked(set != for_another_recording(set));
     begin_check();
     fit_to_screen(*this);
 }
 
 void SourceDialog::connect_fields() {
     connect(ui_->path, &QLineEdit::textChanged, this, [this] {
-        ui_->scan_topic->clear();  // names of another recording
-        ui_->odom_topic->clear();
+        // What was set is of the recording that it was set for.
+        SourceParams other = source_;
+        if (ui_->path->text().trimmed().toStdString() != source_.file)
+            other.read = for_another_recording(source_.read);
+        ui_->scan_topic->setText(QString::fromStdString(other.read.scan_topic));
+        ui_->odom_topic->setText(QString::fromStdString(other.read.odom_topic));
+        how_read_->show(other);
         begin_check();
     });
     connect(ui_->scan_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_reading);

@@ -35,21 +35,25 @@ SourceReading::SourceReading(const SourceParams& source, QWidget* parent) : QWid
         column->addStretch(1);
         columns->addLayout(column, 1);
     }
-    Configuracion configuration;
-    configuration.source = source;
     std::size_t short_fields = 0;
     for (const ConfigParameter& parameter : parameters()) {
         if (parameter.table() != "source" || names_source(parameter)) continue;
         const bool text = parameter.type == ConfigParameter::Type::text;
         QGridLayout* column = text ? wide : rows[short_fields++ % rows.size()];
         auto* field = new FieldOf<Configuracion>(parameter, column, this);
-        field->set_value(configuration);
         connect(field, &ParameterField::edited, &pause_, qOverload<>(&QTimer::start));
         fields_.push_back(field);
     }
     for (QComboBox* choice : findChildren<QComboBox*>())
         choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    show(source);
     mark_unused(source);
+}
+
+void SourceReading::show(const SourceParams& source) {
+    Configuracion configuration;
+    configuration.source = source;
+    for (FieldOf<Configuracion>* field : fields_) field->set_value(configuration);
 }
 
 void SourceReading::take() {

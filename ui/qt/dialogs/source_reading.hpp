@@ -17,6 +17,7 @@ class SourceReading final : public QWidget {
   public:
     SourceReading(const SourceParams& source, QWidget* parent);
 
+    void show(const SourceParams& source);
     /// The last possible values.
     void give(SourceParams& source) const;
     /// Every field holds a value that is possible.

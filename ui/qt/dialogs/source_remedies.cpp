@@ -10,6 +10,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/capture/archivo.hpp"
 
 namespace hitos::window {
 namespace {
@@ -22,7 +23,8 @@ const ConfigParameter* source_parameter(const std::string& key) {
 
 bool can_be(const ConfigParameter& parameter, const std::string& value) {
     const bool number = QString("+-.0123456789").contains(QChar::fromLatin1(value.front()));
-    if (parameter.type == ConfigParameter::Type::text && !number) return false;
+    const bool described = parameter.type == ConfigParameter::Type::text && !number;
+    if (described && parameter.key != kOdometryAxesKey) return false;
     try {
         parameter.value_from(value);
         return true;
@@ -58,7 +60,11 @@ std::vector<SourceRemedy> remedies_of(const TourFinding& finding, const SourcePa
                                 ? "source." + said.captured(2).replace('-', '_')
                                 : said.captured(1);
         const ConfigParameter* parameter = source_parameter(key.toStdString());
+        // What is added at a second of the tour is the clock's, and of two such tables none is a
+        // sum.
+        if (said.captured(3).contains('@')) parameter = &find_parameter(kScanClockKey);
         if (parameter == nullptr) continue;
+        if (parameter->key == kScanClockKey && !parameter->text(read).empty()) continue;
         const std::string value =
             on_top_of(parameter->text(read), said.captured(3).toStdString(), parameter->key);
         if (can_be(*parameter, value)) remedies.push_back({parameter, value});

@@ -4919,6 +4919,10 @@
         <source>%1 poses</source>
         <translation>%1 poses</translation>
     </message>
+    <message>
+        <source>%1. How the former one was read is not applied</source>
+        <translation>%1. No se aplica cómo se leía la anterior</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ConfigurationDialog</name>
