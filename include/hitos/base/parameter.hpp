@@ -189,14 +189,14 @@ auto text(const WordFacts& facts, Conditions<Members...> conditions = {}) {
 /// A choice among words. The member is a string, which holds the word, or an enum or bool, whose
 /// values count the choices from 0.
 template <auto... Members>
-auto choice(const WordFacts& facts, std::vector<ParameterChoice> choices,
+auto choice(const WordFacts& facts, const std::vector<ParameterChoice>& choices,
             Conditions<Members...> conditions = {}) {
     using Owner = parameter_detail::OwnerOf<Members...>;
     using Member = parameter_detail::Reached<Members...>;
     if constexpr (std::is_same_v<Member, std::string>) {
         Parameter<Owner> parameter = text<Members...>(facts, std::move(conditions));
         parameter.type = ParameterFacts::Type::choice;
-        parameter.choices = std::move(choices);
+        parameter.choices = choices;
         return parameter;
     } else {
         return Parameter<Owner>{

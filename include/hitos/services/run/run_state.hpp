@@ -26,7 +26,10 @@ class Owned {
     Owned(std::unique_ptr<T> owned) : owned_(std::move(owned)) {}
     Owned(const Owned& other) : owned_(other.copy()) {}
     Owned(Owned&&) noexcept = default;
-    Owned& operator=(const Owned& other) { return *this = Owned(other); }
+    Owned& operator=(const Owned& other) {
+        *this = Owned(other);
+        return *this;
+    }
     Owned& operator=(Owned&&) noexcept = default;
     ~Owned() = default;
 
