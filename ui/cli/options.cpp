@@ -91,9 +91,8 @@ std::string found_delay(const SourceParams& source) {
     const std::unique_ptr<TourReader> reader = open_source(source);
     for (const TourFinding& finding : inspect_tour(*reader).findings) {
         if (!finding.scan_delay_s && finding.scan_clock.empty()) continue;
-        const std::string delay = finding.scan_delay_s
-                                      ? fmt::format("{:.2f}", *finding.scan_delay_s)
-                                      : finding.scan_clock;
+        std::string delay = finding.scan_delay_s ? fmt::format("{:.2f}", *finding.scan_delay_s)
+                                                 : finding.scan_clock;
         fmt::print(stderr, "scan delay found: {} s\n", delay);
         return delay;
     }
