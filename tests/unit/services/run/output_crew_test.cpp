@@ -17,6 +17,7 @@
 
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/grid/grid.hpp"
+#include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "support.hpp"
 
