@@ -81,6 +81,9 @@ double middle_offset(const Fit& fit, double most, int steps, const At& at) {
 /// tour, the one nearest to `middle`, round which it is looked for.
 BestFit best_delay(const Fit& fit, double middle);
 
+/// All readings longer or shorter by the same, up to so many steps.
+BestFit best_range_offset(const Fit& fit, const Hypothesis& as, double step_m, int steps);
+
 /// The laser as it would fit best: turned, mirrored, or with rays over another angle than this
 /// fan's.
 BestFit best_mounting(const Fit& fit, const Fan& fan);

@@ -10,6 +10,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -33,12 +34,6 @@ double step_in_degrees(double last, double heading) {
 /// A step from one of these to the other is one of their sum's halves, across a turn's end too.
 double middle_of(double from_rad, double to_rad) {
     return from_rad + wrap_angle(to_rad - from_rad) / 2.0;
-}
-
-/// "-theta", "90-theta", of a heading that counts the other way.
-std::string against(double sum_rad) {
-    const long degrees = std::lround(sum_rad * kDegreesPerRadian);
-    return degrees == 0 ? "-theta" : fmt::format("{}-theta", degrees);
 }
 
 /// To a quarter of a turn, which axes differ by, where it is about one.
@@ -96,8 +91,38 @@ OdometryAxes::OdometryAxes(std::string_view text) {
     if (begin == 0 && angle.front() != '-' && angle.front() != '+') throw refuse();
     if (angle.front() == '+') angle.erase(0, 1);
     const std::optional<double> degrees = input::parse_number(angle);
-    if (!degrees || !(std::abs(*degrees) <= kTurnDegrees)) throw refuse();
-    offset_rad_ = *degrees * kRadiansPerDegree;
+    if (!degrees || !std::isfinite(*degrees)) throw refuse();
+    offset_rad_ = std::remainder(*degrees, kTurnDegrees) * kRadiansPerDegree;
+}
+
+OdometryAxes OdometryAxes::then(const OdometryAxes& others) const {
+    OdometryAxes both;
+    const auto axis = [&](const Axis& other) {
+        const Axis& mine = other.of_y ? y_ : x_;
+        return Axis{mine.of_y, mine.sign * other.sign};
+    };
+    both.x_ = axis(others.x_);
+    both.y_ = axis(others.y_);
+    both.sign_ = sign_ * others.sign_;
+    both.degrees_ = degrees_ || others.degrees_;
+    const double unit = others.degrees_ ? kRadiansPerDegree : 1.0;  // in which mine is read
+    both.offset_rad_ = wrap_angle(others.sign_ * unit * offset_rad_ + others.offset_rad_);
+    return both;
+}
+
+std::string OdometryAxes::text() const {
+    const auto axis = [](const Axis& one) {
+        return fmt::format("{}{}", one.sign < 0.0 ? "-" : "", one.of_y ? "y" : "x");
+    };
+    const std::string_view heading = degrees_ ? "degrees" : "theta";
+    const long offset = std::lround(offset_rad_ * kDegreesPerRadian);
+    std::string angle;
+    if (sign_ > 0.0) {
+        angle = offset == 0 ? std::string(heading) : fmt::format("{}{:+}", heading, offset);
+    } else {
+        angle = offset == 0 ? fmt::format("-{}", heading) : fmt::format("{}-{}", offset, heading);
+    }
+    return fmt::format("{},{},{}", axis(x_), axis(y_), angle);
 }
 
 Pose OdometryAxes::taken(const Pose& logged) {
@@ -141,7 +166,7 @@ void HeadingCheck::note(const Pose& pose) {
     in_degrees_.from_rad = degrees_rad;
 }
 
-std::optional<TourFinding> HeadingCheck::doubt() const {
+std::optional<TourFinding> HeadingCheck::doubt(const ReadOptions& read) const {
     constexpr double kLeastWay = 3.0;
     constexpr double kAllAlong = 0.9;
     constexpr double kClear = 0.04;  // of a robot on wheels it is all but the whole way
@@ -155,12 +180,13 @@ std::optional<TourFinding> HeadingCheck::doubt() const {
     const auto percents = [](double of) { return std::lround(100.0 * of); };
     if (of_degrees > against_share) {
         return TourFinding{
-            TourFinding::Kind::odometry_units, kRadiansPerDegree,
+            TourFinding::Kind::odometry_units,
+            kRadiansPerDegree,
             message(HITOS_TEXT("Errors",
                                "the odometry's headings are where its positions go if they are in "
                                "degrees (%1 % of the way, against %2 % as they are read)"),
                     percents(of_degrees), percents(told)),
-            headings_in_degrees()};
+            {headings_in_degrees(read)}};
     }
     // Ahead where the robot mostly drives so; else one of both.
     const double doubled = std::arg(against_.doubled) / 2.0;
@@ -168,35 +194,36 @@ std::optional<TourFinding> HeadingCheck::doubt() const {
     const double sum =
         rounded(std::cos(ahead - doubled) < 0.0 ? wrap_angle(doubled + kPi) : doubled);
     return TourFinding{
-        TourFinding::Kind::sideways_odometry, sum,
+        TourFinding::Kind::sideways_odometry,
+        sum,
         message(
             HITOS_TEXT("Errors",
                        "the odometry's headings turn the other way than its positions (they fit "
                        "each other on %1 % of the way so, on %2 % as they are told): headings "
                        "count to the right, or an axis of the positions is swapped or negative"),
             percents(against_share), percents(told)),
-        message(HITOS_TEXT("Errors", "%1; or, where the positions are wrong, %2"),
-                reversed_headings(sum), reversed_positions(sum))};
+        {reversed_headings(sum, read), reversed_positions(sum, read)}};
 }
 
-Message headings_in_degrees() {
-    return marked(HITOS_TEXT("Errors", "say so: --set source.odometry_axes=x,y,degrees"));
+Remedy headings_in_degrees(const ReadOptions& read) {
+    return {say_so(), WholeValues(read).axes(OdometryAxes("x,y,degrees"))};
 }
 
-Message reversed_headings(double sum_rad) {
-    return message(HITOS_TEXT("Errors", "let its headings turn: --set source.odometry_axes=x,y,%1"),
-                   against(sum_rad));
+Remedy reversed_headings(double sum_rad, const ReadOptions& read) {
+    const OdometryAxes axes(fmt::format("x,y,{}-theta", std::lround(sum_rad * kDegreesPerRadian)));
+    return {marked(HITOS_TEXT("Errors", "where the headings are wrong, let them turn")),
+            WholeValues(read).axes(axes)};
 }
 
-Message reversed_positions(double sum_rad) {
+Remedy reversed_positions(double sum_rad, const ReadOptions& read) {
     static constexpr std::array<std::string_view, 4> kAxes{"x,-y", "y,x", "-x,y", "-y,-x"};
     constexpr double kQuarter = kPi / 2.0;
     const double quarters = std::round(sum_rad / kQuarter);
     const long off = std::lround((sum_rad - quarters * kQuarter) * kDegreesPerRadian);
-    return message(
-        HITOS_TEXT("Errors", "put its axes right: --set source.odometry_axes=%1,theta%2"),
-        std::string(kAxes.at((static_cast<std::size_t>(quarters + 4.0)) % kAxes.size())),
-        off == 0 ? std::string() : fmt::format("{:+}", -off));
+    const OdometryAxes axes(fmt::format(
+        "{},theta{:+}", kAxes.at((static_cast<std::size_t>(quarters + 4.0)) % kAxes.size()), -off));
+    return {marked(HITOS_TEXT("Errors", "where the positions are wrong, put their axes right")),
+            WholeValues(read).axes(axes)};
 }
 
 }  // namespace hitos

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scans_remedy.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -71,12 +71,16 @@ void OdometrySteps::Turns::note(double told_rad, double other_rad) {
     const double expected = kDegreesPerRadian * other_rad;
     if (std::abs(expected) < kLeast || std::abs(expected) > kMost) return;
     ++asked;
-    if (std::abs(wrap_angle(told_rad - expected)) < kOff * std::abs(expected)) ++of_degrees;
+    const auto is = [&](double turn) {
+        return std::abs(wrap_angle(told_rad - turn)) < kOff * std::abs(expected);
+    };
+    if (is(expected)) ++of_degrees;
+    if (is(-expected)) ++reversed;
 }
 
 bool OdometrySteps::Turns::are_degrees() const {
     constexpr std::uint64_t kLeast = 20;
-    return asked >= kLeast && 2 * of_degrees > asked;
+    return asked >= kLeast && 2 * most() > asked;
 }
 
 /// Degrees that were turned into a quaternion are wrapped to one turn in radians, and step by
@@ -185,39 +189,38 @@ void OdometrySteps::learn(const OdometryRecord& before, const OdometryRecord& re
              motion_of(known.twist), 0};
 }
 
-void OdometrySteps::tell(std::vector<TourFinding>& found) const {
+void OdometrySteps::tell(std::vector<TourFinding>& found, const ReadOptions& read) const {
     using Kind = TourFinding::Kind;
     const auto tenths = [](double value) { return std::round(value * 10.0) / 10.0; };
-    if (std::optional<TourFinding> doubt = headings_.doubt()) {
+    if (std::optional<TourFinding> doubt = headings_.doubt(read)) {
         found.push_back(*std::move(doubt));
         return;
     }
     constexpr std::uint64_t kMoreThanOneMistake = 2;
     if (turns_of_degrees_ >= kMoreThanOneMistake) {
-        found.push_back({Kind::odometry_units, kRadiansPerDegree,
+        found.push_back({Kind::odometry_units,
+                         kRadiansPerDegree,
                          message(HITOS_TEXT("Errors",
                                             "the odometry's headings go from one end of a turn to "
                                             "the other in steps of 360, %1 times (first in line "
                                             "%2): they are in degrees, and are read as radians"),
                                  turns_of_degrees_, turn_line_),
-                         headings_in_degrees()});
+                         {headings_in_degrees(read)}});
         return;
     }
     const bool velocities_turn = by_velocity_.are_degrees();
     if (velocities_turn || by_path_.are_degrees()) {
         const Turns& by = velocities_turn ? by_velocity_ : by_path_;
         found.push_back(
-            {Kind::odometry_units, kRadiansPerDegree,
+            {Kind::odometry_units,
+             kRadiansPerDegree,
              message(HITOS_TEXT("Errors",
                                 "the odometry's headings turn 57 times as far as its %1, in %2 of "
                                 "%3 steps: degrees were taken for radians"),
                      velocities_turn ? marked(HITOS_TEXT("Errors", "velocities"))
                                      : marked(HITOS_TEXT("Errors", "way")),
-                     by.of_degrees, by.asked),
-             velocities_turn ? marked(HITOS_TEXT("Errors",
-                                                 "take the velocities: --set "
-                                                 "source.odometry=velocities"))
-                             : take_it_from_scans()});
+                     by.most(), by.asked),
+             {velocities_turn ? take_velocities() : take_it_from_scans()}});
         return;
     }
     const bool told = std::ranges::count(found, Kind::two_publishers, &TourFinding::kind) > 0;
@@ -231,18 +234,20 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
                                     "positions do not: they are not in radians, or two programs "
                                     "tell them"),
                          tracks_.returns()),
-                 take_it_from_scans()});
+                 by_velocity_.asked > 0
+                     ? std::vector<Remedy>{take_velocities(), take_it_from_scans()}
+                     : std::vector<Remedy>{take_it_from_scans()}});
             return;
         }
         found.push_back(
-            {Kind::two_publishers, static_cast<double>(tracks_.returns()),
+            {Kind::two_publishers,
+             static_cast<double>(tracks_.returns()),
              message(HITOS_TEXT("Errors",
                                 "the odometry goes to and fro between two tracks, %1 times: two "
                                 "programs tell it, and the map is of neither"),
                      tracks_.returns()),
-             marked(HITOS_TEXT("Errors",
-                               "record with one of them only; or take how it moved from the scans, "
-                               "where they show enough for that: --set source.odometry=scans"))});
+             {{marked(HITOS_TEXT("Errors", "record with one of them only"))},
+              take_it_from_scans()}});
         return;
     }
     if (leaps_.count > in_a_row_) {
@@ -250,7 +255,8 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
         const bool turns = leaps_.longest_m < kNoWay;
         const long degrees = std::lround(leaps_.turn_rad * kDegreesPerRadian);
         found.push_back(
-            {Kind::leaping_odometry, leaps_.longest_m,
+            {Kind::leaping_odometry,
+             leaps_.longest_m,
              turns
                  ? message(
                        HITOS_TEXT(
@@ -263,20 +269,19 @@ void OdometrySteps::tell(std::vector<TourFinding>& found) const {
                                       "as where a driver begins anew; the robot is taken to drive "
                                       "on there as before, for a second"),
                            tenths(leaps_.longest_m), leaps_.line, leaps_.count),
-             marked(HITOS_TEXT(
-                 "Errors",
-                 "map it with registration, which finds what is left of it: --preset recorded"))});
+             {map_with_registration()}});
     }
     if (made_up_.count > 0) {
         found.push_back(
-            {Kind::leaping_odometry, made_up_.longest_m,
+            {Kind::leaping_odometry,
+             made_up_.longest_m,
              message(HITOS_TEXT("Errors",
                                 "the odometry stands still while the robot drives, for up to %1 s, "
                                 "and makes up for it in one step, of up to %2 m (line %3), %4 in "
                                 "all; scans of that time lie on one place"),
                      tenths(longest_halt_s_), tenths(made_up_.longest_m), made_up_.line,
                      made_up_.count),
-             take_it_from_scans()});
+             {take_it_from_scans()}});
     }
 }
 

@@ -9,6 +9,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/odometry_track.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -181,24 +182,25 @@ std::vector<TourFinding> Procesador::findings() const {
     }
     if (2 * sweeps_.too_long > sweeps_.scans) {
         found.push_back(
-            {TourFinding::Kind::ray_times, sweeps_.longest_s,
+            {TourFinding::Kind::ray_times,
+             sweeps_.longest_s,
              message(HITOS_TEXT("Errors",
                                 "a scan's rays are said to take %1 s, more than from one scan to "
                                 "the next; they are taken to be of one time"),
                      fmt::format("{:.3g}", sweeps_.longest_s)),
-             marked(HITOS_TEXT("Errors",
-                               "let the driver say how long it takes from one ray to the next "
-                               "(time_increment)"))});
+             {{marked(HITOS_TEXT("Errors",
+                                 "let the driver say how long it takes from one ray to the next "
+                                 "(time_increment)"))}}});
     }
-    steps_.tell(found);
+    steps_.tell(found, options_);
     if (velocities_move_ && !poses_move_ && report_.odometry > 1 &&
         options_.odometry == OdometryFrom::poses) {
-        found.push_back({TourFinding::Kind::still_odometry, 0.0,
+        found.push_back({TourFinding::Kind::still_odometry,
+                         0.0,
                          marked(HITOS_TEXT("Errors",
                                            "the odometry's poses never change although its "
                                            "velocities do; all scans are put on one place")),
-                         marked(HITOS_TEXT(
-                             "Errors", "take the velocities: --set source.odometry=velocities"))});
+                         {take_velocities()}});
     }
     return found;
 }

@@ -12,6 +12,7 @@
 #include "hitos/capture/tour_examination.hpp"
 #include "laser_units.hpp"
 #include "range_conversor.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -60,6 +61,10 @@ struct Meant {
     double scale = 1.0;
     double max_range_m = 0.0;
 };
+
+std::vector<SourceSetting> reach(double max_range_m) {
+    return set("source.max_range", fmt::format("{:.4g}", max_range_m));
+}
 
 /// What the scans fit the odometry with, where there is such.
 std::optional<Meant> meant_by(const Fuente& fuente, const ReadOptions& asked, double limit_m,
@@ -116,32 +121,28 @@ std::optional<TourFinding> doubt_units(const Fuente& fuente, const ReadOptions& 
                    "points; half of them are above %3"),
         std::lround(100.0 * share), fmt::format("{:.4g}", limit_m), fmt::format("{:.4g}", typical));
     if (meant && meant->unit == nullptr) {
-        return TourFinding{
-            TourFinding::Kind::blind_laser, share, what,
-            message(
-                HITOS_TEXT("Errors", "by the odometry they are metres: --set source.max_range=%1"),
-                fmt::format("{:.4g}", meant->max_range_m))};
+        return TourFinding{TourFinding::Kind::blind_laser,
+                           share,
+                           what,
+                           {{marked(HITOS_TEXT("Errors", "by the odometry they are metres")),
+                             reach(meant->max_range_m)}}};
     }
     if (meant) {
         return TourFinding{
-            TourFinding::Kind::laser_units, typical, what,
-            message(HITOS_TEXT("Errors",
-                               "by the odometry they are %1: --set source.range_scale=%2 --set "
-                               "source.max_range=%3"),
-                    marked(meant->unit), options.range_scale * meant->scale,
-                    fmt::format("{:.4g}", meant->max_range_m))};
+            TourFinding::Kind::laser_units,
+            typical,
+            what,
+            {{message(HITOS_TEXT("Errors", "by the odometry they are %1"), marked(meant->unit)),
+              WholeValues(options).range_scale(meant->scale) + reach(meant->max_range_m)}}};
     }
     if (typical < kFar) {
-        return TourFinding{
-            TourFinding::Kind::blind_laser, share, what,
-            message(HITOS_TEXT("Errors", "if they are metres: --set source.max_range=%1"),
-                    fmt::format("{:.4g}", farthest))};
+        return TourFinding{TourFinding::Kind::blind_laser,
+                           share,
+                           what,
+                           {{marked(HITOS_TEXT("Errors", "if they are metres")), reach(farthest)}}};
     }
-    return TourFinding{
-        TourFinding::Kind::laser_units, typical, what,
-        marked(HITOS_TEXT("Errors",
-                          "if they are millimetres: --set source.range_scale=0.001; if they are "
-                          "centimetres: --set source.range_scale=0.01"))};
+    return TourFinding{TourFinding::Kind::laser_units, typical, what,
+                       millimetres_or_centimetres(options)};
 }
 
 }  // namespace hitos

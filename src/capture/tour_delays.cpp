@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hypothesis_search.hpp"
+#include "remedies.hpp"
 #include "tour_clocks.hpp"
 
 namespace hitos {
@@ -41,13 +42,11 @@ std::string hundredths(double seconds) {
     return fmt::format("{:.2f}", std::abs(seconds) < kNone ? 0.0 : seconds);
 }
 
-/// By a clock's text.
-Message add_to_times(const std::string& clock) {
-    return message(
-        HITOS_TEXT("Errors",
-                   "add that to their times: --scan-delay %1; and set the clocks of both "
-                   "computers alike before recording"),
-        clock);
+std::vector<Remedy> add_to_times(const ReadOptions& read, const std::string& clock) {
+    return {{marked(HITOS_TEXT("Errors",
+                               "add that to their times, and set the clocks of both computers "
+                               "alike before recording")),
+             WholeValues(read).clock(ScanClock(clock))}};
 }
 
 }  // namespace
@@ -154,20 +153,17 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
         return told_set(set.hypothesis, set.agreement, agreement(pairs, asked).value_or(0.0));
     }
     const double end_s = best.hypothesis.delay_s + gained_s;
-    std::string clock = fmt::format("{}@0,{}@{:.0f}", hundredths(best.hypothesis.delay_s),
-                                    hundredths(end_s), seconds);
+    const std::string clock = fmt::format("{}@0,{}@{:.0f}", hundredths(best.hypothesis.delay_s),
+                                          hundredths(end_s), seconds);
     return TourFinding{
-        Kind::clock_speed,
-        best.hypothesis.gained,
+        Kind::clock_speed, best.hypothesis.gained,
         message(HITOS_TEXT("Errors",
                            "the scans' clock does not run as fast as the odometry's: they fit it "
                            "where %1 are added at the beginning and %2 at the end (%3 % of their "
                            "points, against %4 % as they are stamped)"),
                 seconds_words(best.hypothesis.delay_s), seconds_words(end_s),
                 percent(best.agreement), percent(agreement(pairs, asked).value_or(0.0))),
-        add_to_times(clock),
-        {},
-        clock};
+        add_to_times(read_, clock)};
 }
 
 /// A clock that was set where the stamps leap: that leap itself says by how much.
@@ -204,19 +200,16 @@ TourFinding TourExamination::told_set(const Hypothesis& set, double fits, double
         at_s = leap.after_s;
     }
     at_s = std::ceil((at_s - first_scan_s_) / kHundredth) * kHundredth;
-    std::string clock = fmt::format("{0}@{2:.2f},{1}@{2:.2f}", hundredths(set.delay_s),
-                                    hundredths(set.delay_s + set.set_by_s), at_s);
-    return {Kind::clock_set,
-            set.set_by_s,
+    const std::string clock = fmt::format("{0}@{2:.2f},{1}@{2:.2f}", hundredths(set.delay_s),
+                                          hundredths(set.delay_s + set.set_by_s), at_s);
+    return {Kind::clock_set, set.set_by_s,
             message(HITOS_TEXT("Errors",
                                "the scans' clock was set during the tour: they fit the odometry "
                                "where %1 are added up to second %2 and %3 from there on (%4 % of "
                                "their points, against %5 % as they are stamped)"),
                     seconds_words(set.delay_s), std::lround(at_s),
                     seconds_words(set.delay_s + set.set_by_s), percent(fits), percent(told)),
-            add_to_times(clock),
-            {},
-            clock};
+            add_to_times(read_, clock)};
 }
 
 std::optional<TourFinding> TourExamination::turning_clock(const Turning& turning,

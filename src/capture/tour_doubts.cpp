@@ -9,9 +9,8 @@
 
 #include "hitos/base/median.hpp"
 #include "hitos/capture/tour_examination.hpp"
-#include "laser_pose.hpp"
 #include "laser_units.hpp"
-#include "scans_remedy.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -40,31 +39,38 @@ void TourExamination::doubt_units(std::vector<TourFinding>& found) const {
     if (typical < kFar) return;
     const LengthUnit* unit = nullptr;
     double shown = std::max(0.0, way_shown(1.0)) + kWayShown;
-    for (const LengthUnit& other : kLengthUnits) {
-        const double found_so = way_shown(other.metres);
-        if (found_so <= shown) continue;
-        shown = found_so;
-        unit = &other;
+    const auto try_units = [&](double fan_scale) {
+        for (const LengthUnit& other : kLengthUnits) {
+            const double found_so = way_shown(other.metres, fan_scale);
+            if (found_so <= shown) continue;
+            shown = found_so;
+            unit = &other;
+        }
+    };
+    try_units(1.0);
+    // Of another fan besides, which is told once the readings are metres.
+    constexpr int kFans = 10;
+    constexpr double kFanStep = 0.05;
+    if (unit == nullptr) {
+        for (int i = -kFans; i <= kFans; ++i) try_units(1.0 + i * kFanStep);
     }
     if (unit != nullptr) {
         found.push_back(
-            {Kind::laser_units, typical,
+            {Kind::laser_units,
+             typical,
              message(HITOS_TEXT("Errors",
                                 "half of the readings are beyond %1 m, and by the odometry they "
                                 "are %2; the map is that many times too large"),
                      fmt::format("{:.0f}", typical), marked(unit->name)),
-             message(HITOS_TEXT("Errors", "read them as such: --set source.range_scale=%1"),
-                     unit->metres)});
+             {{marked(HITOS_TEXT("Errors", "read them as such")),
+               WholeValues(read_).range_scale(unit->metres)}}});
     } else if (typical > kFarthest) {
-        found.push_back(
-            {Kind::laser_units, typical,
-             message(HITOS_TEXT("Errors",
-                                "half of the readings are beyond %1 m, which no such "
-                                "laser sees; the map is that many times too large"),
-                     fmt::format("{:.0f}", typical)),
-             marked(HITOS_TEXT("Errors",
-                               "if they are millimetres: --set source.range_scale=0.001; "
-                               "if they are centimetres: --set source.range_scale=0.01"))});
+        found.push_back({Kind::laser_units, typical,
+                         message(HITOS_TEXT("Errors",
+                                            "half of the readings are beyond %1 m, which no such "
+                                            "laser sees; the map is that many times too large"),
+                                 fmt::format("{:.0f}", typical)),
+                         millimetres_or_centimetres(read_)});
     }
 }
 
@@ -74,19 +80,21 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
     constexpr double kMostEmpty = 0.9;
     if (empty > kMostEmpty) {
         found.push_back(
-            {Kind::blind_laser, empty,
+            {Kind::blind_laser,
+             empty,
              message(
                  HITOS_TEXT(
                      "Errors",
                      "%1 of %2 scans have no reading that can be used, so there is nothing to map"),
                  empty_scans_, scans_),
-             fan_.count == 0
-                 ? marked(HITOS_TEXT("Errors",
-                                     "its scans are points and hold none; look at what wrote them"))
-                 : marked(HITOS_TEXT(
-                       "Errors",
-                       "look whether the range limits of the recording are swapped or tiny, or its "
-                       "readings not in metres; source.max_range sets the greatest range"))});
+             {{fan_.count == 0
+                   ? marked(HITOS_TEXT(
+                         "Errors", "its scans are points and hold none; look at what wrote them"))
+                   : marked(HITOS_TEXT(
+                         "Errors",
+                         "look whether the range limits of the recording are swapped or tiny, or "
+                         "its readings not in metres; source.max_range sets the greatest "
+                         "range"))}}});
     }
     doubt_units(found);
     const double turn = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
@@ -95,14 +103,15 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
     if (fan_.count > 1 &&
         turn > 2.0 * kPi + std::max(kRounding, kSteps * std::abs(fan_.step_rad()))) {
         found.push_back(
-            {Kind::beyond_a_turn, turn,
+            {Kind::beyond_a_turn,
+             turn,
              message(HITOS_TEXT("Errors",
                                 "the rays of a scan go over %1 degrees, more than a whole turn; "
                                 "they lie upon each other in the map"),
                      fmt::format("{:.0f}", turn * kDegreesPerRadian)),
-             marked(HITOS_TEXT("Errors",
-                               "all of them are taken; let the driver say the step between rays "
-                               "that the laser makes (angle_increment)"))});
+             {{marked(HITOS_TEXT("Errors",
+                                 "all of them are taken; let the driver say the step between rays "
+                                 "that the laser makes (angle_increment)"))}}});
     }
     constexpr double kMostSame = 0.03;  // no sound laser measures the same twice
     constexpr std::uint64_t kLeastMoved = 20;
@@ -118,67 +127,74 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                      "Errors",
                      "%1 of %2 scans taken while the robot moved are the same as the one before"),
                  same_scans_, moved_scans_),
-             2 * same_scans_ <= moved_scans_ && longest_same_run_ < kHung
-                 ? marked(HITOS_TEXT(
-                       "Errors",
-                       "look whether scans are published twice, or the laser's driver hung"))
-                 : marked(HITOS_TEXT("Errors", "look whether the laser's driver hung"))});
+             {{2 * same_scans_ <= moved_scans_ && longest_same_run_ < kHung
+                   ? marked(HITOS_TEXT(
+                         "Errors",
+                         "look whether scans are published twice, or the laser's driver hung"))
+                   : marked(HITOS_TEXT("Errors", "look whether the laser's driver hung"))}}});
     }
+}
+
+double TourExamination::way_unit() const {
+    constexpr double kNoRobot = 20.0;
+    constexpr double kMillimetres = 120.0;  // hardly a robot drives slower than 0.12 m/s all along
+    const auto speed = static_cast<double>(median(speeds_));
+    if (!(speed > kNoRobot)) return 1.0;
+    return speed > kMillimetres ? 0.001 : 0.01;
 }
 
 /// Whether all of it is too fast.
 void TourExamination::doubt_speed(std::vector<TourFinding>& found) const {
-    constexpr double kNoRobot = 20.0;
-    constexpr double kMillimetres = 120.0;  // hardly a robot drives slower than 0.12 m/s all along
+    const double unit = way_unit();
+    if (unit == 1.0) return;
     const auto speed = static_cast<double>(median(speeds_));
-    if (speed > kNoRobot) {
-        found.push_back(
-            {Kind::odometry_units, speed,
-             message(HITOS_TEXT("Errors",
-                                "by the odometry the robot mostly drives at %1 m/s, which none of "
-                                "its kind does"),
-                     fmt::format("{:.0f}", speed)),
-             speed > kMillimetres
-                 ? marked(HITOS_TEXT(
-                       "Errors",
-                       "if its positions are millimetres: --set source.odometry_scale=0.001"))
-                 : marked(HITOS_TEXT(
-                       "Errors",
-                       "if its positions are centimetres: --set source.odometry_scale=0.01"))});
-    }
+    constexpr double kCentimetre = 0.01;
+    found.push_back(
+        {Kind::odometry_units,
+         speed,
+         message(HITOS_TEXT("Errors",
+                            "by the odometry the robot mostly drives at %1 m/s, which none of its "
+                            "kind does"),
+                 fmt::format("{:.0f}", speed)),
+         {{unit < kCentimetre ? marked(HITOS_TEXT("Errors", "if its positions are millimetres"))
+                              : marked(HITOS_TEXT("Errors", "if its positions are centimetres")),
+           WholeValues(read_).odometry_scale(unit)}}});
 }
 
 void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
     if (readings_ == 0) {
         if (scans_ < 2) return;
         found.push_back(
-            {Kind::no_odometry, static_cast<double>(scans_),
+            {Kind::no_odometry,
+             static_cast<double>(scans_),
              marked(HITOS_TEXT("Errors",
                                "there is no odometry, so that all scans are put on one place")),
-             marked(HITOS_TEXT("Errors",
-                               "record it too: of ROS the topic of the odometry, or /tf together "
-                               "with /tf_static"))});
+             {{marked(HITOS_TEXT("Errors",
+                                 "record it too: of ROS the topic of the odometry, or /tf together "
+                                 "with /tf_static"))}}});
         return;
     }
     if (leaps_ > 0 && std::ranges::count(found, Kind::odometry_units, &TourFinding::kind) == 0) {
         found.push_back(
-            {Kind::leaping_odometry, longest_step_m_,
+            {Kind::leaping_odometry,
+             longest_step_m_,
              message(HITOS_TEXT("Errors",
                                 "the odometry leaps, by up to %1 m (line %2) and %3 in all, as "
                                 "where a driver begins anew; the map falls in pieces there"),
                      fmt::format("{:.1f}", longest_step_m_), longest_step_line_, leaps_),
-             marked(HITOS_TEXT("Errors", "map it with registration: --preset recorded"))});
+             {map_with_registration()}});
     }
     if (way_m_ > 0.0 || turned_rad_ > 0.0) return;
     const std::optional<double> still = agreement({});
     constexpr double kStandsStill = 0.8;
     if (!still || *still > kStandsStill) return;
     found.push_back(
-        {Kind::still_odometry, 0.0,
+        {Kind::still_odometry,
+         0.0,
          marked(HITOS_TEXT("Errors",
                            "the scans change and the odometry says that the robot never moved; all "
                            "scans are put on one place")),
-         take_it_from_scans()});
+         {take_it_from_scans()}});
 }
 
 /// Times that do not tell one scan from the next.
@@ -187,30 +203,30 @@ void TourExamination::doubt_stamps(std::vector<TourFinding>& found) const {
     const auto scans = static_cast<double>(scans_ + scans_of_one_time_);
     if (static_cast<double>(scans_of_one_time_) > kMostOfOneTime * scans) {
         found.push_back(
-            {Kind::coarse_stamps, static_cast<double>(scans_of_one_time_) / scans,
+            {Kind::coarse_stamps,
+             static_cast<double>(scans_of_one_time_) / scans,
              message(
                  HITOS_TEXT("Errors",
                             "%1 of %2 scans have the time of the one before: their stamps have too "
                             "few digits, and how the robot moved between them is not known"),
                  scans_of_one_time_, scans_ + scans_of_one_time_),
-             marked(
-                 HITOS_TEXT("Errors", "record times with milliseconds, as numbers of 64 bits"))});
+             {{marked(
+                 HITOS_TEXT("Errors", "record times with milliseconds, as numbers of 64 bits"))}}});
         return;
     }
     const auto readings = static_cast<double>(readings_);
     if (static_cast<double>(of_no_time_) > kMostOfOneTime * readings &&
         way_in_no_time_m_ > kMostOfOneTime * way_m_) {
         found.push_back(
-            {Kind::coarse_stamps, static_cast<double>(of_no_time_) / readings,
+            {Kind::coarse_stamps,
+             static_cast<double>(of_no_time_) / readings,
              message(HITOS_TEXT(
                          "Errors",
                          "%1 of %2 odometry readings are stamped no later than the one before: too "
                          "coarsely, or by two clocks; how fast the robot moved is not known"),
                      of_no_time_, readings_),
-             marked(HITOS_TEXT(
-                 "Errors",
-                 "record times of one clock with milliseconds; or take how it moved from the "
-                 "scans, where they show enough for that: --set source.odometry=scans"))});
+             {{marked(HITOS_TEXT("Errors", "record times of one clock with milliseconds"))},
+              take_it_from_scans()}});
     }
 }
 
@@ -229,13 +245,14 @@ void TourExamination::doubt_self_hits(std::vector<TourFinding>& found) const {
         constexpr double kBeyond = 0.05;
         const double least = std::ceil((static_cast<double>(farthest) + kBeyond) * 20.0) / 20.0;
         found.push_back(
-            {Kind::self_hits, static_cast<double>(own),
+            {Kind::self_hits,
+             static_cast<double>(own),
              message(HITOS_TEXT("Errors",
                                 "%1 rays always end at the same distance, however the robot turns: "
                                 "on the robot itself; they draw its path as walls"),
                      own),
-             message(HITOS_TEXT("Errors", "leave out what is so near: --set source.min_range=%1"),
-                     fmt::format("{:.2f}", least))});
+             {{marked(HITOS_TEXT("Errors", "leave out what is so near")),
+               set("source.min_range", fmt::format("{:.2f}", least))}}});
     }
 }
 
@@ -256,16 +273,18 @@ void TourExamination::doubt_heading(std::vector<TourFinding>& found) const {
         const double whole = std::round(off_rad * kDegreesPerRadian) * kRadiansPerDegree;
         const Pose turned = compose({0.0, 0.0, whole}, fan_.pose_robot_laser);
         found.push_back(
-            {Kind::sideways_odometry, off_rad,
+            {Kind::sideways_odometry,
+             off_rad,
              message(
                  HITOS_TEXT("Errors",
                             "by the odometry the robot always drives %1 degrees off where it "
                             "looks, which no robot on wheels does: its headings are off by that"),
                  std::lround(off_rad * kDegreesPerRadian)),
-             message(HITOS_TEXT("Errors",
-                                "mend the odometry's heading; or, where the scans are to be turned "
-                                "with it: --laser-pose %1"),
-                     text_of({turned, fan_.upside_down}))});
+             {{marked(HITOS_TEXT("Errors", "turn its headings back")),
+               WholeValues(read_).axes(OdometryAxes(
+                   fmt::format("x,y,theta{:+}", std::lround(off_rad * kDegreesPerRadian))))},
+              {marked(HITOS_TEXT("Errors", "or, where the scans are to be turned with it")),
+               laser_at({turned, fan_.upside_down})}}});
     }
 }
 

@@ -398,7 +398,7 @@ std::optional<double> TourExamination::agreement(const Hypothesis& hypothesis) c
     return agreement(some_pairs(pairs_.size()), hypothesis);
 }
 
-double TourExamination::way_shown(double range_scale) const {
+double TourExamination::way_shown(double range_scale, double fan_scale) const {
     constexpr std::size_t kAsked = 128;
     const Point2 laser{fan_.pose_robot_laser.x, fan_.pose_robot_laser.y};
     // In the readings' unit: so much longer is the way, and so much farther off sits the laser.
@@ -406,6 +406,8 @@ double TourExamination::way_shown(double range_scale) const {
     Hypothesis hypothesis = closely();
     hypothesis.near_m *= longer;
     hypothesis.scale = longer;
+    hypothesis.fan_scale = fan_scale;
+    hypothesis.fan_middle_rad = wrap_angle((fan_.min_angle_rad + fan_.max_angle_rad) / 2.0);
     hypothesis.shift = {(longer - 1.0) * laser.x, (longer - 1.0) * laser.y};
     const std::vector<const Pair*> pairs = some_pairs(kAsked);
     const double fits = agreement(pairs, hypothesis).value_or(0.0);

@@ -8,7 +8,7 @@
 
 #include "hypothesis_search.hpp"
 #include "laser_units.hpp"
-#include "scans_remedy.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -39,19 +39,25 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
                     fmt::format("{:.3f}", path_.back().time_s));
         const bool fits = late.agreement > kLeastFit;
         found.push_back(
-            {Kind::clocks_apart, fits ? delay_s : apart, std::move(when),
-             fits ? message(HITOS_TEXT("Errors",
-                                       "the scans fit the odometry where %1 are added to their "
-                                       "times: --scan-delay %2"),
-                            seconds_words(delay_s), fmt::format("{:.2f}", delay_s))
-                  : marked(HITOS_TEXT("Errors",
-                                      "set the clocks of both computers alike, and record again")),
+            {Kind::clocks_apart,
+             fits ? delay_s : apart,
+             std::move(when),
+             {fits ? Remedy{message(HITOS_TEXT("Errors",
+                                               "the scans fit the odometry where %1 are added to "
+                                               "their times"),
+                                    seconds_words(delay_s)),
+                            WholeValues(read_).later_by(delay_s)}
+                   : Remedy{marked(HITOS_TEXT(
+                         "Errors", "set the clocks of both computers alike, and record again"))}},
              fits ? std::optional(delay_s) : std::nullopt});
         return;
     }
     const double told = fit({});
     const BestFit mounted = best_mounting(fit, fan_);
-    const double otherwise = std::max({told, late.agreement, mounted.agreement});
+    constexpr double kOffsetStep = 0.1;  // [m]
+    constexpr int kOffsetSteps = 20;
+    const BestFit longer = best_range_offset(fit, {}, kOffsetStep, kOffsetSteps);
+    const double otherwise = std::max({told, late.agreement, mounted.agreement, longer.agreement});
     if (std::optional<TourFinding> set = set_clock(pairs, otherwise)) {
         found.push_back(*std::move(set));
         return;
@@ -77,6 +83,14 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     }
     if (doubt_turns(fit, told, otherwise, found)) return;
     const std::size_t before = found.size();
+    constexpr double kOverMounting = 0.03;  // which may look like it
+    if (longer.agreement >=
+            std::max({kLeastFit, told + kClearly,
+                      std::max(late.agreement, mounted.agreement) + kOverMounting}) &&
+        beats_standing(longer.agreement)) {
+        tell_range_offset(fit, longer, found);
+        return;
+    }
     if (mounted.agreement > late.agreement) doubt_mounting(fit, told, mounted, found);
     if (found.size() > before) return;
     if (late.agreement >= kLeastFit && beats_standing(late.agreement) &&
@@ -87,14 +101,14 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
             return;
         }
         found.push_back(
-            {Kind::scan_delay, delay_s,
+            {Kind::scan_delay,
+             delay_s,
              message(HITOS_TEXT("Errors",
                                 "the scans fit the odometry of %1 from theirs (%2 % of their "
                                 "points, against %3 % as they are stamped): their clocks differ, "
                                 "and the map is wrong by what the robot drove meanwhile"),
                      seconds_words(delay_s), percent(late.agreement), percent(told)),
-             message(HITOS_TEXT("Errors", "add that to their times: --scan-delay %1"),
-                     fmt::format("{:.2f}", delay_s)),
+             {{added_to_times(), WholeValues(read_).later_by(delay_s)}},
              delay_s});
         return;
     }
@@ -121,12 +135,13 @@ void TourExamination::doubt_whole(std::vector<TourFinding>& found) const {
     const double told = agreement(Hypothesis{}).value_or(1.0);
     if (told > kLooksAlike || beats_standing(told)) return;
     found.push_back(
-        {Kind::unfit_odometry, told,
+        {Kind::unfit_odometry,
+         told,
          message(HITOS_TEXT("Errors",
                             "the scans do not lie where the odometry puts them (%1 % of their "
                             "points do), and no other time, mounting or scale explains it"),
                  percent(told)),
-         take_it_from_scans()});
+         {take_it_from_scans()}});
 }
 
 /// Whether the way between two scans is longer or shorter by the scans than by the odometry.
@@ -169,31 +184,29 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
                                      other.scale *= 1.0 + off;
                                      return other;
                                  }));
-    const std::string words = fmt::format("{:.3g}", scale);
-    const std::string inverse = fmt::format("{:.3g}", 1.0 / scale);
     found.push_back(
-        {Kind::odometry_scale, scale,
+        {Kind::odometry_scale,
+         scale,
          message(HITOS_TEXT("Errors",
                             "by the scans the robot drives %1 times as far as by the odometry (%2 "
                             "% of their points fit so, %3 % as it is told)"),
-                 words, percent(best.agreement), percent(told)),
-         message(
-             HITOS_TEXT("Errors",
-                        "say so: --set source.odometry_scale=%1; or, where the laser's readings "
-                        "are no metres: --set source.range_scale=%2"),
-             words, inverse)});
+                 fmt::format("{:.3g}", scale), percent(best.agreement), percent(told)),
+         {{say_so(), WholeValues(read_).odometry_scale(scale)},
+          {marked(HITOS_TEXT("Errors", "or, where the laser's readings are no metres")),
+           WholeValues(read_).range_scale(1.0 / scale)}}});
 }
 
 /// Whether scans fit the odometry better as they are stamped, or by another time that was found,
 /// than as they were received.
 bool TourExamination::prefers_stamps(const TourFinding& receipts,
                                      const std::vector<TourFinding>& own) const {
-    const std::optional<double> received = agreement({.delay_s = receipts.value});
+    const std::optional<double> received =
+        agreement({.delay_s = receipts.later_s.value_or(receipts.value)});
     if (!received) return true;
     double best = agreement(Hypothesis{}).value_or(0.0);
     for (const TourFinding& finding : own) {
-        if (!finding.scan_delay_s) continue;
-        best = std::max(best, agreement({.delay_s = *finding.scan_delay_s}).value_or(0.0));
+        if (!finding.later_s) continue;
+        best = std::max(best, agreement({.delay_s = *finding.later_s}).value_or(0.0));
     }
     return best > *received;
 }

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "hypothesis_search.hpp"
-#include "scans_remedy.hpp"
+#include "remedies.hpp"
 #include "turned_step.hpp"
 
 namespace hitos {
@@ -111,10 +111,11 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
         turn.note(told.theta, seen.theta);
         way.note(way_along(told), way_along(seen));
     }
-    const Message remedy = take_it_from_scans();
+    const Remedy remedy = take_it_from_scans();
     if (turn.dead(kLeastTurn, kLittle)) {
         found.push_back(
-            {Kind::still_odometry, 0.0,
+            {Kind::still_odometry,
+             0.0,
              message(
                  HITOS_TEXT(
                      "Errors",
@@ -122,17 +123,18 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
                      "odometry, as where a gyro or an encoder is dead; the map is bent straight"),
                  all.size(), std::lround(turn.scans * kDegreesPerRadian),
                  std::lround(turn.odometry * kDegreesPerRadian)),
-             remedy});
+             {remedy}});
     } else if (way.dead(kLeastWay, kNone)) {
         found.push_back(
-            {Kind::still_odometry, 0.0,
+            {Kind::still_odometry,
+             0.0,
              message(HITOS_TEXT(
                          "Errors",
                          "in %1 pairs of scans the robot drives %2 m by the scans and %3 m by the "
                          "odometry, as where an encoder is dead; the map is pushed together"),
                      all.size(), fmt::format("{:.1f}", way.scans),
                      fmt::format("{:.1f}", way.odometry)),
-             remedy});
+             {remedy}});
     } else {
         return false;
     }
@@ -158,7 +160,8 @@ void TourExamination::doubt_motion(std::vector<TourFinding>& found) const {
     }
     if (differ < kLeastPairs || off < kMost * seen_m) return;
     found.push_back(
-        {Kind::unfit_odometry, off / seen_m,
+        {Kind::unfit_odometry,
+         off / seen_m,
          message(
              HITOS_TEXT(
                  "Errors",
@@ -166,7 +169,7 @@ void TourExamination::doubt_motion(std::vector<TourFinding>& found) const {
                  "by the scans, now this way and now that (by more than a hand's breadth in %2 of "
                  "%3 pairs), as where stamps waver or poses are rounded: walls are blurred"),
              percent(off / seen_m), differ, all.size()),
-         marked(HITOS_TEXT("Errors", "map it with registration: --preset recorded"))});
+         {map_with_registration()}});
 }
 
 }  // namespace hitos

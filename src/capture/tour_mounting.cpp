@@ -7,7 +7,7 @@
 
 #include "hitos/capture/odometry_axes.hpp"
 #include "hypothesis_search.hpp"
-#include "laser_pose.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -112,41 +112,39 @@ void TourExamination::tell_mounting(const Fit& fit, double told, const BestFit& 
     if (heading) pose = about;
     pose.theta =
         static_cast<double>(degrees(fan_.pose_robot_laser.theta + turn_rad)) * kRadiansPerDegree;
-    const std::string place = text_of({pose, fan_.upside_down != other.mirrored});
+    std::vector<SourceSetting> place = laser_at({pose, fan_.upside_down != other.mirrored});
     if (other.mirrored) {
         found.push_back(
-            {Kind::mirrored_laser, 1.0,
+            {Kind::mirrored_laser,
+             1.0,
              message(HITOS_TEXT("Errors",
                                 "the scans turn against the odometry (%1 % of their points fit "
                                 "mirrored, %2 % as they are): one of the two is mirrored, and "
                                 "where it is the laser, so is the map"),
                      fits, percent(told)),
-             message(
-                 HITOS_TEXT(
-                     "Errors",
-                     "if the laser is upside down, or its rays go the other way round: "
-                     "--laser-pose %1; if it is the odometry that counts turns to the right: --set "
-                     "source.odometry_turns=-1; with the wrong one of both the map is right but "
-                     "mirrored"),
-                 place)});
+             {{marked(HITOS_TEXT(
+                   "Errors", "if the laser is upside down, or its rays go the other way round")),
+               std::move(place)},
+              {marked(HITOS_TEXT("Errors", "if it is the odometry that counts turns to the right")),
+               WholeValues(read_).odometry_turns(-1.0)},
+              {marked(HITOS_TEXT("Errors",
+                                 "with the wrong one of both the map is right but mirrored"))}}});
         return;
     }
     found.push_back(
-        {Kind::turned_laser, turn_rad,
+        {Kind::turned_laser,
+         turn_rad,
          message(HITOS_TEXT("Errors",
                             "the scans move %1 degrees off where the odometry drives (%2 % of "
                             "their points fit turned so, %3 % as they are): the map's path and "
                             "walls do not fit each other"),
                  degrees(turn_rad), fits, percent(told)),
-         heading
-             ? message(HITOS_TEXT("Errors",
-                                  "the odometry's heading points elsewhere than the robot; let the "
-                                  "laser turn with it: --laser-pose %1"),
-                       place)
-             : message(HITOS_TEXT("Errors",
-                                  "the laser is mounted otherwise than the recording says: "
-                                  "--laser-pose %1"),
-                       place)});
+         {{heading ? marked(HITOS_TEXT("Errors",
+                                       "the odometry's heading points elsewhere than the robot; "
+                                       "let the laser turn with it"))
+                   : marked(HITOS_TEXT("Errors",
+                                       "the laser is mounted otherwise than the recording says")),
+           std::move(place)}}});
 }
 
 /// Whether the laser is turned by less than sectors tell apart.
@@ -177,16 +175,18 @@ void TourExamination::settle_axes(TourFinding& told) const {
     BestFit headings;
     BestFit positions;  // as the other, all of it mirrored: told of a mirrored laser's scans
     for (int i = 0; i < kSectors; ++i) {
-        Hypothesis other{.turn_rad = wrap_angle(2.0 * kPi * i / kSectors), .turn_scale = -1.0};
+        Hypothesis other{.turn_rad = wrap_angle(2.0 * kPi * i / kSectors),
+                         .scale = way_unit(),
+                         .turn_scale = -1.0};
         headings.try_out(fit, other);
         other.mirrored = true;
         positions.try_out(fit, other);
     }
     if (std::max(headings.agreement, positions.agreement) < kLeastFit) return;
     if (headings.agreement > positions.agreement + kClearly) {
-        told.remedy = reversed_headings(told.value);
+        told.remedies = {reversed_headings(told.value, read_)};
     } else if (positions.agreement > headings.agreement + kClearly) {
-        told.remedy = reversed_positions(told.value);
+        told.remedies = {reversed_positions(told.value, read_)};
     }
 }
 
@@ -215,7 +215,8 @@ bool TourExamination::doubt_turns(const Fit& fit, double told, double otherwise,
     }
     const double scale = best.hypothesis.turn_scale;
     found.push_back(
-        {Kind::odometry_units, scale,
+        {Kind::odometry_units,
+         scale,
          message(HITOS_TEXT("Errors",
                             "by the scans the robot turns %1 times as far as by the odometry (%2 % "
                             "of their points fit so, %3 % as it is told): headings are %4"),
@@ -223,9 +224,7 @@ bool TourExamination::doubt_turns(const Fit& fit, double told, double otherwise,
                  scale < 1.0
                      ? marked(HITOS_TEXT("Errors", "in degrees"))
                      : marked(HITOS_TEXT("Errors", "taken for degrees and turned into radians"))),
-         marked(HITOS_TEXT("Errors",
-                           "record them in radians; or take how the robot moved from the scans, "
-                           "where they show enough for that: --set source.odometry=scans"))});
+         {{say_so(), WholeValues(read_).odometry_turns(scale)}, take_it_from_scans()}});
     return true;
 }
 

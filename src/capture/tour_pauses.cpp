@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hitos/capture/tour_examination.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -86,7 +87,8 @@ void TourExamination::doubt_pauses(std::vector<TourFinding>& found) const {
         }
         const Pose off = between(stood, step);
         found.push_back(
-            {TourFinding::Kind::leaping_odometry, std::hypot(off.x, off.y),
+            {TourFinding::Kind::leaping_odometry,
+             std::hypot(off.x, off.y),
              message(HITOS_TEXT("Errors",
                                 "after a pause of %1 s the odometry is %2 m and %3 degrees off "
                                 "(line %4), as where a driver begins anew: the scans before and "
@@ -95,7 +97,7 @@ void TourExamination::doubt_pauses(std::vector<TourFinding>& found) const {
                      std::lround(pause.seconds()), fmt::format("{:.1f}", std::hypot(off.x, off.y)),
                      std::lround(off.theta * kDegreesPerRadian), pause.line,
                      std::lround(100.0 * fits), std::lround(100.0 * told)),
-             marked(HITOS_TEXT("Errors", "map it with registration: --preset recorded"))});
+             {map_with_registration()}});
     }
 }
 

@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "hypothesis_search.hpp"
-#include "laser_pose.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -48,6 +49,7 @@ std::string ray_time_of(double sweep_s, const Fan& fan) {
 
 /// The least that source.ray_time can say: all rays are of one time.
 constexpr const char* kOneTime = "1e-9";
+constexpr const char* kRayTimeKey = "source.ray_time";
 
 }  // namespace
 
@@ -69,17 +71,17 @@ void TourExamination::tell_fan(const Fit& fit, double told, const BestFit& mount
     constexpr double kSlight = 0.5 * kRadiansPerDegree;
     Pose pose = fan_.pose_robot_laser;
     pose.theta += turn_rad;
-    const std::string turned =
-        std::abs(turn_rad) < kSlight ? "" : " --laser-pose " + text_of({pose, fan_.upside_down});
+    std::vector<SourceSetting> settings = WholeValues(read_).fan_scale(scale);
+    if (std::abs(turn_rad) >= kSlight) settings = settings + laser_at({pose, fan_.upside_down});
     found.push_back(
-        {Kind::wrong_fan, angle * scale,
+        {Kind::wrong_fan,
+         angle * scale,
          message(
              HITOS_TEXT("Errors",
                         "the scans fit the odometry where their rays go over %1 degrees, not over "
                         "%2 as is told (%3 % of their points, against %4 %): walls are bent"),
              degrees(angle * scale), degrees(angle), percent(mounted.agreement), percent(told)),
-         message(HITOS_TEXT("Errors", "say so: --set source.fan_scale=%1%2"),
-                 fmt::format("{:.3f}", scale), turned)});
+         {{say_so(), std::move(settings)}}});
 }
 
 /// Whether the rays go over an angle that differs by less than best_mounting() tells apart: then
@@ -114,6 +116,16 @@ bool TourExamination::doubt_slight_fan(const Fit& fit, std::vector<TourFinding>&
     return true;
 }
 
+BestFit best_range_offset(const Fit& fit, const Hypothesis& as, double step_m, int steps) {
+    BestFit best{as};
+    for (int i = -steps; i <= steps; ++i) {
+        Hypothesis other = as;
+        other.range_offset_m = i * step_m;
+        best.try_out(fit, other);
+    }
+    return best;
+}
+
 /// Whether all ranges are too long or too short by the same: then walls are bent, and in a corner
 /// none meets the other.
 bool TourExamination::doubt_range_offset(const Fit& fit, std::vector<TourFinding>& found) const {
@@ -121,36 +133,47 @@ bool TourExamination::doubt_range_offset(const Fit& fit, std::vector<TourFinding
     constexpr double kStep = 0.05;  // [m]
     constexpr double kLeast = 0.1;
     constexpr double kOverRivals = 0.02;
-    BestFit best{closely()};
-    for (int i = -kSteps; i <= kSteps; ++i) {
-        Hypothesis other = closely();
-        other.range_offset_m = i * kStep;
-        best.try_out(fit, other);
-    }
-    const double told = fit(closely());
+    const BestFit best = best_range_offset(fit, closely(), kStep, kSteps);
     if (std::abs(best.hypothesis.range_offset_m) < kLeast - kStep / 2.0 ||
-        best.agreement < std::max(kLeastFit, told + kClearly)) {
+        best.agreement < std::max(kLeastFit, fit(closely()) + kClearly)) {
         return false;
     }
     Hypothesis driven_nowhere = closely();
     driven_nowhere.scale = 0.0;
     driven_nowhere.turn_scale = 0.0;
     if (best.agreement < std::max(best_rival(fit), fit(driven_nowhere)) + kOverRivals) return false;
+    tell_range_offset(fit, best, found);
+    return true;
+}
+
+void TourExamination::tell_range_offset(const Fit& fit, const BestFit& longer,
+                                        std::vector<TourFinding>& found) const {
+    constexpr double kStep = 0.05;  // [m]
+    constexpr double kFinest = 0.01;
+    constexpr double kAround = 0.05;
+    constexpr int kAroundSteps = 10;
+    BestFit best;
+    best.try_out(fit, closely(longer.hypothesis));
+    best = climbed(fit, best, kStep, kFinest, [](const Hypothesis& from, double step) {
+        std::array<Hypothesis, 2> others{from, from};
+        others[0].range_offset_m -= step;
+        others[1].range_offset_m += step;
+        return others;
+    });
     const double offset_m =
-        best.hypothesis.range_offset_m + middle_offset(fit, kStep, kSteps, [&](double off) {
+        best.hypothesis.range_offset_m + middle_offset(fit, kAround, kAroundSteps, [&](double off) {
             Hypothesis other = best.hypothesis;
             other.range_offset_m += off;
             return other;
         });
     found.push_back(
-        {Kind::laser_units, offset_m,
+        {Kind::laser_units,
+         offset_m,
          message(HITOS_TEXT("Errors",
                             "the scans fit the odometry where %1 m are added to every reading (%2 "
                             "% of their points closely, against %3 %): walls are bent"),
-                 fmt::format("{:.2f}", offset_m), percent(best.agreement), percent(told)),
-         message(HITOS_TEXT("Errors", "say so: --set source.range_offset=%1"),
-                 fmt::format("{:.2f}", offset_m))});
-    return true;
+                 fmt::format("{:.2f}", offset_m), percent(best.agreement), percent(fit(closely()))),
+         {{say_so(), WholeValues(read_).range_offset(offset_m)}}});
 }
 
 /// Rays without a reading between those that have some.
@@ -172,14 +195,15 @@ void TourExamination::doubt_lost_rays(std::vector<TourFinding>& found) const {
     }
     if (gaps * kOneIn < seen_rays_.size() || seen_rays_.size() < kLeastScans) return;
     found.push_back(
-        {Kind::blind_laser, static_cast<double>(lost) / static_cast<double>(seen_rays_.size()),
+        {Kind::blind_laser,
+         static_cast<double>(lost) / static_cast<double>(seen_rays_.size()),
          message(HITOS_TEXT("Errors",
                             "%1 of %2 rays never have a reading, each between others that have: "
                             "no two points are neighbours, and walls fall to pieces"),
                  lost, seen_rays_.size()),
-         marked(HITOS_TEXT("Errors",
-                           "let the driver tell those rays only that it measures, with the step "
-                           "between these (angle_increment)"))});
+         {{marked(HITOS_TEXT("Errors",
+                             "let the driver tell those rays only that it measures, with the step "
+                             "between these (angle_increment)"))}}});
 }
 
 /// Whether rays were moved by times that are said and are not theirs.
@@ -200,13 +224,14 @@ bool TourExamination::doubt_ray_times(std::vector<TourFinding>& found) const {
     const double fits = fit(unmoved);
     if (fits < std::max(kLeastTold, told + kMore)) return false;
     found.push_back(
-        {Kind::ray_times, std::abs(sweep_s),
+        {Kind::ray_times,
+         std::abs(sweep_s),
          message(HITOS_TEXT("Errors",
                             "a scan's rays are taken to need %1 s, and where the robot turns they "
                             "fit as if measured at one time (%2 % of their points closely, against "
                             "%3 %): walls are bent there"),
                  fmt::format("{:.3g}", std::abs(sweep_s)), percent(fits), percent(told)),
-         message(HITOS_TEXT("Errors", "say so: --set source.ray_time=%1"), kOneTime)});
+         {{say_so(), set(kRayTimeKey, kOneTime)}}});
     return true;
 }
 
@@ -230,15 +255,12 @@ void TourExamination::tell_ray_times(TourFinding& told) const {
     const double backward = fit(-sweep_s);
     const double other = std::max(forward, backward);
     if (at_once > other + kMore) {
-        told.remedy = message(
-            HITOS_TEXT("Errors", "so they are by the odometry; say so: --set source.ray_time=%1"),
-            kOneTime);
+        told.remedies = {{marked(HITOS_TEXT("Errors", "so they are by the odometry; say so")),
+                          set(kRayTimeKey, kOneTime)}};
     } else if (other > at_once + kMore) {
-        told.remedy =
-            message(HITOS_TEXT("Errors",
-                               "by the odometry they take a turn from scan to scan: --set "
-                               "source.ray_time=%1"),
-                    ray_time_of(forward > backward ? sweep_s : -sweep_s, fan_));
+        told.remedies = {
+            {marked(HITOS_TEXT("Errors", "by the odometry they take a turn from scan to scan")),
+             set(kRayTimeKey, ray_time_of(forward > backward ? sweep_s : -sweep_s, fan_))}};
     }
 }
 

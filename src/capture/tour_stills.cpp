@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "hitos/capture/tour_examination.hpp"
-#include "scans_remedy.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -57,7 +57,7 @@ void TourExamination::doubt_stills(std::vector<TourFinding>& found) const {
                                   "the odometry stands still; all of them are put on one place"),
                        tenths(seconds), tenths(longest_still_.begin_s - first_scan_s_));
     }
-    found.push_back({Kind::still_odometry, seconds, std::move(what), take_it_from_scans()});
+    found.push_back({Kind::still_odometry, seconds, std::move(what), {take_it_from_scans()}});
 }
 
 }  // namespace hitos

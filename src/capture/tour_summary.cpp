@@ -88,7 +88,7 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
     TourSummary summary;
     summary.format = reader.format();
     Stamps stamps;
-    TourExamination examination;
+    TourExamination examination(reader.options());
     std::optional<double> clock_s;
     std::uint64_t odometry_line = 0;
     const auto read_odometry_to = [&](std::uint64_t line) {

@@ -119,15 +119,15 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
             std::abs(delay_s) * turning.rad_per_s * static_cast<double>(median(medians_));
         if (best < kSure || std::abs(delay_s) < kShortest || moved_m < kFar) return;
         found.push_back(
-            {Kind::scan_delay, delay_s,
+            {Kind::scan_delay,
+             delay_s,
              message(HITOS_TEXT("Errors",
                                 "where the robot turns, the scans fit the odometry of %1 s from "
                                 "theirs (%2 % of their points closely, against %3 % as they are "
                                 "stamped): walls move by %4 m in its turns"),
                      fmt::format("{:.2f}", delay_s), percent(best), percent(told),
                      fmt::format("{:.2f}", moved_m)),
-             message(HITOS_TEXT("Errors", "add that to their times: --scan-delay %1"),
-                     fmt::format("{:.2f}", delay_s)),
+             {{added_to_times(), WholeValues(read_).later_by(delay_s)}},
              delay_s});
         return;
     }
@@ -140,15 +140,16 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
         laser.x += shift.x;
         laser.y += shift.y;
         found.push_back(
-            {Kind::misplaced_laser, off_m,
+            {Kind::misplaced_laser,
+             off_m,
              message(
                  HITOS_TEXT(
                      "Errors",
                      "where the robot turns, the scans fit a laser that sits %1 m from where it is "
                      "said to (%2 % of their points closely, against %3 %): walls are bent there"),
                  fmt::format("{:.2f}", off_m), percent(best), percent(told)),
-             message(HITOS_TEXT("Errors", "say where it sits: --laser-pose %1"),
-                     text_of({laser, fan_.upside_down}))});
+             {{marked(HITOS_TEXT("Errors", "say where it sits")),
+               laser_at({laser, fan_.upside_down})}}});
         return;
     }
     constexpr double kNearlyOne = 0.07;
@@ -162,17 +163,15 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
                  return other;
              });
     found.push_back(
-        {Kind::odometry_turns, scale,
+        {Kind::odometry_turns,
+         scale,
          message(
              HITOS_TEXT(
                  "Errors",
                  "by the scans the robot turns %1 times as far as by the odometry (%2 % of their "
                  "points fit closely so, %3 % as it is told): walls fan out where it turns"),
              fmt::format("{:.2f}", scale), percent(best), percent(told)),
-         message(HITOS_TEXT("Errors",
-                            "say so: --set source.odometry_turns=%1; or map it with registration: "
-                            "--preset recorded"),
-                 fmt::format("{:.2f}", scale))});
+         {{say_so(), WholeValues(read_).odometry_turns(scale)}, map_with_registration()}});
 }
 
 }  // namespace hitos

@@ -63,6 +63,7 @@ class ScanOdometry final : public TourReader {
     std::string name() const override { return tour_->name(); }
     std::string format() const override { return tour_->format(); }
     std::optional<Truth> truth() const override { return tour_->truth(); }
+    ReadOptions options() const override { return tour_->options(); }
     std::vector<TourFinding> findings() const override;
 
   private:
@@ -113,8 +114,10 @@ std::vector<TourFinding> ScanOdometry::findings() const {
     const double rate = static_cast<double>(scans_ - 1) / (last_s_ - *first_s_);
     const double rounded = std::round(rate * 10.0) / 10.0;
     const auto note = [&](Message what, Message remedy) {
-        found.push_back({TourFinding::Kind::no_odometry, static_cast<double>(scans_),
-                         std::move(what), std::move(remedy)});
+        found.push_back({TourFinding::Kind::no_odometry,
+                         static_cast<double>(scans_),
+                         std::move(what),
+                         {{std::move(remedy)}}});
     };
     // What counts is how much two scans see in common.
     if (rate > kQuickEnough || far_ * kOneFarIn < scans_) {

@@ -30,6 +30,13 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
     check(configuration);
 }
 
+void take_up(const std::vector<SourceSetting>& settings, SourceParams& source) {
+    Configuracion configuration;
+    configuration.source = source;
+    for (const auto& [key, value] : settings) find_parameter(key).set(configuration, value);
+    source = configuration.source;
+}
+
 void TopicChoices::choose(SourceParams& source) const {
     if (!scan_topic.empty()) source.read.scan_topic = scan_topic;
     if (!odom_topic.empty()) source.read.odom_topic = odom_topic;

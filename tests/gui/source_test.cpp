@@ -14,7 +14,6 @@
 
 #include "actions/command_line.hpp"
 #include "dialogs/source_dialog.hpp"
-#include "dialogs/source_remedies.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/capture/odometry_axes.hpp"
 #include "look/parameter_text.hpp"
@@ -152,41 +151,19 @@ void SourceTest::what_findings_advise_is_set_in_the_form() {
         QVERIFY(dialog.findChild<QLabel*>("error_source.scan_delay")->isVisible());
         delay->selectAll();
         QTest::keyClicks(delay, "-5");
-        QTRY_VERIFY(verdict(dialog).contains("--scan-delay"));
+        QTRY_VERIFY(verdict(dialog).contains("“Scan delay”"));
         QVERIFY(ok(dialog)->isEnabled());
         auto* remedy = dialog.findChild<QPushButton*>("remedy_source.scan_delay");
         QVERIFY(remedy != nullptr);
         remedy->click();
         QVERIFY2(std::abs(delay->text().toDouble()) < 0.2, qPrintable(delay->text()));
         QTRY_VERIFY(ok(dialog)->isEnabled());
-        QVERIFY2(!verdict(dialog).contains("--scan-delay"), qPrintable(verdict(dialog)));
+        QVERIFY2(!verdict(dialog).contains("“Scan delay”"), qPrintable(verdict(dialog)));
         QTRY_VERIFY(dialog.findChild<QPushButton*>("remedy_source.scan_delay") == nullptr);
         ok(dialog)->click();
     });
     f.trigger("action_select_source");
     QVERIFY(std::abs(f.session.configuration().source.read.scan_delay_s) < 0.2);
-}
-
-void SourceTest::remedies_are_what_one_can_type() {
-    const auto read = [](Message remedy, const SourceParams& now = {}) {
-        QStringList all;
-        for (const SourceRemedy& one : remedies_of({{}, 0.0, {}, std::move(remedy)}, now))
-            all << to_qt(one.parameter->key) + '=' + to_qt(one.value);
-        return all;
-    };
-    QCOMPARE(read(reversed_headings(0.0)), QStringList("source.odometry_axes=x,y,-theta"));
-    QCOMPARE(read(reversed_positions(kPi / 2.0)), QStringList("source.odometry_axes=y,x,theta"));
-    const Message clock = verbatim("mend it: --scan-delay 0.00@200.00,-2.50@200.00");
-    QCOMPARE(read(clock), QStringList("source.scan_clock=0.00@200.00,-2.50@200.00"));
-    SourceParams set;
-    set.read.scan_clock = "1@0,2@100";
-    QCOMPARE(read(clock, set), QStringList());
-    set.read.scan_delay_s = -1.0;
-    QCOMPARE(read(verbatim("add it: --scan-delay -0.72"), set),
-             QStringList("source.scan_delay=-1.72"));
-    QCOMPARE(read(verbatim("say where it sits: --laser-pose x,y,degrees")), QStringList());
-    QCOMPARE(read(verbatim("say where it sits: --laser-pose 0,0,180")),
-             QStringList("source.laser_pose=0,0,180"));
 }
 
 void SourceTest::findings_are_set_apart() {

@@ -33,7 +33,7 @@ TEST(LaserDoubts, ScansThatArePublishedTwiceAreTold) {
         }
         const auto found = twice.of_kind(Kind::frozen_laser);
         ASSERT_TRUE(found) << every << '\n' << twice.said();
-        EXPECT_NE(found->remedy.english().find("twice"), std::string::npos);
+        advice_of(*EXPECT_NE(found).english().find("twice"), std::string::npos);
     }
 }
 
@@ -69,8 +69,8 @@ TEST(LaserDoubts, APartOfTheRobotIsToldThoughItsReadingsWaverAndItsRaysAreNotAsM
     const auto found = tour.of_kind(Kind::self_hits);
     ASSERT_TRUE(found) << tour.said();
     EXPECT_GE(found->value, 6.0);
-    EXPECT_NE(found->remedy.english().find("source.min_range=0.4"), std::string::npos)
-        << found->remedy.english();
+    advice_of(*EXPECT_NE(found).english().find("source.min_range=0.4"), std::string::npos)
+        << advice_of(*found).english();
 }
 
 /// What the laser saw, in its frame, changed.
@@ -102,7 +102,7 @@ TEST(LaserDoubts, TheUnitOfRangesIsToldByTheOdometry) {
             const auto found = wrong.of_kind(Kind::laser_units);
             ASSERT_TRUE(found) << world << ' ' << name << '\n' << wrong.said();
             EXPECT_NE(found->what.english().find(name), std::string::npos) << wrong.said();
-            EXPECT_EQ(found->remedy.english(),
+            advice_of(*EXPECT_EQ(found).english(),
                       fmt::format("read them as such: --set source.range_scale={}", metres));
         }
     }
@@ -116,7 +116,7 @@ TEST(LaserDoubts, RangesBeyondTheLimitAreToldWithTheOptionsThatMendThem) {
     const auto found = inspect_tour(*open_tour(params)).findings;
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].kind, Kind::laser_units);
-    EXPECT_EQ(found[0].remedy.english(),
+    EXPECT_EQ(advice_of(found[0]).english(),
               "by the odometry they are millimetres: --set source.range_scale=0.001 --set "
               "source.max_range=12");
     params.read.range_scale = 0.001;
@@ -139,7 +139,8 @@ TEST(LaserDoubts, AFanThatIsALittleWiderThanItIsToldIsTold) {
             ASSERT_TRUE(found) << world << ' ' << scale << '\n' << wrong.said();
             const Fan& fan = tour.scans.front().fan;
             EXPECT_NEAR(found->value, fan.max_angle_rad - fan.min_angle_rad, 0.03);
-            EXPECT_NE(found->remedy.english().find("--set source.fan_scale="), std::string::npos);
+            advice_of(*EXPECT_NE(found).english().find("--set source.fan_scale="),
+                      std::string::npos);
         }
     }
 }

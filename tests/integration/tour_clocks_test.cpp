@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "hitos/capture/archivo.hpp"
 #include "hitos/capture/scan_clock.hpp"
 #include "integration/wrong_tours.hpp"
 
@@ -21,11 +22,17 @@ class OfClocks : public testing::TestWithParam<std::string> {
     double begin_s_ = tour_.scans.front().time_s;
     double seconds_ = tour_.scans.back().time_s - begin_s_;
 
+    static std::string clock_of(const TourFinding& found) {
+        const SourceSetting& set = found.remedies.at(0).settings.at(0);
+        EXPECT_EQ(set.key, kScanClockKey);
+        return set.value;
+    }
+
     /// As is advised.
     static void add(const TourFinding& found, Readings& tour) {
-        EXPECT_NE(found.remedy.english().find("--scan-delay " + found.scan_clock),
+        EXPECT_NE(advice_of(found).english().find("--scan-delay " + clock_of(found)),
                   std::string::npos);
-        ScanClock clock(found.scan_clock);
+        ScanClock clock(clock_of(found));
         for (Scan& scan : tour.scans) scan.time_s += clock.added(scan.time_s);
     }
 };
@@ -56,7 +63,7 @@ TEST_P(OfClocks, AClockThatIsSetDuringTheTourIsTold) {
         add(*found, set);
         EXPECT_EQ(set.said(), "") << by_s;
         for (std::size_t i = 1; i < set.scans.size(); ++i) {
-            EXPECT_LT(set.scans[i - 1].time_s, set.scans[i].time_s) << found->scan_clock;
+            EXPECT_LT(set.scans[i - 1].time_s, set.scans[i].time_s) << clock_of(*found);
         }
     }
 }

@@ -52,7 +52,7 @@ TEST_P(OfTurns, AShortDelayIsToldWhereItMovesWalls) {
         const auto found = late.of_kind(Kind::scan_delay);
         ASSERT_TRUE(found) << delay << '\n' << late.said();
         EXPECT_NEAR(found->value, -delay, 0.03);
-        EXPECT_TRUE(found->scan_delay_s);
+        EXPECT_TRUE(found->later_s);
     }
 }
 
@@ -65,7 +65,7 @@ TEST_P(OfTurns, ALaserThatSitsElsewhereIsTold) {
         const auto found = moved.of_kind(Kind::misplaced_laser);
         ASSERT_TRUE(found) << off.x << '\n' << moved.said();
         EXPECT_NEAR(found->value, std::hypot(off.x, off.y), 0.06);
-        EXPECT_NE(found->remedy.english().find("--laser-pose"), std::string::npos);
+        advice_of(*EXPECT_NE(found).english().find("--laser-pose"), std::string::npos);
     }
 }
 

@@ -46,9 +46,13 @@ bool verify_run(const std::string& folder, Report& report) {
     nlohmann::ordered_json& object = report.object()[part];
     object["files"] = check.files;
     object["finished"] = check.finished;
+    object["not_written"] = check.not_written;
     object["whole"] = check.whole();
     if (!check.whole()) return false;
     report.say("whole: {} as written\n", plural(check.files, "file"));
+    for (const std::string& one : check.not_written) {
+        report.say("it was asked for more, which was not written: {}\n", on_one_line(one));
+    }
     if (!check.finished) report.say("of a run that was stopped before the end of its tour\n");
     return true;
 }

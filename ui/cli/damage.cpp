@@ -44,7 +44,7 @@ std::string damage_text(const ReadReport& report) {
 }
 
 std::string words_of(const TourFinding& finding) {
-    return fmt::format("{}; {}", finding.what.english(), finding.remedy.english());
+    return fmt::format("{}; {}", finding.what.english(), advice_of(finding).english());
 }
 
 }  // namespace hitos::cli

@@ -12,11 +12,13 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/parameter.hpp"
 #include "hitos/base/process.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_summary.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/open_source.hpp"
+#include "hitos/workbench/configuration_choices.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "manual/topic_options.hpp"
 
@@ -86,18 +88,35 @@ std::string slip_of(const CLI::App& program) {
     }
 }
 
-/// What check advises; told, so that it can be given.
-std::string found_delay(const SourceParams& source) {
+/// The settings of the clocks that check advises; none where it has nothing to say of them.
+std::vector<SourceSetting> advised_clock(const SourceParams& source) {
     const std::unique_ptr<TourReader> reader = open_source(source);
     for (const TourFinding& finding : inspect_tour(*reader).findings) {
-        if (!finding.scan_delay_s && finding.scan_clock.empty()) continue;
-        std::string delay = finding.scan_delay_s ? fmt::format("{:.2f}", *finding.scan_delay_s)
-                                                 : finding.scan_clock;
-        fmt::print(stderr, "scan delay found: {} s\n", delay);
-        return delay;
+        for (const Remedy& remedy : finding.remedies) {
+            const auto clock = [](const SourceSetting& one) {
+                return one.key == kScanDelayKey || one.key == kScanClockKey;
+            };
+            if (std::ranges::any_of(remedy.settings, clock)) return remedy.settings;
+        }
     }
-    fmt::print(stderr, "no scan delay found\n");
-    return "0";
+    return {};
+}
+
+/// What check advises, until it has nothing to say; told, so that it can be given.
+void look_for_delay(SourceParams& source) {
+    constexpr int kRounds = 4;  // what is left after one is seldom more than what one sees
+    std::vector<SourceSetting> found;
+    for (int round = 0; round < kRounds; ++round) {
+        const std::vector<SourceSetting> advised = advised_clock(source);
+        if (advised.empty() || advised == found) break;
+        found = advised;
+        take_up(found, source);
+    }
+    if (found.empty()) {
+        fmt::print(stderr, "no scan delay found\n");
+    } else {
+        fmt::print(stderr, "scan delay found: {}\n", options_of(found));
+    }
 }
 
 }  // namespace
@@ -168,9 +187,7 @@ void SourceOptions::choose(SourceParams& source) const {
     const bool looked_for = chosen.scan_delay == "auto";
     if (looked_for) chosen.scan_delay = "0";
     chosen.choose(source);
-    if (!looked_for) return;
-    chosen.scan_delay = found_delay(source);
-    chosen.choose(source);
+    if (looked_for) look_for_delay(source);
 }
 
 std::string complaint_of_output(const std::string& name) {

@@ -68,6 +68,7 @@ inline constexpr const char* kScanTopicKey = "source.scan_topic";
 inline constexpr const char* kOdomTopicKey = "source.odom_topic";
 inline constexpr const char* kSameFramesKey = "source.same_frames";
 inline constexpr const char* kLaserPoseKey = "source.laser_pose";
+inline constexpr const char* kScanDelayKey = "source.scan_delay";
 inline constexpr const char* kScanClockKey = "source.scan_clock";
 inline constexpr const char* kOdometryAxesKey = "source.odometry_axes";
 

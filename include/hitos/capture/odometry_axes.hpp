@@ -3,12 +3,15 @@
 
 #include <complex>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "hitos/base/geometry.hpp"
 #include "hitos/capture/tour_finding.hpp"
 
 namespace hitos {
+
+struct ReadOptions;
 
 /// Takes poses of other axes to x, y to the left of it, and a heading in radians from x to y.
 class OdometryAxes {
@@ -19,6 +22,10 @@ class OdometryAxes {
     /// Asked for every pose, in order: headings in degrees may have been wrapped to a turn of
     /// radians.
     Pose taken(const Pose& logged);
+
+    /// These axes, and then those of what they give.
+    OdometryAxes then(const OdometryAxes& others) const;
+    std::string text() const;
 
   private:
     struct Axis {
@@ -39,7 +46,7 @@ class HeadingCheck {
   public:
     void note(const Pose& pose);
     /// Headings that turn the other way than the positions do, or are in degrees.
-    std::optional<TourFinding> doubt() const;
+    std::optional<TourFinding> doubt(const ReadOptions& read) const;
 
   private:
     /// How a reading of the headings fits: the directions of the way less it, doubled, so that
@@ -59,10 +66,10 @@ class HeadingCheck {
     double way_ = 0.0;
 };
 
-Message headings_in_degrees();
+Remedy headings_in_degrees(const ReadOptions& read);
 /// What mends headings that turn the other way than the positions: `sum_rad` are direction and
 /// heading together, the same all along. By the headings, or by the positions.
-Message reversed_headings(double sum_rad);
-Message reversed_positions(double sum_rad);
+Remedy reversed_headings(double sum_rad, const ReadOptions& read);
+Remedy reversed_positions(double sum_rad, const ReadOptions& read);
 
 }  // namespace hitos

@@ -1,6 +1,7 @@
 // Which steps of a logged path a robot drives.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -21,7 +22,7 @@ class OdometrySteps {
   public:
     /// The step between two readings as it is to be taken. Every reading is asked once, in order.
     Pose taken(const OdometryRecord& before, const OdometryRecord& record);
-    void tell(std::vector<TourFinding>& found) const;
+    void tell(std::vector<TourFinding>& found, const ReadOptions& read) const;
 
   private:
     struct Told {
@@ -52,6 +53,8 @@ class OdometrySteps {
     struct Turns {
         std::uint64_t asked = 0;
         std::uint64_t of_degrees = 0;
+        std::uint64_t reversed = 0;  ///< such that turn the other way, as a compass does
+        std::uint64_t most() const { return std::max(of_degrees, reversed); }
         void note(double told_rad, double other_rad);
         bool are_degrees() const;
     };

@@ -51,6 +51,7 @@ class Procesador final : public TourReader {
     std::optional<double> progress() const override { return fuente_->progress(); }
     std::string name() const override { return fuente_->name(); }
     std::string format() const override;
+    ReadOptions options() const override { return options_; }
     std::vector<TourFinding> findings() const override;
     /// Whether there is any odometry; looked for once, also for all that are reopened from this
     /// one.

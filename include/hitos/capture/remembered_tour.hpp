@@ -39,6 +39,7 @@ class RememberedTour final : public TourReader {
     std::optional<double> progress() const override;
     std::string name() const override { return reader_->name(); }
     std::string format() const override { return reader_->format(); }
+    ReadOptions options() const override { return reader_->options(); }
     std::vector<TourFinding> findings() const override;
     std::optional<Truth> truth() const override { return reader_->truth(); }
 

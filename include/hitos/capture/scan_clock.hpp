@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,11 +19,20 @@ class ScanClock {
     /// shorten the tour.
     double added(double stamp_s);
 
+    /// The same at all times.
+    static ScanClock always(double added_s);
+    /// What is added by both, `other` at seconds of the tour as this clock tells them.
+    ScanClock plus(const ScanClock& other) const;
+    ScanClock plus(double added_s) const { return plus(always(added_s)); }
+    std::string text() const;
+
   private:
     struct Point {
         double at_s = 0.0;
         double added_s = 0.0;
+        friend bool operator==(const Point&, const Point&) = default;
     };
+    double at(double elapsed_s, bool after_leaps) const;
     std::vector<Point> points_;
     std::optional<double> last_s_;
     double elapsed_s_ = 0.0;

@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hitos/capture/scan.hpp"
 #include "hitos/capture/tour_finding.hpp"
+#include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
 
@@ -24,6 +26,8 @@ struct BestFit;
 /// It takes some megabytes at the most, however long the tour is.
 class TourExamination {
   public:
+    /// `read`: how the tour is read, which what is advised comes on top of.
+    explicit TourExamination(ReadOptions read = {}) : read_(std::move(read)) {}
     void note(const Scan& scan);
     void note(const Odometria& odometry);
 
@@ -59,8 +63,9 @@ class TourExamination {
     std::optional<double> agreement(const Hypothesis& hypothesis) const;
 
     /// How much more of the points lie there, closely, than if the robot had driven nowhere, were
-    /// the ranges so many metres for one: of a scale that is too large the way tells nothing.
-    double way_shown(double range_scale) const;
+    /// the ranges so many metres for one: of a scale that is too large the way tells nothing. And
+    /// were the rays' angles so many times as wide.
+    double way_shown(double range_scale, double fan_scale = 1.0) const;
 
   private:
     /// A scan as the laser saw it: ranges by direction, of a whole turn, as its rays part it.
@@ -96,6 +101,8 @@ class TourExamination {
     void keep(const Scan& scan);
     void doubt_readings(std::vector<TourFinding>& found) const;
     void doubt_units(std::vector<TourFinding>& found) const;
+    /// Metres of one that the odometry says: 1, or less where no robot is so fast.
+    double way_unit() const;
     void doubt_speed(std::vector<TourFinding>& found) const;
     void doubt_odometry(std::vector<TourFinding>& found) const;
     void doubt_fit(std::vector<TourFinding>& found) const;
@@ -124,6 +131,8 @@ class TourExamination {
     void tell_fan(const Fit& fit, double told, const BestFit& mounted,
                   std::vector<TourFinding>& found) const;
     bool doubt_range_offset(const Fit& fit, std::vector<TourFinding>& found) const;
+    void tell_range_offset(const Fit& fit, const BestFit& longer,
+                           std::vector<TourFinding>& found) const;
     void doubt_lost_rays(std::vector<TourFinding>& found) const;
     bool doubt_ray_times(std::vector<TourFinding>& found) const;
     void tell_ray_times(TourFinding& told) const;
@@ -159,6 +168,7 @@ class TourExamination {
     void note_self(const Scan& scan);
     void note_pause(const Scan& scan);
 
+    ReadOptions read_;
     std::vector<StampedPose> path_;  ///< by the odometry, thinned where it grows long
     std::vector<double> headings_;   ///< of the path's poses, whole turns counted [rad]
     double heading_rad_ = 0.0;       ///< of the last

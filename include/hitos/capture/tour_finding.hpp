@@ -5,10 +5,25 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hitos/base/message.hpp"
 
 namespace hitos {
+
+/// A parameter of how a source is read, and the whole value that mends it, whatever was set when it
+/// was doubted.
+struct SourceSetting {
+    std::string key;  ///< "source.scan_delay"
+    std::string value;
+    friend bool operator==(const SourceSetting&, const SourceSetting&) = default;
+};
+
+/// One way to mend what was found.
+struct Remedy {
+    Message words;
+    std::vector<SourceSetting> settings = {};  ///< all of them together; where none, words alone
+};
 
 /// Something that a map would show wrong although every line of the tour can be read.
 struct TourFinding {
@@ -52,11 +67,15 @@ struct TourFinding {
     };
     Kind kind = Kind::clocks_apart;
     double value = 0.0;
-    Message what;    ///< what was found, with its number, and what it does to a map
-    Message remedy;  ///< what to do
-    std::optional<double> scan_delay_s = {};  ///< where --scan-delay mends it
-    std::string scan_clock = {};              ///< where that with one of ScanClock's texts does
+    Message what;  ///< what was found, with its number, and what it does to a map
+    std::vector<Remedy> remedies = {};   ///< one of them is to be taken, the likeliest first
+    std::optional<double> later_s = {};  ///< where scans of another time fit: what is added to it
 };
+
+/// The settings as one gives them to a program: "--scan-delay -1.72 --set source.fan_scale=0.5".
+std::string options_of(const std::vector<SourceSetting>& settings);
+/// All remedies with their options, in one line.
+Message advice_of(const TourFinding& finding);
 
 /// The word of a kind, for programs: "scan-delay".
 std::string_view word_of(TourFinding::Kind kind);

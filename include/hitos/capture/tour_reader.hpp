@@ -156,6 +156,8 @@ class TourReader {
     virtual std::string name() const = 0;
     /// The word of the log's format, or kWorldFormat.
     virtual std::string format() const = 0;
+    /// How it is read.
+    virtual ReadOptions options() const { return {}; }
     /// What there is to doubt about how the tour is read, as far as it has been.
     virtual std::vector<TourFinding> findings() const { return {}; }
     /// The truth, where the tour knows it: a simulated one does.

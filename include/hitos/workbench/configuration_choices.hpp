@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/capture/tour_finding.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 
 namespace hitos {
@@ -22,6 +23,9 @@ struct ValueChoices {
 /// The assignments over the configuration, in order, then the others; those of a world are put
 /// behind what source.world_set says already. All checked. Throws ConfigError.
 void choose_values(Configuracion& configuration, const ValueChoices& choices);
+
+/// What a finding advises.
+void take_up(const std::vector<SourceSetting>& settings, SourceParams& source);
 
 /// --scan-topic, --odom-topic, --same-frames, --laser-pose and --scan-delay.
 struct TopicChoices {

@@ -10,6 +10,7 @@
 #include "fields.hpp"
 #include "hitos/base/median.hpp"
 #include "hitos/base/translatable.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -176,20 +177,23 @@ std::vector<TourFinding> carmen_doubts(const Fuente& fuente, const ReadOptions& 
                                     "they have too few digits; the logger's times, the last number "
                                     "of each line, are taken in their place"),
                          clocks.of_one_time, clocks.asked),
-                 marked(HITOS_TEXT("Errors",
-                                   "record times with milliseconds, as numbers of 64 bits"))}};
+                 {{marked(HITOS_TEXT("Errors",
+                                     "record times with milliseconds, as numbers of 64 bits"))}}}};
     }
-    if (!clocks.scans_late_s) return {};
-    const double late_s = *clocks.scans_late_s;
+    constexpr double kAlmostNone = 0.02;  // [s]
+    if (!clocks.scans_late_s || !options.scan_clock.empty()) return {};
+    const double stamps_s = *clocks.scans_late_s;
+    const double late_s = stamps_s - options.scan_delay_s;
+    if (std::abs(late_s) < kAlmostNone) return {};
     return {
-        {TourFinding::Kind::late_stamps, late_s,
+        {TourFinding::Kind::late_stamps,
+         late_s,
          message(HITOS_TEXT("Errors",
                             "by the logger's times the stamps of %1 are %2 s behind those of %3: "
                             "the clocks of their computers differ"),
-                 late_s < 0.0 ? "ODOM" : clocks.scans, fmt::format("{:.2f}", std::abs(late_s)),
-                 late_s < 0.0 ? clocks.scans : "ODOM"),
-         message(HITOS_TEXT("Errors", "add the difference to the scans' times: --scan-delay %1"),
-                 fmt::format("{:.2f}", late_s)),
+                 stamps_s < 0.0 ? "ODOM" : clocks.scans, fmt::format("{:.2f}", std::abs(stamps_s)),
+                 stamps_s < 0.0 ? clocks.scans : "ODOM"),
+         {added_difference(WholeValues(options).later_by(late_s))},
          late_s}};
 }
 

@@ -23,22 +23,25 @@ void RangeLimits::tell(std::vector<TourFinding>& found) const {
             static_cast<double>(laser.too_near) / static_cast<double>(laser.readings);
         if (laser.swapped) {
             found.push_back(
-                {TourFinding::Kind::blind_laser, 0.0,
+                {TourFinding::Kind::blind_laser,
+                 0.0,
                  message(
                      HITOS_TEXT("Errors",
                                 "%1 says that its least range is %2 m and its greatest %3 m; they "
                                 "are taken the other way round, as no reading lies between them"),
                      topic, metres(laser.greatest_m), metres(laser.least_m)),
-                 marked(HITOS_TEXT(
-                     "Errors", "let the driver say range_min and range_max the right way round"))});
+                 {{marked(HITOS_TEXT(
+                     "Errors",
+                     "let the driver say range_min and range_max the right way round"))}}});
         } else if (share > kMost) {
             found.push_back(
-                {TourFinding::Kind::blind_laser, share,
+                {TourFinding::Kind::blind_laser,
+                 share,
                  message(HITOS_TEXT("Errors",
                                     "%1 % of the readings of %2 are nearer than the least range of "
                                     "%3 m that it says, and are no points"),
                          std::lround(100.0 * share), topic, metres(laser.least_m)),
-                 marked(HITOS_TEXT("Errors", "let the driver say the laser's own range_min"))});
+                 {{marked(HITOS_TEXT("Errors", "let the driver say the laser's own range_min"))}}});
         }
     }
 }

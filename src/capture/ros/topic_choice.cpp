@@ -13,6 +13,7 @@
 #include "hitos/base/median.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "remedies.hpp"
 
 namespace hitos {
 namespace {
@@ -198,13 +199,14 @@ void choose_odometry(const RecordingSurvey& survey, const ReadOptions& options,
     const auto robot = survey.robot_frames.find(topic.name);
     if (name.empty() && robot == survey.robot_frames.end() && !chosen.odometry_frame.empty()) {
         chosen.findings.push_back(
-            {TourFinding::Kind::unread_odometry, static_cast<double>(topic.messages),
+            {TourFinding::Kind::unread_odometry,
+             static_cast<double>(topic.messages),
              message(HITOS_TEXT("Errors",
                                 "no message of the odometry %1 can be read, so that the transforms "
                                 "to \"%2\" are taken"),
                      topic.name, chosen.odometry_frame),
-             message(HITOS_TEXT("Errors", "--odom-topic %1 says what is wrong with them"),
-                     topic.name)});
+             {{message(HITOS_TEXT("Errors", "--odom-topic %1 says what is wrong with them"),
+                       topic.name)}}});
         return;
     }
     chosen.odometry = topic.name;
@@ -216,8 +218,9 @@ void choose_odometry(const RecordingSurvey& survey, const ReadOptions& options,
 }
 
 /// Whether stamps of the scans are of another clock than those of the odometry.
-void doubt_stamps(const RecordingSurvey& survey, TourTopics& chosen) {
-    constexpr double kLeast = 1.0;  // networks hold messages up that long
+void doubt_stamps(const RecordingSurvey& survey, const ReadOptions& read, TourTopics& chosen) {
+    constexpr double kLeast = 1.0;         // networks hold messages up that long
+    if (!read.scan_clock.empty()) return;  // somebody has looked at them
     const auto scan_receipts = survey.receipts.find(chosen.scans.front());
     const auto odometry_receipts = survey.receipts.find(chosen.odometry);
     if (scan_receipts == survey.receipts.end() || odometry_receipts == survey.receipts.end())
@@ -238,18 +241,19 @@ void doubt_stamps(const RecordingSurvey& survey, TourTopics& chosen) {
     };
     const std::optional<double> scans = lag_of(a);
     const std::optional<double> odometry = lag_of(b);
-    if (!scans || !odometry || std::abs(*scans - *odometry) < kLeast) return;
-    const std::string delay = fmt::format("{:.2f}", *scans - *odometry);
+    if (!scans || !odometry) return;
+    const double late_s = *scans - *odometry - read.scan_delay_s;
+    if (std::abs(late_s) < kLeast) return;
     chosen.findings.push_back(
-        {TourFinding::Kind::late_stamps, *scans - *odometry,
+        {TourFinding::Kind::late_stamps,
+         late_s,
          message(HITOS_TEXT("Errors",
                             "%1 was received %2 s after its stamps and %3 %4 s after its own: the "
                             "clocks of their computers differ"),
                  chosen.scans.front(), fmt::format("{:.2f}", *scans), chosen.odometry,
                  fmt::format("{:.2f}", *odometry)),
-         message(HITOS_TEXT("Errors", "add the difference to the scans' times: --scan-delay %1"),
-                 delay),
-         *scans - *odometry});
+         {added_difference(WholeValues(read).later_by(late_s))},
+         late_s});
 }
 
 using UsedFrames = std::set<std::pair<std::string, std::string>>;  // topic and frame
@@ -259,13 +263,14 @@ void doubt_frames(const RecordingSurvey& survey, const ReadOptions& options,
                   const std::string& laser_frame, const UsedFrames& used, TourTopics& chosen) {
     if (chosen.frames.empty() && options.laser_pose.empty() && laser_frame != chosen.robot_frame) {
         chosen.findings.push_back(
-            {TourFinding::Kind::assumed_mounting, static_cast<double>(chosen.scans.size()),
+            {TourFinding::Kind::assumed_mounting,
+             static_cast<double>(chosen.scans.size()),
              message(HITOS_TEXT("Errors",
                                 "no transform says where the laser \"%1\" sits on the robot "
                                 "\"%2\"; it is taken to sit in its origin and look ahead, and "
                                 "where it does not, the map is bent where the robot turns"),
                      laser_frame, chosen.robot_frame),
-             marked(HITOS_TEXT("Errors", "say where it sits: --laser-pose x,y,degrees"))});
+             {{marked(HITOS_TEXT("Errors", "say where it sits: --laser-pose x,y,degrees"))}}});
     }
     const std::string& laser = chosen.scans.front();
     const FrameChoice& own = chosen.of_laser.at(laser);
@@ -273,28 +278,30 @@ void doubt_frames(const RecordingSurvey& survey, const ReadOptions& options,
         std::string topics;
         for (const std::string& topic : own.topics) topics += (topics.empty() ? "" : ", ") + topic;
         chosen.findings.push_back(
-            {TourFinding::Kind::assumed_mounting, static_cast<double>(chosen.scans.size()),
+            {TourFinding::Kind::assumed_mounting,
+             static_cast<double>(chosen.scans.size()),
              message(HITOS_TEXT(
                          "Errors",
                          "no transforms are of the namespace of %1, so that those of %2 are taken; "
                          "where that is another robot, the laser sits wrongly, and drives its way"),
                      laser, topics),
-             marked(HITOS_TEXT("Errors",
-                               "say where it sits (--laser-pose x,y,degrees) and take a topic for "
-                               "the odometry (--odom-topic)"))});
+             {{marked(HITOS_TEXT("Errors",
+                                 "say where it sits (--laser-pose x,y,degrees) and take a topic "
+                                 "for the odometry (--odom-topic)"))}}});
     }
     for (const auto& [topic, frame] : used) {
         const std::uint64_t returns = survey.frames.at(topic).publishers.returns(frame);
         if (returns == 0) continue;
         chosen.findings.push_back(
-            {TourFinding::Kind::two_publishers, static_cast<double>(returns),
+            {TourFinding::Kind::two_publishers,
+             static_cast<double>(returns),
              message(HITOS_TEXT("Errors",
                                 "the frame \"%1\" goes to and fro between two places in %2, %3 "
                                 "times: two programs say where it is"),
                      frame, topic, returns),
-             marked(HITOS_TEXT("Errors",
-                               "take a topic for the odometry (--odom-topic), or say where the "
-                               "laser sits (--laser-pose), or record with one of them only"))});
+             {{marked(HITOS_TEXT("Errors",
+                                 "take a topic for the odometry (--odom-topic), or say where the "
+                                 "laser sits (--laser-pose), or record with one of them only"))}}});
     }
 }
 
@@ -349,7 +356,7 @@ TourTopics choose_topics(const RecordingSurvey& survey, const ReadOptions& optio
                        "found one place for %1 lasers; choose one of them (--scan-topic)"),
             chosen.scans.size());
     }
-    doubt_stamps(survey, chosen);
+    doubt_stamps(survey, options, chosen);
     doubt_frames(survey, options, laser_frame, used, chosen);
     return chosen;
 }

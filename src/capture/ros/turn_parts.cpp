@@ -31,16 +31,17 @@ void TurnParts::tell(std::vector<TourFinding>& found) const {
     for (const auto& [topic, laser] : lasers_) {
         if (2 * laser.parts <= laser.scans) continue;
         found.push_back(
-            {TourFinding::Kind::parts_of_a_turn, static_cast<double>(laser.parts),
+            {TourFinding::Kind::parts_of_a_turn,
+             static_cast<double>(laser.parts),
              message(HITOS_TEXT("Errors",
                                 "%1 of %2 scans of %3 are parts of a turn that do not go on where "
                                 "the one before ends (the last ones are %4 degrees apart), so that "
                                 "each is taken as a scan of its own, which shows little"),
                      laser.parts, laser.scans, topic,
                      fmt::format("{:.0f}", laser.apart_rad * kDegreesPerRadian)),
-             marked(HITOS_TEXT(
+             {{marked(HITOS_TEXT(
                  "Errors",
-                 "record all messages of the laser, or let its driver send whole turns"))});
+                 "record all messages of the laser, or let its driver send whole turns"))}}});
     }
 }
 

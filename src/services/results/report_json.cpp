@@ -11,10 +11,17 @@ namespace hitos {
 using nlohmann::ordered_json;
 
 ordered_json json_of(const TourFinding& finding) {
+    ordered_json remedies = ordered_json::array();
+    for (const Remedy& remedy : finding.remedies) {
+        ordered_json set = ordered_json::object();
+        for (const auto& [key, value] : remedy.settings) set[key] = value;
+        remedies.push_back({{"remedy", remedy.words.english()}, {"set", std::move(set)}});
+    }
     return {{"kind", word_of(finding.kind)},
             {"value", finding.value},
             {"found", finding.what.english()},
-            {"remedy", finding.remedy.english()}};
+            {"remedy", advice_of(finding).english()},
+            {"remedies", std::move(remedies)}};
 }
 
 ordered_json json_of(const ReadReport& report, std::size_t examples) {

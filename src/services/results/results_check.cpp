@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
-#include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/file_exchange.hpp"
@@ -50,8 +49,14 @@ void expect_settings(const fs::path& folder) {
 
 ResultsCheck check_results(const fs::path& folder) {
     const fs::path summary = folder / kSummaryFile;
-    const auto [files, finished] = with_summary(folder, [&](const nlohmann::json& json) {
-        return std::pair(files_named(json, summary), json.value("finished", true));
+    ResultsCheck check;
+    const auto files = with_summary(folder, [&](const nlohmann::json& json) {
+        check.finished = json.value("finished", true);
+        for (const nlohmann::json& one : json.value("not_written", nlohmann::json::array())) {
+            check.not_written.push_back(one.at("file").get<std::string>() + ": " +
+                                        one.at("reason").get<std::string>());
+        }
+        return files_named(json, summary);
     });
     if (files.empty()) {
         throw FormatError(summary.string(), 0,
@@ -60,9 +65,7 @@ ResultsCheck check_results(const fs::path& folder) {
                                      "0.1.0 did not; run it again to have them checked"));
     }
     expect_settings(folder);
-    ResultsCheck check;
     check.files = files.size();
-    check.finished = finished;
     for (const WrittenFile& file : files) {
         if (!is_file(folder / file.name)) {
             check.missing.push_back(file.name);

@@ -26,6 +26,7 @@ class NoisyReader final : public TourReader {
     std::optional<double> progress() const override { return reader_->progress(); }
     std::string name() const override { return reader_->name(); }
     std::string format() const override { return reader_->format(); }
+    ReadOptions options() const override { return reader_->options(); }
     std::vector<TourFinding> findings() const override { return reader_->findings(); }
     std::optional<Truth> truth() const override { return reader_->truth(); }
 

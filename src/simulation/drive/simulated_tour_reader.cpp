@@ -129,11 +129,12 @@ std::optional<double> SimulatedTourReader::progress() const {
 std::vector<TourFinding> SimulatedTourReader::findings() const {
     std::vector<TourFinding> found;
     for (const Message& warning : tour_->world().drawing_warnings) {
-        found.push_back({TourFinding::Kind::unsure_drawing, static_cast<double>(found.size() + 1),
+        found.push_back({TourFinding::Kind::unsure_drawing,
+                         static_cast<double>(found.size() + 1),
                          warning,
-                         marked(HITOS_TEXT("Errors",
-                                           "look at the world's walls, in the window or by "
-                                           "hitos-cli world, and correct the drawing"))});
+                         {{marked(HITOS_TEXT("Errors",
+                                             "look at the world's walls, in the window or by "
+                                             "hitos-cli world, and correct the drawing"))}}});
     }
     return found;
 }

@@ -211,8 +211,8 @@ TEST(ConversorCarmen, TheLoggersTimesTellThatScansAreOfAnotherClock) {
         const Log log = carmen(late_scans(late_s));
         ASSERT_EQ(log.findings.size(), 1U) << late_s;
         EXPECT_EQ(log.findings[0].kind, TourFinding::Kind::late_stamps);
-        ASSERT_TRUE(log.findings[0].scan_delay_s);
-        EXPECT_NEAR(*log.findings[0].scan_delay_s, late_s, 1e-3);
+        ASSERT_TRUE(log.findings[0].later_s);
+        EXPECT_NEAR(*log.findings[0].later_s, late_s, 1e-3);
     }
     EXPECT_TRUE(carmen(late_scans(0.0)).findings.empty());
     EXPECT_TRUE(carmen(late_scans(0.7)).findings.empty());  // as a logger may hold lines up

@@ -79,7 +79,7 @@ TEST(OdometryAxes, WhatIsAdvisedReadsThePosesAsTheyAreMeant) {
         const std::string text = bends(one.change);
         const auto found = read_text("radish", text).findings;
         ASSERT_EQ(found.size(), 1U) << one.axes;
-        EXPECT_THAT(found.front().remedy.english(),
+        EXPECT_THAT(advice_of(found.front()).english(),
                     HasSubstr("source.odometry_axes=" + std::string(one.axes)));
         ReadOptions options;
         options.odometry_axes = one.axes;
@@ -115,7 +115,7 @@ TEST(OdometryAxes, TurnsAreWidenedAndMirrored) {
 
 TEST(OdometryAxes, OtherTextsAreRefused) {
     for (const char* wrong : {"x,y", "x,x,theta", "x,y,theta,1", "x,z,theta", "x,y,heading",
-                              "x,y,2theta", "x,y,theta90", "x,y,90*theta", "x,y,900-theta"}) {
+                              "x,y,2theta", "x,y,theta90", "x,y,90*theta", "x,y,inf-theta"}) {
         try {
             const OdometryAxes axes{wrong};
             ADD_FAILURE() << wrong;

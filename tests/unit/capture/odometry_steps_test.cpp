@@ -46,7 +46,7 @@ TEST(OdometrySteps, WhatMakesUpForAHaltOfTheOdometryIsNoLeap) {
     EXPECT_NEAR(log.findings.front().value, 1.5, 1e-6);
     EXPECT_THAT(log.findings.front().what.english(), HasSubstr("for up to 3 s"));
     EXPECT_THAT(log.findings.front().what.english(), HasSubstr("1.5 m (line 261), 1 in all"));
-    EXPECT_THAT(log.findings.front().remedy.english(), HasSubstr("source.odometry=scans"));
+    EXPECT_THAT(advice_of(log.findings.front()).english(), HasSubstr("source.odometry=scans"));
     EXPECT_TRUE(read_text("radish", hung(10.0, 0.2)).findings.empty());
 }
 
@@ -71,7 +71,7 @@ TEST(OdometrySteps, DegreesThatWereWrappedAsRadiansAreTold) {
         ASSERT_EQ(log.findings.size(), 1U);
         EXPECT_EQ(log.findings[0].kind, TourFinding::Kind::odometry_units);
         EXPECT_THAT(
-            log.findings[0].remedy.english(),
+            advice_of(log.findings[0]).english(),
             HasSubstr(with_velocities ? "source.odometry=velocities" : "source.odometry=scans"));
     }
 }

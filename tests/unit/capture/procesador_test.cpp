@@ -154,7 +154,7 @@ TEST(Procesador, VelocitiesThatMoveWithoutPosesAreTold) {
     const Log log = read_text("radish", text);
     ASSERT_EQ(log.findings.size(), 1U);
     EXPECT_EQ(log.findings.front().kind, TourFinding::Kind::still_odometry);
-    EXPECT_THAT(log.findings.front().remedy.english(), HasSubstr("source.odometry=velocities"));
+    EXPECT_THAT(advice_of(log.findings.front()).english(), HasSubstr("source.odometry=velocities"));
     EXPECT_TRUE(read_text("radish", text, {.odometry = OdometryFrom::velocities}).findings.empty());
 }
 

@@ -201,7 +201,7 @@ TEST_F(DoubtfulRecording, AMountingThatNothingSaysIsAssumedAndTold) {
     const Log log = read(all);
     EXPECT_EQ(log.scans.size(), 5U);
     ASSERT_EQ(kinds(log), std::vector{Doubt::assumed_mounting});
-    EXPECT_THAT(log.findings.front().remedy.english(), HasSubstr("--laser-pose"));
+    EXPECT_THAT(advice_of(log.findings.front()).english(), HasSubstr("--laser-pose"));
     ReadOptions options;
     options.laser_pose = "0.25,0,0";
     EXPECT_TRUE(read(all, options).findings.empty());
@@ -325,7 +325,7 @@ TEST_F(DoubtfulRecording, StampsOfAnotherClockThanThatOfReceiptAreTold) {
     const Log log = read(all);
     ASSERT_EQ(kinds(log), std::vector{Doubt::late_stamps});
     EXPECT_NEAR(log.findings.front().value, 2.0, 1e-3);
-    EXPECT_THAT(log.findings.front().remedy.english(), HasSubstr("--scan-delay 2.00"));
+    EXPECT_THAT(advice_of(log.findings.front()).english(), HasSubstr("--scan-delay 2.00"));
     for (Said& said : all) {
         if (said.topic == "/odom") said.log_time_ns += 2'000'000'000;  // both received late
     }

@@ -190,7 +190,7 @@ TEST(SimulatedTourReader, WhatIsUnsureOfADrawingIsSaidOfTheTour) {
     EXPECT_EQ(word_of(found[1].kind), "unsure-drawing");
     EXPECT_EQ(found[1].what.english(), "2 blocks");
     EXPECT_EQ(found[1].value, 2.0);
-    EXPECT_FALSE(found[1].remedy.empty());
+    EXPECT_FALSE(found[1].remedies.empty());
 }
 
 TEST(SimulatedTourReader, AWorldSaysItselfWhereItsLaserSits) {

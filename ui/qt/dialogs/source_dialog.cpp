@@ -19,7 +19,6 @@
 #include "look/words_of.hpp"
 #include "session/background.hpp"
 #include "source_reading.hpp"
-#include "source_remedies.hpp"
 #include "ui_source_dialog.h"
 
 namespace hitos::window {
@@ -314,17 +313,23 @@ void SourceDialog::offer_remedies(const std::vector<TourFinding>& findings) {
     Configuracion now;
     now.source = checked_;
     for (const TourFinding& finding : findings) {
-        for (const SourceRemedy& remedy : remedies_of(finding, checked_)) {
-            const ConfigParameter& parameter = *remedy.parameter;
-            if (!how_read_->has(parameter) || parameter.text(now) == remedy.value) continue;
-            auto* button = new QPushButton(
-                tr("Set “%1” to %2").arg(label_of(parameter), value_words(parameter, remedy.value)),
-                ui_->verdict_box);
-            button->setObjectName("remedy_" + to_qt(parameter.key));
+        for (const Remedy& remedy : finding.remedies) {
+            const auto can_be_set = [&](const SourceSetting& one) {
+                const ConfigParameter& parameter = find_parameter(one.key);
+                return how_read_->has(parameter) && parameter.text(now) != one.value;
+            };
+            if (std::ranges::none_of(remedy.settings, can_be_set)) continue;
+            auto* button =
+                new QPushButton(tr("Set %1").arg(words_of(remedy.settings)), ui_->verdict_box);
+            button->setObjectName("remedy_" + to_qt(remedy.settings.front().key));
+            button->setToolTip(words_of(remedy.words));
             button->setAutoDefault(false);
-            connect(button, &QPushButton::clicked, this, [this, remedy] {
+            connect(button, &QPushButton::clicked, this, [this, settings = remedy.settings] {
                 ui_->how->setChecked(true);
-                how_read_->set(*remedy.parameter, remedy.value);
+                for (const auto& [key, value] : settings) {
+                    const ConfigParameter& parameter = find_parameter(key);
+                    if (how_read_->has(parameter)) how_read_->set(parameter, value);
+                }
             });
             ui_->remedies->addWidget(button, 0, Qt::AlignLeft);
         }

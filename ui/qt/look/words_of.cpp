@@ -1,9 +1,12 @@
 #include "words_of.hpp"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/geometry.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
+#include "parameter_text.hpp"
 
 namespace hitos::window {
 
@@ -17,8 +20,23 @@ QString words_of(const std::exception& error) {
     return words_of(message_of(error));
 }
 
+QString words_of(const std::vector<SourceSetting>& settings) {
+    QStringList words;
+    for (const auto& [key, value] : settings) {
+        const ConfigParameter& parameter = find_parameter(key);
+        words << QCoreApplication::translate("Finding", "“%1” %2")
+                     .arg(label_of(parameter), value_words(parameter, value));
+    }
+    return words.join(", ");
+}
+
 QString words_of(const TourFinding& finding) {
-    return words_of(finding.what) + "; " + words_of(finding.remedy);
+    QStringList words{words_of(finding.what)};
+    for (const Remedy& remedy : finding.remedies) {
+        words << words_of(remedy.words);
+        if (!remedy.settings.empty()) words.back() += ": " + words_of(remedy.settings);
+    }
+    return words.join("; ");
 }
 
 QString set_apart(const QString& note) {

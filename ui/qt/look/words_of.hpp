@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <exception>
+#include <vector>
 
 #include "hitos/base/message.hpp"
 #include "hitos/capture/tour_finding.hpp"
@@ -12,6 +13,8 @@ namespace hitos::window {
 /// In the context "Errors"; what has no translation is said in English. Any thread may ask.
 QString words_of(const Message& message);
 QString words_of(const std::exception& error);
+/// “Label” value, of each.
+QString words_of(const std::vector<SourceSetting>& settings);
 /// What was found, and what to do.
 QString words_of(const TourFinding& finding);
 /// A line of its own among several, which findings begin as parts of a sentence do: "• What …".

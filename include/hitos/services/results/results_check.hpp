@@ -14,6 +14,8 @@ struct ResultsCheck {
     std::vector<std::string> missing;    ///< named, not there
     std::vector<std::string> changed;    ///< of another size or content
     std::vector<std::string> left_over;  ///< of a run, but not of this one
+    /// Asked for and never there, with the reason: "grid.pgm: …". The folder is whole without them.
+    std::vector<std::string> not_written;
 
     bool whole() const { return missing.empty() && changed.empty() && left_over.empty(); }
 };

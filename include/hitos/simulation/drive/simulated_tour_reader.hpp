@@ -28,6 +28,7 @@ class SimulatedTourReader final : public TourReader {
     std::optional<double> progress() const override;
     std::string name() const override { return tour_->world().file; }
     std::string format() const override { return kWorldFormat; }
+    ReadOptions options() const override { return options_; }
     std::vector<TourFinding> findings() const override;  ///< about the walls of its drawing
     std::optional<Truth> truth() const override;
     const std::shared_ptr<const SimulatedTour>& tour() const { return tour_; }
