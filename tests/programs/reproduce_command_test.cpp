@@ -14,7 +14,8 @@ class ReproduceCommand : public ProgramTest {
 };
 
 TEST_F(ReproduceCommand, WritesTableDocumentAndPlotsOfOneFigureAndGoesOn) {
-    const std::string arguments = "--only 10.28 --runs 1 --threads 2 --out " + path("two");
+    const std::string arguments =
+        "--only 10.28 --runs 1 --world tour.laps=1 --threads 2 --out " + path("two");
     const Outcome first = reproduce(arguments + " --report " + path("report.md"));
     ASSERT_EQ(first.status, 0) << first.output;
     EXPECT_NE(first.output.find("10 runs done, 0 found done, 0 failed"), std::string::npos)
@@ -32,7 +33,10 @@ TEST_F(ReproduceCommand, WritesTableDocumentAndPlotsOfOneFigureAndGoesOn) {
     EXPECT_EQ(fs::exists(path("two/plots/10.27-recinto-mlon.png")), drawn);
     EXPECT_EQ(fs::exists(path("report/10.27-recinto-mlon.png")), drawn);
 
-    ASSERT_EQ(reproduce("--only 10.28 --runs 1 --threads 1 --out " + path("one")).status, 0);
+    ASSERT_EQ(
+        reproduce("--only 10.28 --runs 1 --world tour.laps=1 --threads 1 --out " + path("one"))
+            .status,
+        0);
     EXPECT_EQ(files("one"), files("two"));
 
     const Outcome again = reproduce(arguments);
