@@ -98,6 +98,7 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
     }
     doubt_units(found);
     const double turn = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
+    const double rays = static_cast<double>(fan_.count) - 1.0;
     constexpr double kRounding = 0.9 * kRadiansPerDegree;
     constexpr double kSteps = 0.75;  // a closed fan has half of one
     if (fan_.count > 1 &&
@@ -111,7 +112,8 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                      fmt::format("{:.0f}", turn * kDegreesPerRadian)),
              {{marked(HITOS_TEXT("Errors",
                                  "all of them are taken; let the driver say the step between rays "
-                                 "that the laser makes (angle_increment)"))}}});
+                                 "that the laser makes (angle_increment); if it turns all round")),
+               WholeValues(read_).fan_scale(2.0 * kPi * rays / ((rays + 1.0) * turn))}}});
     }
     constexpr double kMostSame = 0.03;  // no sound laser measures the same twice
     constexpr std::uint64_t kLeastMoved = 20;

@@ -361,8 +361,9 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
         const double expected = std::hypot(at.x, at.y);
         ++asked;
         const double seen_m = static_cast<double>(ranges[bin]) + hypothesis.range_offset_m;
-        if (std::abs(seen_m - expected) <
-            hypothesis.near_m + hypothesis.near_per_range * expected) {
+        // What is added to the readings does not make them less exact.
+        const double read_m = std::max(0.0, expected - hypothesis.range_offset_m);
+        if (std::abs(seen_m - expected) < hypothesis.near_m + hypothesis.near_per_range * read_m) {
             ++lie;
         }
     }

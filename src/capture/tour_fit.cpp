@@ -87,8 +87,9 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     if (longer.agreement >=
             std::max({kLeastFit, told + kClearly,
                       std::max(late.agreement, mounted.agreement) + kOverMounting}) &&
+        std::abs(longer.hypothesis.range_offset_m) < kOffsetStep * (kOffsetSteps - 0.5) &&
         beats_standing(longer.agreement)) {
-        tell_range_offset(fit, longer, found);
+        if (!doubt_dead(found)) tell_range_offset(fit, longer, found);
         return;
     }
     if (mounted.agreement > late.agreement) doubt_mounting(fit, told, mounted, found);
@@ -184,16 +185,27 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
                                      other.scale *= 1.0 + off;
                                      return other;
                                  }));
+    std::vector<Remedy> remedies{
+        {say_so(), WholeValues(read_).odometry_scale(scale)},
+        {marked(HITOS_TEXT("Errors", "or, where the laser's readings are no metres")),
+         WholeValues(read_).range_scale(1.0 / scale)}};
+    // Of the laser's, if that would be a unit, and not of the odometry's.
+    for (const LengthUnit& unit : kLengthUnits) {
+        constexpr double kNear = 0.02;
+        if (std::abs(scale * unit.metres - 1.0) > kNear) continue;
+        remedies = {
+            {message(HITOS_TEXT("Errors", "if the laser's readings are %1"), marked(unit.name)),
+             WholeValues(read_).range_scale(unit.metres)},
+            {marked(HITOS_TEXT("Errors", "or, where it is the odometry")),
+             WholeValues(read_).odometry_scale(scale)}};
+    }
     found.push_back(
-        {Kind::odometry_scale,
-         scale,
+        {Kind::odometry_scale, scale,
          message(HITOS_TEXT("Errors",
                             "by the scans the robot drives %1 times as far as by the odometry (%2 "
                             "% of their points fit so, %3 % as it is told)"),
                  fmt::format("{:.3g}", scale), percent(best.agreement), percent(told)),
-         {{say_so(), WholeValues(read_).odometry_scale(scale)},
-          {marked(HITOS_TEXT("Errors", "or, where the laser's readings are no metres")),
-           WholeValues(read_).range_scale(1.0 / scale)}}});
+         std::move(remedies)});
 }
 
 /// Whether scans fit the odometry better as they are stamped, or by another time that was found,

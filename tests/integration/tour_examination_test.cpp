@@ -43,7 +43,7 @@ TEST_P(OfWorld, ADelayIsToldToATenthOfASecond) {
         const auto found = late.of_kind(Kind::scan_delay);
         ASSERT_TRUE(found) << delay;
         EXPECT_NEAR(found->value, -delay, 0.1);
-        advice_of(*EXPECT_NE(found).english().find("--scan-delay"), std::string::npos);
+        EXPECT_NE(advice_of(*found).english().find("--scan-delay"), std::string::npos);
     }
 }
 
@@ -76,8 +76,8 @@ TEST_P(OfWorld, ALaserMountedOtherwiseIsTold) {
         ASSERT_TRUE(found) << degrees << '\n' << turned.said();
         const double off = wrap_angle(found->value - degrees * kRadiansPerDegree);
         EXPECT_LE(std::abs(off), 4.0 * kRadiansPerDegree) << degrees;
-        advice_of(*EXPECT_NE(found).english().find("--laser-pose"), std::string::npos);
-        advice_of(*EXPECT_EQ(found).english().find("upside-down"), std::string::npos);
+        EXPECT_NE(advice_of(*found).english().find("--laser-pose"), std::string::npos);
+        EXPECT_EQ(advice_of(*found).english().find("upside-down"), std::string::npos);
     }
     Readings mirrored = tour_;
     for (Scan& scan : mirrored.scans) scan = mounted(scan, 0.0, true);
@@ -94,7 +94,7 @@ TEST_P(OfWorld, WhatIsUpsideDownAlreadyIsAdvisedAsThat) {
         }
         const auto found = turned.of_kind(mirrored ? Kind::mirrored_laser : Kind::turned_laser);
         ASSERT_TRUE(found) << turned.said();
-        advice_of(*EXPECT_EQ(found).english().find("upside-down") != std::string::npos, !mirrored)
+        EXPECT_EQ(advice_of(*found).english().find("upside-down") != std::string::npos, !mirrored)
             << advice_of(*found).english();
     }
 }
@@ -141,7 +141,7 @@ TEST_P(OfWorld, OdometryThatStandsForAWhileIsTold) {
     ASSERT_TRUE(stands) << frozen.said();
     EXPECT_GE(stands->value, 9.0) << stands->what.english();
     EXPECT_LE(stands->value, 36.0);
-    advice_of(*EXPECT_NE(stands).english().find("source.odometry=scans"), std::string::npos);
+    EXPECT_NE(advice_of(*stands).english().find("source.odometry=scans"), std::string::npos);
     Readings ended = tour_;
     std::erase_if(ended.odometry, [&](const Odometria& one) { return one.time_s > third; });
     const auto ends = ended.of_kind(Kind::still_odometry);
@@ -214,7 +214,7 @@ TEST_P(OfWorld, APartOfTheRobotThatTheLaserSeesIsTold) {
     }
     ASSERT_TRUE(found) << own.said();
     EXPECT_EQ(found->value, 6.0);
-    advice_of(*EXPECT_NE(found).english().find("source.min_range=0.40"), std::string::npos)
+    EXPECT_NE(advice_of(*found).english().find("source.min_range=0.40"), std::string::npos)
         << advice_of(*found).english();
 }
 
