@@ -2211,10 +2211,6 @@
         <translation>según la odometría el robot circula casi siempre a %1 m/s, lo que ninguno de su clase hace</translation>
     </message>
     <message>
-        <source>map it with registration: --preset recorded</source>
-        <translation>cartografíe con registro: --preset recorded</translation>
-    </message>
-    <message>
         <source>the scans change and the odometry says that the robot never moved; all scans are put on one place</source>
         <translation>los barridos cambian y la odometría dice que el robot no se movió nunca; todos los barridos se ponen en un mismo lugar</translation>
     </message>
@@ -2223,20 +2219,12 @@
         <translation>los barridos están fechados de %1 a %2 s y la odometría de %3 a %4 s: no tienen ningún tiempo en común, así que en el mapa el robot está parado</translation>
     </message>
     <message>
-        <source>the scans fit the odometry where %1 are added to their times: --scan-delay %2</source>
-        <translation>los barridos encajan con la odometría si a sus tiempos se suman %1: --scan-delay %2</translation>
-    </message>
-    <message>
         <source>set the clocks of both computers alike, and record again</source>
         <translation>ponga en hora los relojes de ambos ordenadores y grabe de nuevo</translation>
     </message>
     <message>
         <source>the scans fit the odometry of %1 from theirs (%2 % of their points, against %3 % as they are stamped): their clocks differ, and the map is wrong by what the robot drove meanwhile</source>
         <translation>los barridos encajan con la odometría de %1 respecto a sus tiempos (%2 % de sus puntos, frente a %3 % tal como están fechados): los relojes difieren y el mapa yerra en lo que el robot recorrió entretanto</translation>
-    </message>
-    <message>
-        <source>add that to their times: --scan-delay %1</source>
-        <translation>súmelos a sus tiempos: --scan-delay %1</translation>
     </message>
     <message>
         <source>the scans turn against the odometry (%1 % of their points fit mirrored, %2 % as they are): one of the two is mirrored, and where it is the laser, so is the map</source>
@@ -2323,10 +2311,6 @@
         <translation>las poses de la odometría nunca cambian aunque sus velocidades sí; todos los barridos se ponen en un mismo lugar</translation>
     </message>
     <message>
-        <source>take the velocities: --set source.odometry=velocities</source>
-        <translation>tome las velocidades: --set source.odometry=velocities</translation>
-    </message>
-    <message>
         <source>found &quot;%1&quot;, expected two frames that are one, as base_footprint=base_link</source>
         <translation>se encontró «%1», se esperaban dos marcos que son uno, como base_footprint=base_link</translation>
     </message>
@@ -2363,10 +2347,6 @@
         <translation>%1 se recibió %2 s después de sus sellos de tiempo y %3 %4 s después de los suyos: los relojes de sus ordenadores difieren</translation>
     </message>
     <message>
-        <source>add the difference to the scans&apos; times: --scan-delay %1</source>
-        <translation>sume la diferencia a los tiempos de los barridos: --scan-delay %1</translation>
-    </message>
-    <message>
         <source>no transform says where the laser &quot;%1&quot; sits on the robot &quot;%2&quot;; it is taken to sit in its origin and look ahead, and where it does not, the map is bent where the robot turns</source>
         <translation>ninguna transformación dice dónde va el láser «%1» en el robot «%2»; se supone que va en su origen y mira hacia delante, y si no es así, el mapa se tuerce donde el robot gira</translation>
     </message>
@@ -2387,10 +2367,6 @@
         <translation>se encontró un lugar para %1 láseres; elija uno de ellos (--scan-topic)</translation>
     </message>
     <message>
-        <source>take how it moved from the scans, where they show enough for that: --set source.odometry=scans</source>
-        <translation>tome de los barridos cómo se movió, si muestran lo bastante: --set source.odometry=scans</translation>
-    </message>
-    <message>
         <source>%1 of %2 scans have the time of the one before: their stamps have too few digits, and how the robot moved between them is not known</source>
         <translation>%1 de %2 barridos tienen el tiempo del anterior: sus sellos tienen muy pocas cifras, y no se sabe cómo se movió el robot entre ellos</translation>
     </message>
@@ -2403,16 +2379,8 @@
         <translation>%1 rayos acaban siempre a la misma distancia, gire como gire el robot: en el robot mismo; dibujan su camino como paredes</translation>
     </message>
     <message>
-        <source>leave out what is so near: --set source.min_range=%1</source>
-        <translation>omita lo que está tan cerca: --set source.min_range=%1</translation>
-    </message>
-    <message>
         <source>by the odometry the robot always drives %1 degrees off where it looks, which no robot on wheels does: its headings are off by that</source>
         <translation>según la odometría el robot avanza siempre a %1 grados de hacia donde mira, lo que no hace ningún robot con ruedas: sus orientaciones están desviadas en eso</translation>
-    </message>
-    <message>
-        <source>mend the odometry&apos;s heading; or, where the scans are to be turned with it: --laser-pose %1</source>
-        <translation>corrija la orientación de la odometría; o, si los barridos han de girar con ella: --laser-pose %1</translation>
     </message>
     <message>
         <source>the scans&apos; clock does not run as fast as the odometry&apos;s: they fit it where %1 are added at the beginning and %2 at the end (%3 % of their points, against %4 % as they are stamped)</source>
@@ -2463,20 +2431,8 @@
         <translation>la odometría se queda quieta mientras el robot avanza, hasta %1 s, y lo recupera de un solo paso, de hasta %2 m (línea %3), %4 veces en total; los barridos de ese tiempo quedan en un mismo sitio</translation>
     </message>
     <message>
-        <source>if its positions are millimetres: --set source.odometry_scale=0.001</source>
-        <translation>si sus posiciones son milímetros: --set source.odometry_scale=0.001</translation>
-    </message>
-    <message>
-        <source>if its positions are centimetres: --set source.odometry_scale=0.01</source>
-        <translation>si sus posiciones son centímetros: --set source.odometry_scale=0.01</translation>
-    </message>
-    <message>
         <source>%1 of %2 odometry readings are stamped no later than the one before: too coarsely, or by two clocks; how fast the robot moved is not known</source>
         <translation>%1 de %2 lecturas de odometría no llevan una hora posterior a la anterior: con pocas cifras, o de dos relojes; no se sabe a qué velocidad se movió el robot</translation>
-    </message>
-    <message>
-        <source>record times of one clock with milliseconds; or take how it moved from the scans, where they show enough for that: --set source.odometry=scans</source>
-        <translation>grabe horas de un solo reloj con milisegundos; o tome de los barridos cómo se movió, si muestran lo bastante: --set source.odometry=scans</translation>
     </message>
     <message>
         <source>by the scans the robot turns %1 times as far as by the odometry (%2 % of their points fit so, %3 % as it is told): headings are %4</source>
@@ -2491,16 +2447,8 @@
         <translation>tomados por grados y pasados a radianes</translation>
     </message>
     <message>
-        <source>record them in radians; or take how the robot moved from the scans, where they show enough for that: --set source.odometry=scans</source>
-        <translation>grábelos en radianes; o tome de los barridos cómo se movió el robot, si muestran lo bastante: --set source.odometry=scans</translation>
-    </message>
-    <message>
         <source>the scans do not lie where the odometry puts them (%1 % of their points do), and no other time, mounting or scale explains it</source>
         <translation>los barridos no caen donde los pone la odometría (solo el %1 % de sus puntos), y ninguna otra hora, montaje ni escala lo explica</translation>
-    </message>
-    <message>
-        <source>the laser is mounted otherwise than the recording says: --laser-pose %1</source>
-        <translation>el láser está montado de otro modo que lo que dice la grabación: --laser-pose %1</translation>
     </message>
     <message>
         <source>the odometry ends %1 s before the scans do, which change on; all of them are put on one place</source>
@@ -2563,10 +2511,6 @@
         <translation>la odometría va y viene entre dos recorridos, %1 veces: la emiten dos programas y el mapa no es de ninguno</translation>
     </message>
     <message>
-        <source>record with one of them only; or take how it moved from the scans, where they show enough for that: --set source.odometry=scans</source>
-        <translation>grabe con uno solo de ellos; o tome el movimiento de los barridos, si muestran lo bastante: --set source.odometry=scans</translation>
-    </message>
-    <message>
         <source>the odometry&apos;s heading leaps, by up to %1 degrees (line %2) and %3 in all; the robot is taken to drive on there as before, for a second</source>
         <translation>el rumbo de la odometría salta hasta %1 grados (línea %2), %3 veces en total; se supone que el robot sigue allí como antes, durante un segundo</translation>
     </message>
@@ -2595,10 +2539,6 @@
         <translation>indique dónde está (--laser-pose x,y,grados) y elija un tema para la odometría (--odom-topic)</translation>
     </message>
     <message>
-        <source>all of them are taken; let the driver say the step between rays that the laser makes (angle_increment)</source>
-        <translation>se toman todos; haga que el controlador indique el paso entre rayos que da el láser (angle_increment)</translation>
-    </message>
-    <message>
         <source>look whether scans are published twice, or the laser&apos;s driver hung</source>
         <translation>mire si los barridos se publican dos veces o si el controlador del láser se colgó</translation>
     </message>
@@ -2609,10 +2549,6 @@
     <message>
         <source>where the robot turns, the scans fit a laser that sits %1 m from where it is said to (%2 % of their points closely, against %3 %): walls are bent there</source>
         <translation>donde el robot gira, los barridos encajan con un láser situado a %1 m de donde se dice (el %2 % de sus puntos de cerca, frente al %3 %): allí las paredes se doblan</translation>
-    </message>
-    <message>
-        <source>say where it sits: --laser-pose %1</source>
-        <translation>indique dónde está: --laser-pose %1</translation>
     </message>
     <message>
         <source>by the scans the robot turns %1 times as far as by the odometry (%2 % of their points fit closely so, %3 % as it is told): walls fan out where it turns</source>
@@ -2707,60 +2643,16 @@
         <translation>el %1 % de las lecturas está más allá del alcance máximo de %2 m y no son puntos; la mitad supera %3</translation>
     </message>
     <message>
-        <source>by the odometry they are metres: --set source.max_range=%1</source>
-        <translation>según la odometría son metros: --set source.max_range=%1</translation>
-    </message>
-    <message>
-        <source>by the odometry they are %1: --set source.range_scale=%2 --set source.max_range=%3</source>
-        <translation>según la odometría son %1: --set source.range_scale=%2 --set source.max_range=%3</translation>
-    </message>
-    <message>
-        <source>if they are metres: --set source.max_range=%1</source>
-        <translation>si son metros: --set source.max_range=%1</translation>
-    </message>
-    <message>
-        <source>if they are millimetres: --set source.range_scale=0.001; if they are centimetres: --set source.range_scale=0.01</source>
-        <translation>si son milímetros: --set source.range_scale=0.001; si son centímetros: --set source.range_scale=0.01</translation>
-    </message>
-    <message>
         <source>half of the readings are beyond %1 m, and by the odometry they are %2; the map is that many times too large</source>
         <translation>la mitad de las lecturas supera %1 m, y según la odometría son %2; el mapa es otras tantas veces demasiado grande</translation>
-    </message>
-    <message>
-        <source>read them as such: --set source.range_scale=%1</source>
-        <translation>léalas como tales: --set source.range_scale=%1</translation>
-    </message>
-    <message>
-        <source>say so: --set source.odometry_scale=%1; or, where the laser&apos;s readings are no metres: --set source.range_scale=%2</source>
-        <translation>dígalo: --set source.odometry_scale=%1; o, si las lecturas del láser no son metros: --set source.range_scale=%2</translation>
-    </message>
-    <message>
-        <source>say so: --set source.fan_scale=%1%2</source>
-        <translation>dígalo: --set source.fan_scale=%1%2</translation>
     </message>
     <message>
         <source>a scan&apos;s rays are taken to need %1 s, and where the robot turns they fit as if measured at one time (%2 % of their points closely, against %3 %): walls are bent there</source>
         <translation>los rayos de un barrido se toman por medidos en %1 s, y donde el robot gira encajan como medidos a la vez (el %2 % de sus puntos de cerca, frente al %3 %): allí las paredes se tuercen</translation>
     </message>
     <message>
-        <source>say so: --set source.ray_time=%1</source>
-        <translation>dígalo: --set source.ray_time=%1</translation>
-    </message>
-    <message>
-        <source>so they are by the odometry; say so: --set source.ray_time=%1</source>
-        <translation>así es según la odometría; dígalo: --set source.ray_time=%1</translation>
-    </message>
-    <message>
-        <source>by the odometry they take a turn from scan to scan: --set source.ray_time=%1</source>
-        <translation>según la odometría dan una vuelta de un barrido a otro: --set source.ray_time=%1</translation>
-    </message>
-    <message>
         <source>the scans fit the odometry where %1 m are added to every reading (%2 % of their points closely, against %3 %): walls are bent</source>
         <translation>los barridos encajan con la odometría si a cada lectura se suman %1 m (el %2 % de sus puntos de cerca, frente al %3 %): las paredes se tuercen</translation>
-    </message>
-    <message>
-        <source>say so: --set source.range_offset=%1</source>
-        <translation>dígalo: --set source.range_offset=%1</translation>
     </message>
     <message>
         <source>%1 of %2 rays never have a reading, each between others that have: no two points are neighbours, and walls fall to pieces</source>
@@ -2791,44 +2683,8 @@
         <translation>los rumbos de la odometría giran al revés que sus posiciones (así concuerdan en el %1 % del camino; tal como se dan, en el %2 %): los rumbos cuentan hacia la derecha, o un eje de las posiciones está cambiado o es negativo</translation>
     </message>
     <message>
-        <source>%1; or, where the positions are wrong, %2</source>
-        <translation>%1; o, si son las posiciones las que están mal, %2</translation>
-    </message>
-    <message>
-        <source>say so: --set source.odometry_axes=x,y,degrees</source>
-        <translation>indíquelo: --set source.odometry_axes=x,y,degrees</translation>
-    </message>
-    <message>
-        <source>let its headings turn: --set source.odometry_axes=x,y,%1</source>
-        <translation>invierta sus rumbos: --set source.odometry_axes=x,y,%1</translation>
-    </message>
-    <message>
-        <source>put its axes right: --set source.odometry_axes=%1,theta%2</source>
-        <translation>corrija sus ejes: --set source.odometry_axes=%1,theta%2</translation>
-    </message>
-    <message>
         <source>the odometry&apos;s headings go to and fro, %1 times, and its positions do not: they are not in radians, or two programs tell them</source>
         <translation>los rumbos de la odometría van y vienen, %1 veces, y sus posiciones no: no están en radianes, o los dan dos programas</translation>
-    </message>
-    <message>
-        <source>found &quot;%1&quot;, expected seconds to add to the scans&apos; times and after how many seconds of the tour, in their order, as in &quot;0@0,-1.39@680&quot;</source>
-        <translation>se encontró &quot;%1&quot;; se esperaban segundos que sumar a los tiempos de los barridos y tras cuántos segundos del recorrido, en su orden, como en &quot;0@0,-1.39@680&quot;</translation>
-    </message>
-    <message>
-        <source>add that to their times: --scan-delay %1; and set the clocks of both computers alike before recording</source>
-        <translation>súmelo a sus tiempos: --scan-delay %1; y ponga en hora los relojes de ambos ordenadores antes de grabar</translation>
-    </message>
-    <message>
-        <source>if the laser is upside down, or its rays go the other way round: --laser-pose %1; if it is the odometry that counts turns to the right: --set source.odometry_turns=-1; with the wrong one of both the map is right but mirrored</source>
-        <translation>si el láser está boca abajo, o sus rayos van en el otro sentido: --laser-pose %1; si es la odometría la que cuenta los giros hacia la derecha: --set source.odometry_turns=-1; con la opción equivocada de las dos el mapa es correcto pero reflejado</translation>
-    </message>
-    <message>
-        <source>the odometry&apos;s heading points elsewhere than the robot; let the laser turn with it: --laser-pose %1</source>
-        <translation>el rumbo de la odometría apunta a otro lado que el robot; gire el láser con él: --laser-pose %1</translation>
-    </message>
-    <message>
-        <source>say so: --set source.odometry_turns=%1; or map it with registration: --preset recorded</source>
-        <translation>indíquelo: --set source.odometry_turns=%1; o cartografíe con registro: --preset recorded</translation>
     </message>
     <message>
         <source>the line method returned %1 points from %2 on, of %3, for line %4 of the scan at %5 s; expected at least one, and all of them in Observation::support</source>
@@ -2837,6 +2693,153 @@
     <message>
         <source>found &quot;%1&quot;, expected seconds, or seconds@second of the tour as in 0@0,-1.39@680, as check advises</source>
         <translation>se encontró &quot;%1&quot;; se esperaban segundos, o segundos@segundo del recorrido como en 0@0,-1.39@680, según aconseja check</translation>
+    </message>
+    <message>
+        <source>where the headings are wrong, let them turn</source>
+        <translation>si lo errado son las orientaciones, déjelas girar</translation>
+    </message>
+    <message>
+        <source>where the positions are wrong, put their axes right</source>
+        <translation>si lo errado son las posiciones, corrija sus ejes</translation>
+    </message>
+    <message>
+        <source>record with one of them only</source>
+        <translation>grabe con uno solo de ellos</translation>
+    </message>
+    <message>
+        <source>by the odometry they are metres</source>
+        <translation>según la odometría son metros</translation>
+    </message>
+    <message>
+        <source>by the odometry they are %1</source>
+        <translation>según la odometría son %1</translation>
+    </message>
+    <message>
+        <source>if they are metres</source>
+        <translation>si son metros</translation>
+    </message>
+    <message>
+        <source>say so</source>
+        <translation>indíquelo</translation>
+    </message>
+    <message>
+        <source>add that to their times, in all</source>
+        <translation>súmelo a sus tiempos, en total</translation>
+    </message>
+    <message>
+        <source>add the difference to the scans&apos; times</source>
+        <translation>sume la diferencia a los tiempos de los barridos</translation>
+    </message>
+    <message>
+        <source>if they are millimetres</source>
+        <translation>si son milímetros</translation>
+    </message>
+    <message>
+        <source>if they are centimetres</source>
+        <translation>si son centímetros</translation>
+    </message>
+    <message>
+        <source>take how it moved from the scans, where they show enough for that</source>
+        <translation>tome de los barridos cómo se movió, si muestran lo bastante</translation>
+    </message>
+    <message>
+        <source>take the velocities</source>
+        <translation>tome las velocidades</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected seconds to add to the scans&apos; times and after how many seconds of the tour, in their order and no more than two of one second, as in &quot;0@0,-1.39@680&quot;</source>
+        <translation>se encontró «%1», se esperaban segundos que sumar a los tiempos de los barridos y tras cuántos segundos del recorrido, en su orden y no más de dos del mismo segundo, como en «0@0,-1.39@680»</translation>
+    </message>
+    <message>
+        <source>add that to their times, and set the clocks of both computers alike before recording</source>
+        <translation>súmelo a sus tiempos, y ponga en hora igual los relojes de ambos ordenadores antes de grabar</translation>
+    </message>
+    <message>
+        <source>read them as such</source>
+        <translation>léalas como tales</translation>
+    </message>
+    <message>
+        <source>all of them are taken; let the driver say the step between rays that the laser makes (angle_increment); if it turns all round</source>
+        <translation>se toman todos; haga que el controlador diga el paso entre rayos que da el láser (angle_increment); si da la vuelta entera</translation>
+    </message>
+    <message>
+        <source>if its positions are millimetres</source>
+        <translation>si sus posiciones son milímetros</translation>
+    </message>
+    <message>
+        <source>if its positions are centimetres</source>
+        <translation>si sus posiciones son centímetros</translation>
+    </message>
+    <message>
+        <source>record times of one clock with milliseconds</source>
+        <translation>grabe horas de un solo reloj con milisegundos</translation>
+    </message>
+    <message>
+        <source>leave out what is so near</source>
+        <translation>omita lo que está tan cerca</translation>
+    </message>
+    <message>
+        <source>turn its headings back</source>
+        <translation>gire sus orientaciones</translation>
+    </message>
+    <message>
+        <source>or, where the scans are to be turned with it</source>
+        <translation>o, si los barridos han de girar con ella</translation>
+    </message>
+    <message>
+        <source>the scans fit the odometry where %1 are added to their times</source>
+        <translation>los barridos encajan con la odometría si a sus tiempos se suman %1</translation>
+    </message>
+    <message>
+        <source>or, where the laser&apos;s readings are no metres</source>
+        <translation>o, si las lecturas del láser no son metros</translation>
+    </message>
+    <message>
+        <source>if the laser&apos;s readings are %1</source>
+        <translation>si las lecturas del láser son %1</translation>
+    </message>
+    <message>
+        <source>or, where it is the odometry</source>
+        <translation>o, si es la odometría</translation>
+    </message>
+    <message>
+        <source>if the laser is upside down, or its rays go the other way round</source>
+        <translation>si el láser está boca abajo, o sus rayos van en sentido contrario</translation>
+    </message>
+    <message>
+        <source>if it is the odometry that counts turns to the right</source>
+        <translation>si es la odometría la que cuenta los giros a la derecha</translation>
+    </message>
+    <message>
+        <source>with the wrong one of both the map is right but mirrored</source>
+        <translation>con el equivocado de los dos el mapa es correcto pero reflejado</translation>
+    </message>
+    <message>
+        <source>the odometry&apos;s heading points elsewhere than the robot; let the laser turn with it</source>
+        <translation>la orientación de la odometría apunta a otro lado que el robot; haga girar el láser con ella</translation>
+    </message>
+    <message>
+        <source>the laser is mounted otherwise than the recording says</source>
+        <translation>el láser está montado de otro modo que lo que dice la grabación</translation>
+    </message>
+    <message>
+        <source>so they are by the odometry; say so</source>
+        <translation>así es según la odometría; indíquelo</translation>
+    </message>
+    <message>
+        <source>by the odometry they take a turn from scan to scan</source>
+        <translation>según la odometría dan una vuelta de un barrido a otro</translation>
+    </message>
+    <message>
+        <source>say where it sits</source>
+        <translation>indique dónde está</translation>
+    </message>
+</context>
+<context>
+    <name>Finding</name>
+    <message>
+        <source>“%1” %2</source>
+        <translation>«%1» %2</translation>
     </message>
 </context>
 <context>
@@ -6669,8 +6672,8 @@
         <translation>%1 lecturas de odometría</translation>
     </message>
     <message>
-        <source>Set “%1” to %2</source>
-        <translation>Poner «%1» en %2</translation>
+        <source>Set %1</source>
+        <translation>Poner %1</translation>
     </message>
 </context>
 <context>
