@@ -113,8 +113,8 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
              delay_s});
         return;
     }
-    if (doubt_dead(found) || doubt_slight_fan(fit, found) || doubt_range_offset(fit, found) ||
-        doubt_ray_times(found)) {
+    if (doubt_dead(found) || doubt_slight_fan(fit, found) ||
+        doubt_range_offset(fit, longer, found) || doubt_ray_times(found)) {
         return;
     }
     doubt_scale(found);

@@ -42,6 +42,37 @@ double best_rival(const Fit& fit) {
     return best.agreement;
 }
 
+/// The best of fans a little wider or narrower.
+BestFit best_slight_fan(const Fit& fit, const Fan& fan) {
+    constexpr int kSteps = 20;
+    constexpr double kStep = 0.01;
+    BestFit best{closely()};
+    for (int i = -kSteps; i <= kSteps; ++i) {
+        Hypothesis other = closely();
+        other.fan_scale += i * kStep;
+        other.fan_middle_rad = middle_of(fan);
+        best.try_out(fit, other);
+    }
+    return best;
+}
+
+constexpr int kOffsetSteps = 10;
+constexpr double kOffsetStep = 0.05;  // [m]
+
+/// From there to where a few centimetres tell.
+BestFit exact_range_offset(const Fit& fit, const Hypothesis& about) {
+    constexpr double kStep = 0.05;  // [m]
+    constexpr double kFinest = 0.01;
+    BestFit best;
+    best.try_out(fit, closely(about));
+    return climbed(fit, best, kStep, kFinest, [](const Hypothesis& from, double step) {
+        std::array<Hypothesis, 2> others{from, from};
+        others[0].range_offset_m -= step;
+        others[1].range_offset_m += step;
+        return others;
+    });
+}
+
 /// As source.ray_time says a sweep of so long.
 std::string ray_time_of(double sweep_s, const Fan& fan) {
     return fmt::format("{:.3g}", sweep_s / static_cast<double>(std::max(fan.count, 2U) - 1));
@@ -87,29 +118,23 @@ void TourExamination::tell_fan(const Fit& fit, double told, const BestFit& mount
 /// Whether the rays go over an angle that differs by less than best_mounting() tells apart: then
 /// walls are bent in one place, and turns too long or too short.
 bool TourExamination::doubt_slight_fan(const Fit& fit, std::vector<TourFinding>& found) const {
-    constexpr int kSteps = 20;
-    constexpr double kStep = 0.01;
-    constexpr double kLeast = 0.02;
+    constexpr double kLeast = 0.015;
     constexpr double kTimes = 1.04;  // better than as it is told: half as much is seen where
     constexpr double kMore = 0.01;   // nothing is wrong
     constexpr double kOverRivals = 0.02;
     if (fan_.count < 2) return false;
-    BestFit best{closely()};
-    for (int i = -kSteps; i <= kSteps; ++i) {
-        Hypothesis other = closely();
-        other.fan_scale += i * kStep;
-        other.fan_middle_rad = middle_of(fan_);
-        best.try_out(fit, other);
-    }
+    const BestFit best = best_slight_fan(fit, fan_);
     const double told = fit(closely());
-    if (std::abs(best.hypothesis.fan_scale - 1.0) < kLeast - kStep / 2.0 ||
+    if (std::abs(best.hypothesis.fan_scale - 1.0) < kLeast ||
         best.agreement < std::max(kLeastTold, kTimes * told + kMore)) {
         return false;
     }
     Hypothesis driven_nowhere = closely();
     driven_nowhere.scale = 0.0;
     driven_nowhere.turn_scale = 0.0;
-    if (best.agreement < std::max(best_rival(fit), fit(driven_nowhere)) + kOverRivals) {
+    const BestFit longer = best_range_offset(fit, closely(), kOffsetStep, kOffsetSteps);
+    if (best.agreement <
+        std::max({best_rival(fit), fit(driven_nowhere), longer.agreement}) + kOverRivals) {
         return false;
     }
     tell_fan(fit, told, best, found);
@@ -128,38 +153,34 @@ BestFit best_range_offset(const Fit& fit, const Hypothesis& as, double step_m, i
 
 /// Whether all ranges are too long or too short by the same: then walls are bent, and in a corner
 /// none meets the other.
-bool TourExamination::doubt_range_offset(const Fit& fit, std::vector<TourFinding>& found) const {
-    constexpr int kSteps = 10;
-    constexpr double kStep = 0.05;  // [m]
-    constexpr double kLeast = 0.1;
+bool TourExamination::doubt_range_offset(const Fit& fit, const BestFit& longer,
+                                         std::vector<TourFinding>& found) const {
+    constexpr double kLeast = 0.075;
     constexpr double kOverRivals = 0.02;
-    const BestFit best = best_range_offset(fit, closely(), kStep, kSteps);
-    if (std::abs(best.hypothesis.range_offset_m) < kLeast - kStep / 2.0 ||
+    const BestFit near = best_range_offset(fit, closely(), kOffsetStep, kOffsetSteps);
+    const BestFit far = exact_range_offset(fit, longer.hypothesis);
+    const BestFit& best = far.agreement > near.agreement ? far : near;
+    if (std::abs(best.hypothesis.range_offset_m) < kLeast ||
         best.agreement < std::max(kLeastFit, fit(closely()) + kClearly)) {
         return false;
     }
     Hypothesis driven_nowhere = closely();
     driven_nowhere.scale = 0.0;
     driven_nowhere.turn_scale = 0.0;
-    if (best.agreement < std::max(best_rival(fit), fit(driven_nowhere)) + kOverRivals) return false;
+    const BestFit wider = best_slight_fan(fit, fan_);
+    if (best.agreement <
+        std::max({best_rival(fit), fit(driven_nowhere), wider.agreement}) + kOverRivals) {
+        return false;
+    }
     tell_range_offset(fit, best, found);
     return true;
 }
 
 void TourExamination::tell_range_offset(const Fit& fit, const BestFit& longer,
                                         std::vector<TourFinding>& found) const {
-    constexpr double kStep = 0.05;  // [m]
-    constexpr double kFinest = 0.01;
     constexpr double kAround = 0.05;
     constexpr int kAroundSteps = 10;
-    BestFit best;
-    best.try_out(fit, closely(longer.hypothesis));
-    best = climbed(fit, best, kStep, kFinest, [](const Hypothesis& from, double step) {
-        std::array<Hypothesis, 2> others{from, from};
-        others[0].range_offset_m -= step;
-        others[1].range_offset_m += step;
-        return others;
-    });
+    const BestFit best = exact_range_offset(fit, longer.hypothesis);
     const double offset_m =
         best.hypothesis.range_offset_m + middle_offset(fit, kAround, kAroundSteps, [&](double off) {
             Hypothesis other = best.hypothesis;

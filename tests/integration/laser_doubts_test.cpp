@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <random>
+#include <string>
 #include <utility>
 
 #include "hitos/capture/tour_summary.hpp"
@@ -143,6 +145,57 @@ TEST(LaserDoubts, AFanThatIsALittleWiderThanItIsToldIsTold) {
                       std::string::npos);
         }
     }
+}
+
+TEST(LaserDoubts, ReadingsThatAreAllTooLongOrTooShortAreToldByHowMuch) {
+    for (const char* world : {"bigloop2", "complex"}) {
+        const Readings tour = test::read(source_named(world));
+        for (const double longer_m : {-0.5, 0.3, 1.0, 1.8}) {
+            Readings wrong = tour;
+            seen_otherwise(wrong, [longer_m](const Scan&, std::size_t, double angle, double range) {
+                return std::pair(angle, std::max(0.01, range + longer_m));
+            });
+            const auto found = wrong.of_kind(Kind::laser_units);
+            ASSERT_TRUE(found) << world << ' ' << longer_m << '\n' << wrong.said();
+            EXPECT_NEAR(found->value, -longer_m, 0.03) << world;
+            EXPECT_EQ(found->remedies.at(0).settings.at(0).key, "source.range_offset");
+        }
+    }
+}
+
+TEST(LaserDoubts, AUnitIsToldOfAnotherFanToo) {
+    for (const double wider : {0.8, 1.25}) {
+        Readings wrong = test::read(source_named("bigloop2"));
+        seen_otherwise(wrong, [wider](const Scan&, std::size_t, double angle, double range) {
+            return std::pair(wider * angle, 100.0 * range);
+        });
+        for (Scan& scan : wrong.scans) {
+            scan.fan.min_angle_rad *= wider;
+            scan.fan.max_angle_rad *= wider;
+        }
+        const auto found = wrong.of_kind(Kind::laser_units);
+        ASSERT_TRUE(found) << wider << '\n' << wrong.said();
+        EXPECT_NE(found->what.english().find("centimetres"), std::string::npos) << wrong.said();
+    }
+}
+
+TEST(LaserDoubts, FeetAreOfTheLaserOrOfTheOdometryAsTheyAre) {
+    constexpr double kFoot = 0.3048;
+    const Readings tour = test::read(source_named("bigloop2"));
+    Readings laser = tour;
+    seen_otherwise(laser, [](const Scan&, std::size_t, double angle, double range) {
+        return std::pair(angle, range / kFoot);
+    });
+    const auto of_laser = laser.of_kind(Kind::odometry_scale);
+    ASSERT_TRUE(of_laser) << laser.said();
+    EXPECT_EQ(options_of(of_laser->remedies.at(0).settings), "--set source.range_scale=0.3048");
+    Readings odometry = tour;
+    for (Odometria& reading : odometry.odometry) reading.twist.v /= kFoot;
+    const auto of_odometry = odometry.of_kind(Kind::odometry_scale);
+    ASSERT_TRUE(of_odometry) << odometry.said();
+    const SourceSetting& set = of_odometry->remedies.at(0).settings.at(0);
+    EXPECT_EQ(set.key, "source.odometry_scale");
+    EXPECT_NEAR(std::stod(set.value), kFoot, 0.01);
 }
 
 TEST(LaserDoubts, RayTimesThatAreSaidAndAreNoneAreTold) {

@@ -130,7 +130,8 @@ class TourExamination {
     bool doubt_slight_fan(const Fit& fit, std::vector<TourFinding>& found) const;
     void tell_fan(const Fit& fit, double told, const BestFit& mounted,
                   std::vector<TourFinding>& found) const;
-    bool doubt_range_offset(const Fit& fit, std::vector<TourFinding>& found) const;
+    bool doubt_range_offset(const Fit& fit, const BestFit& longer,
+                            std::vector<TourFinding>& found) const;
     void tell_range_offset(const Fit& fit, const BestFit& longer,
                            std::vector<TourFinding>& found) const;
     void doubt_lost_rays(std::vector<TourFinding>& found) const;

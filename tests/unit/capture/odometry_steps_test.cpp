@@ -67,12 +67,15 @@ std::string winding(double factor, bool with_velocities) {
 TEST(OdometrySteps, DegreesThatWereWrappedAsRadiansAreTold) {
     for (const bool with_velocities : {true, false}) {
         EXPECT_TRUE(read_text("radish", winding(1.0, with_velocities)).findings.empty());
-        const Log log = read_text("radish", winding(kDegreesPerRadian, with_velocities));
-        ASSERT_EQ(log.findings.size(), 1U);
-        EXPECT_EQ(log.findings[0].kind, TourFinding::Kind::odometry_units);
-        EXPECT_THAT(
-            advice_of(log.findings[0]).english(),
-            HasSubstr(with_velocities ? "source.odometry=velocities" : "source.odometry=scans"));
+        // To the left, and to the right as a compass counts.
+        for (const double factor : {kDegreesPerRadian, -kDegreesPerRadian}) {
+            const Log log = read_text("radish", winding(factor, with_velocities));
+            ASSERT_EQ(log.findings.size(), 1U);
+            EXPECT_EQ(log.findings[0].kind, TourFinding::Kind::odometry_units);
+            EXPECT_THAT(advice_of(log.findings[0]).english(),
+                        HasSubstr(with_velocities ? "source.odometry=velocities"
+                                                  : "source.odometry=scans"));
+        }
     }
 }
 
