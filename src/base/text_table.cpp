@@ -82,6 +82,10 @@ std::string latex_line(const std::vector<std::string>& fields) {
 
 }  // namespace
 
+std::string with_unit(std::string_view name, std::string_view unit) {
+    return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
+}
+
 TextTable transposed(const TextTable& table) {
     TextTable result;
     if (table.head.empty()) return result;

@@ -24,6 +24,10 @@ inline std::string in_utf8(const std::string& text) {
     using nlohmann::json;
     return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
 }
+/// Names of files and text of damaged logs may be no UTF-8: they do not make it fail.
+inline std::string json_text(const nlohmann::ordered_json& json, int indent = 2) {
+    return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
 inline bool is_utf8(const std::string& text) {
     return in_utf8(text) == text;
 }

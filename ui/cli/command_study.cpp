@@ -82,6 +82,14 @@ void leave(int status) {
     if (status != 0) throw CLI::RuntimeError(status);
 }
 
+std::string figures_list() {
+    std::string text;
+    for (const Measure* measure : taken_measures())
+        text += fmt::format("  {:<20} {}\n", measure->word, measure->purpose);
+    text.pop_back();
+    return text;
+}
+
 void add_merge(CLI::App& study) {
     auto options = std::make_shared<MergeOptions>();
     CLI::App* command = study.add_subcommand(
@@ -104,7 +112,9 @@ void add_study(CLI::App& program) {
         "study", "Run values of parameters several times each and measure the maps");
     command->footer(
         "A study that was stopped goes on where it was when it is started again. In a Slurm or\n"
-        "Grid Engine job array every task does its shard. See docs/studies.md, docs/cluster.md.");
+        "Grid Engine job array every task does its shard. See docs/studies.md, docs/cluster.md.\n\n"
+        "Figures of every run, where there is what they are measured against:\n" +
+        figures_list());
     command->add_option("log", options->log,
                         "Log, plain or .gz, ROS recording or world to simulate");
     add_source_options(*command, options->source);

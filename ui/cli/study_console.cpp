@@ -17,17 +17,6 @@
 namespace hitos::cli {
 namespace {
 
-/// Why a study without a single result has none.
-[[noreturn]] void all_failed(const StudyOutcome& outcome) {
-    for (const StudyRecord& record : outcome.records) {
-        if (!record.problem.empty()) {
-            throw Error(
-                verbatim(fmt::format("every run failed; the first: {}", record.problem.english())));
-        }
-    }
-    throw Error(verbatim("no run succeeded"));
-}
-
 void tell_damage(const StudyOutcome& outcome) {
     if (const StudyRecord* record = most_damaged(outcome.records)) {
         fmt::print(stderr, "{}", damage_text(record->report));
@@ -109,9 +98,7 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
         if (outcome.beside) line.say("the study that was in the folder before is still in place");
         return StopByRequest::status();
     }
-    if (outcome.computed + outcome.reused == outcome.failed && outcome.failed > 0) {
-        all_failed(outcome);
-    }
+    check_any(outcome);
     if (!shard.whole()) tell_damage(outcome);
     if (shard.whole()) {
         return report(outcome, study.layout, summary_form(options.csv, options.json));

@@ -15,6 +15,7 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "configuration.hpp"
+#include "hitos/base/text_table.hpp"
 #include "hitos/services/study/study.hpp"
 #include "hitos/simulation/worlds/odometry_noise.hpp"
 #include "hitos/workbench/study_noise.hpp"
@@ -34,39 +35,32 @@ struct StudyTable {
     path folder;
 };
 
-struct RunRow {
-    std::uint64_t seed, scans;
-    std::int64_t cell;
-    double error, aligned_error, trajectory_error, odometry_error, blur, seconds;
-    std::int32_t lines, corners;
-    bool ok;
-};
-
 py::array runs_of(const StudyTable& table) {
-    auto rows = std::make_shared<std::vector<RunRow>>();
     const StudyPlan& plan = table.outcome.plan;
-    for (std::size_t run = 0; run < table.outcome.records.size(); ++run) {
-        const StudyRecord& record = table.outcome.records[run];
-        rows->push_back(
-            {plan.seed_of(run), record.scans, static_cast<std::int64_t>(plan.cell_of(run)),
-             record.error_m.value_or(kNoFigure), record.aligned_error_m.value_or(kNoFigure),
-             record.trajectory_error_m.value_or(kNoFigure),
-             record.odometry_error_m.value_or(kNoFigure), record.blur_m2.value_or(kNoFigure),
-             record.seconds, record.lines, record.corners, record.ok});
+    const std::vector<StudyRecord>& records = table.outcome.records;
+    py::list types;
+    py::dict columns;
+    const auto add = [&](const std::string& name, const char* format, const auto& value_of) {
+        py::list column;
+        for (std::size_t run = 0; run < records.size(); ++run) column.append(value_of(run));
+        types.append(py::make_tuple(name, format));
+        columns[py::str(name)] = column;
+    };
+    add("cell", "i8", [&](std::size_t run) { return plan.cell_of(run); });
+    add("seed", "u8", [&](std::size_t run) { return plan.seed_of(run); });
+    add("ok", "?", [&](std::size_t run) { return records[run].ok; });
+    for (const Measure* measure : taken_measures()) {
+        const bool count = measure->is_count();
+        add(measure->stem(), count ? "i4" : "f8", [&](std::size_t run) {
+            return records[run].figures[*measure].value_or(count ? 0.0 : kNoFigure);
+        });
     }
-    return view_of_rows<RunRow>(std::move(rows),
-                                {{"cell", "i8", offsetof(RunRow, cell)},
-                                 {"seed", "u8", offsetof(RunRow, seed)},
-                                 {"ok", "?", offsetof(RunRow, ok)},
-                                 {"error", "f8", offsetof(RunRow, error)},
-                                 {"aligned_error", "f8", offsetof(RunRow, aligned_error)},
-                                 {"trajectory_error", "f8", offsetof(RunRow, trajectory_error)},
-                                 {"odometry_error", "f8", offsetof(RunRow, odometry_error)},
-                                 {"blur", "f8", offsetof(RunRow, blur)},
-                                 {"lines", "i4", offsetof(RunRow, lines)},
-                                 {"corners", "i4", offsetof(RunRow, corners)},
-                                 {"scans", "u8", offsetof(RunRow, scans)},
-                                 {"seconds", "f8", offsetof(RunRow, seconds)}});
+    add("scans", "u8", [&](std::size_t run) { return records[run].scans; });
+    add("seconds", "f8", [&](std::size_t run) { return records[run].seconds; });
+    py::array all(py::dtype::from_args(types), records.size());
+    for (const auto& [name, column] : columns) all[name] = column;
+    all.attr("flags").attr("writeable") = false;
+    return all;
 }
 
 py::object dict_of(const std::optional<Spread>& spread) {
@@ -90,12 +84,8 @@ py::list cells_of(const StudyTable& table) {
         values["values"] = set;
         values["finished"] = cell.finished;
         values["failed"] = cell.failed;
-        values["error"] = dict_of(cell.error_m);
-        values["aligned_error"] = dict_of(cell.aligned_error_m);
-        values["trajectory_error"] = dict_of(cell.trajectory_error_m);
-        values["odometry_error"] = dict_of(cell.odometry_error_m);
-        values["blur"] = dict_of(cell.blur_m2);
-        values["landmarks"] = dict_of(cell.landmarks);
+        for (const Measure* measure : taken_measures())
+            values[py::str(measure->stem())] = dict_of(cell.figures[*measure]);
         all.append(values);
     }
     return all;
@@ -173,15 +163,6 @@ StudyOutcome conducted(const Study& study, int threads, const py::object& told) 
     return without_python([&] { return done.get(); });
 }
 
-[[noreturn]] void all_failed(const StudyOutcome& outcome) {
-    for (const StudyRecord& record : outcome.records) {
-        if (record.problem.empty()) continue;
-        throw Error(
-            verbatim(fmt::format("every run failed; the first: {}", record.problem.english())));
-    }
-    throw Error(verbatim("no run succeeded"));
-}
-
 struct StudyArguments {
     py::object tour;
     py::dict vary;
@@ -217,10 +198,7 @@ std::shared_ptr<StudyTable> studied(const StudyArguments& arguments) {
     table->outcome = conducted(study, arguments.threads, arguments.progress);
     table->folder = study.layout.folder;
     const StudyOutcome& outcome = table->outcome;
-    if (!outcome.stopped && outcome.failed > 0 &&
-        outcome.failed == outcome.computed + outcome.reused) {
-        all_failed(outcome);
-    }
+    check_any(outcome);
     table->cells = summarize(outcome.plan, outcome.records);
     return table;
 }
@@ -248,18 +226,25 @@ void bind_study_progress(py::module_& module) {
                       "A run that has just failed, with the reason; else \"\".");
 }
 
+std::string with_figures(std::string help) {
+    for (const Measure* measure : taken_measures())
+        help +=
+            fmt::format("\n{}: {}", with_unit(measure->stem(), measure->unit), measure->purpose);
+    return help;
+}
+
 void bind_table(py::module_& module) {
+    const std::string runs_help = with_figures(
+        R"(A structured array with a row for every run: cell (the place in cells), seed, ok, the
+figures, scans, seconds; nan where there is nothing to measure against. The figures are)");
+    const std::string cells_help = with_figures(
+        R"(One dict for every value, or pair of values: "values" (key to text), "finished" and
+"failed" runs, and for every figure a dict of count, mean, variance, minimum and maximum over the
+runs, or None. The figures are)");
     py::class_<StudyTable, std::shared_ptr<StudyTable>>(module, "Study", R"(What a study has found:
 values of parameters, each run with several seeds.)")
-        .def_property_readonly("runs", &runs_of,
-                               R"(A structured array with a row for every run: cell (the place in
-cells), seed, ok, error and aligned_error of the map [m], trajectory_error and odometry_error (ATE)
-[m], blur [m^2], lines, corners, scans, seconds; nan where there is nothing to measure against.)")
-        .def_property_readonly(
-            "cells", &cells_of,
-            R"(One dict for every value, or pair of values: "values" (key to text),
-"finished" and "failed" runs, and for error, aligned_error, trajectory_error, odometry_error, blur and
-landmarks a dict of count, mean, variance, minimum and maximum over the runs, or None.)")
+        .def_property_readonly("runs", &runs_of, runs_help.c_str())
+        .def_property_readonly("cells", &cells_of, cells_help.c_str())
         .def_property_readonly(
             "keys", [](const StudyTable& t) { return t.outcome.plan.keys(); },
             "The keys that were varied.")

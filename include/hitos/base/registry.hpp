@@ -23,9 +23,9 @@ struct RegistryEntry {
 };
 
 /// The entries that a program knows, in the order of their arrival; the first is the default.
-/// `Entry` derives from RegistryEntry. A registry is filled by explicit calls before it is first
-/// used: from the first look-up on it is closed, so that every part of a program, on every thread,
-/// sees the same entries.
+/// `Entry` derives from RegistryEntry or has its word and label. A registry is filled by explicit
+/// calls before it is first used: from the first look-up on it is closed, so that every part of a
+/// program, on every thread, sees the same entries.
 template <class Entry>
 class Registry {
   public:

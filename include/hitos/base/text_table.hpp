@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hitos {
@@ -14,6 +15,9 @@ struct TextTable {
 
 /// Stands in tables for people where there is no figure.
 inline constexpr const char* kNoFigure = "–";
+
+/// "time (s)"; the name alone where the unit is empty.
+std::string with_unit(std::string_view name, std::string_view unit);
 
 /// Rows for columns.
 TextTable transposed(const TextTable& table);

@@ -18,10 +18,14 @@
 namespace hitos {
 namespace {
 
-/// An error that the summary may lack.
-std::optional<double> error_in(const nlohmann::json& summary, const char* table, const char* name) {
-    if (!summary.contains(table)) return std::nullopt;
-    return summary.at(table).at(name).get<double>();
+RunFigures figures_in(const nlohmann::json& summary) {
+    RunFigures figures;
+    for (const Measure& measure : run_measures().entries()) {
+        const nlohmann::json::json_pointer place(measure.place);
+        if (measure.place.empty() || !summary.contains(place)) continue;
+        figures[measure] = summary.at(place).get<double>();
+    }
+    return figures;
 }
 
 /// The files of a run that read_results() reads.
@@ -46,8 +50,7 @@ bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
         run.scans = whole_number<std::uint64_t>(summary, "scans", file);
         run.finished = summary.value("finished", true);
         run.seconds = summary.at("run_seconds").get<double>();
-        run.trajectory_error_m = error_in(summary, "trajectory_error", "ate_rmse_m");
-        run.map_error_m = error_in(summary, "map_error", "mean_m");
+        run.figures = figures_in(summary);
         expect_unchanged(summary, folder);
         const nlohmann::json& counts = summary.at("landmarks");
         return whole_number<int>(counts, "lines", file) > 0 ||

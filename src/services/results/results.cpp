@@ -15,6 +15,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/slam/filters.hpp"
+#include "json_input.hpp"
 #include "output_crew.hpp"
 #include "report_json.hpp"
 #include "results_summary.hpp"
@@ -89,9 +90,14 @@ ordered_json json_of(const RunQuality& quality) {
     return json;
 }
 
-/// Text from a damaged log may be no UTF-8: what is not is replaced, instead of failing.
-std::string text_of(const ordered_json& json) {
-    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+/// What does not stand there yet, beside others of its kind.
+void state(const RunFigures& figures, ordered_json& json) {
+    for (const Measure* measure : taken_measures()) {
+        const std::optional<double>& value = figures[*measure];
+        if (!value || measure->place.empty()) continue;
+        const ordered_json::json_pointer place(measure->place);
+        if (!json.contains(place)) json[place] = *value;
+    }
 }
 
 /// Writes everything but the summary.
@@ -124,6 +130,24 @@ std::string version() {
     return kVersion;
 }
 
+RunErrors errors_of(const Algoritmo& run, const References& references) {
+    RunErrors errors;
+    if (references.map) {
+        const LandmarkMap map = run.filter().best_map();
+        errors.map_error = map_error(map, *references.map);
+        errors.aligned_map_error = aligned_map_error(map, *references.map);
+    }
+    if (references.trajectory) {
+        const auto error_of = [&](const Trajectory& path) {
+            return trajectory_error(path, *references.trajectory, references.tolerance_s);
+        };
+        errors.trajectory_error = error_of(run.best_trajectory());
+        errors.online_error = error_of(run.online_trajectory());
+        errors.odometry_error = error_of(run.odometry_trajectory());
+    }
+    return errors;
+}
+
 RunSummary summarize(const Algoritmo& run, const References& references,
                      const std::function<bool()>& stop) {
     RunSummary summary;
@@ -144,20 +168,13 @@ RunSummary summarize(const Algoritmo& run, const References& references,
     summary.report = run.report();
     summary.suitability = run.suitability().figures();
     summary.advice = run.advice();
-    summary.quality = judge(run.evidence(), run.best_trajectory(), stop);
+    const Trajectory path = run.best_trajectory();
+    summary.quality = judge(run.evidence(), path, stop);
     const LandmarkMap map = run.filter().best_map();
-    if (references.map) {
-        summary.map_error = map_error(map, *references.map);
-        summary.aligned_map_error = aligned_map_error(map, *references.map);
-    }
+    static_cast<RunErrors&>(summary) = errors_of(run, references);
+    summary.figures = figures_of({run.evidence(), run.filter(), map, path, summary, nullptr});
     summary.distances = measure_distances(map, references.distances);
     if (references.trajectory) {
-        const auto error_of = [&](const Trajectory& path) {
-            return trajectory_error(path, *references.trajectory, references.tolerance_s);
-        };
-        summary.trajectory_error = error_of(run.best_trajectory());
-        summary.online_error = error_of(run.online_trajectory());
-        summary.odometry_error = error_of(run.odometry_trajectory());
         const double delay_s = run.scan().delay_s;
         if (delay_s != 0.0 && !run.reader().truth()) {
             summary.advice.push_back(
@@ -214,29 +231,30 @@ std::string to_json(const RunSummary& summary, double seconds) {
     for (const Advice& advice : summary.advice)
         json["suitability"]["advice"].push_back(advice.words());
     json["quality"] = json_of(summary.quality);
+    state(summary.figures, json);
     json["not_written"] = ordered_json::array();
     for (const NotWritten& missing : summary.not_written) {
         json["not_written"].push_back(
             {{"file", missing.file}, {"reason", missing.reason.english()}});
     }
     json["files"] = json_of(summary.files);
-    return text_of(json);
+    return json_text(json) + "\n";
 }
 
 std::string to_json(const ReadReport& report) {
-    return text_of(json_of(report));
+    return json_text(json_of(report)) + "\n";
 }
 
 std::string to_json(std::span<const TourFinding> findings) {
     ordered_json json = ordered_json::array();
     for (const TourFinding& finding : findings) json.push_back(json_of(finding));
-    return text_of(json);
+    return json_text(json) + "\n";
 }
 
 std::string to_json(std::span<const MeasuredDistance> distances) {
     ordered_json json = ordered_json::array();
     for (const MeasuredDistance& measured : distances) json.push_back(json_of(measured));
-    return text_of(json);
+    return json_text(json) + "\n";
 }
 
 void prepare_output_folder(const std::filesystem::path& folder) {

@@ -3,46 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "hitos/services/configuration/config_parameter.hpp"
-#include "results_summary.hpp"
+#include "json_input.hpp"
 
 namespace hitos {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::array kFigures{
-    ComparedFigure{"scans", "scans", "/scans", 0},
-    ComparedFigure{"lines", "lines", "/landmarks/lines", 0},
-    ComparedFigure{"corners", "corners", "/landmarks/corners", 0},
-    ComparedFigure{"map_error_m", "map error (m)", "/map_error/mean_m", 3},
-    ComparedFigure{"map_error_aligned_m", "aligned map error (m)", "/map_error_aligned/mean_m", 3},
-    ComparedFigure{"ate_rmse_m", "ATE (m)", "/trajectory_error/ate_rmse_m", 3},
-    ComparedFigure{"online_ate_rmse_m", "ATE while driving (m)", "/online_error/ate_rmse_m", 3},
-    ComparedFigure{"odometry_ate_rmse_m", "odometry's ATE (m)", "/odometry_error/ate_rmse_m", 3},
-    ComparedFigure{"cells_per_point", "cells per point", "/quality/cells_per_point", 4},
-    ComparedFigure{"loops_closed", "loops", "/quality/loops_closed", 0},
-    ComparedFigure{"run_seconds", "time (s)", "/run_seconds", 2}};
-
-/// Of each of kFigures.
-std::vector<std::optional<double>> figures_of(const std::filesystem::path& folder) {
-    return with_summary(folder, [](const nlohmann::json& summary) {
-        std::vector<std::optional<double>> values;
-        values.reserve(kFigures.size());
-        for (const ComparedFigure& figure : kFigures) {
-            const nlohmann::json::json_pointer place(figure.pointer);
-            values.push_back(summary.contains(place)
-                                 ? std::optional(summary.at(place).get<double>())
-                                 : std::nullopt);
-        }
-        return values;
-    });
-}
 
 /// The last part of each folder's path where those tell them apart, else the paths.
 void name_runs(std::vector<ComparedRun>& runs) {
@@ -56,22 +27,18 @@ void name_runs(std::vector<ComparedRun>& runs) {
     for (ComparedRun& run : runs) run.name = run.folder.string();
 }
 
-/// Leaves out the figures that no run has.
-void keep_figures_there_are(RunComparison& comparison) {
-    std::vector<std::vector<std::optional<double>>> kept(comparison.runs.size());
-    for (std::size_t figure = 0; figure < kFigures.size(); ++figure) {
-        const bool there = std::ranges::any_of(comparison.runs, [&](const ComparedRun& run) {
-            return run.figures[figure].has_value();
-        });
-        if (!there) continue;
-        comparison.figures.push_back(kFigures.at(figure));
-        for (std::size_t run = 0; run < kept.size(); ++run) {
-            kept[run].push_back(comparison.runs[run].figures[figure]);
+/// Those that a run has; counts first.
+std::vector<const Measure*> figures_there_are(std::span<const ComparedRun> runs) {
+    std::vector<const Measure*> figures;
+    for (const Measure& measure : run_measures().entries()) {
+        if (std::ranges::any_of(runs, [&](const ComparedRun& one) {
+                return one.run.figures[measure].has_value();
+            })) {
+            figures.push_back(&measure);
         }
     }
-    for (std::size_t run = 0; run < kept.size(); ++run) {
-        comparison.runs[run].figures = std::move(kept[run]);
-    }
+    std::ranges::stable_partition(figures, &Measure::is_count);
+    return figures;
 }
 
 }  // namespace
@@ -79,11 +46,11 @@ void keep_figures_there_are(RunComparison& comparison) {
 RunComparison compare_runs(std::span<const std::filesystem::path> folders) {
     RunComparison comparison;
     for (const std::filesystem::path& folder : folders) {
-        comparison.runs.push_back({{}, folder, read_results(folder), figures_of(folder)});
+        comparison.runs.push_back({{}, folder, read_results(folder)});
     }
     if (comparison.runs.empty()) return comparison;
     name_runs(comparison.runs);
-    keep_figures_there_are(comparison);
+    comparison.figures = figures_there_are(comparison.runs);
     const Configuracion& first = comparison.runs.front().run.configuration;
     std::set<const ConfigParameter*> different;
     for (const ComparedRun& one : comparison.runs) {
@@ -103,11 +70,12 @@ TextTable comparison_table(const RunComparison& comparison) {
     table.head.emplace_back("run");
     if (!comparison.same_log) table.head.emplace_back("log");
     for (const ConfigParameter* setting : comparison.settings) {
-        table.head.push_back(setting->unit.empty()
-                                 ? std::string(setting->key)
-                                 : fmt::format("{} ({})", setting->key, setting->unit));
+        table.head.push_back(with_unit(setting->key, setting->unit));
     }
-    for (const ComparedFigure& figure : comparison.figures) table.head.emplace_back(figure.head);
+    for (const Measure* figure : comparison.figures) {
+        table.head.push_back(with_unit(
+            figure->compared_label.empty() ? figure->label : figure->compared_label, figure->unit));
+    }
     for (const ComparedRun& one : comparison.runs) {
         std::vector<std::string> row{one.run.finished ? one.name : one.name + " (stopped)"};
         const Configuracion& configuration = one.run.configuration;
@@ -117,10 +85,9 @@ TextTable comparison_table(const RunComparison& comparison) {
         for (const ConfigParameter* setting : comparison.settings) {
             row.push_back(setting->text(configuration));
         }
-        for (std::size_t i = 0; i < comparison.figures.size(); ++i) {
-            row.push_back(one.figures[i] ? fmt::format("{:.{}f}", *one.figures[i],
-                                                       comparison.figures[i].decimals)
-                                         : kNoFigure);
+        for (const Measure* figure : comparison.figures) {
+            const std::optional<double>& value = one.run.figures[*figure];
+            row.push_back(value ? figure->rounded(*value, false) : kNoFigure);
         }
         table.rows.push_back(std::move(row));
     }
@@ -135,9 +102,10 @@ std::string comparison_json(const RunComparison& comparison) {
             settings[std::string(setting->key)] = setting->text(one.run.configuration);
         }
         ordered_json figures = ordered_json::object();
-        for (std::size_t i = 0; i < comparison.figures.size(); ++i) {
-            const std::optional<double>& value = one.figures[i];
-            figures[comparison.figures[i].name] = value ? ordered_json(*value) : ordered_json();
+        for (const Measure* figure : comparison.figures) {
+            const std::optional<double>& value = one.run.figures[*figure];
+            figures[figure->compared_word.empty() ? figure->word : figure->compared_word] =
+                value ? ordered_json(*value) : ordered_json();
         }
         runs.push_back({{"folder", one.folder.string()},
                         {"log", one.run.configuration.source.file},
@@ -145,8 +113,7 @@ std::string comparison_json(const RunComparison& comparison) {
                         {"settings", settings},
                         {"figures", figures}});
     }
-    // Names of files may be no UTF-8: replace what is not instead of failing.
-    return ordered_json{{"runs", runs}}.dump(2, ' ', false, ordered_json::error_handler_t::replace);
+    return json_text({{"runs", runs}});
 }
 
 }  // namespace hitos

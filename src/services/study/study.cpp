@@ -165,6 +165,7 @@ class Crew {
             study::write_record(folders_[s].work(), plan, run, record);
         } catch (const Error& error) {
             record.ok = false;
+            record.figures = {};
             record.problem = told(s, error);
         }
         outcomes_[s].records[run] = record;
@@ -299,6 +300,16 @@ void check_whole(std::span<const StudyOutcome> outcomes) {
     if (!stopped) return;
     throw StudyStopped(
         message(HITOS_TEXT("Errors", "stopped: %1 of %2 runs are done"), done, runs));
+}
+
+void check_any(const StudyOutcome& outcome) {
+    if (outcome.stopped || outcome.failed == 0 ||
+        outcome.failed != outcome.computed + outcome.reused) {
+        return;
+    }
+    const auto first = std::ranges::find_if(
+        outcome.records, [](const StudyRecord& record) { return !record.problem.empty(); });
+    throw Error(message(HITOS_TEXT("Errors", "every run failed; the first: %1"), first->problem));
 }
 
 std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const StudyOptions& options) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hitos/base/text_input.hpp"
+#include "hitos/base/text_table.hpp"
 
 namespace hitos {
 
@@ -30,12 +31,23 @@ StudyAbscissa study_abscissa(const StudyPlan::Axis& axis) {
     return x;
 }
 
+std::pair<double, double> StudyAbscissa::range(double room) const {
+    const auto [least, greatest] = std::ranges::minmax(positions);
+    if (logarithmic) {
+        const double factor = std::pow(greatest / least, room);
+        return {least / factor, greatest * factor};
+    }
+    const double span = greatest - least;
+    const double more = span > 0.0 ? room * span : std::max(1.0, std::abs(least));
+    return {least - more, greatest + more};
+}
+
 std::string study_axis_label(const StudyPlan::Axis& axis) {
     std::string units;
     for (const std::string& unit : axis.units) {
         if (!unit.empty()) units += (units.empty() ? "" : ", ") + unit;
     }
-    return units.empty() ? axis.name : fmt::format("{} ({})", axis.name, units);
+    return with_unit(axis.name, units);
 }
 
 }  // namespace hitos

@@ -173,9 +173,7 @@ bool same(const StudyPlan& a, const StudyPlan& b) {
 }
 
 std::string sealed(const ordered_json& json) {
-    // Values from a command line may be no UTF-8.
-    return hitos::sealed(json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n",
-                         kStudySeal);
+    return hitos::sealed(json_text(json, 1) + "\n", kStudySeal);
 }
 
 }  // namespace hitos::study

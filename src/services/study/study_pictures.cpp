@@ -33,19 +33,19 @@ std::vector<std::string> caption_of(const StudyPlan& plan, std::size_t run,
                                     const StudyRecord& record) {
     std::string first = plan.cell_label(plan.cell_of(run));
     if (first.empty() || plan.pictures == StudyPictures::all) first = plan.label(run);
-    std::string second;
-    if (!record.ok) {
-        second = "failed";
-    } else if (record.error_m) {
-        second = fmt::format("error {:.3f} m, ", *record.error_m);
-    } else if (record.trajectory_error_m) {
-        second = fmt::format("ATE {:.3f} m, ", *record.trajectory_error_m);
+    if (!record.ok) return {std::move(first), "failed"};
+    std::vector<std::string> words;
+    const char* error = record.figures["error_m"] ? "error_m" : "trajectory_error_m";
+    for (const char* word : {error, "landmarks", "blur_m2"}) {
+        const Measure& measure = run_measures().find(word);
+        if (const std::optional<double>& value = record.figures[measure]) {
+            const std::string number = measure.rounded(*value, false);
+            words.push_back(measure.is_count() ? fmt::format("{} {}", number, measure.label)
+                                               : fmt::format("{} {} {}", measure.label, number,
+                                                             plain_unit(measure.unit)));
+        }
     }
-    if (record.ok) {
-        second += fmt::format("{} landmarks", record.lines + record.corners);
-        if (record.blur_m2) second += fmt::format(", blur {:.2f} m2", *record.blur_m2);
-    }
-    return {std::move(first), std::move(second)};
+    return {std::move(first), fmt::format("{}", fmt::join(words, ", "))};
 }
 
 /// One row for each value of the first parameter where there are two, or for all runs of a value.

@@ -7,29 +7,30 @@
 #include <array>
 #include <cmath>
 
+#include "hitos/base/text_table.hpp"
 #include "hitos/services/drawing/gnuplot.hpp"
 #include "hitos/services/study/study_abscissa.hpp"
 
 namespace hitos::study {
 namespace {
 
-/// One plot: a figure of each cell against the parameter.
-struct Measure {
-    const char* name;  ///< stem of its files
-    const char* label;
-    std::optional<Spread> StudyCell::*spread;
-};
+/// What has a plot: a figure of each cell against the parameter.
+std::vector<const Measure*> plotted() {
+    std::vector<const Measure*> measures = taken_measures();
+    std::erase_if(measures, [](const Measure* measure) { return measure->plot.empty(); });
+    return measures;
+}
 
-constexpr std::array kMeasures = {
-    Measure{"error", "map error (m)", &StudyCell::error_m},
-    Measure{"trajectory-error", "trajectory error (m)", &StudyCell::trajectory_error_m},
-    Measure{"blur", "blur of the grid map (m²)", &StudyCell::blur_m2},
-    Measure{"landmarks", "landmarks", &StudyCell::landmarks}};
+/// Of the plot's files: "trajectory-error".
+std::string stem_of(const Measure& measure) {
+    std::string stem = measure.stem();
+    std::ranges::replace(stem, '_', '-');
+    return stem;
+}
 
 /// Whether the study asks for the measure: then a plot without a figure is worth a word.
 bool asked_for(const Measure& measure, const StudyPlan& plan) {
-    if (measure.spread == &StudyCell::landmarks) return true;
-    return measure.spread == &StudyCell::error_m && plan.has_reference();
+    return measure.is_count() || (measure.of_landmarks() && plan.has_reference());
 }
 
 std::size_t curves(const StudyPlan& plan) {
@@ -51,7 +52,7 @@ std::string data_text(const StudyPlan& plan, std::span<const StudyCell> cells,
                                 fmt::join(plan.axes[1].values[curve], "/"));
         }
         for (const std::size_t i : order) {
-            const auto& spread = cells[i * curves(plan) + curve].*measure.spread;
+            const auto& spread = cells[i * curves(plan) + curve].figures[measure];
             if (!spread) {
                 text += fmt::format("{} NaN NaN NaN NaN 0\n", x.positions[i]);
                 continue;
@@ -64,18 +65,11 @@ std::string data_text(const StudyPlan& plan, std::span<const StudyCell> cells,
     return text;
 }
 
-/// Leaves room at both ends; gnuplot's own range goes to whole decades where x is logarithmic.
+/// gnuplot's own goes to whole decades where x is logarithmic.
 std::string range(const StudyAbscissa& x) {
-    constexpr double kRoom = 0.04;
-    const auto [least, greatest] = std::minmax_element(x.positions.begin(), x.positions.end());
-    if (x.logarithmic) {
-        const double room = std::pow(*greatest / *least, kRoom);
-        return fmt::format("set logscale x\nset xrange [{:.6g}:{:.6g}]\n", *least / room,
-                           *greatest * room);
-    }
-    const double span = *greatest - *least;
-    const double room = span > 0.0 ? kRoom * span : std::max(1.0, std::abs(*least));
-    return fmt::format("set xrange [{:.6g}:{:.6g}]\n", *least - room, *greatest + room);
+    const auto [least, greatest] = x.range(0.04);
+    return fmt::format("{}set xrange [{:.6g}:{:.6g}]\n", x.logarithmic ? "set logscale x\n" : "",
+                       least, greatest);
 }
 
 /// Words, and the values of a logarithmic axis, stand at their places.
@@ -89,7 +83,7 @@ std::string tics(const StudyAbscissa& x) {
 
 std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const StudyAbscissa& x,
                         const Measure& measure) {
-    const std::string stem = layout.prefix + measure.name;
+    const std::string stem = layout.prefix + stem_of(measure);
     std::string plot = "plot ";
     for (std::size_t curve = 0; curve < curves(plan); ++curve) {
         const std::string title = plan.axes.size() < 2
@@ -102,7 +96,7 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
             "pointsize 0.7 title {}",
             gnuplot_file(stem + ".dat"), curve, gnuplot_quoted(title));
     }
-    if (measure.spread == &StudyCell::landmarks && plan.has_reference()) {
+    if (measure.word == "landmarks" && plan.has_reference()) {
         plot += fmt::format(
             ", \\\n     {} with lines dashtype 2 linecolor 'black' title "
             "'in the reference'",
@@ -111,7 +105,7 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
     std::string text = gnuplot_head(stem + ".gp");
     text +=
         fmt::format("set xlabel {} noenhanced\n", gnuplot_quoted(study_axis_label(plan.axes[0])));
-    text += fmt::format("set ylabel '{}'\n", measure.label);
+    text += fmt::format("set ylabel '{}'\n", with_unit(measure.plot, printed_unit(measure.unit)));
     text += "set grid\nset key outside top center horizontal noenhanced\n";
     text += "set yrange [0:*]\n";
     text += range(x);
@@ -132,11 +126,10 @@ Message write_plots(const StudyLayout& layout, const StudyPlan& plan,
     if (plan.axes.empty()) return {};
     const StudyAbscissa x = study_abscissa(plan.axes[0]);
     Message problem;
-    for (const Measure& measure : kMeasures) {
-        const std::string stem = layout.prefix + measure.name;
-        const bool any = std::any_of(cells.begin(), cells.end(), [&](const StudyCell& cell) {
-            return (cell.*measure.spread).has_value();
-        });
+    for (const Measure* one : plotted()) {
+        const Measure& measure = *one;
+        const std::string stem = layout.prefix + stem_of(measure);
+        const bool any = has_figures(cells, measure);
         if (!any && !asked_for(measure, plan)) continue;
         const std::vector<PlotFile> files{{stem + ".dat", data_text(plan, cells, x, measure)},
                                           {stem + ".gp", script_text(layout, plan, x, measure)}};
@@ -144,7 +137,7 @@ Message write_plots(const StudyLayout& layout, const StudyPlan& plan,
         const Message failure = draw_pictures(
             layout.folder, files, stem + ".gp", pictures,
             any ? Message()
-                : message(HITOS_TEXT("Errors", "no run gave a figure for %1"), measure.name));
+                : message(HITOS_TEXT("Errors", "no run gave a figure for %1"), stem_of(measure)));
         if (problem.empty()) problem = failure;
     }
     return problem;
@@ -152,9 +145,9 @@ Message write_plots(const StudyLayout& layout, const StudyPlan& plan,
 
 bool is_plot(const std::string& name) {
     static constexpr std::array kExtensions{".dat", ".gp", ".png", ".svg"};
-    return std::ranges::any_of(kMeasures, [&](const Measure& measure) {
+    return std::ranges::any_of(plotted(), [&](const Measure* measure) {
         return std::ranges::any_of(kExtensions, [&](const char* extension) {
-            return name == std::string(measure.name) + extension;
+            return name == stem_of(*measure) + extension;
         });
     });
 }

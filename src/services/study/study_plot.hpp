@@ -9,10 +9,10 @@
 
 namespace hitos::study {
 
-/// Writes error (of the map), trajectory-error, blur, where they were measured, and landmarks
-/// (.dat, .gp, and .png and .svg where gnuplot is installed) against the first parameter, one curve
-/// for each value of the second. Gives the reason why there are no
-/// pictures, else an empty text; a study without parameter has none and needs none.
+/// Writes the measures that have a plot, where they were taken, such as error and landmarks (.dat,
+/// .gp, and .png and .svg where gnuplot is installed) against the first parameter, one curve for
+/// each value of the second. Gives the reason why there are no pictures, else an empty text; a
+/// study without parameter has none and needs none.
 Message write_plots(const StudyLayout& layout, const StudyPlan& plan,
                     std::span<const StudyCell> cells);
 

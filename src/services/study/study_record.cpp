@@ -18,12 +18,28 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kExamples = 3;  // of damaged lines: a study has many runs of one log
 
-std::optional<double> optional_number(const ordered_json& value) {
-    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+/// Nothing too where it is of a version that did not have it.
+std::optional<double> figure_in(const ordered_json& json, const Measure& measure,
+                                const std::string& file) {
+    if (!json.contains(measure.word) || json.at(measure.word).is_null()) return std::nullopt;
+    if (!measure.is_count()) return json.at(measure.word).get<double>();
+    return whole_number<int>(json, measure.word.c_str(), file, 0, kMostLandmarks);
 }
 
-ordered_json json_of(const std::optional<double>& value) {
-    return value ? ordered_json(*value) : ordered_json();
+RunFigures figures_in(const ordered_json& json, const std::string& file) {
+    RunFigures figures;
+    for (const Measure* measure : taken_measures())
+        figures[*measure] = figure_in(json, *measure, file);
+    // The version before had the kinds alone.
+    if (!json.contains("landmarks"))
+        figures["landmarks"] = figures["lines"].value_or(0.0) + figures["corners"].value_or(0.0);
+    return figures;
+}
+
+ordered_json json_of(const std::optional<double>& value, const Measure& measure) {
+    if (!value) return {};
+    return measure.is_count() ? ordered_json(static_cast<std::int64_t>(*value))
+                              : ordered_json(*value);
 }
 
 ordered_json json_of(const std::optional<StudyPicture>& picture) {
@@ -43,13 +59,7 @@ StudyRecord record_of(const ordered_json& json, const std::string& file) {
     StudyRecord record;
     record.ok = json.at("ok");
     record.problem = verbatim(json.at("problem"));
-    record.error_m = optional_number(json.at("error_m"));
-    record.aligned_error_m = optional_number(json.at("aligned_error_m"));
-    record.trajectory_error_m = optional_number(json.at("trajectory_error_m"));
-    record.odometry_error_m = optional_number(json.at("odometry_error_m"));
-    record.blur_m2 = optional_number(json.at("blur_m2"));
-    record.lines = whole_number<int>(json, "lines", file, 0, kMostLandmarks);
-    record.corners = whole_number<int>(json, "corners", file, 0, kMostLandmarks);
+    if (record.ok) record.figures = figures_in(json, file);
     record.reference_found = whole_number<int>(json, "reference_found", file);
     record.scans = whole_number<std::uint64_t>(json, "scans", file);
     record.report = read_report(json.at("log"), file);
@@ -70,7 +80,7 @@ bool has_map(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
 bool has_picture(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
                  const StudyRecord& record) {
     // A grid without a cell that was seen gives neither.
-    if (!record.picture) return !record.blur_m2;
+    if (!record.picture) return !record.figures["blur_m2"];
     return is_file(grid_file(layout, plan, run)) && is_file(path_file(layout, plan, run)) &&
            picture_digest(layout, plan, run) == record.picture->digest;
 }
@@ -79,24 +89,18 @@ bool has_picture(const StudyLayout& layout, const StudyPlan& plan, std::size_t r
 
 void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
                   const StudyRecord& record) {
-    write_file(record_file(layout, plan, run),
-               sealed({{"run", plan.run_digest(run)},
-                       {"ok", record.ok},
-                       {"problem", record.problem.english()},
-                       {"error_m", json_of(record.error_m)},
-                       {"aligned_error_m", json_of(record.aligned_error_m)},
-                       {"trajectory_error_m", json_of(record.trajectory_error_m)},
-                       {"odometry_error_m", json_of(record.odometry_error_m)},
-                       {"blur_m2", json_of(record.blur_m2)},
-                       {"lines", record.lines},
-                       {"corners", record.corners},
-                       {"reference_found", record.reference_found},
-                       {"scans", record.scans},
-                       {"log", hitos::json_of(record.report, kExamples)},
-                       {"seconds", record.seconds},
-                       {"cpu_seconds", record.cpu_seconds},
-                       {"map", record.map_digest},
-                       {"picture", json_of(record.picture)}}));
+    ordered_json json{
+        {"run", plan.run_digest(run)}, {"ok", record.ok}, {"problem", record.problem.english()}};
+    for (const Measure* measure : taken_measures())
+        json[measure->word] = json_of(record.figures[*measure], *measure);
+    json.update({{"reference_found", record.reference_found},
+                 {"scans", record.scans},
+                 {"log", hitos::json_of(record.report, kExamples)},
+                 {"seconds", record.seconds},
+                 {"cpu_seconds", record.cpu_seconds},
+                 {"map", record.map_digest},
+                 {"picture", json_of(record.picture)}});
+    write_file(record_file(layout, plan, run), sealed(json));
 }
 
 std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPlan& plan,

@@ -2,9 +2,8 @@
 
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
-#include "hitos/services/evaluation/grid_blur.hpp"
-#include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/grid/grid_builder.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "study_files.hpp"
 
@@ -41,19 +40,15 @@ namespace {
 
 constexpr int kLongestPicture = 2000;  // pixels a side: a kept picture is some 100 kB, not 1 GB
 
-std::optional<double> ate(const Trajectory& path, const Trajectory& reference) {
-    const auto error = trajectory_error(path, reference);
-    return error ? std::optional(error->rmse_m) : std::nullopt;
-}
-
-void measure_paths(const Study& study, const Algoritmo& run, StudyRecord& record) {
-    std::optional<Trajectory> reference = study.reference_trajectory;
-    if (!reference) {
-        if (const std::optional<Truth> truth = run.reader().truth()) reference = truth->path;
+References references_of(const Study& study, const Algoritmo& run) {
+    References references;
+    if (!study.reference.empty()) references.map = study.reference;
+    references.trajectory = study.reference_trajectory;
+    if (!references.trajectory) {
+        if (std::optional<Truth> truth = run.reader().truth())
+            references.trajectory = std::move(truth->path);
     }
-    if (!reference) return;
-    record.trajectory_error_m = ate(run.best_trajectory(), *reference);
-    record.odometry_error_m = ate(run.odometry_trajectory(), *reference);
+    return references;
 }
 
 }  // namespace
@@ -68,30 +63,21 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
     record.map_digest = Digest().add_file(map_path).text();
     record.scans = run.steps();
     record.report = run.report();
-    record.lines = run.filter().best_count(FeatureKind::line);
-    record.corners = run.filter().best_count(FeatureKind::corner);
-    if (const auto error = map_error(map, study.reference)) {
-        record.error_m = error->mean_m;
-        record.reference_found = error->reference_found;
+    const RunErrors errors = errors_of(run, references_of(study, run));
+    if (errors.map_error) record.reference_found = errors.map_error->reference_found;
+    const Trajectory path = run.best_trajectory();
+    std::optional<GridBuilder> builder;
+    if (plan.grid) builder.emplace(run.configuration().grid, run.reader().reopen(), path);
+    while (builder && builder->step()) {
+        if (stop.stop_requested()) return std::nullopt;
     }
-    if (const auto aligned = aligned_map_error(map, study.reference)) {
-        record.aligned_error_m = aligned->error.mean_m;
-    }
-    measure_paths(study, run, record);
-    if (plan.grid) {
-        const Trajectory path = run.best_trajectory();
-        GridBuilder builder(run.configuration().grid, run.reader().reopen(), path);
-        while (builder.step()) {
-            if (stop.stop_requested()) return std::nullopt;
-        }
-        record.blur_m2 = grid_blur_m2(builder.grid());
-        if (plan.pictured(number) && !builder.grid().empty()) {
-            const MapImage image = shrunk(map_image(builder.grid()), kLongestPicture);
-            write_picture(image.picture, grid_file(layout, plan, number));
-            write_trajectory(path, path_file(layout, plan, number));
-            record.picture = {picture_digest(layout, plan, number), image.origin,
-                              image.m_per_pixel};
-        }
+    const Grid* grid = builder ? &builder->grid() : nullptr;
+    record.figures = figures_of({run.evidence(), run.filter(), map, path, errors, grid});
+    if (grid != nullptr && plan.pictured(number) && !grid->empty()) {
+        const MapImage image = shrunk(map_image(*grid), kLongestPicture);
+        write_picture(image.picture, grid_file(layout, plan, number));
+        write_trajectory(path, path_file(layout, plan, number));
+        record.picture = {picture_digest(layout, plan, number), image.origin, image.m_per_pixel};
     }
     record.ok = true;
     return record;

@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "hitos/base/plural.hpp"
 #include "hitos/base/text_table.hpp"
 #include "hitos/services/study/study_result.hpp"
+#include "json_input.hpp"
 
 namespace hitos {
 namespace {
@@ -18,78 +17,72 @@ std::string exact(const std::optional<double>& value) {
     return value ? fmt::format("{}", *value) : "";
 }
 
-std::string mean(const std::optional<Spread>& spread) {
-    return spread ? exact(spread->mean) : "";
+std::string whole(std::uint64_t number) {
+    return fmt::format("{}", number);
 }
 
-std::string variance(const std::optional<Spread>& spread) {
-    return spread ? exact(spread->variance) : "";
-}
+/// A row of a table: what its columns are called, and what stands there.
+class Row {
+  public:
+    Row(std::vector<std::string> names, std::vector<std::string> texts)
+        : names_(std::move(names)), texts_(std::move(texts)) {}
 
-std::string rounded(const std::optional<double>& value, int decimals) {
-    return value ? fmt::format("{:.{}f}", *value, decimals) : kNoFigure;
-}
+    void add(std::string name, std::string text) {
+        names_.push_back(std::move(name));
+        texts_.push_back(std::move(text));
+    }
+    void add(std::string name, std::uint64_t number) { add(std::move(name), whole(number)); }
+    /// The first row's names are the head.
+    void put_into(TextTable& table) && {
+        table.head = std::move(names_);
+        table.rows.push_back(std::move(texts_));
+    }
+    void put_into(std::string& csv) && {
+        if (csv.empty()) csv = csv_line(std::move(names_));
+        csv += csv_line(std::move(texts_));
+    }
 
-std::optional<double> mean_value(const std::optional<Spread>& spread) {
-    return spread ? std::optional(spread->mean) : std::nullopt;
-}
-
-std::optional<double> variance_value(const std::optional<Spread>& spread) {
-    return spread ? spread->variance : std::nullopt;
-}
-
-/// A column of the tables for people, with the digits that the thesis prints.
-struct Column {
-    const char* markdown;
-    const char* latex;
-    std::optional<Spread> StudyCell::*figures;
-    bool variance;  ///< of the figures, else their mean
-    int decimals;
-    bool of_reference;  ///< stands wherever there is a reference map, even without a figure
+  private:
+    std::vector<std::string> names_;
+    std::vector<std::string> texts_;
 };
 
-constexpr std::array kPrintedColumns = {
-    Column{"error (m)", "error (m)", &StudyCell::error_m, false, 3, true},
-    Column{"variance (m²)", "variance (m^2)", &StudyCell::error_m, true, 4, true},
-    Column{"aligned error (m)", "aligned (m)", &StudyCell::aligned_error_m, false, 3, true},
-    Column{"ATE (m)", "ATE (m)", &StudyCell::trajectory_error_m, false, 3, false},
-    Column{"odometry's ATE (m)", "odometry's ATE (m)", &StudyCell::odometry_error_m, false, 3,
-           false},
-    Column{"blur (m²)", "blur (m^2)", &StudyCell::blur_m2, false, 2, false},
-    Column{"landmarks", "landmarks", &StudyCell::landmarks, false, 1, true},
-    Column{"lines", "lines", &StudyCell::lines, false, 1, true},
-    Column{"corners", "corners", &StudyCell::corners, false, 1, true}};
-
-bool has_figures(std::span<const StudyCell> cells, std::optional<Spread> StudyCell::*figures) {
-    return std::ranges::any_of(cells, [&](const StudyCell& c) { return (c.*figures).has_value(); });
-}
-
-TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells,
-                       const char* Column::*name) {
-    TextTable table;
+/// With the digits that the thesis prints. What belongs to a reference map stands wherever there is
+/// one, even without a figure.
+TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells, bool in_latex) {
+    std::vector<std::string> keys;
     for (const StudyPlan::Axis& axis : plan.axes) {
         for (std::size_t i = 0; i < axis.keys.size(); ++i) {
-            const std::string& key = axis.keys.size() == 1 ? axis.name : axis.keys[i];
-            table.head.push_back(axis.units[i].empty() ? key : key + " (" + axis.units[i] + ")");
+            keys.push_back(
+                with_unit(axis.keys.size() == 1 ? axis.name : axis.keys[i], axis.units[i]));
         }
     }
-    table.head.emplace_back("runs");
-    std::vector<Column> columns;
-    std::ranges::copy_if(kPrintedColumns, std::back_inserter(columns), [&](const Column& column) {
-        return (column.of_reference && plan.has_reference()) || has_figures(cells, column.figures);
+    std::vector<const Measure*> measures = taken_measures();
+    std::erase_if(measures, [&](const Measure* measure) {
+        return !(measure->of_landmarks() && plan.has_reference()) && !has_figures(cells, *measure);
     });
-    for (const Column& column : columns) table.head.emplace_back(column.*name);
+    const auto unit_of = [&](std::string unit) {
+        return in_latex ? std::move(unit) : printed_unit(std::move(unit));
+    };
+    TextTable table;
     for (const StudyCell& cell : cells) {
-        std::vector<std::string> row = cell.texts;
-        row.push_back(cell.failed == 0
-                          ? fmt::format("{}", cell.finished)
-                          : fmt::format("{} of {}", cell.finished, cell.finished + cell.failed));
-        for (const Column& column : columns) {
-            const std::optional<Spread>& figures = cell.*column.figures;
-            row.push_back(rounded(column.variance ? variance_value(figures) : mean_value(figures),
-                                  column.decimals));
+        Row row(keys, cell.texts);
+        row.add("runs", cell.failed == 0
+                            ? fmt::format("{}", cell.finished)
+                            : fmt::format("{} of {}", cell.finished, cell.finished + cell.failed));
+        for (const Measure* measure : measures) {
+            const auto& spread = cell.figures[*measure];
+            const bool narrow = in_latex && !measure->latex_label.empty();
+            row.add(
+                with_unit(narrow ? measure->latex_label : measure->label, unit_of(measure->unit)),
+                spread ? measure->rounded(spread->mean, true) : kNoFigure);
+            if (!measure->spread) continue;
+            row.add(with_unit("variance", unit_of(squared_unit(measure->unit))),
+                    spread && spread->variance
+                        ? fmt::format("{:.{}f}", *spread->variance, measure->decimals + 1)
+                        : kNoFigure);
         }
-        table.rows.push_back(std::move(row));
+        std::move(row).put_into(table);
     }
     return table;
 }
@@ -118,8 +111,9 @@ std::string damage_sentence(std::span<const StudyCell> cells) {
 std::string reference_sentence(const StudyPlan& plan, std::span<const StudyCell> cells) {
     if (!plan.has_reference()) {
         return std::string("Without a reference map.") +
-               (has_figures(cells, &StudyCell::trajectory_error_m) ? " ATE: error of the path."
-                                                                   : "") +
+               (has_figures(cells, run_measures().find("trajectory_error_m"))
+                    ? " ATE: error of the path."
+                    : "") +
                " Blur: undecided area of the grid map; lower is crisper.";
     }
     return fmt::format("{} in the reference: {}, {}.",
@@ -132,6 +126,14 @@ std::string reference_sentence(const StudyPlan& plan, std::span<const StudyCell>
 std::string reference_count(const StudyPlan& plan) {
     return plan.has_reference() ? fmt::format("{}", plan.reference_lines + plan.reference_corners)
                                 : "";
+}
+
+/// In tables for programs those of landmarks stand before what the reference has of them.
+std::vector<const Measure*> taken_of_landmarks(bool of_landmarks) {
+    std::vector<const Measure*> measures = taken_measures();
+    std::erase_if(measures,
+                  [&](const Measure* measure) { return measure->of_landmarks() != of_landmarks; });
+    return measures;
 }
 
 }  // namespace
@@ -156,21 +158,19 @@ std::optional<Spread> spread_of(std::span<const double> values) {
     return spread;
 }
 
+bool has_figures(std::span<const StudyCell> cells, const Measure& measure) {
+    return std::ranges::any_of(
+        cells, [&](const StudyCell& cell) { return cell.figures[measure].has_value(); });
+}
+
 std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRecord> records) {
     std::vector<StudyCell> cells;
     for (std::size_t cell = 0; cell < plan.cells(); ++cell) {
         StudyCell row;
         row.texts = plan.texts(cell);
-        std::vector<double> errors;
-        std::vector<double> aligned;
-        std::vector<double> paths;
-        std::vector<double> odometry;
-        std::vector<double> blur;
-        std::vector<double> landmarks;
-        std::vector<double> lines;
-        std::vector<double> corners;
         const auto seeds = static_cast<std::size_t>(plan.seeds);
-        for (const StudyRecord& record : records.subspan(cell * seeds, seeds)) {
+        const auto runs = records.subspan(cell * seeds, seeds);
+        for (const StudyRecord& record : runs) {
             if (!record.ok) {
                 ++row.failed;
                 continue;
@@ -178,23 +178,14 @@ std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRec
             ++row.finished;
             row.skipped_lines = std::max(row.skipped_lines, record.report.skipped);
             row.stamps_backwards = std::max(row.stamps_backwards, record.report.stamps_backwards);
-            if (record.error_m) errors.push_back(*record.error_m);
-            if (record.aligned_error_m) aligned.push_back(*record.aligned_error_m);
-            if (record.trajectory_error_m) paths.push_back(*record.trajectory_error_m);
-            if (record.odometry_error_m) odometry.push_back(*record.odometry_error_m);
-            if (record.blur_m2) blur.push_back(*record.blur_m2);
-            landmarks.push_back(record.lines + record.corners);
-            lines.push_back(record.lines);
-            corners.push_back(record.corners);
         }
-        row.error_m = spread_of(errors);
-        row.aligned_error_m = spread_of(aligned);
-        row.trajectory_error_m = spread_of(paths);
-        row.odometry_error_m = spread_of(odometry);
-        row.blur_m2 = spread_of(blur);
-        row.landmarks = spread_of(landmarks);
-        row.lines = spread_of(lines);
-        row.corners = spread_of(corners);
+        for (const Measure* measure : taken_measures()) {
+            std::vector<double> values;
+            for (const StudyRecord& record : runs) {
+                if (const auto& value = record.figures[*measure]) values.push_back(*value);
+            }
+            row.figures[*measure] = spread_of(values);
+        }
         cells.push_back(std::move(row));
     }
     return cells;
@@ -211,123 +202,91 @@ const StudyRecord* most_damaged(std::span<const StudyRecord> records) {
 
 std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
                         std::span<const StudyRecord> records) {
-    std::vector<std::string> head = plan.keys();
-    for (const char* name :
-         {"seed", "status", "error_m", "aligned_error_m", "landmarks", "lines", "corners",
-          "reference_found", "reference_landmarks", "scans", "trajectory_error_m",
-          "odometry_error_m", "blur_m2", "map", "problem", "skipped_lines", "stamps_backwards",
-          "duplicate_scans", "first_damage"}) {
-        head.emplace_back(name);
-    }
-    std::string text = csv_line(std::move(head));
+    const std::vector<std::string> keys = plan.keys();
+    std::string text;
     for (std::size_t run = 0; run < records.size(); ++run) {
         const StudyRecord& record = records[run];
-        std::vector<std::string> row = plan.texts(plan.cell_of(run));
-        row.push_back(fmt::format("{}", plan.seed_of(run)));
-        if (record.ok) {
-            row.insert(
-                row.end(),
-                {"ok", exact(record.error_m), exact(record.aligned_error_m),
-                 fmt::format("{}", record.lines + record.corners), fmt::format("{}", record.lines),
-                 fmt::format("{}", record.corners),
-                 plan.has_reference() ? fmt::format("{}", record.reference_found) : std::string(),
-                 reference_count(plan), fmt::format("{}", record.scans),
-                 exact(record.trajectory_error_m), exact(record.odometry_error_m),
-                 exact(record.blur_m2), layout.prefix + "maps/" + plan.file_stem(run) + ".map", "",
-                 fmt::format("{}", record.report.skipped),
-                 fmt::format("{}", record.report.stamps_backwards),
-                 fmt::format("{}", record.report.duplicate_scans), first_damage(record.report)});
-        } else {
-            row.insert(row.end(), {"failed", "", "", "", "", "", "", "", "", "", "", "", "",
-                                   record.problem.english(), "", "", "", ""});
-        }
-        text += csv_line(std::move(row));
+        Row row(keys, plan.texts(plan.cell_of(run)));
+        const auto add = [&](std::string name, std::string of_one_that_is_ok) {
+            row.add(std::move(name), record.ok ? std::move(of_one_that_is_ok) : std::string());
+        };
+        const auto add_figures = [&](bool of_landmarks) {
+            for (const Measure* measure : taken_of_landmarks(of_landmarks))
+                add(measure->word, exact(record.figures[*measure]));
+        };
+        row.add("seed", plan.seed_of(run));
+        row.add("status", record.ok ? "ok" : "failed");
+        add_figures(true);
+        add("reference_found",
+            plan.has_reference() ? fmt::format("{}", record.reference_found) : "");
+        add("reference_landmarks", reference_count(plan));
+        add("scans", whole(record.scans));
+        add_figures(false);
+        add("map", layout.prefix + "maps/" + plan.file_stem(run) + ".map");
+        row.add("problem", record.ok ? "" : record.problem.english());
+        add("skipped_lines", whole(record.report.skipped));
+        add("stamps_backwards", whole(record.report.stamps_backwards));
+        add("duplicate_scans", whole(record.report.duplicate_scans));
+        add("first_damage", first_damage(record.report));
+        std::move(row).put_into(text);
     }
     return text;
 }
 
 std::string timing_csv(const StudyPlan& plan, std::span<const StudyRecord> records) {
-    std::vector<std::string> head = plan.keys();
-    head.insert(head.end(), {"seed", "seconds", "scans_per_second", "cpu_seconds"});
-    std::string text = csv_line(std::move(head));
+    const std::vector<std::string> keys = plan.keys();
+    std::string text;
     for (std::size_t run = 0; run < records.size(); ++run) {
         const StudyRecord& record = records[run];
-        std::vector<std::string> row = plan.texts(plan.cell_of(run));
-        row.push_back(fmt::format("{}", plan.seed_of(run)));
-        row.push_back(fmt::format("{:.6f}", record.seconds));
-        row.push_back(
-            record.ok && record.seconds > 0.0
-                ? fmt::format("{:.1f}", static_cast<double>(record.scans) / record.seconds)
-                : "");
-        row.push_back(fmt::format("{:.6f}", record.cpu_seconds));
-        text += csv_line(std::move(row));
+        Row row(keys, plan.texts(plan.cell_of(run)));
+        row.add("seed", plan.seed_of(run));
+        row.add("seconds", fmt::format("{:.6f}", record.seconds));
+        row.add("scans_per_second",
+                record.ok && record.seconds > 0.0
+                    ? fmt::format("{:.1f}", static_cast<double>(record.scans) / record.seconds)
+                    : "");
+        row.add("cpu_seconds", fmt::format("{:.6f}", record.cpu_seconds));
+        std::move(row).put_into(text);
     }
     return text;
 }
 
 std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    std::vector<std::string> head = plan.keys();
-    for (const char* name : {"runs",
-                             "failed",
-                             "measured",
-                             "error_m",
-                             "error_variance_m2",
-                             "error_minimum_m",
-                             "error_maximum_m",
-                             "aligned_error_m",
-                             "aligned_error_variance_m2",
-                             "landmarks",
-                             "landmarks_variance",
-                             "lines",
-                             "lines_variance",
-                             "corners",
-                             "corners_variance",
-                             "reference_landmarks",
-                             "trajectory_error_m",
-                             "trajectory_error_variance_m2",
-                             "odometry_error_m",
-                             "odometry_error_variance_m2",
-                             "blur_m2",
-                             "blur_variance_m4",
-                             "skipped_lines",
-                             "stamps_backwards"}) {
-        head.emplace_back(name);
-    }
-    std::string text = csv_line(std::move(head));
+    const std::vector<std::string> keys = plan.keys();
+    std::string text;
     for (const StudyCell& cell : cells) {
-        std::vector<std::string> row = cell.texts;
-        row.push_back(fmt::format("{}", cell.finished));
-        row.push_back(fmt::format("{}", cell.failed));
-        row.push_back(fmt::format("{}", cell.error_m ? cell.error_m->count : 0));
-        row.push_back(mean(cell.error_m));
-        row.push_back(variance(cell.error_m));
-        row.push_back(cell.error_m ? exact(cell.error_m->minimum) : "");
-        row.push_back(cell.error_m ? exact(cell.error_m->maximum) : "");
-        for (const std::optional<Spread>* spread :
-             {&cell.aligned_error_m, &cell.landmarks, &cell.lines, &cell.corners}) {
-            row.push_back(mean(*spread));
-            row.push_back(variance(*spread));
-        }
-        row.push_back(reference_count(plan));
-        for (const std::optional<Spread>* spread :
-             {&cell.trajectory_error_m, &cell.odometry_error_m, &cell.blur_m2}) {
-            row.push_back(mean(*spread));
-            row.push_back(variance(*spread));
-        }
-        row.push_back(fmt::format("{}", cell.skipped_lines));
-        row.push_back(fmt::format("{}", cell.stamps_backwards));
-        text += csv_line(std::move(row));
+        Row row(keys, cell.texts);
+        const auto add_figures = [&](bool of_landmarks) {
+            for (const Measure* measure : taken_of_landmarks(of_landmarks)) {
+                const auto& spread = cell.figures[*measure];
+                row.add(measure->word, spread ? exact(spread->mean) : "");
+                row.add(measure->word_of("variance", true), spread ? exact(spread->variance) : "");
+                if (!measure->spread) continue;
+                row.add(measure->word_of("minimum"), spread ? exact(spread->minimum) : "");
+                row.add(measure->word_of("maximum"), spread ? exact(spread->maximum) : "");
+            }
+        };
+        row.add("runs", fmt::format("{}", cell.finished));
+        row.add("failed", fmt::format("{}", cell.failed));
+        const auto& error = cell.figures["error_m"];
+        row.add("measured", fmt::format("{}", error ? error->count : 0));
+        add_figures(true);
+        row.add("reference_landmarks", reference_count(plan));
+        add_figures(false);
+        row.add("skipped_lines", cell.skipped_lines);
+        row.add("stamps_backwards", cell.stamps_backwards);
+        std::move(row).put_into(text);
     }
     return text;
 }
 
 std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    return fmt::format("{}\n{}{}\n", markdown(pretty_table(plan, cells, &Column::markdown)),
+    return fmt::format("{}\n{}{}\n", markdown(pretty_table(plan, cells, false)),
                        reference_sentence(plan, cells), damage_sentence(cells));
 }
 
 std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    return fmt::format("{}% {}{}\n", latex(pretty_table(plan, cells, &Column::latex)),
+    return fmt::format("{}% {}{}\n", latex(pretty_table(plan, cells, true)),
                        reference_sentence(plan, cells), damage_sentence(cells));
 }
 
@@ -353,27 +312,18 @@ std::string summary_json(const StudyPlan& plan, std::span<const StudyCell> cells
     for (const StudyCell& cell : cells) {
         ordered_json values;
         for (std::size_t i = 0; i < keys.size(); ++i) values[keys[i]] = cell.texts[i];
-        rows.push_back({{"values", values},
-                        {"runs", cell.finished},
-                        {"failed", cell.failed},
-                        {"error_m", json_of(cell.error_m)},
-                        {"aligned_error_m", json_of(cell.aligned_error_m)},
-                        {"trajectory_error_m", json_of(cell.trajectory_error_m)},
-                        {"odometry_error_m", json_of(cell.odometry_error_m)},
-                        {"blur_m2", json_of(cell.blur_m2)},
-                        {"landmarks", json_of(cell.landmarks)},
-                        {"lines", json_of(cell.lines)},
-                        {"corners", json_of(cell.corners)},
-                        {"skipped_lines", cell.skipped_lines},
-                        {"stamps_backwards", cell.stamps_backwards}});
+        ordered_json row{{"values", values}, {"runs", cell.finished}, {"failed", cell.failed}};
+        for (const Measure* measure : taken_measures())
+            row[measure->word] = json_of(cell.figures[*measure]);
+        row["skipped_lines"] = cell.skipped_lines;
+        row["stamps_backwards"] = cell.stamps_backwards;
+        rows.push_back(std::move(row));
     }
     ordered_json reference;
     if (plan.has_reference()) {
         reference = {{"lines", plan.reference_lines}, {"corners", plan.reference_corners}};
     }
-    // Values of text parameters may be no UTF-8: replace what is not instead of failing.
-    return ordered_json{{"reference", reference}, {"summary", rows}}.dump(
-        2, ' ', false, ordered_json::error_handler_t::replace);
+    return json_text({{"reference", reference}, {"summary", rows}});
 }
 
 }  // namespace hitos

@@ -117,8 +117,8 @@ Reproduction gather(const std::vector<ThesisFigure>& figures,
             }
             ++figure.rows[run].finished;
             Gathered& row = gathered[parts[p].figure][run];
-            if (record.error_m) row.errors.push_back(*record.error_m);
-            row.landmarks.push_back(record.lines + record.corners);
+            if (const auto& error = record.figures["error_m"]) row.errors.push_back(*error);
+            row.landmarks.push_back(record.figures["landmarks"].value_or(0.0));
         }
     }
     for (std::size_t f = 0; f < figures.size(); ++f) put_into(result.figures[f], gathered[f]);

@@ -113,7 +113,7 @@ void draw_sheet(ReproducedExperiment& experiment, const Study& study, const Odom
         sheet.tiles.push_back(std::move(tile));
     }
     SheetTile last = odometry.tile;
-    const auto& ate = experiment.records.front().odometry_error_m;
+    const auto& ate = experiment.records.front().figures["odometry_error_m"];
     last.caption = {"odometry alone", ate ? fmt::format("ATE {:.3f} m", *ate) : ""};
     if (odometry.blur_m2) last.caption.back() += fmt::format(", blur {:.1f} m2", *odometry.blur_m2);
     sheet.tiles.push_back(std::move(last));

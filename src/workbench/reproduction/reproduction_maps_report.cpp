@@ -88,17 +88,19 @@ std::string experiment_text(const ReproducedExperiment& experiment, const std::s
         const StudyCell& cell = experiment.cells[i];
         text += fmt::format("| {} |", shown(thesis.claims[i].value));
         if (words) text += fmt::format(" {} |", thesis.claims[i].says);
-        if (reference) text += fmt::format(" {} |", mean(cell.error_m, 3));
+        if (reference) text += fmt::format(" {} |", mean(cell.figures["error_m"], 3));
         const int decimals = thesis.runs > 1 ? 1 : 0;
-        text += fmt::format(" {} | {} | {} |", mean(cell.lines, decimals),
-                            mean(cell.corners, decimals), mean(cell.trajectory_error_m, 3));
-        if (grid) text += fmt::format(" {} |", mean(cell.blur_m2, 1));
+        text += fmt::format(" {} | {} | {} |", mean(cell.figures["lines"], decimals),
+                            mean(cell.figures["corners"], decimals),
+                            mean(cell.figures["trajectory_error_m"], 3));
+        if (grid) text += fmt::format(" {} |", mean(cell.figures["blur_m2"], 1));
         text += "\n";
     }
     if (grid && thesis.show == ThesisExperiment::Show::maps) {
         text += "| odometry alone |";
         for (int i = 0; i < columns - 3; ++i) text += " |";
-        text += fmt::format(" {} | {} |\n", mean(experiment.cells.front().odometry_error_m, 3),
+        text += fmt::format(" {} | {} |\n",
+                            mean(experiment.cells.front().figures["odometry_error_m"], 3),
                             text_or(experiment.odometry_blur_m2, "{:.1f}", ""));
     }
     if (!thesis.remark.empty()) text += fmt::format("\n{}\n", thesis.remark);
@@ -126,8 +128,9 @@ std::string pairs_text(const MapReproduction& reproduction, const std::string& s
         rows += fmt::format(
             "| [{}]({}/{}.png) | {} | {} = {} | {} | {} | {} | {} | {} |\n", thesis.figure, sheets,
             thesis.stem(), thesis.name, thesis.parameter, thesis.claims.front().value,
-            mean(cell.error_m, 3), mean(cell.trajectory_error_m, 3), mean(cell.odometry_error_m, 3),
-            mean(cell.blur_m2, 1), text_or(experiment.odometry_blur_m2, "{:.1f}", ""));
+            mean(cell.figures["error_m"], 3), mean(cell.figures["trajectory_error_m"], 3),
+            mean(cell.figures["odometry_error_m"], 3), mean(cell.figures["blur_m2"], 1),
+            text_or(experiment.odometry_blur_m2, "{:.1f}", ""));
     }
     if (rows.empty()) return "";
     return "## Pairs: the best particle's map and the odometry's\n\n"
@@ -154,10 +157,11 @@ std::string steady_text(const MapReproduction& reproduction) {
     for (const ReproducedExperiment& experiment : reproduction.experiments) {
         if (!is_steady(experiment)) continue;
         const StudyCell& cell = experiment.cells.front();
-        rows += fmt::format("| {} | {} | {} | {} | {} | {} |\n", experiment.thesis->name,
-                            experiment.thesis->claims.front().says, mean(cell.error_m, 3),
-                            mean(cell.lines, 1), mean(cell.corners, 1),
-                            mean(cell.trajectory_error_m, 3));
+        rows +=
+            fmt::format("| {} | {} | {} | {} | {} | {} |\n", experiment.thesis->name,
+                        experiment.thesis->claims.front().says, mean(cell.figures["error_m"], 3),
+                        mean(cell.figures["lines"], 1), mean(cell.figures["corners"], 1),
+                        mean(cell.figures["trajectory_error_m"], 3));
     }
     if (rows.empty()) return "";
     return "## Figure 10.95: the error that more particles no longer lessen\n\n"
@@ -190,13 +194,15 @@ std::string map_reproduction_csv(const MapReproduction& reproduction) {
         const ThesisExperiment& thesis = *experiment.thesis;
         for (std::size_t run = 0; run < experiment.records.size(); ++run) {
             const StudyRecord& record = experiment.records[run];
+            const auto figure = [&](const char* word, const char* otherwise) {
+                return text_or(record.figures[word], "{}", otherwise);
+            };
             text += fmt::format(
                 "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", thesis.figure, thesis.name,
                 thesis.parameter, shown(thesis.claims[experiment.plan.cell_of(run)].value),
-                experiment.plan.seed_of(run), record.ok ? "ok" : "failed",
-                text_or(record.error_m, "{}", ""), record.lines, record.corners,
-                text_or(record.trajectory_error_m, "{}", ""),
-                text_or(record.odometry_error_m, "{}", ""), text_or(record.blur_m2, "{}", ""),
+                experiment.plan.seed_of(run), record.ok ? "ok" : "failed", figure("error_m", ""),
+                figure("lines", "0"), figure("corners", "0"), figure("trajectory_error_m", ""),
+                figure("odometry_error_m", ""), figure("blur_m2", ""),
                 text_or(experiment.odometry_blur_m2, "{}", ""));
         }
     }

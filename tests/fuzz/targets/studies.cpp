@@ -58,21 +58,19 @@ class StudyOfOneRun {
 };
 
 void require_sound(const StudyRecord& record) {
-    for (const auto& figure : {record.error_m, record.aligned_error_m, record.trajectory_error_m,
-                               record.odometry_error_m, record.blur_m2}) {
+    for (const Measure* measure : taken_measures()) {
+        const std::optional<double>& figure = record.figures[*measure];
         require(is_finite_if_any(figure), "a record's figures are finite");
+        require(!figure || !measure->is_count() || *figure >= 0.0, "a record counts from 0");
     }
-    require(record.lines >= 0 && record.corners >= 0 && record.reference_found >= 0,
-            "a record counts from 0");
+    require(record.reference_found >= 0, "a record counts from 0");
 }
 
 bool equal(const StudyRecord& a, const StudyRecord& b) {
-    return a.ok == b.ok && a.problem.english() == b.problem.english() && a.error_m == b.error_m &&
-           a.aligned_error_m == b.aligned_error_m && a.trajectory_error_m == b.trajectory_error_m &&
-           a.odometry_error_m == b.odometry_error_m && a.blur_m2 == b.blur_m2 &&
-           a.lines == b.lines && a.corners == b.corners && a.reference_found == b.reference_found &&
-           a.scans == b.scans && a.seconds == b.seconds && a.cpu_seconds == b.cpu_seconds &&
-           a.map_digest == b.map_digest && a.picture.has_value() == b.picture.has_value();
+    return a.ok == b.ok && a.problem.english() == b.problem.english() && a.figures == b.figures &&
+           a.reference_found == b.reference_found && a.scans == b.scans && a.seconds == b.seconds &&
+           a.cpu_seconds == b.cpu_seconds && a.map_digest == b.map_digest &&
+           a.picture.has_value() == b.picture.has_value();
 }
 
 /// Of the fields of a value; a range gives values of its own.

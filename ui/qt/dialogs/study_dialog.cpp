@@ -222,7 +222,8 @@ void StudyDialog::open_run() {
         const StudyRecord& record = runner_.records()[run];
         if (!record.ok) continue;
         QString label = QString::fromStdString(plan.label(run));
-        if (record.error_m) label += tr(": map error %1 m").arg(*record.error_m, 0, 'f', 4);
+        if (const auto& error = record.figures["error_m"])
+            label += tr(": map error %1 m").arg(*error, 0, 'f', 4);
         words << label;
         runs.push_back(run);
     }

@@ -102,19 +102,18 @@ void RunList::measure(KeptRun& run) const {
     const References& references = session_.references();
     if (references.trajectory) {
         const auto error = trajectory_error(run.path, *references.trajectory);
-        run.trajectory_error_m = error ? std::optional(error->rmse_m) : std::nullopt;
+        run.figures["trajectory_error_m"] = error ? std::optional(error->rmse_m) : std::nullopt;
     }
     if (references.map) {
         const auto error = map_error(run.map, *references.map);
-        run.map_error_m = error ? std::optional(error->mean_m) : std::nullopt;
+        run.figures["error_m"] = error ? std::optional(error->mean_m) : std::nullopt;
     }
 }
 
 void RunList::measure_listed(ListedRun& listed) const {
     if (!same_log(listed.run->configuration, session_.configuration())) return;
     auto run = std::make_shared<KeptRun>(*listed.run);
-    run->trajectory_error_m = listed.told_trajectory_error_m;
-    run->map_error_m = listed.told_map_error_m;
+    run->figures = listed.told;
     measure(*run);
     listed.run = std::move(run);
 }
@@ -134,8 +133,7 @@ ListedRun RunList::open(const QString& folder) {
     ListedRun listed{0, in_background([&] {
                          return std::make_shared<const KeptRun>(read_results(folder.toStdString()));
                      })};
-    listed.told_trajectory_error_m = listed.run->trajectory_error_m;
-    listed.told_map_error_m = listed.run->map_error_m;
+    listed.told = listed.run->figures;
     listed.folder = QDir(folder).absolutePath();
     measure_listed(listed);
     return add(std::move(listed));

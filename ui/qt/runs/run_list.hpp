@@ -5,7 +5,6 @@
 #include <QObject>
 #include <QString>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "hitos/services/results/kept_run.hpp"
@@ -17,10 +16,8 @@ namespace hitos::window {
 struct ListedRun {
     int number = 0;  ///< for people; 0 is the run of the window
     std::shared_ptr<const KeptRun> run;
-    QString folder = {};  ///< where it was read from, if from results
-    /// What that folder tells.
-    std::optional<double> told_trajectory_error_m = std::nullopt;
-    std::optional<double> told_map_error_m = std::nullopt;
+    QString folder = {};   ///< where it was read from, if from results
+    RunFigures told = {};  ///< what that folder tells
 };
 
 /// What people call it: "run 3", "this run".

@@ -48,9 +48,9 @@ QVariant RunsModel::key(int row, int column) const {
         case landmarks:
             return static_cast<qulonglong>(run.map.size());
         case path_error:
-            return sortable(run.trajectory_error_m);
+            return sortable(run.figures["trajectory_error_m"]);
         case map_error:
-            return sortable(run.map_error_m);
+            return sortable(run.figures["error_m"]);
         case seconds:
             return run.seconds;
         default:
@@ -72,9 +72,9 @@ QString RunsModel::text(int row, int column) const {
         case landmarks:
             return QString::number(run.map.size());
         case path_error:
-            return metres_or_none(run.trajectory_error_m);
+            return metres_or_none(run.figures["trajectory_error_m"]);
         case map_error:
-            return metres_or_none(run.map_error_m);
+            return metres_or_none(run.figures["error_m"]);
         default:
             return QString("%1 s").arg(run.seconds, 0, 'f', 1);
     }

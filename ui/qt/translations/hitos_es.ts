@@ -2834,6 +2834,10 @@
         <source>say where it sits</source>
         <translation>indique dónde está</translation>
     </message>
+    <message>
+        <source>every run failed; the first: %1</source>
+        <translation>fallaron todas las ejecuciones; la primera: %1</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -2933,6 +2937,25 @@
     <message>
         <source>Path</source>
         <translation>Camino</translation>
+    </message>
+</context>
+<context>
+    <name>Measure</name>
+    <message>
+        <source>map error</source>
+        <translation>error del mapa</translation>
+    </message>
+    <message>
+        <source>trajectory error</source>
+        <translation>error del recorrido</translation>
+    </message>
+    <message>
+        <source>blur of the grid map</source>
+        <translation>borrosidad del mapa de rejilla</translation>
+    </message>
+    <message>
+        <source>landmarks</source>
+        <translation>hitos</translation>
     </message>
 </context>
 <context>
@@ -7052,52 +7075,24 @@
 <context>
     <name>hitos::window::StudyPlots</name>
     <message>
-        <source>Map error [m]: every run, mean and standard deviation</source>
-        <translation>Error del mapa [m]: cada ejecución, media y desviación típica</translation>
-    </message>
-    <message>
-        <source>Landmarks: every run, mean and standard deviation</source>
-        <translation>Hitos: cada ejecución, media y desviación típica</translation>
-    </message>
-    <message>
-        <source>Landmarks: every run, mean and standard deviation; dashed: %1 in the reference</source>
-        <translation>Hitos: cada ejecución, media y desviación típica; a trazos: %1 en la referencia</translation>
-    </message>
-    <message>
         <source>Runs: %1</source>
         <translation>Ejecuciones: %1</translation>
-    </message>
-    <message>
-        <source>Map error: %1 m</source>
-        <translation>Error del mapa: %1 m</translation>
-    </message>
-    <message>
-        <source>Landmarks: %1</source>
-        <translation>Hitos: %1</translation>
     </message>
     <message>
         <source>Save as image…</source>
         <translation>Guardar como imagen…</translation>
     </message>
     <message>
-        <source>Trajectory error (ATE) [m]: every run, mean and standard deviation</source>
-        <translation>Error del recorrido (ATE) [m]: cada ejecución, media y desviación típica</translation>
-    </message>
-    <message>
-        <source>Trajectory error: %1 m</source>
-        <translation>Error del recorrido: %1 m</translation>
-    </message>
-    <message>
-        <source>Blur of the grid map [m²]: every run, mean and standard deviation</source>
-        <translation>Borrosidad del mapa de rejilla [m²]: cada ejecución, media y desviación típica</translation>
-    </message>
-    <message>
-        <source>Blur: %1 m²</source>
-        <translation>Borrosidad: %1 m²</translation>
-    </message>
-    <message>
         <source>Copy picture</source>
         <translation>Copiar imagen</translation>
+    </message>
+    <message>
+        <source>%1: every run, mean and standard deviation</source>
+        <translation>%1: cada ejecución, media y desviación típica</translation>
+    </message>
+    <message>
+        <source>; dashed: %1 in the reference</source>
+        <translation>; a trazos: %1 en la referencia</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include <QBuffer>
 #include <QContextMenuEvent>
+#include <QCoreApplication>
 #include <QMenu>
 #include <QPageSize>
 #include <QPdfWriter>
@@ -25,14 +26,40 @@ constexpr int kRight = 10;
 constexpr int kBottom = 20;
 constexpr double kRoom = 0.06;  // of the axis, at both ends
 
-QString with_spread(const Spread& spread, int decimals) {
-    QString mean = QString::number(spread.mean, 'f', decimals);
-    if (!spread.variance) return mean;
-    return mean + " ± " + QString::number(std::sqrt(*spread.variance), 'f', decimals);
+/// "Map error"
+QString words_of(const Measure& measure) {
+    QString words = QCoreApplication::translate("Measure", measure.plot.c_str());
+    return words.replace(0, 1, words.left(1).toUpper());
 }
 
-QString landmarks_title() {
-    return StudyPlots::tr("Landmarks: every run, mean and standard deviation");
+QString unit_of(const Measure& measure) {
+    return QString::fromStdString(printed_unit(measure.unit));
+}
+
+QString title_words(const Measure& measure) {
+    const QString unit = unit_of(measure);
+    return StudyPlots::tr("%1: every run, mean and standard deviation")
+        .arg(words_of(measure) + (unit.isEmpty() ? "" : " [" + unit + ']'));
+}
+
+/// "Map error: 0.123 ± 0.011 m"
+QString figure_words(const Measure& measure, const Spread& spread) {
+    QString words =
+        words_of(measure) + ": " + QString::fromStdString(measure.rounded(spread.mean, true));
+    if (spread.variance) {
+        words += " ± " + QString::fromStdString(measure.rounded(std::sqrt(*spread.variance), true));
+    }
+    return (words + ' ' + unit_of(measure)).trimmed();
+}
+
+/// The error of the map where there is a reference, else the first with a plot that was taken.
+const Measure& quality_of(const StudyPlan& plan, const std::vector<StudyCell>& cells) {
+    for (const Measure* measure : taken_measures()) {
+        if (measure->plot.empty() || measure->is_count()) continue;
+        const bool due = measure->of_landmarks() && plan.has_reference();
+        if (due || has_figures(cells, *measure)) return *measure;
+    }
+    return run_measures().find("blur_m2");
 }
 
 }  // namespace
@@ -44,54 +71,32 @@ StudyPlots::StudyPlots(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
     plot_->setContextMenuPolicy(Qt::NoContextMenu);
-    quality_ = make_measure(0, {});
-    landmarks_ = make_measure(1, {});
+    quality_ = make_panel(0);
+    landmarks_ = make_panel(1);
+    landmarks_.measure = &run_measures().find("landmarks");
     // Both share the parameter's axis, so their left edges must agree.
     auto* margins = new QCPMarginGroup(plot_);
-    for (const Measure* measure : {&quality_, &landmarks_})
-        measure->rect->setMarginGroup(QCP::msLeft, margins);
+    for (const Panel* panel : {&quality_, &landmarks_})
+        panel->rect->setMarginGroup(QCP::msLeft, margins);
     connect(plot_, &QCustomPlot::mouseMove, this,
             [this](const QMouseEvent* event) { explain(event->pos()); });
     clear();
     restyle();
 }
 
-StudyPlots::Quality StudyPlots::quality_of(const StudyPlan& plan,
-                                           const std::vector<StudyCell>& cells) {
-    constexpr int kErrorDecimals = 4;
-    constexpr int kBlurDecimals = 2;
-    const auto any = [&](std::optional<Spread> StudyCell::*figures) {
-        return std::ranges::any_of(
-            cells, [&](const StudyCell& cell) { return (cell.*figures).has_value(); });
-    };
-    if (plan.has_reference()) {
-        return {&StudyCell::error_m, &StudyRecord::error_m,
-                tr("Map error [m]: every run, mean and standard deviation"), tr("Map error: %1 m"),
-                kErrorDecimals};
-    }
-    if (any(&StudyCell::trajectory_error_m)) {
-        return {&StudyCell::trajectory_error_m, &StudyRecord::trajectory_error_m,
-                tr("Trajectory error (ATE) [m]: every run, mean and standard deviation"),
-                tr("Trajectory error: %1 m"), kErrorDecimals};
-    }
-    return {&StudyCell::blur_m2, &StudyRecord::blur_m2,
-            tr("Blur of the grid map [m²]: every run, mean and standard deviation"),
-            tr("Blur: %1 m²"), kBlurDecimals};
-}
-
-StudyPlots::Measure StudyPlots::make_measure(int row, const QString& title) {
-    Measure measure;
-    measure.rect = add_titled_plot(*plot_, row, 0, title);
-    QCPAxis* x = measure.rect->axis(QCPAxis::atBottom);
-    QCPAxis* y = measure.rect->axis(QCPAxis::atLeft);
-    measure.reference = plot_->addGraph(x, y);
-    measure.runs = plot_->addGraph(x, y);
-    measure.runs->setLineStyle(QCPGraph::lsNone);
-    measure.means = plot_->addGraph(x, y);
-    measure.spread = new QCPErrorBars(x, y);
-    measure.spread->setDataPlottable(measure.means);
-    measure.spread->setSymbolGap(0.0);
-    return measure;
+StudyPlots::Panel StudyPlots::make_panel(int row) {
+    Panel panel;
+    panel.rect = add_titled_plot(*plot_, row, 0, {});
+    QCPAxis* x = panel.rect->axis(QCPAxis::atBottom);
+    QCPAxis* y = panel.rect->axis(QCPAxis::atLeft);
+    panel.reference = plot_->addGraph(x, y);
+    panel.runs = plot_->addGraph(x, y);
+    panel.runs->setLineStyle(QCPGraph::lsNone);
+    panel.means = plot_->addGraph(x, y);
+    panel.spread = new QCPErrorBars(x, y);
+    panel.spread->setDataPlottable(panel.means);
+    panel.spread->setSymbolGap(0.0);
+    return panel;
 }
 
 void StudyPlots::restyle() {
@@ -105,35 +110,34 @@ void StudyPlots::style(const Colours& c) {
     const QFont small = plot_font(font());
     plot_->setBackground(c.card);
     int row = 0;
-    for (const Measure* measure : {&quality_, &landmarks_}) {
-        const QColor colour = measure == &quality_ ? c.path : c.landmark;
+    for (const Panel* panel : {&quality_, &landmarks_}) {
+        const QColor colour = panel == &quality_ ? c.path : c.landmark;
         QColor faint = colour;
         faint.setAlpha(90);
-        style_plot(*measure->rect, *title_of(*plot_, row++, 0), c, small);
-        measure->means->setPen(QPen(colour, kLine));
-        measure->means->setScatterStyle(
+        style_plot(*panel->rect, *title_of(*plot_, row++, 0), c, small);
+        panel->means->setPen(QPen(colour, kLine));
+        panel->means->setScatterStyle(
             QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, kDot));
-        measure->spread->setPen(QPen(colour, kLine));
-        measure->runs->setScatterStyle(
+        panel->spread->setPen(QPen(colour, kLine));
+        panel->runs->setScatterStyle(
             QCPScatterStyle(QCPScatterStyle::ssCircle, faint, Qt::transparent, kDot));
-        measure->reference->setPen(QPen(c.muted, kLine, Qt::DashLine));
+        panel->reference->setPen(QPen(c.muted, kLine, Qt::DashLine));
     }
 }
 
 void StudyPlots::clear() {
     cells_.clear();
-    for (const Measure* measure : {&quality_, &landmarks_}) {
-        for (QCPGraph* graph : {measure->runs, measure->means, measure->reference})
+    for (const Panel* panel : {&quality_, &landmarks_}) {
+        for (QCPGraph* graph : {panel->runs, panel->means, panel->reference})
             graph->data()->clear();
-        measure->spread->data()->clear();
-        for (QCPAxis* axis : measure->rect->axes()) axis->setTickLabels(false);
-        measure->rect->axis(QCPAxis::atBottom)->setLabel({});
+        panel->spread->data()->clear();
+        for (QCPAxis* axis : panel->rect->axes()) axis->setTickLabels(false);
+        panel->rect->axis(QCPAxis::atBottom)->setLabel({});
     }
     StudyPlan usual;
     usual.reference_lines = 1;
-    shown_ = quality_of(usual, {});
-    title_of(*plot_, 0, 0)->setText(shown_.title);
-    title_of(*plot_, 1, 0)->setText(landmarks_title());
+    quality_.measure = &quality_of(usual, {});
+    show_titles({});
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -141,7 +145,7 @@ void StudyPlots::lay_out_axis(const StudyPlan::Axis& axis) {
     constexpr std::size_t kMostNamed = 12;
     constexpr double kSlant = 20.0;
     x_ = study_abscissa(axis);
-    const auto [least, greatest] = std::minmax_element(x_.positions.begin(), x_.positions.end());
+    const auto [least, greatest] = x_.range(kRoom);
     const bool named = !x_.numbers || (x_.logarithmic && x_.positions.size() <= kMostNamed);
     const QFontMetrics metrics(plot_font(font()));
     int widest = 0;
@@ -152,9 +156,9 @@ void StudyPlots::lay_out_axis(const StudyPlan::Axis& axis) {
     const auto places = static_cast<int>(x_.words.size());
     const bool slanted = named && places * (widest + kGap) > plot_->width() - kLeft;
     const int right = !named ? kRight : std::max(kRight, slanted ? widest : widest / 2);
-    for (const Measure* measure : {&quality_, &landmarks_}) {
-        QCPAxis* bottom = measure->rect->axis(QCPAxis::atBottom);
-        measure->rect->setMinimumMargins(QMargins(kLeft, kTop, right, kBottom));
+    for (const Panel* panel : {&quality_, &landmarks_}) {
+        QCPAxis* bottom = panel->rect->axis(QCPAxis::atBottom);
+        panel->rect->setMinimumMargins(QMargins(kLeft, kTop, right, kBottom));
         bottom->setScaleType(x_.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
         if (named) {
             auto ticker = QSharedPointer<QCPAxisTickerText>::create();
@@ -167,27 +171,30 @@ void StudyPlots::lay_out_axis(const StudyPlan::Axis& axis) {
             bottom->setTicker(QSharedPointer<QCPAxisTicker>::create());
         }
         bottom->setTickLabelRotation(slanted ? kSlant : 0.0);
-        if (x_.logarithmic) {
-            const double room = std::pow(*greatest / *least, kRoom);
-            bottom->setRange(*least / room, *greatest * room);
-        } else {
-            const double span = *greatest - *least;
-            const double room = span > 0.0 ? kRoom * span : std::max(1.0, std::abs(*least));
-            bottom->setRange(*least - room, *greatest + room);
-        }
-        for (QCPAxis* each : measure->rect->axes()) each->setTickLabels(true);
+        bottom->setRange(least, greatest);
+        for (QCPAxis* each : panel->rect->axes()) each->setTickLabels(true);
     }
     landmarks_.rect->axis(QCPAxis::atBottom)
         ->setLabel(QString::fromStdString(study_axis_label(axis)).replace("^2", "²"));
 }
 
-void StudyPlots::draw(const Measure& measure, std::optional<Spread> StudyCell::*spread) {
+void StudyPlots::show_titles(const StudyPlan& plan) {
+    title_of(*plot_, 0, 0)->setText(title_words(*quality_.measure));
+    QString landmarks = title_words(*landmarks_.measure);
+    if (plan.has_reference()) {
+        landmarks +=
+            tr("; dashed: %1 in the reference").arg(plan.reference_lines + plan.reference_corners);
+    }
+    title_of(*plot_, 1, 0)->setText(landmarks);
+}
+
+void StudyPlots::draw(const Panel& panel) {
     QVector<double> xs;
     QVector<double> means;
     QVector<double> deviations;
     double top = 0.0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-        const std::optional<Spread>& figures = cells_[i].*spread;
+        const std::optional<Spread>& figures = cells_[i].figures[*panel.measure];
         if (!figures) continue;
         const double deviation = std::sqrt(figures->variance.value_or(0.0));
         xs << x_.positions[i];
@@ -201,57 +208,48 @@ void StudyPlots::draw(const Measure& measure, std::optional<Spread> StudyCell::*
     std::sort(order.begin(), order.end(), [&](auto a, auto b) { return xs[a] < xs[b]; });
     QVector<double> sorted;
     for (const qsizetype i : order) sorted << deviations[i];
-    measure.means->setData(xs, means);
-    measure.spread->setData(sorted);
-    for (const auto& point : *measure.reference->data()) top = std::max(top, point.value);
-    measure.rect->axis(QCPAxis::atLeft)->setRange(0.0, top > 0.0 ? top * (1.0 + kRoom) : 1.0);
+    panel.means->setData(xs, means);
+    panel.spread->setData(sorted);
+    for (const auto& point : *panel.reference->data()) top = std::max(top, point.value);
+    panel.rect->axis(QCPAxis::atLeft)->setRange(0.0, top > 0.0 ? top * (1.0 + kRoom) : 1.0);
 }
 
 void StudyPlots::show_results(const StudyPlan& plan, const std::vector<StudyRecord>& records) {
     cells_ = summarize(plan, records);
-    shown_ = quality_of(plan, cells_);
-    title_of(*plot_, 0, 0)->setText(shown_.title);
+    quality_.measure = &quality_of(plan, cells_);
+    show_titles(plan);
     lay_out_axis(plan.axes.front());
-    for (const Measure* measure : {&quality_, &landmarks_}) measure->runs->data()->clear();
-    for (std::size_t run = 0; run < records.size(); ++run) {
-        const StudyRecord& record = records[run];
-        if (!record.ok) continue;
-        const double x = x_.positions[plan.cell_of(run)];
-        if (const std::optional<double>& figure = record.*shown_.run) {
-            quality_.runs->addData(x, *figure);
+    for (const Panel* panel : {&quality_, &landmarks_}) {
+        panel->runs->data()->clear();
+        for (std::size_t run = 0; run < records.size(); ++run) {
+            if (const auto& figure = records[run].figures[*panel->measure])
+                panel->runs->addData(x_.positions[plan.cell_of(run)], *figure);
         }
-        landmarks_.runs->addData(x, record.lines + record.corners);
     }
-    const int known = plan.reference_lines + plan.reference_corners;
     const QCPRange range = landmarks_.rect->axis(QCPAxis::atBottom)->range();
     landmarks_.reference->data()->clear();
-    title_of(*plot_, 1, 0)->setText(landmarks_title());
     if (plan.has_reference()) {
-        landmarks_.reference->setData({range.lower, range.upper},
-                                      {static_cast<double>(known), static_cast<double>(known)});
-        title_of(*plot_, 1, 0)
-            ->setText(
-                tr("Landmarks: every run, mean and standard deviation; dashed: %1 in the reference")
-                    .arg(known));
+        const double known = plan.reference_lines + plan.reference_corners;
+        landmarks_.reference->setData({range.lower, range.upper}, {known, known});
     }
-    draw(quality_, shown_.cell);
-    draw(landmarks_, &StudyCell::landmarks);
+    draw(quality_);
+    draw(landmarks_);
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void StudyPlots::explain(const QPoint& place) {
     constexpr double kNear = 24.0;
-    for (const Measure* measure : {&quality_, &landmarks_}) {
-        if (!measure->rect->rect().contains(place)) continue;
-        const QCPAxis* bottom = measure->rect->axis(QCPAxis::atBottom);
+    for (const Panel* panel : {&quality_, &landmarks_}) {
+        if (!panel->rect->rect().contains(place)) continue;
+        const QCPAxis* bottom = panel->rect->axis(QCPAxis::atBottom);
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             if (std::abs(bottom->coordToPixel(x_.positions[i]) - place.x()) > kNear) continue;
             QStringList lines{QString::fromStdString(x_.words[i]),
                               tr("Runs: %1").arg(cells_[i].finished)};
-            if (const std::optional<Spread>& figures = cells_[i].*shown_.cell)
-                lines << shown_.figure.arg(with_spread(*figures, shown_.decimals));
-            if (cells_[i].landmarks)
-                lines << tr("Landmarks: %1").arg(with_spread(*cells_[i].landmarks, 1));
+            for (const Panel* told : {&quality_, &landmarks_}) {
+                if (const auto& spread = cells_[i].figures[*told->measure])
+                    lines << figure_words(*told->measure, *spread);
+            }
             QToolTip::showText(plot_->mapToGlobal(place), lines.join('\n'), plot_);
             return;
         }

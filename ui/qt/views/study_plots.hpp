@@ -3,7 +3,6 @@
 
 #include <QString>
 #include <QWidget>
-#include <optional>
 #include <vector>
 
 #include "hitos/services/study/study_abscissa.hpp"
@@ -48,15 +47,8 @@ class StudyPlots final : public QWidget {
     void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
-    /// What the upper plot shows.
-    struct Quality {
-        std::optional<Spread> StudyCell::*cell = &StudyCell::error_m;
-        std::optional<double> StudyRecord::*run = &StudyRecord::error_m;
-        QString title;
-        QString figure;  ///< with %1 for mean and deviation
-        int decimals = 4;
-    };
-    struct Measure {
+    struct Panel {
+        const Measure* measure = nullptr;  ///< what it shows
         QCPAxisRect* rect = nullptr;
         QCPGraph* runs = nullptr;
         QCPGraph* means = nullptr;
@@ -64,17 +56,16 @@ class StudyPlots final : public QWidget {
         QCPGraph* reference = nullptr;
     };
 
-    static Quality quality_of(const StudyPlan& plan, const std::vector<StudyCell>& cells);
-    Measure make_measure(int row, const QString& title);
+    Panel make_panel(int row);
+    void show_titles(const StudyPlan& plan);
     void style(const Colours& colours);
     void lay_out_axis(const StudyPlan::Axis& axis);
-    void draw(const Measure& measure, std::optional<Spread> StudyCell::*spread);
+    void draw(const Panel& panel);
     void explain(const QPoint& place);
 
     QCustomPlot* plot_;
-    Quality shown_;
-    Measure quality_;
-    Measure landmarks_;
+    Panel quality_;
+    Panel landmarks_;
     StudyAbscissa x_;
     std::vector<StudyCell> cells_;
 };

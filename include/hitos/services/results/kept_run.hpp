@@ -3,11 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/evaluation/run_measures.hpp"
 #include "hitos/services/files/line_extents.hpp"
 #include "hitos/services/files/trajectory_file.hpp"
 #include "hitos/services/grid/grid_tiles.hpp"
@@ -23,10 +23,8 @@ struct KeptRun {
     std::vector<LineExtent> line_extents;
     Trajectory path;  ///< of the best hypothesis
     Trajectory odometry;
-    GridTiles grid;  ///< empty where only the log could tell
-    /// Errors against references, where they are known.
-    std::optional<double> trajectory_error_m = std::nullopt;  ///< TrajectoryError::rmse_m
-    std::optional<double> map_error_m = std::nullopt;         ///< MapError::mean_m
+    GridTiles grid;           ///< empty where only the log could tell
+    RunFigures figures = {};  ///< of a folder those that its summary states
 };
 
 /// A run from the folder that write_results() wrote, without its grid. Throws FileError where a

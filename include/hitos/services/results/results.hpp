@@ -12,8 +12,8 @@
 #include "hitos/base/staged_folder.hpp"
 #include "hitos/services/drawing/paths_picture.hpp"
 #include "hitos/services/evaluation/distances.hpp"
-#include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/evaluation/quality.hpp"
+#include "hitos/services/evaluation/run_measures.hpp"
 #include "hitos/services/grid/odometry_grid.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 
@@ -51,7 +51,7 @@ struct WrittenFile {
 };
 
 /// The figures of a run, as summary.json states them.
-struct RunSummary {
+struct RunSummary : RunErrors {
     std::string source;
     std::string format;  ///< as TourReader::format()
     std::uint64_t scans = 0;
@@ -65,11 +65,7 @@ struct RunSummary {
     int corners = 0;
     std::uint64_t searches_cut = 0;  ///< as FilterStatistics::searches_cut
     ReadReport report;
-    std::optional<MapError> map_error;
-    std::optional<AlignedMapError> aligned_map_error;
-    std::optional<TrajectoryError> trajectory_error;
-    std::optional<TrajectoryError> online_error;  ///< of Algoritmo::online_trajectory()
-    std::optional<TrajectoryError> odometry_error;
+    RunFigures figures;
     std::vector<MeasuredDistance> distances;
     SuitabilityFigures suitability;
     std::vector<Advice> advice;
@@ -77,6 +73,8 @@ struct RunSummary {
     std::vector<NotWritten> not_written;
     std::vector<WrittenFile> files;  ///< by name; not the summary itself
 };
+
+RunErrors errors_of(const Algoritmo& run, const References& references);
 
 /// Once `stop` says so, what reads the tour again is left out.
 RunSummary summarize(const Algoritmo& run, const References& references,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,26 +11,17 @@
 
 namespace hitos {
 
-/// A figure of a run's summary.
-struct ComparedFigure {
-    const char* name;     ///< as programs know it, its unit at the end
-    const char* head;     ///< of its column, for people
-    const char* pointer;  ///< where summary.json has it (RFC 6901)
-    int decimals;
-};
-
 struct ComparedRun {
     std::string name;  ///< of its folder, as far as it tells the runs apart
     std::filesystem::path folder;
     KeptRun run;
-    std::vector<std::optional<double>> figures;  ///< one for each of RunComparison::figures
 };
 
 struct RunComparison {
     std::vector<ComparedRun> runs;
     bool same_log = true;                          ///< by name
     std::vector<const ConfigParameter*> settings;  ///< in which any two differ, see differences()
-    std::vector<ComparedFigure> figures;           ///< those that at least one run has
+    std::vector<const Measure*> figures;           ///< those that at least one run has
 };
 
 /// Reads the folders' runs. Throws what read_results() throws.

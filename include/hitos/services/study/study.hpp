@@ -140,6 +140,8 @@ class StudyStopped : public Error {
 };
 /// Throws StudyStopped, which says how many runs are done, where the studies were stopped.
 void check_whole(std::span<const StudyOutcome> outcomes);
+/// Throws Error with the first reason where the study is done and every run has failed.
+void check_any(const StudyOutcome& outcome);
 
 /// Runs what is not yet done of every study, spreading all runs over the threads, each run on one
 /// thread. A run's map and record are written when it ends, whole or not at all, so a study that

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hitos/services/study/study_result.hpp"
@@ -14,6 +15,9 @@ struct StudyAbscissa {
     bool logarithmic = false;
     std::vector<double> positions;   ///< one for each value, in the plan's order
     std::vector<std::string> words;  ///< likewise
+
+    /// From the least to the greatest, with so much more of it at both ends.
+    std::pair<double, double> range(double room) const;
 };
 
 StudyAbscissa study_abscissa(const StudyPlan::Axis& axis);

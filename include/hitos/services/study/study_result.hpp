@@ -12,6 +12,7 @@
 #include "hitos/base/geometry.hpp"
 #include "hitos/base/message.hpp"
 #include "hitos/capture/tour_reader.hpp"
+#include "hitos/services/evaluation/run_measures.hpp"
 #include "hitos/services/study/study_values.hpp"
 
 namespace hitos {
@@ -110,15 +111,8 @@ struct StudyPicture {
 /// The result of one run.
 struct StudyRecord {
     bool ok = false;
-    Message problem;                        ///< why it failed; in English where it was read
-    std::optional<double> error_m;          ///< nothing where no landmark could be compared
-    std::optional<double> aligned_error_m;  ///< after the best rigid motion of the map
-    /// ATE of the best particle's path and of the odometry; nothing where the true path is unknown.
-    std::optional<double> trajectory_error_m;
-    std::optional<double> odometry_error_m;
-    std::optional<double> blur_m2;  ///< grid_blur_m2() of the best particle's grid
-    int lines = 0;
-    int corners = 0;
+    Message problem;     ///< why it failed; in English where it was read
+    RunFigures figures;  ///< those of taken_measures(); none of a run that failed
     int reference_found = 0;
     std::uint64_t scans = 0;
     ReadReport report;         ///< of its log, with few examples; not of a run that failed
@@ -150,16 +144,11 @@ struct StudyCell {
     int failed = 0;
     std::uint64_t skipped_lines = 0;     ///< of the log, in the run with the most
     std::uint64_t stamps_backwards = 0;  ///< likewise
-    std::optional<Spread> error_m;
-    std::optional<Spread> aligned_error_m;
-    std::optional<Spread> trajectory_error_m;
-    std::optional<Spread> odometry_error_m;
-    std::optional<Spread> blur_m2;
-    std::optional<Spread> landmarks;
-    std::optional<Spread> lines;
-    std::optional<Spread> corners;
+    ByMeasure<Spread> figures;           ///< over the runs that have them
 };
 std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRecord> records);
+/// Whether any cell has it.
+bool has_figures(std::span<const StudyCell> cells, const Measure& measure);
 
 /// The tables of a finished study as text.
 std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,

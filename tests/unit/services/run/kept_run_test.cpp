@@ -65,8 +65,8 @@ TEST_F(KeptRunTest, AFolderOfResultsIsTheRunThatWroteIt) {
     ASSERT_EQ(kept.path.size(), 60U);
     EXPECT_NEAR(kept.path.back().pose.x, run->best_trajectory().back().pose.x, 1e-8);
     EXPECT_NEAR(kept.odometry.back().pose.y, run->odometry_trajectory().back().pose.y, 1e-8);
-    EXPECT_EQ(kept.trajectory_error_m, summary_.trajectory_error->rmse_m);
-    EXPECT_EQ(kept.map_error_m, 0.0);
+    EXPECT_EQ(kept.figures["trajectory_error_m"], summary_.trajectory_error->rmse_m);
+    EXPECT_EQ(kept.figures["error_m"], 0.0);
     const LandmarkMap map = run->filter().best_map();
     ASSERT_EQ(kept.map.size(), map.size());
     ASSERT_FALSE(kept.line_extents.empty());
@@ -88,8 +88,8 @@ TEST_F(KeptRunTest, ARunWithoutLandmarksIsReadToo) {
     const KeptRun kept = read_results(out_.path());
     EXPECT_EQ(kept.scans, 5U);
     EXPECT_TRUE(kept.map.empty());
-    EXPECT_EQ(kept.trajectory_error_m, std::nullopt);
-    EXPECT_EQ(kept.map_error_m, std::nullopt);
+    EXPECT_EQ(kept.figures["trajectory_error_m"], std::nullopt);
+    EXPECT_EQ(kept.figures["error_m"], std::nullopt);
 }
 
 TEST_F(KeptRunTest, AFolderOfSomethingElseIsRefused) {

@@ -100,6 +100,24 @@ TEST_F(ResultsTest, TheSummaryStatesTheRun) {
     EXPECT_FALSE(stated.contains("distances"));
 }
 
+TEST_F(ResultsTest, TheFiguresOfARunStandWhereTheirEntriesSay) {
+    const Algoritmo run = run_of("fastslam");
+    References references;
+    references.map = {{Recta{1.0, 0.5}, {}, 0}, {Esquina{1.0, 1.0}, {}, 0}};
+    references.trajectory = run.odometry_trajectory();
+    const RunSummary summary = summarize(run, references);
+    const json stated = json::parse(to_json(summary, 2.0));
+    for (const Measure* measure : taken_measures()) {
+        const std::optional<double>& figure = summary.figures[*measure];
+        EXPECT_EQ(figure.has_value(), measure->about != Measure::About::grid) << measure->word;
+        if (measure->place.empty()) continue;
+        EXPECT_EQ(stated.at(json::json_pointer(measure->place)), figure.value()) << measure->word;
+    }
+    EXPECT_GT(summary.figures["error_m"], summary.figures["aligned_error_m"]);
+    EXPECT_GT(summary.figures["trajectory_error_m"], 1e-6);
+    EXPECT_EQ(summary.figures["odometry_error_m"], 0.0);
+}
+
 TEST_F(ResultsTest, WhatIsNotThereIsNotStated) {
     const json stated = json::parse(to_json(summarize(run_of("ekf-slam"), {}), 0.0));
     EXPECT_EQ(stated["algorithm"], "ekf-slam");

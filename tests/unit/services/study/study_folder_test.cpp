@@ -101,6 +101,19 @@ TEST_F(StudyFolderTest, IsCheckedRunByRunAndItsTablesMadeAnew) {
     EXPECT_THAT(hidden_files(), IsEmpty());
 }
 
+TEST_F(StudyFolderTest, ARecordOfAnEarlierVersionHasTheKindsOfLandmarksAlone) {
+    const StudyOutcome outcome = run(study("out"));
+    ASSERT_GT(outcome.records[0].figures["landmarks"].value(), 0.0);
+    const std::string name = "out/runs/" + outcome.plan.file_stem(0) + ".json";
+    auto record = nlohmann::ordered_json::parse(content(folder_ / name));
+    ASSERT_EQ(record.erase("landmarks"), 1U);
+    record.erase("checksum");
+    folder_.put(name, study::sealed(record));
+    EXPECT_TRUE(check_study(layout()).whole());
+    const auto read = study::read_record(layout(), outcome.plan, 0);
+    EXPECT_EQ(read.value().figures, outcome.records[0].figures);
+}
+
 TEST_F(StudyFolderTest, ARecordThatSomebodyChangedIsNone) {
     run(study("out"));
     const auto whole = files("out");

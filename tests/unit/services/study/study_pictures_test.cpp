@@ -23,7 +23,8 @@ TEST_F(StudyPicturesTest, WithoutReferencePathsAndGridsAreMeasured) {
     study.reference.clear();
     study.parameters = {parse_study_parameter("p=2")};
     study.seeds = 2;
-    EXPECT_EQ(run(study).records[0].trajectory_error_m, std::nullopt) << "nobody knows the truth";
+    EXPECT_EQ(run(study).records[0].figures["trajectory_error_m"], std::nullopt)
+        << "nobody knows the truth";
 
     // The true path: 0.1 m a scan along x, told in a frame of its own.
     Trajectory truth;
@@ -33,8 +34,8 @@ TEST_F(StudyPicturesTest, WithoutReferencePathsAndGridsAreMeasured) {
     EXPECT_EQ(outcome.reused, 0U) << "another reference asks for other figures";
     EXPECT_FALSE(outcome.plan.has_reference());
     const StudyRecord& record = outcome.records[1];
-    EXPECT_EQ(record.error_m, std::nullopt);
-    EXPECT_EQ(record.aligned_error_m, std::nullopt);
+    EXPECT_EQ(record.figures["error_m"], std::nullopt);
+    EXPECT_EQ(record.figures["aligned_error_m"], std::nullopt);
 
     Configuracion configuration = study.configuration;
     configuration.filter.particles = 2;
@@ -62,11 +63,12 @@ TEST_F(StudyPicturesTest, WithoutReferencePathsAndGridsAreMeasured) {
         }
         least = std::min(least, std::sqrt(squares / 31.0));
     }
-    ASSERT_TRUE(record.trajectory_error_m.has_value());
-    EXPECT_NEAR(*record.trajectory_error_m, least, 1e-6);
-    EXPECT_NEAR(*record.odometry_error_m, 0.0, 1e-9) << "its odometry is perfect";
-    EXPECT_EQ(record.blur_m2, grid_blur_m2(build_grid(configuration.grid, alone.reader(), path)));
-    EXPECT_EQ(record.lines, alone.filter().best_count(FeatureKind::line));
+    ASSERT_TRUE(record.figures["trajectory_error_m"].has_value());
+    EXPECT_NEAR(*record.figures["trajectory_error_m"], least, 1e-6);
+    EXPECT_NEAR(*record.figures["odometry_error_m"], 0.0, 1e-9) << "its odometry is perfect";
+    EXPECT_EQ(record.figures["blur_m2"],
+              grid_blur_m2(build_grid(configuration.grid, alone.reader(), path)));
+    EXPECT_EQ(record.figures["lines"], alone.filter().best_count(FeatureKind::line));
     EXPECT_TRUE(fs::exists(folder_ / "out" / "blur.dat"));
     EXPECT_FALSE(fs::exists(folder_ / "out" / "contact-sheet.png"));
 }

@@ -32,10 +32,11 @@ StudyPlan::Axis dmax_axis() {
 StudyRecord run(double error, int lines, int corners) {
     StudyRecord record;
     record.ok = true;
-    record.error_m = error;
-    record.aligned_error_m = error / 2.0;
-    record.lines = lines;
-    record.corners = corners;
+    record.figures["error_m"] = error;
+    record.figures["aligned_error_m"] = error / 2.0;
+    record.figures["landmarks"] = lines + corners;
+    record.figures["lines"] = lines;
+    record.figures["corners"] = corners;
     record.scans = 100;
     record.seconds = 0.5;
     record.cpu_seconds = 0.25;
@@ -100,7 +101,7 @@ TEST(StudyTables, FailedRunsAreListedAndCountedButNotInTheMeans) {
     ASSERT_EQ(cells.size(), 2U);
     EXPECT_EQ(cells[1].finished, 1);
     EXPECT_EQ(cells[1].failed, 1);
-    EXPECT_EQ(cells[1].error_m->mean, 0.5);
+    EXPECT_EQ(cells[1].figures["error_m"]->mean, 0.5);
     EXPECT_EQ(summary_markdown(plan, cells),
               "| dmax (m) | runs | error (m) | variance (m²) | aligned error (m) | landmarks | "
               "lines | corners |\n|---:|---:|---:|---:|---:|---:|---:|---:|\n"
@@ -117,14 +118,14 @@ TEST(StudyTables, FailedRunsAreListedAndCountedButNotInTheMeans) {
 TEST(StudyTables, ARunWithoutComparableLandmarksCountsAsRunOnly) {
     const StudyPlan plan = plan_of({}, 2);
     StudyRecord blind = run(0.0, 0, 0);
-    blind.error_m.reset();
-    blind.aligned_error_m.reset();
+    blind.figures["error_m"].reset();
+    blind.figures["aligned_error_m"].reset();
     const std::vector<StudyRecord> records{blind, run(0.3, 4, 4)};
     const std::vector<StudyCell> cells = summarize(plan, records);
     EXPECT_EQ(cells[0].finished, 2);
-    EXPECT_EQ(cells[0].error_m->count, 1);
-    EXPECT_EQ(cells[0].error_m->mean, 0.3);
-    EXPECT_EQ(cells[0].landmarks->mean, 4.0);
+    EXPECT_EQ(cells[0].figures["error_m"]->count, 1);
+    EXPECT_EQ(cells[0].figures["error_m"]->mean, 0.3);
+    EXPECT_EQ(cells[0].figures["landmarks"]->mean, 4.0);
     EXPECT_THAT(quality_csv(study_in_folder("out"), plan, records),
                 HasSubstr("\n1,ok,,,0,0,0,0,8,100,,,,"));
 }
@@ -135,11 +136,11 @@ TEST(StudyTables, WithoutReferencePathsAndBlurStandInItsPlace) {
     plan.reference_corners = 0;
     const auto measured = [](std::optional<double> ate, double blur) {
         StudyRecord record = run(0.0, 5, 2);
-        record.error_m.reset();
-        record.aligned_error_m.reset();
-        record.trajectory_error_m = ate;
-        if (ate) record.odometry_error_m = 2.5;
-        record.blur_m2 = blur;
+        record.figures["error_m"].reset();
+        record.figures["aligned_error_m"].reset();
+        record.figures["trajectory_error_m"] = ate;
+        if (ate) record.figures["odometry_error_m"] = 2.5;
+        record.figures["blur_m2"] = blur;
         return record;
     };
     const std::vector<StudyRecord> records{measured(0.25, 0.5), measured(0.75, 0.25),

@@ -40,9 +40,10 @@ TEST_F(StudyTest, ARunOfAStudyIsTheRunThatAlgoritmoDoes) {
     EXPECT_EQ(content(folder_ / "out" / "maps" / "dmax-0.05-p-2-s3.map"),
               map_to_text(alone.filter().best_map()));
     const StudyRecord& record = outcome.records[number];
-    EXPECT_EQ(record.error_m, map_error(alone.filter().best_map(), study("out").reference)->mean_m);
-    EXPECT_EQ(record.lines, 2);
-    EXPECT_EQ(record.corners, 1);
+    EXPECT_EQ(record.figures["error_m"],
+              map_error(alone.filter().best_map(), study("out").reference)->mean_m);
+    EXPECT_EQ(record.figures["lines"], 2);
+    EXPECT_EQ(record.figures["corners"], 1);
     EXPECT_EQ(record.scans, 31U);
 }
 

@@ -1,0 +1,119 @@
+#include "hitos/services/evaluation/run_measures.hpp"
+
+#include <fmt/format.h>
+
+#include "hitos/services/evaluation/grid_blur.hpp"
+#include "hitos/slam/slam_filter.hpp"
+
+namespace hitos {
+namespace {
+
+using About = Measure::About;
+
+/// The member of an error that there may be.
+template <class Error>
+std::optional<double> member(const std::optional<Error>& error, double Error::*of) {
+    return error ? std::optional((*error).*of) : std::nullopt;
+}
+
+std::vector<Measure> all_measures() {
+    using Run = const MeasuredRun&;
+    using Figure = std::optional<double>;
+    return {
+        {"error_m", "error", About::map, "m", 3, "/map_error/mean_m",
+         [](Run run) { return member(run.errors.map_error, &MapError::mean_m); },
+         "mean distance of landmarks to the nearest of the reference map",
+         HITOS_TEXT("Measure", "map error"), true, "map_error_m", "map error"},
+        {"aligned_error_m", "aligned error", About::map, "m", 3, "/map_error_aligned/mean_m",
+         [](Run run) {
+             const auto& aligned = run.errors.aligned_map_error;
+             return aligned ? Figure(aligned->error.mean_m) : Figure();
+         },
+         "the same after the best rigid motion of the map", "", false, "map_error_aligned_m",
+         "aligned map error", "aligned"},
+        {"trajectory_error_m", "ATE", About::path, "m", 3, "/trajectory_error/ate_rmse_m",
+         [](Run run) { return member(run.errors.trajectory_error, &TrajectoryError::rmse_m); },
+         "root mean square distance of the path to the true one, after alignment",
+         HITOS_TEXT("Measure", "trajectory error"), false, "ate_rmse_m"},
+        {"online_ate_rmse_m", "ATE while driving", About::path, "m", 3, "/online_error/ate_rmse_m"},
+        {"odometry_error_m", "odometry's ATE", About::path, "m", 3, "/odometry_error/ate_rmse_m",
+         [](Run run) { return member(run.errors.odometry_error, &TrajectoryError::rmse_m); },
+         "the same of the path by odometry alone", "", false, "odometry_ate_rmse_m"},
+        {"blur_m2", "blur", About::grid, "m^2", 2, "",
+         [](Run run) { return run.grid != nullptr ? grid_blur_m2(*run.grid) : Figure(); },
+         "area that the grid map leaves undecided; lower is crisper",
+         HITOS_TEXT("Measure", "blur of the grid map")},
+        {"cells_per_point", "cells per point", About::grid, "", 4, "/quality/cells_per_point"},
+        {"scans", "scans", About::count, "", 0, "/scans"},
+        {"landmarks", "landmarks", About::count, "", 0, "",
+         [](Run run) {
+             return Figure(run.filter.best_count(FeatureKind::line) +
+                           run.filter.best_count(FeatureKind::corner));
+         },
+         "landmarks of the map", HITOS_TEXT("Measure", "landmarks")},
+        {"lines", "lines", About::count, "", 0, "/landmarks/lines",
+         [](Run run) { return Figure(run.filter.best_count(FeatureKind::line)); },
+         "lines among them"},
+        {"corners", "corners", About::count, "", 0, "/landmarks/corners",
+         [](Run run) { return Figure(run.filter.best_count(FeatureKind::corner)); },
+         "corners among them"},
+        {"loops_closed", "loops", About::course, "", 0, "/quality/loops_closed"},
+        {"run_seconds", "time", About::course, "s", 2, "/run_seconds"}};
+}
+
+/// As words for programs end in it.
+std::string ending_of(const std::string& unit) {
+    return unit.empty() ? unit : "_" + plain_unit(unit);
+}
+
+}  // namespace
+
+Registry<Measure>& run_measures() {
+    static Registry<Measure> registry("figure of a run", "measures", all_measures());
+    return registry;
+}
+
+std::vector<const Measure*> taken_measures() {
+    std::vector<const Measure*> taken;
+    for (const Measure& measure : run_measures().entries()) {
+        if (measure.take != nullptr) taken.push_back(&measure);
+    }
+    return taken;
+}
+
+RunFigures figures_of(const MeasuredRun& run) {
+    RunFigures figures;
+    for (const Measure* measure : taken_measures()) figures[*measure] = measure->take(run);
+    return figures;
+}
+
+std::string printed_unit(std::string unit) {
+    const std::size_t square = unit.find("^2");
+    return square == std::string::npos ? unit : unit.replace(square, 2, "²");
+}
+
+std::string plain_unit(std::string unit) {
+    std::erase(unit, '^');
+    return unit;
+}
+
+std::string squared_unit(const std::string& unit) {
+    if (unit.empty()) return unit;
+    return unit.ends_with("^2") ? unit.substr(0, unit.size() - 1) + '4' : unit + "^2";
+}
+
+std::string Measure::stem() const {
+    const std::string ending = ending_of(unit);
+    return word.ends_with(ending) ? word.substr(0, word.size() - ending.size()) : word;
+}
+
+std::string Measure::word_of(std::string_view statistic, bool squared) const {
+    return fmt::format("{}_{}{}", stem(), statistic,
+                       ending_of(squared ? squared_unit(unit) : unit));
+}
+
+std::string Measure::rounded(double value, bool of_several) const {
+    return fmt::format("{:.{}f}", value, decimals + (of_several && is_count() ? 1 : 0));
+}
+
+}  // namespace hitos
