@@ -40,6 +40,10 @@ class Studies(unittest.TestCase):
             self.assertAlmostEqual(cell["error"]["mean"], errors.mean())
             self.assertAlmostEqual(cell["error"]["variance"], errors.var(ddof=1))
         self.assertIn("| 0.02 |", study.to_markdown())
+        for figure in study.cells[0].keys() - {"values", "finished", "failed"}:
+            self.assertIn(figure, runs.dtype.names)
+            self.assertIn(f"\n{figure}", hitos.Study.runs.__doc__)
+        np.testing.assert_array_equal(runs["landmarks"], runs["lines"] + runs["corners"])
 
     def test_values_come_in_every_way_that_the_command_line_has(self):
         for vary, texts in [
