@@ -163,55 +163,32 @@ StudyOutcome conducted(const Study& study, int threads, const py::object& told) 
     return without_python([&] { return done.get(); });
 }
 
-struct StudyArguments {
-    py::object tour;
-    py::dict vary;
-    py::object configuration;
-    path out;
-    int runs = 5;
-    std::uint64_t first_seed = 1;
-    int threads = 0;
-    std::optional<path> reference;
-    py::object reference_trajectory;
-    double odometry_noise = 0.0;
-    std::string noise_kind;
-    std::string pictures;
-    py::object progress;
-};
-
-std::shared_ptr<StudyTable> studied(const StudyArguments& arguments) {
-    require_callable(arguments.progress, "progress", true);
+std::shared_ptr<StudyTable> study_of(const py::object& tour, const py::dict& vary,
+                                     const py::object& configuration, const path& out, int runs,
+                                     std::uint64_t first_seed, int threads,
+                                     const std::optional<path>& reference,
+                                     const py::object& reference_trajectory, double odometry_noise,
+                                     const std::string& noise_kind, const std::string& pictures,
+                                     const py::object& progress) {
+    require_callable(progress, "progress", true);
     Study study;
-    study.configuration = configuration_for(tour_argument(arguments.tour), arguments.configuration);
-    if (arguments.reference) study.reference = read_map(*arguments.reference);
-    study.reference_trajectory = reference_trajectory_of(arguments.reference_trajectory);
-    for (const auto& [name, values] : arguments.vary) {
+    study.configuration = configuration_for(tour_argument(tour), configuration);
+    if (reference) study.reference = read_map(*reference);
+    study.reference_trajectory = reference_trajectory_of(reference_trajectory);
+    for (const auto& [name, values] : vary) {
         study.parameters.push_back(parameter_of(key_of(name, "vary"), values));
     }
-    study.seeds = arguments.runs;
-    study.first_seed = arguments.first_seed;
-    study.pictures = parse_study_pictures(arguments.pictures, "pictures");
-    study.layout = study_in_folder(arguments.out);
-    set_study_source(study, arguments.odometry_noise,
-                     parse_noise_kind(arguments.noise_kind, "noise_kind"));
+    study.seeds = runs;
+    study.first_seed = first_seed;
+    study.pictures = parse_study_pictures(pictures, "pictures");
+    study.layout = study_in_folder(out);
+    set_study_source(study, odometry_noise, parse_noise_kind(noise_kind, "noise_kind"));
     auto table = std::make_shared<StudyTable>();
-    table->outcome = conducted(study, arguments.threads, arguments.progress);
+    table->outcome = conducted(study, threads, progress);
     table->folder = study.layout.folder;
-    const StudyOutcome& outcome = table->outcome;
-    check_any(outcome);
-    table->cells = summarize(outcome.plan, outcome.records);
+    check_any(table->outcome);
+    table->cells = summarize(table->outcome.plan, table->outcome.records);
     return table;
-}
-
-std::shared_ptr<StudyTable> study_of(py::object tour, py::dict vary, py::object configuration,
-                                     path out, int runs, std::uint64_t first_seed, int threads,
-                                     std::optional<path> reference, py::object reference_trajectory,
-                                     double odometry_noise, std::string noise_kind,
-                                     std::string pictures, py::object progress) {
-    return studied({std::move(tour), std::move(vary), std::move(configuration), std::move(out),
-                    runs, first_seed, threads, std::move(reference),
-                    std::move(reference_trajectory), odometry_noise, std::move(noise_kind),
-                    std::move(pictures), std::move(progress)});
 }
 
 void bind_study_progress(py::module_& module) {

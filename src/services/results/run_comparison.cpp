@@ -37,7 +37,8 @@ std::vector<const Measure*> figures_there_are(std::span<const ComparedRun> runs)
             figures.push_back(&measure);
         }
     }
-    std::ranges::stable_partition(figures, &Measure::is_count);
+    std::stable_partition(figures.begin(), figures.end(),
+                          [](const Measure* figure) { return figure->is_count(); });
     return figures;
 }
 
