@@ -109,7 +109,7 @@ TEST(StudyTables, FailedRunsAreListedAndCountedButNotInTheMeans) {
               "| 0.1 | 1 of 2 | 0.500 | – | 0.250 | 10.0 | 6.0 | 4.0 |\n\n"
               "8 landmarks in the reference: 4 lines, 4 corners.\n");
     EXPECT_THAT(summary_latex(plan, cells), HasSubstr("0.1 & 1 of 2 & 0.500 & -- & 0.250"));
-    EXPECT_THAT(summary_latex(plan, cells), HasSubstr("variance (m$^2$)"));
+    EXPECT_THAT(summary_latex(plan, cells), HasSubstr("& variance (m$^2$) & aligned (m) &"));
     EXPECT_THAT(summary_csv(plan, cells),
                 HasSubstr("\n0.1,1,1,1,0.5,,0.5,0.5,0.25,,10,,6,,4,,8,,,,,,,0,0\n"));
     EXPECT_THAT(timing_csv(plan, records), HasSubstr("\n0.01,1,0.500000,200.0,0.250000\n"));
