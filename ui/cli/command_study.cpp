@@ -30,8 +30,7 @@ struct StudyArguments {
 struct MergeOptions {
     std::string out;
     std::vector<std::string> shards;
-    bool csv = false;
-    bool json = false;
+    SummaryForm form;
 };
 
 void require(const std::string& value, const char* name, const char* what) {
@@ -74,7 +73,7 @@ int merge(const MergeOptions& options) {
     const StudyLayout layout = study_in_folder(options.out);
     std::vector<StudyLayout> shards;
     for (const std::string& folder : options.shards) shards.push_back(study_in_folder(folder));
-    return report(merge_study(layout, shards), layout, summary_form(options.csv, options.json));
+    return report(merge_study(layout, shards), layout, options.form);
 }
 
 /// The exit status of a command that has said all there is to say.
@@ -100,7 +99,7 @@ void add_merge(CLI::App& study) {
     command->add_option("shards", options->shards,
                         "Folders of the shards, where each had its own (default: all of them "
                         "wrote to OUT)");
-    add_summary_form(*command, options->csv, options->json);
+    add_summary_form(*command, options->form);
     command->callback([options] { leave(merge(*options)); });
 }
 

@@ -25,15 +25,10 @@ void tell_damage(const StudyOutcome& outcome) {
 
 }  // namespace
 
-void add_summary_form(CLI::App& command, bool& csv, bool& json) {
+void add_summary_form(CLI::App& command, SummaryForm& form) {
     CLI::Option* option =
-        command.add_flag("--csv", csv, "Print the summary as CSV instead of a table");
-    add_report_option(command, json)->excludes(option);
-}
-
-SummaryForm summary_form(bool csv, bool json) {
-    if (json) return SummaryForm::json;
-    return csv ? SummaryForm::csv : SummaryForm::table;
+        command.add_flag("--csv", form.csv, "Print the summary as CSV instead of a table");
+    add_report_option(command, form.json)->excludes(option);
 }
 
 void add_study_options(CLI::App& command, StudyRunOptions& options) {
@@ -53,7 +48,7 @@ void add_study_options(CLI::App& command, StudyRunOptions& options) {
     command.add_flag("--pictures{first}", options.pictures,
                      "Save the grid map of each value's first run as a picture, and all of them on "
                      "contact-sheet.png; --pictures=all: of every run");
-    add_summary_form(command, options.csv, options.json);
+    add_summary_form(command, options.form);
 }
 
 void apply(const StudyRunOptions& options, Study& study) {
@@ -101,9 +96,9 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
     check_any(outcome);
     if (!shard.whole()) tell_damage(outcome);
     if (shard.whole()) {
-        return report(outcome, study.layout, summary_form(options.csv, options.json));
+        return report(outcome, study.layout, options.form);
     }
-    Report said(options.json);
+    Report said(options.form.json);
     said.say(
         "shard {} of {}: {} done, {} found done, {} failed; put the shards together "
         "with: hitos-cli study merge {}\n",
@@ -121,14 +116,14 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
 
 int report(const StudyOutcome& outcome, const StudyLayout& layout, SummaryForm form) {
     const std::vector<StudyCell> cells = summarize(outcome.plan, outcome.records);
-    Report said(form == SummaryForm::json);
+    Report said(form.json);
     if (said.is_json()) {
         said.object() = parsed_object(summary_json(outcome.plan, cells));
         said.object()["quality_file"] = layout.quality_file().string();
         said.end();
     } else {
-        said.say("{}", form == SummaryForm::csv ? summary_csv(outcome.plan, cells)
-                                                : summary_markdown(outcome.plan, cells));
+        said.say("{}", form.csv ? summary_csv(outcome.plan, cells)
+                                : summary_markdown(outcome.plan, cells));
     }
     std::fflush(stdout);
     if (!outcome.plot_problem.empty()) {

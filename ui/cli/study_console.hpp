@@ -12,10 +12,12 @@ namespace hitos::cli {
 /// The exit status where a run of several failed.
 inline constexpr int kSomeFailed = 2;
 
-/// The form of a study's summary on standard output.
-enum class SummaryForm { table, csv, json };
-void add_summary_form(CLI::App& command, bool& csv, bool& json);
-SummaryForm summary_form(bool csv, bool json);
+/// The form of a study's summary on standard output: a table, or one of these.
+struct SummaryForm {
+    bool csv = false;
+    bool json = false;
+};
+void add_summary_form(CLI::App& command, SummaryForm& form);
 
 /// How the runs of a study are done.
 struct StudyRunOptions {
@@ -26,8 +28,7 @@ struct StudyRunOptions {
     std::string noise_kind = "relative-sigma";
     std::string reference_trajectory;
     std::string pictures = "none";
-    bool csv = false;
-    bool json = false;
+    SummaryForm form;
 };
 
 /// --runs, --odometry-noise, --odometry-noise-kind, --reference-trajectory, --pictures, --csv
