@@ -79,11 +79,11 @@ void ContactTest::a_recording_that_looks_wrong_is_told_before_it_is_run() {
     wrong.source.read.scan_delay_s = 5.0;
     f.session.set_configuration(wrong);
     QTRY_VERIFY(hint->isVisible());
-    QVERIFY2(words->text().contains("--scan-delay") && words->text().contains("wrong"),
+    QVERIFY2(words->text().contains("“Scan delay”") && words->text().contains("wrong"),
              qPrintable(words->text()));
     QVERIFY(f.window->findChild<QPushButton*>("hint_use")->isHidden());
     QVERIFY(state->text().contains(QString::fromUtf8("⚠")));
-    QVERIFY2(state->toolTip().contains("--scan-delay"), qPrintable(state->toolTip()));
+    QVERIFY2(state->toolTip().contains("“Scan delay”"), qPrintable(state->toolTip()));
     // What was read is not told again of the same recording.
     f.window->findChild<QPushButton*>("hint_close")->click();
     QVERIFY(hint->isHidden());
@@ -93,7 +93,7 @@ void ContactTest::a_recording_that_looks_wrong_is_told_before_it_is_run() {
     // Mended, there is nothing to tell.
     f.session.set_configuration(Fixture::tour(5));
     QVERIFY(hint->isHidden());
-    QVERIFY2(!state->toolTip().contains("--scan-delay"), qPrintable(state->toolTip()));
+    QVERIFY2(!state->toolTip().contains("“Scan delay”"), qPrintable(state->toolTip()));
 }
 
 void ContactTest::scans_that_cannot_be_counted_are_not_said_to_be_none() {
