@@ -110,17 +110,25 @@ OdometryAxes OdometryAxes::then(const OdometryAxes& others) const {
     return both;
 }
 
+OdometryAxes OdometryAxes::in_radians() const {
+    OdometryAxes axes = *this;
+    axes.degrees_ = false;
+    return axes;
+}
+
 std::string OdometryAxes::text() const {
     const auto axis = [](const Axis& one) {
         return fmt::format("{}{}", one.sign < 0.0 ? "-" : "", one.of_y ? "y" : "x");
     };
     const std::string_view heading = degrees_ ? "degrees" : "theta";
-    const long offset = std::lround(offset_rad_ * kDegreesPerRadian);
+    constexpr double kNone = 1e-6;
+    const double offset = offset_rad_ * kDegreesPerRadian;
+    const bool none = std::abs(offset) < kNone;
     std::string angle;
     if (sign_ > 0.0) {
-        angle = offset == 0 ? std::string(heading) : fmt::format("{}{:+}", heading, offset);
+        angle = none ? std::string(heading) : fmt::format("{}{:+.4g}", heading, offset);
     } else {
-        angle = offset == 0 ? fmt::format("-{}", heading) : fmt::format("{}-{}", offset, heading);
+        angle = none ? fmt::format("-{}", heading) : fmt::format("{:.4g}-{}", offset, heading);
     }
     return fmt::format("{},{},{}", axis(x_), axis(y_), angle);
 }

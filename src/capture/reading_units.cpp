@@ -38,7 +38,7 @@ void leave_out_code(std::vector<double>& values) {
 /// How much of the way the first scans show were they read so.
 double way_shown(const Fuente& fuente, const ReadOptions& options) {
     constexpr int kScans = 2000;
-    TourExamination examination;
+    TourExamination examination(options);
     Procesador tour(fuente.reopen(), options);
     double last_s = 0.0;
     for (int i = 0; i < kScans; ++i) {

@@ -80,6 +80,7 @@ std::shared_ptr<const RecordedTour> record_tour(const TourReader& reader, const 
     }
     tour->name = reader.name();
     tour->format = reader.format();
+    tour->options = reader.options();
     tour->of_recording = reader.report().of_recording;
     // Each reader doubts what it has read, and both the recording.
     tour->findings = odometry->findings();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,12 +19,12 @@ std::string digits(double value) {
     return fmt::format("{:.4g}", value);
 }
 
+}  // namespace
+
 std::string hundredths_of(double value) {
     constexpr double kNone = 0.005;  // else "-0.00"
     return fmt::format("{:.2f}", std::abs(value) < kNone ? 0.0 : value);
 }
-
-}  // namespace
 
 Settings set(std::string_view key, std::string value) {
     return {{std::string(key), std::move(value)}};
@@ -119,12 +120,7 @@ Remedy map_with_registration() {
 
 std::string options_of(const std::vector<SourceSetting>& settings) {
     std::string options;
-    const bool of_clock = [&] {
-        for (const SourceSetting& one : settings) {
-            if (one.key == kScanClockKey) return true;
-        }
-        return false;
-    }();
+    const bool of_clock = std::ranges::count(settings, kScanClockKey, &SourceSetting::key) > 0;
     for (const auto& [key, value] : settings) {
         if (key == kScanDelayKey && of_clock) continue;  // a table leaves no other delay
         if (!options.empty()) options += ' ';

@@ -33,6 +33,9 @@ class WholeValues {
     const ReadOptions* read_;
 };
 
+/// "-0.72"
+std::string hundredths_of(double value);
+
 /// What does not depend on how the tour was read.
 std::vector<SourceSetting> set(std::string_view key, std::string value);
 std::vector<SourceSetting> laser_at(const LaserPose& pose);

@@ -60,6 +60,7 @@ void RememberedTour::note_end() {
     if (!at_end()) return;
     tour_->name = reader_->name();
     tour_->format = reader_->format();
+    tour_->options = reader_->options();
     tour_->findings = reader_->findings();
     tour_->truth = reader_->truth();
     tour_->of_recording = reader_->report().of_recording;

@@ -37,11 +37,6 @@ BestFit refined(const Fit& fit, const Hypothesis& start, double Hypothesis::*cha
     });
 }
 
-std::string hundredths(double seconds) {
-    constexpr double kNone = 0.005;  // else "-0.00"
-    return fmt::format("{:.2f}", std::abs(seconds) < kNone ? 0.0 : seconds);
-}
-
 std::vector<Remedy> add_to_times(const ReadOptions& read, const std::string& clock) {
     return {{marked(HITOS_TEXT("Errors",
                                "add that to their times, and set the clocks of both computers "
@@ -153,8 +148,8 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
         return told_set(set.hypothesis, set.agreement, agreement(pairs, asked).value_or(0.0));
     }
     const double end_s = best.hypothesis.delay_s + gained_s;
-    const std::string clock = fmt::format("{}@0,{}@{:.0f}", hundredths(best.hypothesis.delay_s),
-                                          hundredths(end_s), seconds);
+    const std::string clock = fmt::format("{}@0,{}@{:.0f}", hundredths_of(best.hypothesis.delay_s),
+                                          hundredths_of(end_s), seconds);
     return TourFinding{
         Kind::clock_speed, best.hypothesis.gained,
         message(HITOS_TEXT("Errors",
@@ -200,8 +195,8 @@ TourFinding TourExamination::told_set(const Hypothesis& set, double fits, double
         at_s = leap.after_s;
     }
     at_s = std::ceil((at_s - first_scan_s_) / kHundredth) * kHundredth;
-    const std::string clock = fmt::format("{0}@{2:.2f},{1}@{2:.2f}", hundredths(set.delay_s),
-                                          hundredths(set.delay_s + set.set_by_s), at_s);
+    const std::string clock = fmt::format("{0}@{2:.2f},{1}@{2:.2f}", hundredths_of(set.delay_s),
+                                          hundredths_of(set.delay_s + set.set_by_s), at_s);
     return {Kind::clock_set, set.set_by_s,
             message(HITOS_TEXT("Errors",
                                "the scans' clock was set during the tour: they fit the odometry "

@@ -243,7 +243,8 @@ void TourExamination::doubt_self_hits(std::vector<TourFinding>& found) const {
         ++own;
         farthest = std::max(farthest, near_ranges_[i]);
     }
-    if (turns_ >= kLeastTurns && own > 0) {
+    // Of most of them it is another thing.
+    if (turns_ >= kLeastTurns && own > 0 && 2 * own < fan_.count) {
         constexpr double kBeyond = 0.05;
         const double least = std::ceil((static_cast<double>(farthest) + kBeyond) * 20.0) / 20.0;
         found.push_back(

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
+#include "hitos/capture/archivo.hpp"
 #include "hitos/capture/odometry_axes.hpp"
 #include "hypothesis_search.hpp"
 #include "remedies.hpp"
@@ -100,7 +103,10 @@ void TourExamination::tell_mounting(const Fit& fit, double told, const BestFit& 
         tell_fan(fit, told, mounted, found);
         return;
     }
-    const double turn_rad = middle_turn(fit, other);
+    // What is told of one that is turned alone.
+    constexpr double kLeast = 4.5 * kRadiansPerDegree;
+    double turn_rad = middle_turn(fit, other);
+    if (other.mirrored && std::abs(turn_rad) < kLeast) turn_rad = 0.0;
     Pose pose = fan_.pose_robot_laser;
     // A heading that points elsewhere turns the laser about the robot's middle.
     const Pose about = compose({0.0, 0.0, turn_rad}, pose);
@@ -214,9 +220,16 @@ bool TourExamination::doubt_turns(const Fit& fit, double told, double otherwise,
         return false;
     }
     const double scale = best.hypothesis.turn_scale;
+    std::vector<Remedy> remedies{take_it_from_scans()};
+    const OdometryAxes axes(read_.odometry_axes);
+    if (scale < 1.0) {
+        remedies.insert(remedies.begin(), headings_in_degrees(read_));
+    } else if (axes.in_degrees()) {  // as somebody said, and they are not
+        remedies.insert(remedies.begin(),
+                        {say_so(), set(kOdometryAxesKey, axes.in_radians().text())});
+    }
     found.push_back(
-        {Kind::odometry_units,
-         scale,
+        {Kind::odometry_units, scale,
          message(HITOS_TEXT("Errors",
                             "by the scans the robot turns %1 times as far as by the odometry (%2 % "
                             "of their points fit so, %3 % as it is told): headings are %4"),
@@ -224,7 +237,7 @@ bool TourExamination::doubt_turns(const Fit& fit, double told, double otherwise,
                  scale < 1.0
                      ? marked(HITOS_TEXT("Errors", "in degrees"))
                      : marked(HITOS_TEXT("Errors", "taken for degrees and turned into radians"))),
-         {{say_so(), WholeValues(read_).odometry_turns(scale)}, take_it_from_scans()}});
+         std::move(remedies)});
     return true;
 }
 

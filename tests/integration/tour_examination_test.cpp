@@ -13,6 +13,7 @@
 #include "hitos/capture/tour_summary.hpp"
 #include "hitos/features/control.hpp"
 #include "hitos/registration/scan_odometry.hpp"
+#include "hitos/services/run/algoritmo.hpp"
 #include "integration/wrong_tours.hpp"
 #include "support.hpp"
 
@@ -387,6 +388,24 @@ TEST(ScanOdometry, FollowsTheRobotByItsScansAlone) {
         EXPECT_EQ(path_of(*tour->reopen()), path);
         tour->restart();
         EXPECT_EQ(path_of(*tour), path);
+    }
+}
+
+TEST(TourExamination, ARunAdvisesWhatCheckDoes) {
+    Configuracion configuration;
+    configuration.source.file = source_named("recinto");
+    configuration.source.read.odometry_turns = 0.8;
+    configuration.source.read.odometry_scale = 0.7;
+    configuration.filter.particles = 1;
+    const TourSummary checked = inspect_tour(*open_tour(configuration.source));
+    ASSERT_FALSE(checked.findings.empty());
+    Algoritmo run(configuration, open_tour(configuration.source));
+    while (run.step()) {
+    }
+    const auto told = run.examination()->findings(run.reader().findings());
+    ASSERT_EQ(told.size(), checked.findings.size());
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        EXPECT_EQ(advice_of(told[i]).english(), advice_of(checked.findings[i]).english());
     }
 }
 

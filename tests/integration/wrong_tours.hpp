@@ -17,7 +17,7 @@ struct Readings {
     std::vector<Odometria> odometry;
 
     std::vector<TourFinding> findings() const {
-        TourExamination examination;
+        TourExamination examination{ReadOptions{}};
         auto reading = odometry.begin();
         for (const Scan& scan : scans) {
             for (; reading != odometry.end() && reading->line <= scan.line; ++reading)

@@ -104,18 +104,22 @@ std::vector<SourceSetting> advised_clock(const SourceParams& source) {
 
 /// What check advises, until it has nothing to say; told, so that it can be given.
 void look_for_delay(SourceParams& source) {
-    constexpr int kRounds = 4;  // what is left after one is seldom more than what one sees
-    std::vector<SourceSetting> found;
-    for (int round = 0; round < kRounds; ++round) {
-        const std::vector<SourceSetting> advised = advised_clock(source);
-        if (advised.empty() || advised == found) break;
-        found = advised;
-        take_up(found, source);
+    constexpr std::size_t kRounds = 4;  // what is left after one is seldom more than what one sees
+    std::vector<std::vector<SourceSetting>> found;
+    std::vector<SourceSetting> advised = advised_clock(source);
+    while (!advised.empty() && found.size() < kRounds && std::ranges::count(found, advised) == 0) {
+        take_up(advised, source);
+        found.push_back(std::move(advised));
+        advised = advised_clock(source);
     }
     if (found.empty()) {
         fmt::print(stderr, "no scan delay found\n");
-    } else {
-        fmt::print(stderr, "scan delay found: {}\n", options_of(found));
+        return;
+    }
+    fmt::print(stderr, "scan delay found: {}\n", options_of(found.back()));
+    if (!advised.empty()) {
+        fmt::print(stderr, "not all of it: hitos-cli check still advises {}\n",
+                   options_of(advised));
     }
 }
 

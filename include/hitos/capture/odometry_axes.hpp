@@ -26,6 +26,9 @@ class OdometryAxes {
     /// These axes, and then those of what they give.
     OdometryAxes then(const OdometryAxes& others) const;
     std::string text() const;
+    /// The same with headings in radians.
+    OdometryAxes in_radians() const;
+    bool in_degrees() const { return degrees_; }
 
   private:
     struct Axis {

@@ -36,6 +36,7 @@ struct RecordedTour {
     std::optional<Truth> truth;
     std::string name;
     std::string format;
+    ReadOptions options;        ///< how it was read
     bool of_recording = false;  ///< ReadReport::of_recording
     std::vector<TourFinding> findings;
 };
@@ -60,6 +61,7 @@ class RecordedReader final : public TourReader {
     std::optional<double> progress() const override;
     std::string name() const override { return tour_->name; }
     std::string format() const override { return tour_->format; }
+    ReadOptions options() const override { return tour_->options; }
     std::vector<TourFinding> findings() const override { return tour_->findings; }
     std::optional<Truth> truth() const override { return tour_->truth; }
 

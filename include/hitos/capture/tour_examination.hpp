@@ -27,7 +27,7 @@ struct BestFit;
 class TourExamination {
   public:
     /// `read`: how the tour is read, which what is advised comes on top of.
-    explicit TourExamination(ReadOptions read = {}) : read_(std::move(read)) {}
+    explicit TourExamination(ReadOptions read) : read_(std::move(read)) {}
     void note(const Scan& scan);
     void note(const Odometria& odometry);
 

@@ -9,6 +9,7 @@
 
 #include "fields.hpp"
 #include "hitos/base/median.hpp"
+#include "hitos/base/text_input.hpp"
 #include "hitos/base/translatable.hpp"
 #include "remedies.hpp"
 
@@ -181,7 +182,7 @@ std::vector<TourFinding> carmen_doubts(const Fuente& fuente, const ReadOptions& 
                                      "record times with milliseconds, as numbers of 64 bits"))}}}};
     }
     constexpr double kAlmostNone = 0.02;  // [s]
-    if (!clocks.scans_late_s || !options.scan_clock.empty()) return {};
+    if (!clocks.scans_late_s || !input::trimmed(options.scan_clock).empty()) return {};
     const double stamps_s = *clocks.scans_late_s;
     const double late_s = stamps_s - options.scan_delay_s;
     if (std::abs(late_s) < kAlmostNone) return {};

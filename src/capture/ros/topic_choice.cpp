@@ -219,8 +219,8 @@ void choose_odometry(const RecordingSurvey& survey, const ReadOptions& options,
 
 /// Whether stamps of the scans are of another clock than those of the odometry.
 void doubt_stamps(const RecordingSurvey& survey, const ReadOptions& read, TourTopics& chosen) {
-    constexpr double kLeast = 1.0;         // networks hold messages up that long
-    if (!read.scan_clock.empty()) return;  // somebody has looked at them
+    constexpr double kLeast = 1.0;                         // networks hold messages up that long
+    if (!input::trimmed(read.scan_clock).empty()) return;  // somebody has looked at them
     const auto scan_receipts = survey.receipts.find(chosen.scans.front());
     const auto odometry_receipts = survey.receipts.find(chosen.odometry);
     if (scan_receipts == survey.receipts.end() || odometry_receipts == survey.receipts.end())

@@ -72,34 +72,33 @@ Table mended_source_entries() {
                  "drives on; a higher value moves them further; 0 takes what the log says.")},
             {of_log()}),
         real<&Config::source, &SourceParams::read, &ReadOptions::range_scale>(
-            {"source.range_scale", "", 1e-4, 1e4, HITOS_TEXT("ParameterLabel", "Range scale"),
+            {"source.range_scale", "", 1e-6, 1e6, HITOS_TEXT("ParameterLabel", "Range scale"),
              HITOS_TEXT("Parameter",
                         "The laser's readings, and the greatest range that the log says, are taken "
                         "that many times as long, as 0.001 where they are millimetres; a higher "
                         "value lengthens them.")},
             {of_log()}),
         real<&Config::source, &SourceParams::read, &ReadOptions::range_offset_m>(
-            {"source.range_offset", "m", -10, 10, HITOS_TEXT("ParameterLabel", "Range offset"),
+            {"source.range_offset", "m", -100, 100, HITOS_TEXT("ParameterLabel", "Range offset"),
              HITOS_TEXT("Parameter",
                         "Added to each of the laser's readings, where all of them are too short or "
                         "too long by that; a higher value puts walls further away. Logs of points "
                         "have none.")},
             {of_log()}),
         real<&Config::source, &SourceParams::read, &ReadOptions::fan_scale>(
-            {"source.fan_scale", "", 0.01, 100, HITOS_TEXT("ParameterLabel", "Fan scale"),
+            {"source.fan_scale", "", 1e-3, 1e3, HITOS_TEXT("ParameterLabel", "Fan scale"),
              HITOS_TEXT("Parameter",
                         "The angles of a scan's rays, from where the laser looks, are taken that "
                         "many times as wide, as 0.0174533 where they are in degrees; a higher "
                         "value widens them. Logs of points have none.")},
             {of_log()}),
         real<&Config::source, &SourceParams::read, &ReadOptions::odometry_scale>(
-            {"source.odometry_scale", "", 0.001, 1000,
-             HITOS_TEXT("ParameterLabel", "Odometry scale"),
+            {"source.odometry_scale", "", 1e-6, 1e6, HITOS_TEXT("ParameterLabel", "Odometry scale"),
              HITOS_TEXT("Parameter",
                         "The odometry's way is taken that many times as long; a higher value "
                         "lengthens it.")}),
         real<&Config::source, &SourceParams::read, &ReadOptions::odometry_turns>(
-            {"source.odometry_turns", "", -100, 100, HITOS_TEXT("ParameterLabel", "Scale of turns"),
+            {"source.odometry_turns", "", -1e4, 1e4, HITOS_TEXT("ParameterLabel", "Scale of turns"),
              HITOS_TEXT("Parameter",
                         "The odometry's turns are taken that many times as wide; a higher value "
                         "widens them, a negative one turns right what it says is left.")}),

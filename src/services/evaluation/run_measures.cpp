@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/slam/slam_filter.hpp"
 
@@ -83,7 +85,10 @@ std::vector<const Measure*> taken_measures() {
 
 RunFigures figures_of(const MeasuredRun& run) {
     RunFigures figures;
-    for (const Measure* measure : taken_measures()) figures[*measure] = measure->take(run);
+    for (const Measure* measure : taken_measures()) {
+        const std::optional<double> figure = measure->take(run);
+        if (figure && std::isfinite(*figure)) figures[*measure] = figure;
+    }
     return figures;
 }
 

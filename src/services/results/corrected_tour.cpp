@@ -38,6 +38,7 @@ class TourSoFar final : public TourReader {
     std::optional<double> progress() const override { return tour_->progress(); }
     std::string name() const override { return tour_->name(); }
     std::string format() const override { return tour_->format(); }
+    ReadOptions options() const override { return tour_->options(); }
 
   private:
     std::unique_ptr<TourReader> tour_;

@@ -22,7 +22,8 @@ RunFigures figures_in(const nlohmann::json& summary) {
     RunFigures figures;
     for (const Measure& measure : run_measures().entries()) {
         const nlohmann::json::json_pointer place(measure.place);
-        if (measure.place.empty() || !summary.contains(place)) continue;
+        if (measure.place.empty() || !summary.contains(place) || summary.at(place).is_null())
+            continue;
         figures[measure] = summary.at(place).get<double>();
     }
     return figures;

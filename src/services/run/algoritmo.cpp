@@ -46,7 +46,7 @@ Algoritmo::Algoritmo(const Configuracion& configuration, std::unique_ptr<TourRea
         reader_ = std::move(remembered);
     }
     // Once: what is read again, after going back, it knows already.
-    if (options_.examine) examination_ = std::make_unique<TourExamination>();
+    if (options_.examine) examination_ = std::make_unique<TourExamination>(reader_->options());
     begin();
 }
 

@@ -309,6 +309,7 @@ void check_any(const StudyOutcome& outcome) {
     }
     const auto first = std::ranges::find_if(
         outcome.records, [](const StudyRecord& record) { return !record.problem.empty(); });
+    if (first == outcome.records.end()) return;
     throw Error(message(HITOS_TEXT("Errors", "every run failed; the first: %1"), first->problem));
 }
 

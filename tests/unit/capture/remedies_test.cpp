@@ -106,8 +106,9 @@ TEST(OdometryAxes, OneAfterTheOtherIsOne) {
         }
     }
     EXPECT_EQ(OdometryAxes("x,y,theta+90").then(OdometryAxes("x,y,degrees")).text(),
-              "x,y,degrees+2");
+              "x,y,degrees+1.571");
     EXPECT_EQ(OdometryAxes("x,y,theta+450").text(), "x,y,theta+90");
+    EXPECT_EQ(OdometryAxes("x,-y,theta-12.5").text(), "x,-y,theta-12.5");
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ Scan scan_at(double time_s, const Pose& robot, double length_m) {
 /// A robot that drives along at 0.3 m/s, is not recorded for 40 s after ten, `drives` meanwhile, by
 /// its odometry with a step of `logged`, and goes on.
 std::vector<TourFinding> told(const Pose& drives, const Pose& logged, double length_m = 16.0) {
-    TourExamination examination;
+    TourExamination examination{ReadOptions{}};
     Pose robot{length_m / 2.0 - 5.0, 2.0, 0.1};
     double time_s = 0.0;
     for (int i = 0; i < 200; ++i) {
@@ -93,7 +93,7 @@ TEST(TourPauses, NothingIsToldOfARobotThatRestsOrIsDriven) {
 }
 
 TEST(TourExamination, OfHardlyAnythingNothingIsSaid) {
-    TourExamination examination;
+    TourExamination examination{ReadOptions{}};
     EXPECT_TRUE(examination.findings().empty());
     examination.note(Odometria{0.0, {0.5, 0.0}, 1});
     examination.note(Odometria{0.1, {0.5, 0.0}, 2});

@@ -315,10 +315,15 @@ void SourceDialog::offer_remedies(const std::vector<TourFinding>& findings) {
     for (const TourFinding& finding : findings) {
         for (const Remedy& remedy : finding.remedies) {
             const auto can_be_set = [&](const SourceSetting& one) {
-                const ConfigParameter& parameter = find_parameter(one.key);
-                return how_read_->has(parameter) && parameter.text(now) != one.value;
+                return how_read_->has(find_parameter(one.key));
             };
-            if (std::ranges::none_of(remedy.settings, can_be_set)) continue;
+            const auto is_new = [&](const SourceSetting& one) {
+                return find_parameter(one.key).text(now) != one.value;
+            };
+            if (!std::ranges::all_of(remedy.settings, can_be_set) ||
+                std::ranges::none_of(remedy.settings, is_new)) {
+                continue;
+            }
             auto* button =
                 new QPushButton(tr("Set %1").arg(words_of(remedy.settings)), ui_->verdict_box);
             button->setObjectName("remedy_" + to_qt(remedy.settings.front().key));
@@ -327,8 +332,7 @@ void SourceDialog::offer_remedies(const std::vector<TourFinding>& findings) {
             connect(button, &QPushButton::clicked, this, [this, settings = remedy.settings] {
                 ui_->how->setChecked(true);
                 for (const auto& [key, value] : settings) {
-                    const ConfigParameter& parameter = find_parameter(key);
-                    if (how_read_->has(parameter)) how_read_->set(parameter, value);
+                    how_read_->set(find_parameter(key), value);
                 }
             });
             ui_->remedies->addWidget(button, 0, Qt::AlignLeft);
