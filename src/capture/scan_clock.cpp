@@ -91,8 +91,7 @@ ScanClock ScanClock::plus(const ScanClock& other) const {
     for (const Point& point : points_) times.push_back(point.at_s);
     for (const Point& point : more.points_) times.push_back(point.at_s);
     std::ranges::sort(times);
-    const auto repeated = std::ranges::unique(times);
-    times.erase(repeated.begin(), repeated.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     ScanClock sum;
     for (const double time_s : times) {
         const Point before{time_s, at(time_s, false) + more.at(time_s, false)};
