@@ -8,6 +8,7 @@
 
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "laser_units.hpp"
 
 namespace hitos {
 namespace {
@@ -94,12 +95,12 @@ Remedy added_difference(Settings delay) {
 }
 
 std::vector<Remedy> millimetres_or_centimetres(const ReadOptions& read) {
-    constexpr double kMillimetre = 0.001;
-    constexpr double kCentimetre = 0.01;
-    return {{marked(HITOS_TEXT("Errors", "if they are millimetres")),
-             WholeValues(read).range_scale(kMillimetre)},
-            {marked(HITOS_TEXT("Errors", "if they are centimetres")),
-             WholeValues(read).range_scale(kCentimetre)}};
+    std::vector<Remedy> remedies;
+    for (const LengthUnit& unit : {kMillimetre, kCentimetre}) {
+        remedies.push_back({message(HITOS_TEXT("Errors", "if they are %1"), marked(unit.name)),
+                            WholeValues(read).range_scale(unit.metres)});
+    }
+    return remedies;
 }
 
 Remedy take_it_from_scans() {

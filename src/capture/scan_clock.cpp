@@ -58,18 +58,20 @@ double ScanClock::at(double elapsed_s, bool after_leaps) const {
     return std::lerp(before.added_s, later->added_s, share);
 }
 
-double ScanClock::added(double stamp_s) {
+double ScanClock::step_s(double before_s, double stamp_s) {
     constexpr double kSetBack = 0.02;  // where the time of a scan is not known
+    return stamp_s > before_s ? stamp_s - before_s : kSetBack;
+}
+
+double ScanClock::added(double stamp_s) {
     if (points_.empty()) return 0.0;
-    if (last_s_) elapsed_s_ += stamp_s > *last_s_ ? stamp_s - *last_s_ : kSetBack;
+    if (last_s_) elapsed_s_ += step_s(*last_s_, stamp_s);
     last_s_ = stamp_s;
     return at(elapsed_s_, false);
 }
 
 ScanClock ScanClock::always(double added_s) {
-    ScanClock clock;
-    clock.points_ = {{0.0, added_s}};
-    return clock;
+    return ScanClock(std::vector<Point>{{0.0, added_s}});
 }
 
 ScanClock ScanClock::plus(const ScanClock& other) const {

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "hitos/capture/scan_clock.hpp"
 #include "hypothesis_search.hpp"
 #include "remedies.hpp"
 #include "tour_clocks.hpp"
@@ -37,11 +39,40 @@ BestFit refined(const Fit& fit, const Hypothesis& start, double Hypothesis::*cha
     });
 }
 
-std::vector<Remedy> add_to_times(const ReadOptions& read, const std::string& clock) {
+std::vector<Remedy> add_to_times(const ReadOptions& read, std::vector<ScanClock::Point> points) {
     return {{marked(HITOS_TEXT("Errors",
                                "add that to their times, and set the clocks of both computers "
                                "alike before recording")),
-             WholeValues(read).clock(ScanClock(clock))}};
+             WholeValues(read).clock(ScanClock(std::move(points)))}};
+}
+
+/// Where a table says that a clock is set, the scan before it keeps its time.
+double to_later_hundredth(double seconds) {
+    constexpr double kHundredth = 0.01;
+    return std::ceil(seconds / kHundredth) * kHundredth;
+}
+
+/// `points`: two of each time at which the clock was set.
+TourFinding told_table(std::vector<ScanClock::Point> points, double fits, double told,
+                       const ReadOptions& read) {
+    const ScanClock::Point before = points[0];
+    const ScanClock::Point after = points[1];
+    Message what =
+        points.size() == 2
+            ? message(HITOS_TEXT("Errors",
+                                 "the scans' clock was set during the tour: they fit the odometry "
+                                 "where %1 are added up to second %2 and %3 from there on (%4 % of "
+                                 "their points, against %5 % as they are stamped)"),
+                      seconds_words(before.added_s), std::lround(before.at_s),
+                      seconds_words(after.added_s), percent(fits), percent(told))
+            : message(HITOS_TEXT("Errors",
+                                 "the scans' clock was set %1 times during the tour, first by %2 "
+                                 "at second %3: with that taken back %4 % of their points fit the "
+                                 "odometry meanwhile, against %5 % as they are stamped"),
+                      points.size() / 2, seconds_words(before.added_s - after.added_s),
+                      std::lround(before.at_s), percent(fits), percent(told));
+    return {Kind::clock_set, after.added_s - before.added_s, std::move(what),
+            add_to_times(read, std::move(points))};
 }
 
 }  // namespace
@@ -148,8 +179,6 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
         return told_set(set.hypothesis, set.agreement, agreement(pairs, asked).value_or(0.0));
     }
     const double end_s = best.hypothesis.delay_s + gained_s;
-    const std::string clock = fmt::format("{}@0,{}@{:.0f}", hundredths_of(best.hypothesis.delay_s),
-                                          hundredths_of(end_s), seconds);
     return TourFinding{
         Kind::clock_speed, best.hypothesis.gained,
         message(HITOS_TEXT("Errors",
@@ -158,53 +187,84 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
                            "points, against %4 % as they are stamped)"),
                 seconds_words(best.hypothesis.delay_s), seconds_words(end_s),
                 percent(best.agreement), percent(agreement(pairs, asked).value_or(0.0))),
-        add_to_times(read_, clock)};
+        add_to_times(read_, {{0.0, best.hypothesis.delay_s}, {std::round(seconds), end_s}})};
 }
 
-/// A clock that was set where the stamps leap: that leap itself says by how much.
+BestFit TourExamination::best_leaps(const std::vector<const Pair*>& pairs, unsigned begin,
+                                    unsigned offered) const {
+    const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
+    BestFit best;
+    best.try_out(fit, {.undone_leaps = begin});
+    unsigned before = 0;
+    do {
+        before = best.hypothesis.undone_leaps;
+        for (std::size_t i = 0; i < stamp_leaps_.size(); ++i) {
+            const unsigned leap = 1U << i;
+            if ((offered & leap) != 0) best.try_out(fit, {.undone_leaps = before ^ leap});
+        }
+    } while (best.hypothesis.undone_leaps != before);
+    return best;
+}
+
+/// A clock that was set where the stamps leap: that leap itself says by how much. One that was set
+/// and set back fits with both leaps undone and with neither, but not with one.
 std::optional<TourFinding> TourExamination::set_clock(const std::vector<const Pair*>& pairs,
                                                       double otherwise) const {
     constexpr double kBetter = 0.02;  // than what has a number of its own to fit by
-    const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
-    const double told = fit({});
-    const double period_s = (last_scan_s_ - first_scan_s_) / static_cast<double>(scans_);
-    BestFit best;
-    for (const StampLeap& leap : stamp_leaps_) {
-        const double by_s = period_s - leap.by_s;
-        if (std::abs(by_s) < kShortestDelay) continue;
-        best.try_out(fit,
-                     {.set_by_s = by_s, .set_at_s = std::nextafter(leap.after_s, last_scan_s_)});
+    constexpr double kMuchBetter = 0.1;
+    constexpr std::size_t kLeastPairs = 10;
+    unsigned offered = 0;
+    for (std::size_t i = 0; i < stamp_leaps_.size(); ++i) {
+        if (std::abs(period_s() - stamp_leaps_[i].by_s) >= kShortestDelay) offered |= 1U << i;
     }
-    if (best.agreement < std::max({kLeastFit, told + kClearly, otherwise + kBetter}) ||
-        !beats_standing(best.agreement)) {
+    if (offered == 0) return std::nullopt;
+    const double told = agreement(pairs, Hypothesis{}).value_or(0.0);
+    BestFit best = best_leaps(pairs, 0, offered);
+    const BestFit fewer = best_leaps(pairs, offered, offered);
+    if (fewer.agreement > best.agreement) best = fewer;
+    const unsigned undone = best.hypothesis.undone_leaps;
+    if (undone == 0 || best.agreement < kLeastFit || !beats_standing(best.agreement))
         return std::nullopt;
+    if (best.agreement >= std::max(told + kClearly, otherwise + kBetter))
+        return told_leaps(undone, best.agreement, told);
+    // What is soon set back weighs little among all of them, and much by itself.
+    std::vector<const Pair*> meanwhile;
+    for (const Pair& pair : pairs_) {
+        if (std::abs(undone_s(undone, pair.first.time_s)) >= kShortestDelay)
+            meanwhile.push_back(&pair);
     }
-    return told_set(best.hypothesis, best.agreement, told);
+    if (meanwhile.size() < kLeastPairs || best.agreement <= otherwise) return std::nullopt;
+    const double fits = agreement(meanwhile, best.hypothesis).value_or(0.0);
+    const double told_meanwhile = agreement(meanwhile, Hypothesis{}).value_or(0.0);
+    if (fits < std::max(kLeastFit, told_meanwhile + kMuchBetter)) return std::nullopt;
+    return told_leaps(undone, fits, told_meanwhile);
 }
 
+TourFinding TourExamination::told_leaps(unsigned undone, double fits, double told) const {
+    std::vector<ScanClock::Point> points;
+    double added_s = 0.0;
+    for (std::size_t i = 0; i < stamp_leaps_.size(); ++i) {
+        if (((undone >> i) & 1U) == 0) continue;
+        const double at_s = to_later_hundredth(stamp_leaps_[i].elapsed_s);
+        points.push_back({at_s, added_s});
+        added_s += period_s() - stamp_leaps_[i].by_s;
+        points.push_back({at_s, added_s});
+    }
+    return told_table(points, fits, told, read_);
+}
 TourFinding TourExamination::told_set(const Hypothesis& set, double fits, double told) const {
     constexpr double kNear = 0.3;  // [s]
-    constexpr double kHundredth = 0.01;
     // The stamps leap where it was set.
-    double at_s = set.set_at_s;
+    double at_s = set.set_at_s - first_scan_s_;
     double nearest = last_scan_s_ - first_scan_s_;
     for (const StampLeap& leap : stamp_leaps_) {
         const double away = std::abs(leap.after_s - set.set_at_s);
         if (std::abs(leap.by_s + set.set_by_s) > kNear || away > nearest) continue;
         nearest = away;
-        at_s = leap.after_s;
+        at_s = leap.elapsed_s;
     }
-    at_s = std::ceil((at_s - first_scan_s_) / kHundredth) * kHundredth;
-    const std::string clock = fmt::format("{0}@{2:.2f},{1}@{2:.2f}", hundredths_of(set.delay_s),
-                                          hundredths_of(set.delay_s + set.set_by_s), at_s);
-    return {Kind::clock_set, set.set_by_s,
-            message(HITOS_TEXT("Errors",
-                               "the scans' clock was set during the tour: they fit the odometry "
-                               "where %1 are added up to second %2 and %3 from there on (%4 % of "
-                               "their points, against %5 % as they are stamped)"),
-                    seconds_words(set.delay_s), std::lround(at_s),
-                    seconds_words(set.delay_s + set.set_by_s), percent(fits), percent(told)),
-            add_to_times(read_, clock)};
+    at_s = to_later_hundredth(at_s);
+    return told_table({{at_s, set.delay_s}, {at_s, set.delay_s + set.set_by_s}}, fits, told, read_);
 }
 
 std::optional<TourFinding> TourExamination::turning_clock(const Turning& turning,

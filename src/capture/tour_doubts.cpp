@@ -25,20 +25,51 @@ constexpr std::array<std::string_view, 29> kWords{
     "odometry-turns",  "odometry-units", "laser-units",      "beyond-a-turn",     "blind-laser",
     "self-hits",       "frozen-laser",   "unfit-odometry",   "unsure-drawing"};
 
+/// As kWayShown, where no laser is as the readings say: slow robots show little.
+constexpr double kWayShownOfNone = 0.03;
+
 }  // namespace
 
 std::string_view word_of(Kind kind) {
     return kWords.at(static_cast<std::size_t>(kind));
 }
 
+/// Metres that are read as if they were less.
+void TourExamination::doubt_small_unit(double typical, std::vector<TourFinding>& found) const {
+    constexpr double kNear = 0.05;  // nearer than any laser of this kind sees half of its readings
+    if (typical >= kNear) return;
+    double times = 0.0;
+    double shown = std::max(0.0, way_shown(1.0)) + kWayShownOfNone;
+    for (const LengthUnit& unit : kLengthUnits) {
+        const double found_so = way_shown(1.0 / unit.metres);
+        if (found_so <= shown) continue;
+        shown = found_so;
+        times = 1.0 / unit.metres;
+    }
+    if (times == 0.0) return;
+    found.push_back(
+        {Kind::laser_units,
+         typical,
+         message(HITOS_TEXT("Errors",
+                            "half of the readings are nearer than %1 m, and by the odometry they "
+                            "are %2 times as long; the map is that many times too small"),
+                 fmt::format("{:.2g}", typical), fmt::format("{:.4g}", times)),
+         {{marked(HITOS_TEXT("Errors", "read them as such")),
+           WholeValues(read_).range_scale(times)}}});
+}
+
 /// Ranges that are no metres.
 void TourExamination::doubt_units(std::vector<TourFinding>& found) const {
     constexpr double kFar = 30.0;
+    constexpr double kHardly = 100.0;  // of what a laser sees
     constexpr double kFarthest = 200.0;
+    if (medians_.empty()) return;
     const auto typical = static_cast<double>(median(medians_));
+    doubt_small_unit(typical, found);
     if (typical < kFar) return;
     const LengthUnit* unit = nullptr;
-    double shown = std::max(0.0, way_shown(1.0)) + kWayShown;
+    double shown =
+        std::max(0.0, way_shown(1.0)) + (typical > kHardly ? kWayShownOfNone : kWayShown);
     const auto try_units = [&](double fan_scale) {
         for (const LengthUnit& other : kLengthUnits) {
             const double found_so = way_shown(other.metres, fan_scale);
@@ -137,30 +168,27 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
     }
 }
 
-double TourExamination::way_unit() const {
+const LengthUnit* TourExamination::way_unit() const {
     constexpr double kNoRobot = 20.0;
     constexpr double kMillimetres = 120.0;  // hardly a robot drives slower than 0.12 m/s all along
     const auto speed = static_cast<double>(median(speeds_));
-    if (!(speed > kNoRobot)) return 1.0;
-    return speed > kMillimetres ? 0.001 : 0.01;
+    if (!(speed > kNoRobot)) return nullptr;
+    return speed > kMillimetres ? &kMillimetre : &kCentimetre;
 }
 
 /// Whether all of it is too fast.
 void TourExamination::doubt_speed(std::vector<TourFinding>& found) const {
-    const double unit = way_unit();
-    if (unit == 1.0) return;
+    const LengthUnit* unit = way_unit();
+    if (unit == nullptr) return;
     const auto speed = static_cast<double>(median(speeds_));
-    constexpr double kCentimetre = 0.01;
-    found.push_back(
-        {Kind::odometry_units,
-         speed,
-         message(HITOS_TEXT("Errors",
-                            "by the odometry the robot mostly drives at %1 m/s, which none of its "
-                            "kind does"),
-                 fmt::format("{:.0f}", speed)),
-         {{unit < kCentimetre ? marked(HITOS_TEXT("Errors", "if its positions are millimetres"))
-                              : marked(HITOS_TEXT("Errors", "if its positions are centimetres")),
-           WholeValues(read_).odometry_scale(unit)}}});
+    found.push_back({Kind::odometry_units,
+                     speed,
+                     message(HITOS_TEXT("Errors",
+                                        "by the odometry the robot mostly drives at %1 m/s, which "
+                                        "none of its kind does"),
+                             fmt::format("{:.0f}", speed)),
+                     {{message(HITOS_TEXT("Errors", "if its positions are %1"), marked(unit->name)),
+                       WholeValues(read_).odometry_scale(unit->metres)}}});
 }
 
 void TourExamination::doubt_odometry(std::vector<TourFinding>& found) const {
@@ -306,7 +334,7 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     doubt_odometry(own);
     if (own.empty() && sees) doubt_stills(own);
     doubt_lost_rays(own);
-    doubt_self_hits(own);
+    if (!holds(own, Kind::laser_units)) doubt_self_hits(own);
     if (!of_axes) doubt_heading(own);
     for (TourFinding& finding : told) {
         if (finding.kind == Kind::sideways_odometry) settle_axes(finding);

@@ -199,6 +199,11 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
             {marked(HITOS_TEXT("Errors", "or, where it is the odometry")),
              WholeValues(read_).odometry_scale(scale)}};
     }
+    // What somebody has set already is the first to be wrong.
+    if (read_.range_scale != 1.0 && read_.odometry_scale == 1.0)
+        remedies = {{say_so(), WholeValues(read_).range_scale(1.0 / scale)},
+                    {marked(HITOS_TEXT("Errors", "or, where it is the odometry")),
+                     WholeValues(read_).odometry_scale(scale)}};
     found.push_back(
         {Kind::odometry_scale, scale,
          message(HITOS_TEXT("Errors",

@@ -10,6 +10,7 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/odometry_axes.hpp"
 #include "hypothesis_search.hpp"
+#include "laser_units.hpp"
 #include "remedies.hpp"
 
 namespace hitos {
@@ -178,11 +179,12 @@ void TourExamination::settle_axes(TourFinding& told) const {
     constexpr std::size_t kAsked = 128;
     const std::vector<const Pair*> pairs = some_pairs(kAsked);
     const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
+    const LengthUnit* unit = way_unit();
     BestFit headings;
     BestFit positions;  // as the other, all of it mirrored: told of a mirrored laser's scans
     for (int i = 0; i < kSectors; ++i) {
         Hypothesis other{.turn_rad = wrap_angle(2.0 * kPi * i / kSectors),
-                         .scale = way_unit(),
+                         .scale = unit == nullptr ? 1.0 : unit->metres,
                          .turn_scale = -1.0};
         headings.try_out(fit, other);
         other.mirrored = true;

@@ -91,9 +91,11 @@ void seen_otherwise(Readings& tour, const Change& change) {
 }
 
 TEST(LaserDoubts, TheUnitOfRangesIsToldByTheOdometry) {
-    const std::vector<std::pair<double, std::string>> units{
-        {0.001, "millimetres"}, {0.01, "centimetres"}, {0.0254, "inches"}};
-    for (const char* world : {"bigloop2", "usc-sal"}) {
+    const std::vector<std::pair<double, std::string>> units{{0.0001, "tenths of a millimetre"},
+                                                            {0.001, "millimetres"},
+                                                            {0.01, "centimetres"},
+                                                            {0.0254, "inches"}};
+    for (const char* world : {"bigloop2", "usc-sal", "complex"}) {
         const Readings tour = test::read(source_named(world));
         for (const auto& [metres, name] : units) {
             Readings wrong = tour;
@@ -106,6 +108,23 @@ TEST(LaserDoubts, TheUnitOfRangesIsToldByTheOdometry) {
             EXPECT_NE(found->what.english().find(name), std::string::npos) << wrong.said();
             EXPECT_EQ(advice_of(*found).english(),
                       fmt::format("read them as such: --set source.range_scale={}", metres));
+        }
+    }
+}
+
+TEST(LaserDoubts, MetresThatAreReadAsLessAreTold) {
+    for (const char* world : {"recinto", "complex"}) {
+        const Readings tour = test::read(source_named(world));
+        for (const double metres : {0.001, 0.01}) {
+            Readings wrong = tour;
+            seen_otherwise(wrong, [metres](const Scan&, std::size_t, double angle, double range) {
+                return std::pair(angle, range * metres);
+            });
+            const auto found = wrong.findings();
+            ASSERT_EQ(found.size(), 1U) << world << '\n' << wrong.said();
+            EXPECT_EQ(found[0].kind, Kind::laser_units) << wrong.said();
+            EXPECT_EQ(advice_of(found[0]).english(),
+                      fmt::format("read them as such: --set source.range_scale={}", 1.0 / metres));
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/scan_clock.hpp"
@@ -64,6 +65,31 @@ TEST_P(OfClocks, AClockThatIsSetDuringTheTourIsTold) {
         EXPECT_EQ(set.said(), "") << by_s;
         for (std::size_t i = 1; i < set.scans.size(); ++i) {
             EXPECT_LT(set.scans[i - 1].time_s, set.scans[i].time_s) << clock_of(*found);
+        }
+    }
+}
+
+TEST_P(OfClocks, AClockThatIsSetSeveralTimesIsTold) {
+    struct Set {
+        double share;  ///< of the tour, where it is done
+        double by_s;
+    };
+    const std::vector<std::vector<Set>> all{{{0.3, 6.0}, {0.7, -6.0}},   // and set back
+                                            {{0.4, 8.0}, {0.55, -8.0}},  // soon
+                                            {{0.2, 4.0}, {0.5, 4.0}, {0.8, -3.0}}};
+    for (const std::vector<Set>& sets : all) {
+        Readings set = tour_;
+        for (Scan& scan : set.scans) {
+            const double share = (scan.time_s - begin_s_) / seconds_;
+            for (const Set& one : sets) scan.time_s += share > one.share ? one.by_s : 0.0;
+        }
+        const auto found = set.of_kind(Kind::clock_set);
+        ASSERT_TRUE(found) << sets.size() << '\n' << set.said();
+        EXPECT_NEAR(found->value, -sets.front().by_s, 0.3);
+        add(*found, set);
+        EXPECT_EQ(set.said(), "") << clock_of(*found);
+        for (std::size_t i = 1; i < set.scans.size(); ++i) {
+            EXPECT_NEAR(set.scans[i].time_s, tour_.scans[i].time_s, 0.1) << clock_of(*found);
         }
     }
 }

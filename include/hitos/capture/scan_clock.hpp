@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hitos {
@@ -11,13 +12,22 @@ namespace hitos {
 /// What is to be added to the scans' times, by how long the tour has lasted.
 class ScanClock {
   public:
+    struct Point {
+        double at_s = 0.0;  ///< since the first scan
+        double added_s = 0.0;
+        friend bool operator==(const Point&, const Point&) = default;
+    };
     /// "0@0,-1.39@680": so many seconds are added at that second after the first scan, evenly more
     /// or less in between; of two points of one second the later one counts from then on. Empty:
     /// nothing. Throws ConfigError, under the parameter's key, for another text.
     explicit ScanClock(std::string_view text = {});
+    /// In the order of their times, no more than two of one.
+    explicit ScanClock(std::vector<Point> points) : points_(std::move(points)) {}
     /// To a scan of that stamp. Asked for every scan, in order: a clock that is set back does not
     /// shorten the tour.
     double added(double stamp_s);
+    /// How much longer the tour has lasted by a stamp that follows on another.
+    static double step_s(double before_s, double stamp_s);
 
     /// The same at all times.
     static ScanClock always(double added_s);
@@ -27,11 +37,6 @@ class ScanClock {
     std::string text() const;
 
   private:
-    struct Point {
-        double at_s = 0.0;
-        double added_s = 0.0;
-        friend bool operator==(const Point&, const Point&) = default;
-    };
     double at(double elapsed_s, bool after_leaps) const;
     std::vector<Point> points_;
     std::optional<double> last_s_;

@@ -15,6 +15,7 @@
 namespace hitos {
 
 struct BestFit;
+struct LengthUnit;
 
 /// Takes what is read of a tour, in any order of scans and odometry, and doubts it at the end; what
 /// is not later than what was noted is left out, so that a tour may be read again in part. It
@@ -42,6 +43,7 @@ class TourExamination {
         double gained = 0.0;           ///< added besides, for each second since the first scan
         double set_by_s = 0.0;         ///< added besides, to scans
         double set_at_s = 0.0;         ///< from that time on
+        unsigned undone_leaps = 0;     ///< of the stamps, a bit for each: taken for a clock's
         double turn_rad = 0.0;         ///< of the laser on the robot, to the left
         bool mirrored = false;         ///< the rays go the other way round
         double fan_scale = 1.0;        ///< of the angles between them,
@@ -101,8 +103,9 @@ class TourExamination {
     void keep(const Scan& scan);
     void doubt_readings(std::vector<TourFinding>& found) const;
     void doubt_units(std::vector<TourFinding>& found) const;
-    /// Metres of one that the odometry says: 1, or less where no robot is so fast.
-    double way_unit() const;
+    void doubt_small_unit(double typical, std::vector<TourFinding>& found) const;
+    /// What the odometry's metres are, where no robot is so fast; else nothing.
+    const LengthUnit* way_unit() const;
     void doubt_speed(std::vector<TourFinding>& found) const;
     void doubt_odometry(std::vector<TourFinding>& found) const;
     void doubt_fit(std::vector<TourFinding>& found) const;
@@ -111,11 +114,19 @@ class TourExamination {
     std::optional<TourFinding> changing_clock(const std::vector<const Pair*>& pairs,
                                               const Hypothesis& asked, double step_s, int steps,
                                               double least) const;
-    /// One that was set where the stamps leap.
+    /// One that was set where the stamps leap, once or several times.
     std::optional<TourFinding> set_clock(const std::vector<const Pair*>& pairs,
                                          double otherwise) const;
+    /// Of these leaps of the stamps, a bit for each, those with which the pairs fit best.
+    BestFit best_leaps(const std::vector<const Pair*>& pairs, unsigned begin,
+                       unsigned offered) const;
     TourFinding told_set(const Hypothesis& set, double fits, double told) const;
+    TourFinding told_leaps(unsigned undone, double fits, double told) const;
     void note_leap(const Scan& scan);
+    /// From scan to scan, where the stamps do not leap.
+    double period_s() const;
+    /// What is added to a scan of that stamp where these leaps are undone.
+    double undone_s(unsigned leaps, double stamp_s) const;
     std::optional<double> agreement(const std::vector<const Pair*>& pairs,
                                     const Hypothesis& hypothesis) const;
     /// At least as many as are asked, where there are so many, evenly over the tour.
@@ -222,11 +233,13 @@ class TourExamination {
     double last_scan_s_ = 0.0;
     /// Where a scan's stamp does not follow on the one before.
     struct StampLeap {
-        double after_s = 0.0;  ///< stamp before it
-        double by_s = 0.0;     ///< to the next
+        double after_s = 0.0;    ///< stamp before it
+        double by_s = 0.0;       ///< to the next
+        double elapsed_s = 0.0;  ///< of the tour before it, as ScanClock counts
     };
-    std::vector<StampLeap> stamp_leaps_;  ///< the longest ones
-    double last_stamp_s_ = 0.0;           ///< of the newest line
+    std::vector<StampLeap> stamp_leaps_;  ///< the longest ones, in their order
+    double last_stamp_s_ = 0.0;           ///< of the newest line,
+    double elapsed_s_ = 0.0;              ///< and of the tour there
     std::vector<Point2> last_points_;
     Fan last_fan_;
     /// The scans round a pause.
