@@ -42,6 +42,15 @@ double best_rival(const Fit& fit) {
     return best.agreement;
 }
 
+bool beats_rivals(const Fit& fit, const BestFit& best, const BestFit& other) {
+    constexpr double kMore = 0.02;
+    Hypothesis driven_nowhere = closely();
+    driven_nowhere.scale = 0.0;
+    driven_nowhere.turn_scale = 0.0;
+    return best.agreement >=
+           std::max({best_rival(fit), fit(driven_nowhere), other.agreement}) + kMore;
+}
+
 /// The best of fans a little wider or narrower.
 BestFit best_slight_fan(const Fit& fit, const Fan& fan) {
     constexpr int kSteps = 20;
@@ -121,7 +130,6 @@ bool TourExamination::doubt_slight_fan(const Fit& fit, std::vector<TourFinding>&
     constexpr double kLeast = 0.015;
     constexpr double kTimes = 1.04;  // better than as it is told: half as much is seen where
     constexpr double kMore = 0.01;   // nothing is wrong
-    constexpr double kOverRivals = 0.02;
     if (fan_.count < 2) return false;
     const BestFit best = best_slight_fan(fit, fan_);
     const double told = fit(closely());
@@ -129,14 +137,8 @@ bool TourExamination::doubt_slight_fan(const Fit& fit, std::vector<TourFinding>&
         best.agreement < std::max(kLeastTold, kTimes * told + kMore)) {
         return false;
     }
-    Hypothesis driven_nowhere = closely();
-    driven_nowhere.scale = 0.0;
-    driven_nowhere.turn_scale = 0.0;
     const BestFit longer = best_range_offset(fit, closely(), kOffsetStep, kOffsetSteps);
-    if (best.agreement <
-        std::max({best_rival(fit), fit(driven_nowhere), longer.agreement}) + kOverRivals) {
-        return false;
-    }
+    if (!beats_rivals(fit, best, longer)) return false;
     tell_fan(fit, told, best, found);
     return true;
 }
@@ -156,7 +158,6 @@ BestFit best_range_offset(const Fit& fit, const Hypothesis& as, double step_m, i
 bool TourExamination::doubt_range_offset(const Fit& fit, const BestFit& longer,
                                          std::vector<TourFinding>& found) const {
     constexpr double kLeast = 0.075;
-    constexpr double kOverRivals = 0.02;
     const BestFit near = best_range_offset(fit, closely(), kOffsetStep, kOffsetSteps);
     const BestFit far = exact_range_offset(fit, longer.hypothesis);
     const BestFit& best = far.agreement > near.agreement ? far : near;
@@ -164,14 +165,7 @@ bool TourExamination::doubt_range_offset(const Fit& fit, const BestFit& longer,
         best.agreement < std::max(kLeastFit, fit(closely()) + kClearly)) {
         return false;
     }
-    Hypothesis driven_nowhere = closely();
-    driven_nowhere.scale = 0.0;
-    driven_nowhere.turn_scale = 0.0;
-    const BestFit wider = best_slight_fan(fit, fan_);
-    if (best.agreement <
-        std::max({best_rival(fit), fit(driven_nowhere), wider.agreement}) + kOverRivals) {
-        return false;
-    }
+    if (!beats_rivals(fit, best, best_slight_fan(fit, fan_))) return false;
     tell_range_offset(fit, best, found);
     return true;
 }

@@ -157,7 +157,7 @@ class TourReader {
     /// The word of the log's format, or kWorldFormat.
     virtual std::string format() const = 0;
     /// How it is read.
-    virtual ReadOptions options() const { return {}; }
+    virtual ReadOptions options() const = 0;
     /// What there is to doubt about how the tour is read, as far as it has been.
     virtual std::vector<TourFinding> findings() const { return {}; }
     /// The truth, where the tour knows it: a simulated one does.

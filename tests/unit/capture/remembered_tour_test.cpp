@@ -29,6 +29,7 @@ class Counted final : public TourReader {
     std::optional<double> progress() const override { return static_cast<double>(scan_) / scans_; }
     std::string name() const override { return "counted"; }
     std::string format() const override { return "test"; }
+    ReadOptions options() const override { return {}; }
     int reopened() const { return reopened_; }
     void drive_on(int readings) { readings_ = readings; }
 

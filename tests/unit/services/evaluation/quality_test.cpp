@@ -35,6 +35,7 @@ class JudgedTour final : public TourReader {
     std::optional<double> progress() const override { return std::nullopt; }
     std::string name() const override { return "judged"; }
     std::string format() const override { return "given"; }
+    ReadOptions options() const override { return {}; }
 
   private:
     std::size_t next_ = 0;

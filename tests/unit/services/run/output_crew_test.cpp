@@ -55,6 +55,7 @@ class CountedReader final : public TourReader {
     std::optional<double> progress() const override { return reader_->progress(); }
     std::string name() const override { return reader_->name(); }
     std::string format() const override { return reader_->format(); }
+    ReadOptions options() const override { return {}; }
     std::vector<TourFinding> findings() const override { return reader_->findings(); }
     std::optional<Truth> truth() const override { return reader_->truth(); }
 

@@ -66,6 +66,7 @@ class GatedReader final : public TourReader {
     std::optional<double> progress() const override { return std::nullopt; }
     std::string name() const override { return "gate"; }
     std::string format() const override { return "world"; }
+    ReadOptions options() const override { return {}; }
 
   private:
     std::shared_ptr<Gate> gate_;

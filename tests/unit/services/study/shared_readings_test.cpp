@@ -246,6 +246,7 @@ class ChangedTour : public TourReader {
     std::optional<double> progress() const override { return reader_->progress(); }
     std::string name() const override { return reader_->name(); }
     std::string format() const override { return reader_->format(); }
+    ReadOptions options() const override { return {}; }
 
   protected:
     std::unique_ptr<TourReader> reader_;
