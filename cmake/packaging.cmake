@@ -98,8 +98,8 @@ hitos_package(library libhitos-dev libdevel)
 # The libraries are static: who links them links what they are made of, and their headers include
 # those of some. tests/packaging/packages compares with the CMake package.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS libbz2-dev libdxflib-dev libeigen3-dev libfmt-dev liblz4-dev
-  libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev librandom123-dev libsqlite3-dev
-  libtbb-dev libtomlplusplus-dev libxxhash-dev libzstd-dev nlohmann-json3-dev zlib1g-dev)
+  libopencv-core-dev libopencv-imgproc-dev librandom123-dev libspng-dev libsqlite3-dev
+  libtbb-dev libtomlplusplus-dev libturbojpeg0-dev libxxhash-dev libzstd-dev nlohmann-json3-dev zlib1g-dev)
 list(JOIN CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS ", " CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "cmake, g++")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "hitos (= ${version})")

@@ -6,12 +6,12 @@
 #include <cctype>
 #include <cmath>
 #include <opencv2/core/utility.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/drawing/scale_bar.hpp"
+#include "picture_codecs.hpp"
 
 namespace hitos::drawing {
 namespace {
@@ -138,10 +138,6 @@ cv::Size size_of_words(const std::string& words, double size) {
     return {text.width, text.height + baseline};
 }
 
-void set_up_codecs() {
-    [[maybe_unused]] static const bool done = cv::haveImageWriter(".png");
-}
-
 std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<int> compression) {
     const std::string word = lower(kind);
     const bool jpeg = is_jpeg(word);
@@ -157,20 +153,7 @@ std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<i
                                        "x %3; write PNG instead"),
                             longest_side(word), image.cols, image.rows));
     }
-    set_up_codecs();
-    std::vector<int> options;
-    if (jpeg) options = {cv::IMWRITE_JPEG_QUALITY, 95};
-    if (!jpeg && compression) options = {cv::IMWRITE_PNG_COMPRESSION, *compression};
-    std::vector<std::uint8_t> bytes;
-    try {
-        if (!cv::imencode(jpeg ? ".jpg" : ".png", image, bytes, options)) {
-            throw Error(message(HITOS_TEXT("Errors", "the picture could not be encoded")));
-        }
-    } catch (const cv::Exception& error) {
-        throw Error(
-            message(HITOS_TEXT("Errors", "the picture could not be encoded: %1"), error.err));
-    }
-    return {bytes.begin(), bytes.end()};
+    return jpeg ? jpeg_of(image) : png_of(image, compression);
 }
 
 void write_encoded(const std::filesystem::path& path,

@@ -77,13 +77,8 @@ void draw_words(cv::Mat& image, const std::string& words, const cv::Point& at, d
 /// How wide and high (with what hangs below the line) the words are [pixels].
 cv::Size size_of_words(const std::string& words, double size);
 
-/// What has to be called before OpenCV encodes or decodes. It sets its codecs up at their first
-/// use, and lets later threads see by a mark of its own that this is done: one that the thread
-/// sanitizer does not know, so that it takes what they read for a race. This one it knows.
-void set_up_codecs();
-
 /// "png", "jpg" or "jpeg". Throws ConfigError for another kind and Error where it cannot be.
-/// `compression` is PNG's, 0 to 9; nothing: OpenCV's choice.
+/// `compression` is PNG's, 0 to 9; nothing: what is fast.
 std::string encoded(const cv::Mat& image, std::string_view kind,
                     std::optional<int> compression = std::nullopt);
 

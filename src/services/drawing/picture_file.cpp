@@ -1,25 +1,19 @@
 #include "hitos/services/drawing/picture_file.hpp"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstring>
-#include <iostream>
-#include <mutex>
 #include <numeric>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "picture_codecs.hpp"
 #include "picture_drawing.hpp"
-#include "picture_header.hpp"
 
 namespace hitos {
 namespace {
@@ -96,88 +90,41 @@ MapImage joined(MapImage large, int side) {
     return image;
 }
 
-/// While it lives, what is written to standard error is kept: the libraries of OpenCV say there,
-/// past every handler, what is wrong with a picture. What others say meanwhile is passed on.
-class Overheard {
-  public:
-    Overheard() : said_(::memfd_create("hitos-said", MFD_CLOEXEC)), others_(::dup(STDERR_FILENO)) {
-        std::cerr.setstate(std::ios::failbit);  // OpenCV's own words
-        if (said_ >= 0 && others_ >= 0) ::dup2(said_, STDERR_FILENO);
+/// Who is told that a picture has more pixels than `most` has not made room for them.
+drawing::Pixels decoded(const fs::path& path, std::uint64_t most) {
+    std::optional<drawing::Pixels> pixels =
+        drawing::decoded(input::read_text(path), [&](std::uint64_t width, std::uint64_t height) {
+            if (width <= most / height) return;
+            throw FormatError(path.string(), 0,
+                              HITOS_TEXT("Errors", "has %1 x %2 pixels; expected at most %3"),
+                              width, height, most);
+        });
+    if (!pixels) {
+        throw FormatError(path.string(), 0,
+                          HITOS_TEXT("Errors",
+                                     "is no picture, or a damaged one; expected PNG, JPG, PGM or "
+                                     "BMP that is not compressed"));
     }
-    ~Overheard() {
-        std::cerr.clear();
-        if (others_ >= 0) ::dup2(others_, STDERR_FILENO);
-        pass_on();
-        for (const int file : {said_, others_}) {
-            if (file >= 0) ::close(file);
-        }
-    }
-    Overheard(const Overheard&) = delete;
-    Overheard& operator=(const Overheard&) = delete;
-
-    /// Whether pixels of a JPEG are guessed.
-    bool damage() const { return text().find("orrupt JPEG data") != std::string::npos; }
-
-  private:
-    std::string text() const {
-        std::string all(std::size_t{1} << 14, '\0');
-        const ssize_t got = said_ < 0 ? 0 : ::pread(said_, all.data(), all.size(), 0);
-        all.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-        return all;
-    }
-    void pass_on() const {
-        const std::string all = text();
-        std::string_view rest = all;
-        while (const auto line = input::next_line(rest)) {
-            constexpr std::array kTheirs = {"libpng ", "JPEG", "Adobe", "SOS parameters",
-                                            "progression"};
-            const bool theirs = std::ranges::any_of(kTheirs, [&](const char* word) {
-                return line->find(word) != std::string_view::npos;
-            });
-            if (!theirs) std::fprintf(stderr, "%s\n", std::string(*line).c_str());
-        }
-    }
-
-    static std::mutex& one_at_a_time() {
-        static std::mutex mutex;
-        return mutex;
-    }
-    std::unique_lock<std::mutex> lock_{one_at_a_time()};
-    int said_;
-    int others_;
-};
-
-[[noreturn]] void refuse(const fs::path& path) {
-    throw FormatError(
-        path.string(), 0,
-        HITOS_TEXT("Errors", "is no picture, or a damaged one; expected PNG, JPG, PGM or BMP"));
+    return *std::move(pixels);
 }
 
-/// Who is told that a picture has more pixels than `most` has not made room for them.
-cv::Mat decoded(const fs::path& path, int how, std::uint64_t most) {
-    std::string text = input::read_text(path);
-    const std::optional<PictureHeader> header = picture_header(text);
-    if (!header || !header->whole) refuse(path);
-    if (header->width > most / header->height) {
-        throw FormatError(path.string(), 0,
-                          HITOS_TEXT("Errors", "has %1 x %2 pixels; expected at most %3"),
-                          header->width, header->height, most);
+MeanPicture mean_of(drawing::Pixels pixels) {
+    MeanPicture result;
+    result.grey = {pixels.width, pixels.height, {}};
+    const auto channels = static_cast<std::size_t>(pixels.channels);
+    if (channels == 1) {
+        result.grey.grey = std::move(pixels.values);
+        return result;
     }
-    // The last number of a PBM, PGM or PPM in letters may end the file; OpenCV wants a blank there.
-    const bool in_letters =
-        text.starts_with("P1") || text.starts_with("P2") || text.starts_with("P3");
-    if (in_letters) text += '\n';
-    const cv::Mat bytes(1, static_cast<int>(text.size()), CV_8UC1, text.data());
-    cv::Mat image;
-    drawing::set_up_codecs();
-    const Overheard libraries;
-    try {
-        image = cv::imdecode(bytes, how);
-    } catch (const cv::Exception&) {
-        image.release();
+    const std::size_t colours = channels % 2 == 0 ? channels - 1 : channels;  // the last is alpha
+    for (std::size_t at = 0; at < pixels.values.size(); at += channels) {
+        const auto begin = pixels.values.begin() + static_cast<std::ptrdiff_t>(at);
+        const auto sum = static_cast<std::size_t>(
+            std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(colours), 0));
+        result.grey.grey.push_back(static_cast<std::uint8_t>((sum + colours / 2) / colours));
+        if (colours < channels) result.alpha.push_back(pixels.values[at + colours]);
     }
-    if (image.empty() || libraries.damage()) refuse(path);
-    return image;
+    return result;
 }
 
 }  // namespace
@@ -242,28 +189,11 @@ void write_picture(const Grid::Picture& picture, const fs::path& path) {
 }
 
 Grid::Picture read_grey_picture(const fs::path& path) {
-    const cv::Mat image = decoded(path, cv::IMREAD_GRAYSCALE, kMostOfMap);
-    return {image.cols, image.rows, {image.begin<std::uint8_t>(), image.end<std::uint8_t>()}};
+    return mean_of(decoded(path, kMostOfMap)).grey;
 }
 
 MeanPicture read_mean_picture(const fs::path& path) {
-    cv::Mat image = decoded(path, cv::IMREAD_UNCHANGED, kMostForeign);
-    if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257.0);
-    if (image.depth() != CV_8U) image = decoded(path, cv::IMREAD_COLOR, kMostForeign);
-    const int channels = image.channels();
-    const int colours = channels % 2 == 0 ? channels - 1 : channels;  // the last is alpha
-    MeanPicture result;
-    result.grey = {image.cols, image.rows, {}};
-    result.grey.grey.reserve(image.total());
-    for (int row = 0; row < image.rows; ++row) {
-        const auto* at = image.ptr<std::uint8_t>(row);
-        for (int column = 0; column < image.cols; ++column, at += channels) {
-            const int sum = std::accumulate(at, at + colours, 0);
-            result.grey.grey.push_back(static_cast<std::uint8_t>((sum + colours / 2) / colours));
-            if (colours < channels) result.alpha.push_back(at[colours]);
-        }
-    }
-    return result;
+    return mean_of(decoded(path, kMostForeign));
 }
 
 }  // namespace hitos

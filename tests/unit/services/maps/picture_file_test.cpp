@@ -3,14 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <thread>
 
 #include "hitos/base/error.hpp"
 #include "support.hpp"
@@ -302,8 +300,11 @@ TEST(PictureFile, PixelsAreCountedBeforeThereIsRoomForThem) {
     std::string bmp("BM" + std::string(12, '\0') + "(" + std::string(3, '\0'));
     bmp += std::string("\0\0\1\0\0\0\1\0", 8) + std::string(40, '\0');
     EXPECT_THAT(refusal("a.bmp", bmp), HasSubstr("65536 x 65536 pixels"));
-    const std::string frame("\xff\xd8\xff\xc0\0\x0b\x08\xff\xff\xff\xff\1\1\x11\0\xff\xd9", 17);
-    EXPECT_THAT(refusal("a.jpg", frame), HasSubstr("65535 x 65535 pixels"));
+    const std::string frame(
+        "\xff\xd8\xff\xc0\0\x0b\x08\xea\x60\xea\x60\1\1\x11\0"
+        "\xff\xda\0\x08\1\1\0\0\x3f\0\xff\xd9",
+        27);
+    EXPECT_THAT(refusal("a.jpg", frame), HasSubstr("60000 x 60000 pixels"));
     // No other kind of picture goes to a library at all, whatever its name.
     EXPECT_THAT(refusal("a.png", "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\"/>"),
                 HasSubstr("expected PNG, JPG, PGM or BMP"));
@@ -345,33 +346,117 @@ TEST(PictureFile, EndsOfThePathCanBeMarkedByCrossAndRing) {
     EXPECT_NEAR(inside[0], inside[2], 40) << "grey, for a ring is no blue disc";
 }
 
-/// Under the thread sanitizer: who comes second must be seen to come after the set-up of OpenCV's
-/// codecs. Both threads have met OpenCV before, so that nothing else puts them in order.
-TEST(PictureFile, ThreadsShareTheCodecsInOrder) {
-    const Grid::Picture picture{40, 30, std::vector<std::uint8_t>(1200, 7)};
-    std::atomic<int> turn = 0;
-    const auto wait_for = [&turn](int wanted) {
-        while (turn.load(std::memory_order_relaxed) < wanted) std::this_thread::yield();
-    };
-    std::string first;
-    std::string second;
-    {
-        const std::jthread other([&] {
-            const cv::Mat cells(30, 40, CV_8UC1, cv::Scalar(7));
-            cv::Mat larger;
-            cv::resize(cells, larger, cv::Size(80, 60), 0, 0, cv::INTER_NEAREST);
-            turn.store(1, std::memory_order_relaxed);
-            wait_for(2);
-            second = encode_picture(picture, "png");
-        });
-        const std::jthread one([&] {
-            wait_for(1);
-            first = encode_picture(picture, "png");
-            turn.store(2, std::memory_order_relaxed);
-        });
+/// As OpenCV reads it: the mean of the colours.
+std::vector<std::uint8_t> means_by_opencv(const std::string& bytes) {
+    const std::vector<std::uint8_t> buffer(bytes.begin(), bytes.end());
+    const cv::Mat image = cv::imdecode(buffer, cv::IMREAD_COLOR);
+    std::vector<std::uint8_t> means;
+    for (auto at = image.begin<cv::Vec3b>(); at != image.end<cv::Vec3b>(); ++at)
+        means.push_back(static_cast<std::uint8_t>(((*at)[0] + (*at)[1] + (*at)[2] + 1) / 3));
+    return means;
+}
+
+TEST(PictureFile, EveryKindIsReadAsAnotherLibraryReadsIt) {
+    const TempFolder folder;
+    cv::Mat colours(11, 13, CV_8UC3);
+    cv::randu(colours, cv::Scalar::all(0), cv::Scalar::all(256));
+    cv::GaussianBlur(colours, colours, cv::Size(5, 5), 2.0);
+    cv::Mat grey;
+    cv::cvtColor(colours, grey, cv::COLOR_BGR2GRAY);
+    for (const cv::Mat& image : {colours, grey}) {
+        for (const char* kind : {".png", ".jpg", ".bmp", ".ppm", ".pgm"}) {
+            if (std::string_view(kind) == (image.channels() > 1 ? ".pgm" : ".ppm")) continue;
+            std::vector<std::uint8_t> written;
+            ASSERT_TRUE(cv::imencode(kind, image, written)) << kind;
+            const std::string bytes(written.begin(), written.end());
+            folder.put("picture", bytes);
+            const MeanPicture read = read_mean_picture(folder / "picture");
+            EXPECT_EQ(read.grey.width, 13) << kind;
+            EXPECT_EQ(read.grey.height, 11) << kind;
+            EXPECT_EQ(read.grey.grey, means_by_opencv(bytes)) << kind << image.channels();
+            EXPECT_TRUE(read.alpha.empty()) << kind;
+        }
     }
-    EXPECT_FALSE(first.empty());
-    EXPECT_EQ(first, second);
+}
+
+TEST(PictureFile, OfSixteenBitsTheUpperOnesAreTaken) {
+    const TempFolder folder;
+    cv::Mat image(1, 3, CV_16UC1);
+    image.at<std::uint16_t>(0, 0) = 0;
+    image.at<std::uint16_t>(0, 1) = 130 * 257;
+    image.at<std::uint16_t>(0, 2) = 65535;
+    for (const char* kind : {".png", ".pgm"}) {
+        std::vector<std::uint8_t> written;
+        ASSERT_TRUE(cv::imencode(kind, image, written));
+        folder.put("picture", std::string(written.begin(), written.end()));
+        EXPECT_EQ(read_grey_picture(folder / "picture").grey,
+                  (std::vector<std::uint8_t>{0, 130, 255}))
+            << kind;
+    }
+}
+
+TEST(PictureFile, TransparentPixelsAreToldApart) {
+    const TempFolder folder;
+    cv::Mat image(1, 2, CV_8UC4, cv::Scalar(10, 20, 30, 255));
+    image.at<cv::Vec4b>(0, 1) = cv::Vec4b(30, 30, 30, 0);
+    std::vector<std::uint8_t> written;
+    ASSERT_TRUE(cv::imencode(".png", image, written));
+    folder.put("picture.png", std::string(written.begin(), written.end()));
+    const MeanPicture read = read_mean_picture(folder / "picture.png");
+    EXPECT_EQ(read.grey.grey, (std::vector<std::uint8_t>{20, 30}));
+    EXPECT_EQ(read.alpha, (std::vector<std::uint8_t>{255, 0}));
+}
+
+TEST(PictureFile, BitsAndSmallGreysOfNetpbmAreSpread) {
+    const TempFolder folder;
+    const auto greys = [&](const std::string& bytes) {
+        folder.put("picture", bytes);
+        return read_grey_picture(folder / "picture").grey;
+    };
+    const std::vector<std::uint8_t> bits{0, 255, 0, 255, 255, 255};
+    EXPECT_EQ(greys("P1\n# walls\n3 2\n1 0 1\n000"), bits);
+    EXPECT_EQ(greys("P1 3 2 101000"), bits);
+    EXPECT_EQ(greys("P4 3 2\n\xbf\x1f"), bits) << "of each row's last byte five bits are nothing";
+    EXPECT_EQ(greys("P2 3 1 15 0 7 15"), (std::vector<std::uint8_t>{0, 119, 255}));
+    EXPECT_EQ(greys("P3 1 1 255 10 20 30"), (std::vector<std::uint8_t>{20}));
+    for (const char* broken :
+         {"P4 9 2\nabc", "P1 3 2 10100", "P2 1 1 0 0", "P5 2 1 255\na", "P5 2"}) {
+        folder.put("picture", broken);
+        EXPECT_THROW(read_grey_picture(folder / "picture"), FormatError) << broken;
+    }
+}
+
+/// A BMP of two colours, black and (10, 20, 30), whose rows are `raster`.
+std::string bmp_of_bits(std::int32_t width, std::int32_t height, const std::string& raster,
+                        char compression = 0) {
+    const auto number = [](std::int64_t value) {
+        std::string bytes;
+        for (unsigned shift = 0; shift < 32; shift += 8)
+            bytes += static_cast<char>(static_cast<std::uint64_t>(value) >> shift);
+        return bytes;
+    };
+    constexpr int kRaster = 14 + 40 + 8;
+    std::string text = "BM" + number(0) + number(0) + number(kRaster) + number(40);
+    text += number(width) + number(height) + std::string("\1\0\1\0", 4);
+    text += std::string(1, compression) + std::string(23, '\0');
+    return text + std::string("\0\0\0\0\x1e\x14\x0a\0", 8) + raster;
+}
+
+TEST(PictureFile, BmpOfBitsStandsOnItsHeadOrNot) {
+    const TempFolder folder;
+    const std::string raster("\xa0\0\0\0\x40\0\0\0", 8);
+    folder.put("up.bmp", bmp_of_bits(3, 2, raster));
+    EXPECT_EQ(read_grey_picture(folder / "up.bmp").grey,
+              (std::vector<std::uint8_t>{0, 20, 0, 20, 0, 20}));
+    folder.put("down.bmp", bmp_of_bits(3, -2, raster));
+    EXPECT_EQ(read_grey_picture(folder / "down.bmp").grey,
+              (std::vector<std::uint8_t>{20, 0, 20, 0, 20, 0}));
+    for (const std::string& broken :
+         {bmp_of_bits(3, 2, raster, 1), bmp_of_bits(3, 3, raster), bmp_of_bits(40, 2, raster)}) {
+        folder.put("broken.bmp", broken);
+        EXPECT_THAT(message_of<FormatError>([&] { read_grey_picture(folder / "broken.bmp"); }),
+                    HasSubstr("BMP that is not compressed"));
+    }
 }
 
 }  // namespace

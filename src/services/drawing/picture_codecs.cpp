@@ -1,0 +1,156 @@
+#include "picture_codecs.hpp"
+
+#include <spng.h>
+#include <turbojpeg.h>
+#include <zlib.h>
+
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <opencv2/imgproc.hpp>
+#include <type_traits>
+
+#include "hitos/base/error.hpp"
+
+namespace hitos::drawing {
+namespace {
+
+[[noreturn]] void cannot_encode() {
+    throw Error(message(HITOS_TEXT("Errors", "the picture could not be encoded")));
+}
+
+using Png = std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)>;
+
+Png png_context(int flags) {
+    Png png(spng_ctx_new(flags), &spng_ctx_free);
+    if (!png) throw std::bad_alloc();
+    return png;
+}
+
+using Jpeg = std::unique_ptr<std::remove_pointer_t<tjhandle>, decltype(&tjDestroy)>;
+
+Jpeg jpeg_context(tjhandle handle) {
+    if (handle == nullptr) throw std::bad_alloc();
+    return {handle, &tjDestroy};
+}
+
+std::optional<Pixels> decoded_png(std::string_view bytes, const SizeCheck& check) {
+    constexpr int kByte = 8;
+    const Png png = png_context(0);
+    spng_ihdr head{};
+    spng_trns transparent{};
+    if (spng_set_png_buffer(png.get(), bytes.data(), bytes.size()) != 0 ||
+        spng_set_crc_action(png.get(), SPNG_CRC_ERROR, SPNG_CRC_DISCARD) != 0 ||
+        spng_get_ihdr(png.get(), &head) != 0) {
+        return std::nullopt;
+    }
+    check(head.width, head.height);
+    const bool alpha = head.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ||
+                       head.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ||
+                       spng_get_trns(png.get(), &transparent) == 0;
+    const bool grey = head.color_type == SPNG_COLOR_TYPE_GRAYSCALE && head.bit_depth <= kByte;
+    const spng_format format =
+        grey ? (alpha ? SPNG_FMT_GA8 : SPNG_FMT_G8) : (alpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8);
+    Pixels pixels =
+        room_for(head.width, head.height, (grey ? 1 : 3) + (alpha ? 1 : 0), [](auto, auto) {});
+    if (spng_decode_image(png.get(), pixels.values.data(), pixels.values.size(), format,
+                          alpha ? SPNG_DECODE_TRNS : 0) != 0 ||
+        spng_decode_chunks(png.get()) != 0) {  // up to its end
+        return std::nullopt;
+    }
+    return pixels;
+}
+
+/// Four inks, of which the files that there are hold what is left out.
+Pixels of_inks(const Pixels& inks) {
+    Pixels pixels{inks.width, inks.height, 3, {}};
+    pixels.values.reserve(inks.values.size() / 4 * 3);
+    for (std::size_t at = 0; at + 3 < inks.values.size(); at += 4) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            pixels.values.push_back(
+                static_cast<std::uint8_t>(inks.values[at + i] * inks.values[at + 3] / 255));
+        }
+    }
+    return pixels;
+}
+
+std::optional<Pixels> decoded_jpeg(std::string_view bytes, const SizeCheck& check) {
+    const Jpeg jpeg = jpeg_context(tjInitDecompress());
+    const auto* begin = reinterpret_cast<const unsigned char*>(bytes.data());
+    int width = 0;
+    int height = 0;
+    int sampling = 0;
+    int colours = 0;
+    if (tjDecompressHeader3(jpeg.get(), begin, bytes.size(), &width, &height, &sampling,
+                            &colours) != 0) {
+        return std::nullopt;
+    }
+    const bool inks = colours == TJCS_CMYK || colours == TJCS_YCCK;
+    const int format = colours == TJCS_GRAY ? TJPF_GRAY : inks ? TJPF_CMYK : TJPF_RGB;
+    Pixels pixels = room_for(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
+                             tjPixelSize[format], check);
+    // Warned is of pixels that are guessed; small files of many passes would take hours.
+    if (tjDecompress2(jpeg.get(), begin, bytes.size(), pixels.values.data(), width, 0, height,
+                      format, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0) {
+        return std::nullopt;
+    }
+    return inks ? of_inks(pixels) : std::move(pixels);
+}
+
+}  // namespace
+
+Pixels room_for(std::uint64_t width, std::uint64_t height, int channels, const SizeCheck& check) {
+    check(width, height);
+    return {static_cast<int>(width), static_cast<int>(height), channels,
+            std::vector<std::uint8_t>(width * height * static_cast<std::uint64_t>(channels))};
+}
+
+std::optional<Pixels> decoded(std::string_view bytes, const SizeCheck& check) {
+    if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return decoded_png(bytes, check);
+    if (bytes.starts_with("\xff\xd8")) return decoded_jpeg(bytes, check);
+    if (bytes.starts_with("BM")) return decoded_bmp(bytes, check);
+    return decoded_pnm(bytes, check);
+}
+
+std::string png_of(const cv::Mat& image, std::optional<int> compression) {
+    const Png png = png_context(SPNG_CTX_ENCODER);
+    spng_ihdr head{};
+    head.width = static_cast<std::uint32_t>(image.cols);
+    head.height = static_cast<std::uint32_t>(image.rows);
+    head.bit_depth = 8;
+    head.color_type = image.channels() == 1 ? SPNG_COLOR_TYPE_GRAYSCALE : SPNG_COLOR_TYPE_TRUECOLOR;
+    cv::Mat pixels = image.isContinuous() ? image : image.clone();
+    if (image.channels() > 1) cv::cvtColor(image, pixels, cv::COLOR_BGR2RGB);
+    // Maps are of long runs of one grey.
+    const bool done = spng_set_option(png.get(), SPNG_ENCODE_TO_BUFFER, 1) == 0 &&
+                      spng_set_option(png.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_SUB) == 0 &&
+                      spng_set_option(png.get(), SPNG_IMG_COMPRESSION_STRATEGY, Z_RLE) == 0 &&
+                      spng_set_option(png.get(), SPNG_IMG_COMPRESSION_LEVEL,
+                                      compression.value_or(Z_BEST_SPEED)) == 0 &&
+                      spng_set_ihdr(png.get(), &head) == 0 &&
+                      spng_encode_image(png.get(), pixels.data, pixels.total() * pixels.elemSize(),
+                                        SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE) == 0;
+    std::size_t size = 0;
+    int error = 0;
+    const std::unique_ptr<void, decltype(&std::free)> bytes(
+        done ? spng_get_png_buffer(png.get(), &size, &error) : nullptr, &std::free);
+    if (!bytes) cannot_encode();
+    return {static_cast<const char*>(bytes.get()), size};
+}
+
+std::string jpeg_of(const cv::Mat& image) {
+    constexpr int kQuality = 95;
+    const Jpeg jpeg = jpeg_context(tjInitCompress());
+    const bool grey = image.channels() == 1;
+    unsigned char* bytes = nullptr;
+    unsigned long size = 0;
+    const bool done =
+        tjCompress2(jpeg.get(), image.data, image.cols, static_cast<int>(image.step[0]), image.rows,
+                    grey ? TJPF_GRAY : TJPF_BGR, &bytes, &size, grey ? TJSAMP_GRAY : TJSAMP_420,
+                    kQuality, TJFLAG_ACCURATEDCT) == 0;
+    const std::unique_ptr<unsigned char, decltype(&tjFree)> held(bytes, &tjFree);
+    if (!done) cannot_encode();
+    return {reinterpret_cast<const char*>(bytes), size};
+}
+
+}  // namespace hitos::drawing
