@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <exception>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <system_error>
 
@@ -143,6 +144,42 @@ Message draw_pictures(const fs::path& folder, std::span<const PlotFile> files,
         fs::remove(folder / picture, ignored);
     }
     return failure;
+}
+
+std::string place_script(const std::string& picture, std::span<const PlotLayer> layers) {
+    Bounds frame;
+    std::string data;
+    std::string plot;
+    for (const PlotLayer& layer : layers) {
+        if (layer.lines.empty()) continue;
+        auto out = std::back_inserter(data);
+        fmt::format_to(out, "${} << EOD\n", layer.name);
+        for (const auto& line : layer.lines) {
+            for (const Point2& p : line) {
+                frame.hold(p);
+                fmt::format_to(out, "{:.4f} {:.4f}\n", p.x, p.y);
+            }
+            data += '\n';
+        }
+        data += "EOD\n";
+        plot += fmt::format("{}${} with {}", plot.empty() ? "plot " : ", ", layer.name, layer.look);
+    }
+    const Point2 size{frame.high.x - frame.low.x, frame.high.y - frame.low.y};
+    const double margin = 0.03 * std::max(size.x, size.y) + 0.2;
+    constexpr double kLongest = 1300.0;  // pixels
+    constexpr double kLeast = 360.0;
+    constexpr double kAround = 130.0;  // for axes and legend
+    const double scale = kLongest / (std::max(size.x, size.y) + 2.0 * margin);
+    const auto pixels = [&](double metres) {
+        return std::max((metres + 2.0 * margin) * scale, kLeast) + kAround;
+    };
+    return data + fmt::format(
+                      "set terminal pngcairo size {:.0f},{:.0f}\nset output '{}'\n"
+                      "set size ratio -1\nset xrange [{:.3f}:{:.3f}]\n"
+                      "set yrange [{:.3f}:{:.3f}]\nset xlabel 'x (m)'\nset ylabel 'y (m)'\n"
+                      "set grid lc rgb '#e0e0e0'\nset key below horizontal\n{}\n",
+                      pixels(size.x), pixels(size.y), picture, frame.low.x - margin,
+                      frame.high.x + margin, frame.low.y - margin, frame.high.y + margin, plot);
 }
 
 std::string gnuplot_quoted(const std::string& text) {

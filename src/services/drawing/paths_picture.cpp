@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "hitos/services/drawing/gnuplot.hpp"
@@ -12,85 +13,38 @@ namespace {
 
 constexpr double kSlack = 0.5;  // s, between stamps that are the same moment
 
-void hold(Bounds& bounds, const Trajectory& path) {
-    for (const StampedPose& stamped : path) bounds.hold({stamped.pose.x, stamped.pose.y});
-}
-
-/// A named block of data in a script: places in a row.
-std::string path_block(const char* name, const Trajectory& path) {
-    std::string text = fmt::format("${} << EOD\n", name);
-    for (const StampedPose& stamped : path) {
-        text += fmt::format("{:.4f} {:.4f}\n", stamped.pose.x, stamped.pose.y);
-    }
-    return text + "EOD\n";
-}
-
-void add_pair(std::string& text, const Point2& a, const Point2& b) {
-    text += fmt::format("{:.4f} {:.4f}\n{:.4f} {:.4f}\n\n", a.x, a.y, b.x, b.y);
+std::vector<std::vector<Point2>> one_line(const Trajectory& path) {
+    std::vector<Point2> line;
+    for (const StampedPose& stamped : path) line.push_back({stamped.pose.x, stamped.pose.y});
+    return {std::move(line)};
 }
 
 std::string paths_script(const PathsPicture& picture) {
-    Bounds frame;
-    hold(frame, picture.truth);
-    hold(frame, picture.estimate);
-    hold(frame, picture.odometry);
-    std::string walls = "$walls << EOD\n";
-    for (const auto& [a, b] : picture.walls) {
-        add_pair(walls, a, b);
-        frame.hold(a);
-        frame.hold(b);
-    }
-    std::string segments = "$segments << EOD\n";
+    PlotLayer walls{"walls", "lines lw 5 lc rgb '#c8c8c8' title 'true walls'", {}};
+    for (const auto& [a, b] : picture.walls) walls.lines.push_back({a, b});
+    PlotLayer segments{"segments", "lines lw 2 lc rgb '#1a9641' title 'map: segments'", {}};
     for (const LineExtent& segment : picture.segments) {
-        add_pair(segments, segment.a, segment.b);
-        frame.hold(segment.a);
-        frame.hold(segment.b);
+        segments.lines.push_back({segment.a, segment.b});
     }
-    std::string corners = "$corners << EOD\n";
-    bool any_corner = false;
+    PlotLayer corners{
+        "corners", "points pt 6 ps 1.2 lw 1.5 lc rgb '#d7191c' title 'map: corners'", {}};
     for (const ICaracteristica& landmark : picture.map) {
         const auto* corner = std::get_if<Esquina>(&landmark.value);
-        if (corner == nullptr) continue;
-        corners += fmt::format("{:.4f} {:.4f}\n", corner->x, corner->y);
-        frame.hold({corner->x, corner->y});
-        any_corner = true;
-    }
-    const double margin =
-        0.03 * std::max(frame.high.x - frame.low.x, frame.high.y - frame.low.y) + 0.2;
-    const double width = frame.high.x - frame.low.x + 2.0 * margin;
-    const double height = frame.high.y - frame.low.y + 2.0 * margin;
-    constexpr double kLongest = 1300.0;  // pixels
-    constexpr double kLeast = 360.0;
-    constexpr double kAround = 130.0;  // for axes and legend
-    const double scale = kLongest / std::max(width, height);
-    std::string script = path_block("truth", picture.truth) +
-                         path_block("odometry", picture.odometry) +
-                         path_block("estimate", picture.estimate) + walls + "EOD\n" + segments +
-                         "EOD\n" + corners + "EOD\n";
-    script += fmt::format(
-        "set terminal pngcairo size {:.0f},{:.0f}\n"
-        "set output 'paths.png'\n"
-        "set size ratio -1\nset xrange [{:.3f}:{:.3f}]\nset yrange [{:.3f}:{:.3f}]\n"
-        "set xlabel 'x (m)'\nset ylabel 'y (m)'\nset grid lc rgb '#e0e0e0'\n"
-        "set key below horizontal\nplot ",
-        std::max(width * scale, kLeast) + kAround, std::max(height * scale, kLeast) + kAround,
-        frame.low.x - margin, frame.high.x + margin, frame.low.y - margin, frame.high.y + margin);
-    if (!picture.walls.empty()) {
-        script += "$walls with lines lw 5 lc rgb '#c8c8c8' title 'true walls', ";
-    }
-    if (!picture.segments.empty()) {
-        script += "$segments with lines lw 2 lc rgb '#1a9641' title 'map: segments', ";
-    }
-    if (any_corner) {
-        script += "$corners with points pt 6 ps 1.2 lw 1.5 lc rgb '#d7191c' title 'map: corners', ";
+        if (corner != nullptr) corners.lines.push_back({{corner->x, corner->y}});
     }
     // What a log is compared with is another program's answer; only a world knows the truth.
     const char* reference = picture.walls.empty() ? "reference" : "true path";
-    script += fmt::format("$truth with lines lw 4 lc rgb '#0000ff' title '{}', ", reference);
-    script +=
-        "$odometry with lines lw 2 lc rgb '#ff00ff' title 'odometry', "
-        "$estimate with lines lw 1.5 lc rgb '#000000' title 'estimated path'\n";
-    return script;
+    const std::array layers{
+        std::move(walls),
+        std::move(segments),
+        std::move(corners),
+        PlotLayer{"truth", fmt::format("lines lw 4 lc rgb '#0000ff' title '{}'", reference),
+                  one_line(picture.truth)},
+        PlotLayer{"odometry", "lines lw 2 lc rgb '#ff00ff' title 'odometry'",
+                  one_line(picture.odometry)},
+        PlotLayer{"estimate", "lines lw 1.5 lc rgb '#000000' title 'estimated path'",
+                  one_line(picture.estimate)}};
+    return place_script("paths.png", layers);
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "hitos/base/geometry.hpp"
 #include "hitos/base/message.hpp"
 
 namespace hitos {
@@ -22,6 +24,17 @@ struct PlotFile {
 Message draw_pictures(const std::filesystem::path& folder, std::span<const PlotFile> files,
                       const std::string& script, std::span<const std::string> pictures,
                       const Message& refusal = {});
+
+/// Lines or points of one look in a picture of a place.
+struct PlotLayer {
+    std::string name;                        ///< of its data
+    std::string look;                        ///< what gnuplot's plot says after the data
+    std::vector<std::vector<Point2>> lines;  ///< each apart from the others, world [m]
+};
+
+/// A script for a picture (PNG) of the layers that have something, one over the other, with their
+/// data: equal axes in metres, a legend below.
+std::string place_script(const std::string& picture, std::span<const PlotLayer> layers);
 
 /// The text in gnuplot's quotes, in one line.
 std::string gnuplot_quoted(const std::string& text);
