@@ -89,6 +89,7 @@ endfunction()
 
 hitos_package(program hitos science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS fonts-dejavu-core)  # of words in pictures and figures
 # What is started, not linked: plots are drawn by gnuplot, films by ffmpeg or ImageMagick; texts of
 # Qt's own dialogs; icons are drawn as SVG.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, qt6-translations-l10n")
@@ -97,11 +98,12 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg | imagemagick, libhitos-dev")
 hitos_package(library libhitos-dev libdevel)
 # The libraries are static: who links them links what they are made of, and their headers include
 # those of some. tests/packaging/packages compares with the CMake package.
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS libbz2-dev libdxflib-dev libeigen3-dev libfmt-dev liblz4-dev
-  libopencv-core-dev libopencv-imgproc-dev librandom123-dev libspng-dev libsqlite3-dev
-  libtbb-dev libtomlplusplus-dev libturbojpeg0-dev libxxhash-dev libzstd-dev nlohmann-json3-dev zlib1g-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS libbz2-dev libcairo2-dev libdxflib-dev libeigen3-dev libfmt-dev
+  libfontconfig-dev libfreetype-dev liblz4-dev libopencv-core-dev libopencv-imgproc-dev librandom123-dev
+  libspng-dev libsqlite3-dev libtbb-dev libtomlplusplus-dev libturbojpeg0-dev libxxhash-dev libzstd-dev
+  nlohmann-json3-dev zlib1g-dev)
 list(JOIN CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS ", " CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "cmake, g++")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "cmake, fonts-dejavu-core, g++")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "hitos (= ${version})")
 
 set(CPACK_COMPONENTS_ALL program library)
@@ -112,7 +114,7 @@ if(python IN_LIST components)
   # The module is made for one minor version of Python.
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}~), \
-python3 (<< ${Python_VERSION_MAJOR}.${next}), python3-numpy")
+python3 (<< ${Python_VERSION_MAJOR}.${next}), python3-numpy, fonts-dejavu-core")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "hitos (= ${version})")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-matplotlib)  # which the tutorial draws with
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA

@@ -66,6 +66,9 @@ TEST_F(WrittenFiles, AFigureIsOneToPoppler) {
         EXPECT_THAT(words.output, HasSubstr(word));
     }
     EXPECT_THAT(facts.output + words.output, ::testing::Not(HasSubstr("Error")));
+    const Outcome fonts = shell("pdffonts " + path("out/map.pdf"));
+    EXPECT_THAT(fonts.output, HasSubstr("DejaVuSans")) << "the font of the packages";
+    EXPECT_THAT(fonts.output, HasSubstr("yes yes yes")) << "embedded, in part, with its letters";
 }
 
 TEST_F(WrittenFiles, AreThoseThatWereAskedFor) {

@@ -1,9 +1,8 @@
 #include "hitos/services/drawing/contact_sheet.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -15,12 +14,11 @@
 namespace hitos {
 namespace {
 
-constexpr int kSmallest = 9;       // PNG's hardest compression
-constexpr int kLeastSide = 60;     // below it nothing can be seen
-constexpr int kGap = 10;           // pixels between tiles and round the sheet
-constexpr int kLine = 17;          // pixels of a line of words
-constexpr double kLetters = 0.42;  // OpenCV's measure of a font
-constexpr double kTitleLetters = 0.55;
+constexpr int kSmallest = 9;    // PNG's hardest compression
+constexpr int kLeastSide = 60;  // below it nothing can be seen
+constexpr int kGap = 10;        // pixels between tiles and round the sheet
+constexpr int kLine = 17;       // pixels of a line of words
+constexpr double kTitleLetters = 16.0;
 constexpr double kShortestSide = 0.3;  // of a tile, as a part of the longer one: words need room
 
 /// The piece of the world that every tile shows.
@@ -63,7 +61,7 @@ struct Layout {
     double pixels_per_m = 1.0;
     int tile_width = 0;
     int tile_height = 0;
-    int caption = 0;
+    int caption = 0;  // height of a tile's words
     int columns = 1;
     int rows = 1;
     int width() const { return columns * (tile_width + kGap) + kGap; }
@@ -72,7 +70,8 @@ struct Layout {
     int height() const { return head() + rows * row_height() + 2 * kLine + kGap; }
 };
 
-Layout layout_of(const ContactSheet& sheet, const Window& window, int side) {
+/// `words`: the width of the widest caption [pixels].
+Layout layout_of(const ContactSheet& sheet, const Window& window, int side, double words) {
     Layout layout;
     const double longest = std::max(window.width(), window.height());
     layout.pixels_per_m = side / longest;
@@ -80,16 +79,10 @@ Layout layout_of(const ContactSheet& sheet, const Window& window, int side) {
     const auto pixels = [&](double length_m) {
         return std::max(static_cast<int>(std::ceil(length_m * layout.pixels_per_m)), shortest);
     };
-    layout.tile_width = pixels(window.width());
+    layout.tile_width = std::max(pixels(window.width()), static_cast<int>(words) + 4);
     layout.tile_height = pixels(window.height());
     std::size_t lines = 1;
-    for (const SheetTile& tile : sheet.tiles) {
-        lines = std::max(lines, tile.caption.size());
-        for (const std::string& words : tile.caption) {
-            layout.tile_width =
-                std::max(layout.tile_width, drawing::size_of_words(words, kLetters).width + 4);
-        }
-    }
+    for (const SheetTile& tile : sheet.tiles) lines = std::max(lines, tile.caption.size());
     layout.caption = static_cast<int>(lines) * kLine + 4;
     const auto count = static_cast<int>(sheet.tiles.size());
     const double square = std::sqrt(static_cast<double>(count) * layout.row_height() /
@@ -145,36 +138,26 @@ cv::Mat tile_picture(const MapImage& map, const Window& window, const Layout& la
     return colours;
 }
 
+/// Draws the tile's map; its words become part of `words`.
 void draw_tile(cv::Mat& image, const SheetTile& tile, const Window& window, const Layout& layout,
-               const cv::Point& at) {
+               const cv::Point& at, DrawnLayer& words) {
     constexpr int kRadius = 5;
+    constexpr int kBorder = 1;
     cv::Mat picture = tile_picture(tile.map, window, layout);
-    const drawing::Frame frame(window.low, layout.pixels_per_m, picture.rows);
-    drawing::draw_path(picture, frame, tile.path, 1, kRadius, PathMarks::cross_and_ring);
+    drawing::draw_path(picture, {window.low, {0.0, picture.rows + 0.0}, layout.pixels_per_m},
+                       tile.path, 1.5, kRadius, PathMarks::cross_and_ring);
+    cv::Mat framed = image(cv::Rect(at.x - kBorder, at.y - kBorder, picture.cols + 2 * kBorder,
+                                    picture.rows + 2 * kBorder));
+    cv::copyMakeBorder(picture, framed, kBorder, kBorder, kBorder, kBorder, cv::BORDER_CONSTANT,
+                       cv::Scalar::all(120));
+    const Point2 corner{static_cast<double>(at.x), static_cast<double>(at.y)};
     if (tile.map.picture.grey.empty()) {
-        drawing::draw_words(picture, "no map", {kGap, layout.tile_height / 2}, kLetters);
+        words.texts.push_back({{corner.x + kGap, corner.y + layout.tile_height / 2.0}, "no map"});
     }
-    picture.copyTo(image(cv::Rect(at.x, at.y, picture.cols, picture.rows)));
-    cv::rectangle(image, cv::Rect(at.x - 1, at.y - 1, picture.cols + 2, picture.rows + 2),
-                  cv::Scalar::all(120), 1);
-    int line = at.y + picture.rows + kLine - 3;
-    for (const std::string& words : tile.caption) {
-        drawing::draw_words(image, words, {at.x, line}, kLetters);
+    double line = corner.y + picture.rows + kLine - 3;
+    for (const std::string& caption : tile.caption) {
+        words.texts.push_back({{corner.x, line}, caption});
         line += kLine;
-    }
-}
-
-void draw_bar(cv::Mat& image, const Layout& layout) {
-    constexpr int kThickness = 4;
-    const double length_m = round_length(layout.tile_width / 2.0 / layout.pixels_per_m);
-    const int length = std::max(1, static_cast<int>(std::lround(length_m * layout.pixels_per_m)));
-    const int y = image.rows - kGap - kThickness;
-    cv::rectangle(image, cv::Rect(kGap, y, length, kThickness), cv::Scalar::all(0), cv::FILLED);
-    drawing::draw_words(image, fmt::format("{:g} m", length_m), {kGap, y - 5}, kLetters);
-    const std::string legend = "X start, O end, red: path of the map";
-    const int width = drawing::size_of_words(legend, kLetters).width;
-    if (length + 3 * kGap + width < image.cols) {
-        drawing::draw_words(image, legend, {length + 2 * kGap, y + kThickness}, kLetters);
     }
 }
 
@@ -185,34 +168,51 @@ std::string encode_contact_sheet(const ContactSheet& sheet, std::string_view kin
         throw Error(message(HITOS_TEXT("Errors", "there is no map to put on a sheet")));
     }
     const Window window = window_of(sheet.tiles);
+    std::vector<std::string> captions;
+    for (const SheetTile& tile : sheet.tiles) {
+        std::ranges::copy(tile.caption, std::back_inserter(captions));
+    }
+    const double words_width = drawing::widest(captions, kPictureLetters);
     int side = std::max(sheet.tile_side, kLeastSide);
-    Layout layout = layout_of(sheet, window, side);
+    Layout layout = layout_of(sheet, window, side, words_width);
     const auto too_great = [&] {
         return std::int64_t{layout.width()} * layout.height() > kMostSheetPixels;
     };
     constexpr int kStep = 20;
     while (too_great() && side - kStep >= kLeastSide) {
         side -= kStep;
-        layout = layout_of(sheet, window, side);
+        layout = layout_of(sheet, window, side, words_width);
     }
     if (too_great()) {
         throw Error(message(HITOS_TEXT("Errors", "%1 maps are too many for one sheet of %2 pixels"),
                             sheet.tiles.size(), kMostSheetPixels));
     }
-    cv::Mat image(layout.height(),
-                  std::max(layout.width(),
-                           drawing::size_of_words(sheet.title, kTitleLetters).width + 2 * kGap),
-                  CV_8UC3, cv::Scalar::all(255));
-    drawing::draw_words(image, sheet.title, {kGap, kGap + kLine}, kTitleLetters);
+    const std::string legend = "X start, O end, red: path of the map";
+    const double title_width = drawing::widest({&sheet.title, 1}, kTitleLetters);
+    const int width = std::max(layout.width(), static_cast<int>(title_width) + 2 * kGap);
+    cv::Mat image(layout.height(), width, CV_8UC3, cv::Scalar::all(255));
+    DrawnLayer title{"title", word_style(kBlack, kTitleLetters)};
+    title.texts = {{{kGap, kGap + kLine}, sheet.title}};
+    DrawnLayer words{"words", word_style(kBlack, kPictureLetters)};
     const Window shown = widened(window, layout);
     for (std::size_t i = 0; i < sheet.tiles.size(); ++i) {
         const int row = static_cast<int>(i) / layout.columns;
         const int column = static_cast<int>(i) % layout.columns;
-        draw_tile(image, sheet.tiles[i], shown, layout,
-                  {kGap + column * (layout.tile_width + kGap),
-                   layout.head() + row * layout.row_height()});
+        draw_tile(
+            image, sheet.tiles[i], shown, layout,
+            {kGap + column * (layout.tile_width + kGap), layout.head() + row * layout.row_height()},
+            words);
     }
-    draw_bar(image, layout);
+    VectorDrawing over;
+    const Point2 foot{kGap, image.rows - kGap + 0.0};
+    const double end =
+        add_scale_bar(over, foot, layout.tile_width / 2.0, layout.pixels_per_m) + kGap;
+    if (end + drawing::widest({&legend, 1}, kPictureLetters) < image.cols) {
+        words.texts.push_back({{end, foot.y}, legend});
+    }
+    over.layers.push_back(std::move(title));
+    over.layers.push_back(std::move(words));
+    drawing::paint(image, over);
     return drawing::encoded(image, kind, kSmallest);
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "files/map_shapes.hpp"
@@ -19,7 +18,7 @@ constexpr double kRight = 2.5;
 constexpr double kTop = 2.5;
 constexpr double kAxis = 8.5;  // below the frame: numbers and what they are
 constexpr double kWidest = 85.0 - kLeft - kRight;
-constexpr double kNarrowest = 48.0;  // so that the legend has room
+constexpr double kNarrowest = 58.0;  // so that the legend has room
 constexpr double kHighest = 110.0;
 constexpr double kLowest = 15.0;
 constexpr double kText = 7.0 * 25.4 / 72.0;
@@ -27,12 +26,12 @@ constexpr double kTick = 1.0;
 constexpr double kRow = 3.6;
 constexpr double kSample = 6.0;
 constexpr double kLetterHeight = 0.72;  // of capitals and figures, of the size
+constexpr double kFigureWidth = 0.6;    // of the numbers of axes, at most and of the size
 constexpr double kFinest = 0.03;        // a path's vertices that are nearer say nothing in print
 constexpr double kFrameMargin = 0.04;   // of the frame around the map
 constexpr double kRegions = 0.15;       // so much of the map's size may regions add to the frame
 
 // Told apart by the colour-blind too (Okabe and Ito), and in grey by their widths and dashes.
-constexpr Colour kBlack{0, 0, 0};
 constexpr Colour kGrey{120, 120, 120};
 constexpr Colour kBlue{0, 114, 178};
 constexpr Colour kVermilion{213, 94, 0};
@@ -40,30 +39,20 @@ constexpr Colour kGreen{0, 158, 115};
 constexpr Colour kPale{250, 205, 170};
 constexpr Colour kPaleEdge{230, 159, 100};
 
-ShapeStyle stroke(const Colour& colour, double width_mm, std::vector<double> dashes = {}) {
-    return {{}, colour, width_mm, std::move(dashes)};
-}
-const ShapeStyle kWallStyle = stroke(kBlack, 0.3);
-const ShapeStyle kPathStyle = stroke(kBlue, 0.25);
-const ShapeStyle kOdometryStyle = stroke(kGrey, 0.2, {1.0, 0.6});
-const ShapeStyle kRegionStyle{kPale, kPaleEdge, 0.06, {}};
-const ShapeStyle kCornerStyle{kVermilion, {}, 0.0, {}};
-const ShapeStyle kStartStyle{kGreen, Colour{255, 255, 255}, 0.15, {}};
-const ShapeStyle kEndStyle{kBlue, Colour{255, 255, 255}, 0.15, {}};
-const ShapeStyle kAxisStyle = stroke(kBlack, 0.15);
-const ShapeStyle kWordStyle{kBlack, {}, 0.0, {}};
-
-DrawnEllipse disc(const Point2& centre, double radius) {
-    return {centre, {radius, 0.0}, {0.0, radius}};
-}
+const ShapeStyle kWallStyle = line_style(kBlack, 0.3);
+const ShapeStyle kPathStyle = line_style(kBlue, 0.25);
+const ShapeStyle kOdometryStyle = line_style(kGrey, 0.2, {1.0, 0.6});
+const ShapeStyle kRegionStyle{kPale, kPaleEdge, 0.06};
+const ShapeStyle kCornerStyle{.fill = kVermilion};
+const ShapeStyle kStartStyle{kGreen, kWhite, 0.15};
+const ShapeStyle kEndStyle{kBlue, kWhite, 0.15};
+const ShapeStyle kAxisStyle = line_style(kBlack, 0.15);
+const ShapeStyle kWordStyle = word_style(kBlack, kText);
 constexpr double kCornerRadius = 0.45;
 constexpr double kEndRadius = 0.9;
 
-std::vector<Point2> square(const Point2& centre, double half) {
-    return {{centre.x - half, centre.y - half},
-            {centre.x + half, centre.y - half},
-            {centre.x + half, centre.y + half},
-            {centre.x - half, centre.y + half}};
+DrawnLine square(const Point2& centre, double half) {
+    return rectangle({centre.x - half, centre.y - half}, {centre.x + half, centre.y + half});
 }
 
 /// The part of the world that the frame shows, and where it lies on the paper.
@@ -130,8 +119,8 @@ View view_of(const MapShapes& shapes) {
 }
 
 /// A path on paper, without the vertices that nobody could see.
-std::vector<Point2> thinned(const Trajectory& path, const View& view) {
-    std::vector<Point2> line;
+DrawnLine thinned(const Trajectory& path, const View& view) {
+    DrawnLine line;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const Point2 next = view.at({path[i].pose.x, path[i].pose.y});
         const bool last = i + 1 == path.size();
@@ -170,36 +159,36 @@ void add_axes(const View& view, VectorDrawing& drawing) {
         words.texts.push_back(
             {{x, paper.high.y + kTick + 0.6 + 2.0 * half}, axis_number(k * step), Anchor::middle});
     }
-    double widest = 0.0;
+    std::size_t longest = 0;
     step = tick_step(view.paper.high.y - view.paper.low.y, kOneAboveTheOther, view.mm_per_m);
     for (double k = std::ceil(view.world.low.y / step); k * step <= view.world.high.y; ++k) {
         const double y = view.at({0.0, k * step}).y;
         const std::string text = axis_number(k * step);
         ticks.lines.push_back({{paper.low.x - kTick, y}, {paper.low.x, y}});
         words.texts.push_back({{paper.low.x - kTick - 0.6, y + half}, text, Anchor::end});
-        widest = std::max(widest, text_width_mm(text, kText));
+        longest = std::max(longest, text.size());
     }
     words.texts.push_back({{(paper.low.x + paper.high.x) / 2.0, paper.high.y + kAxis - 1.4},
                            "x [m]",
                            Anchor::middle});
-    words.texts.push_back({{paper.low.x - kTick - widest - 2.4, (paper.low.y + paper.high.y) / 2.0},
-                           "y [m]",
-                           Anchor::middle,
-                           true});
+    words.texts.push_back(
+        {{paper.low.x - kTick - kFigureWidth * kText * static_cast<double>(longest) - 2.4,
+          (paper.low.y + paper.high.y) / 2.0},
+         "y [m]",
+         Anchor::middle,
+         true});
     DrawnLayer frame{"frame", kAxisStyle};
     frame.closed = true;
-    frame.lines = {
-        {paper.low, {paper.high.x, paper.low.y}, paper.high, {paper.low.x, paper.high.y}}};
+    frame.lines = {rectangle(paper.low, paper.high)};
     drawing.layers.push_back(std::move(frame));
     drawing.layers.push_back(std::move(ticks));
     drawing.layers.push_back(std::move(words));
 }
 
-/// What a layer of the map is called in the legend, and how a sample of it is drawn there around a
-/// place.
+/// What a layer of the map is called in the legend, and a sample of it around (0, 0).
 struct Legend {
     std::string words;
-    std::function<void(DrawnLayer&, const Point2&)> sample;
+    DrawnLayer sample;
 };
 
 /// The layers of the map, lowest first, each with its line of the legend; those with nothing to
@@ -207,38 +196,33 @@ struct Legend {
 class Layers {
   public:
     /// `weight`: of lines, by the widths that styles state.
-    Layers(VectorDrawing& drawing, std::vector<std::pair<DrawnLayer, Legend>>& legend,
-           double weight)
+    Layers(VectorDrawing& drawing, std::vector<Legend>& legend, double weight)
         : drawing_(drawing), legend_(legend), weight_(weight) {}
 
-    void add(DrawnLayer layer, Legend legend) {
+    /// `lines` and `discs` are the sample.
+    void add(DrawnLayer layer, std::string words, std::vector<DrawnLine> lines,
+             std::vector<DrawnEllipse> discs = {}) {
         if (layer.lines.empty() && layer.ellipses.empty()) return;
         layer.clipped = true;
-        layer.style.line_mm *= weight_;
-        legend_.emplace_back(DrawnLayer{"legend-" + layer.name, layer.style}, std::move(legend));
-        legend_.back().first.closed = layer.closed;
+        layer.style.line_width *= weight_;
+        DrawnLayer sample{"legend-" + layer.name, layer.style,      false,
+                          layer.closed,           std::move(lines), std::move(discs)};
+        legend_.push_back({std::move(words), std::move(sample)});
         drawing_.layers.push_back(std::move(layer));
     }
 
   private:
     VectorDrawing& drawing_;
-    std::vector<std::pair<DrawnLayer, Legend>>& legend_;
+    std::vector<Legend>& legend_;
     double weight_;
 };
-
-void sample_line(DrawnLayer& layer, const Point2& at) {
-    layer.lines = {{{at.x - kSample / 2.0, at.y}, {at.x + kSample / 2.0, at.y}}};
-}
-auto sample_disc(double radius) {
-    return [radius](DrawnLayer& layer, const Point2& at) { layer.ellipses = {disc(at, radius)}; };
-}
 
 void add_map(const MapFigureContent& content, const MapShapes& shapes, const View& view,
              Layers& layers) {
     DrawnLayer regions{"uncertainty", kRegionStyle};
     regions.closed = true;
     for (const auto& band : shapes.bands) {
-        std::vector<Point2>& line = regions.lines.emplace_back();
+        DrawnLine& line = regions.lines.emplace_back();
         for (const Point2& point : band) line.push_back(view.at(point));
     }
     for (const MapEllipse& ellipse : shapes.ellipses) {
@@ -246,53 +230,45 @@ void add_map(const MapFigureContent& content, const MapShapes& shapes, const Vie
         regions.ellipses.push_back(
             {view.at(ellipse.centre), view.turned(ellipse.major), view.turned(minor)});
     }
-    layers.add(std::move(regions), {fmt::format("uncertainty, {:g} sigma", kFigureSigmas),
-                                    [](DrawnLayer& layer, const Point2& at) {
-                                        const Point2 half{kSample / 2.0, 0.7};
-                                        layer.lines = {{{at.x - half.x, at.y - half.y},
-                                                        {at.x + half.x, at.y - half.y},
-                                                        {at.x + half.x, at.y + half.y},
-                                                        {at.x - half.x, at.y + half.y}}};
-                                    }});
+    const std::vector<DrawnLine> stroke{{{-kSample / 2.0, 0.0}, {kSample / 2.0, 0.0}}};
+    layers.add(std::move(regions), fmt::format("uncertainty, {:g} sigma", kFigureSigmas),
+               {rectangle({-kSample / 2.0, -0.7}, {kSample / 2.0, 0.7})});
 
     DrawnLayer odometry{"odometry", kOdometryStyle};
     if (auto line = thinned(content.odometry, view); line.size() > 1) {
         odometry.lines.push_back(std::move(line));
     }
-    layers.add(std::move(odometry), {"odometry alone", sample_line});
+    layers.add(std::move(odometry), "odometry alone", stroke);
 
     DrawnLayer path{"path", kPathStyle};
-    std::vector<Point2> line = thinned(content.path, view);
+    DrawnLine line = thinned(content.path, view);
     if (line.size() > 1) path.lines.push_back(line);
-    layers.add(std::move(path), {"estimated path", sample_line});
+    layers.add(std::move(path), "estimated path", stroke);
 
     DrawnLayer walls{"lines", kWallStyle};
     for (const auto& [a, b] : shapes.lines) walls.lines.push_back({view.at(a), view.at(b)});
-    layers.add(std::move(walls), {"line landmarks", sample_line});
+    layers.add(std::move(walls), "line landmarks", stroke);
 
     DrawnLayer corners{"corners", kCornerStyle};
     const double radius = kCornerRadius * weight_in(view);
     for (const Point2& corner : shapes.corners) {
         corners.ellipses.push_back(disc(view.at(corner), radius));
     }
-    layers.add(std::move(corners), {"corner landmarks", sample_disc(radius)});
+    layers.add(std::move(corners), "corner landmarks", {}, {disc({}, radius)});
 
     if (line.empty()) return;
     DrawnLayer start{"start", kStartStyle};
     start.ellipses.push_back(disc(line.front(), kEndRadius));
-    layers.add(std::move(start), {"start", sample_disc(kEndRadius)});
+    layers.add(std::move(start), "start", {}, {disc({}, kEndRadius)});
     if (line.size() < 2) return;
     DrawnLayer end{"end", kEndStyle};
     end.closed = true;
     end.lines.push_back(square(line.back(), kEndRadius - 0.1));
-    layers.add(std::move(end), {"end", [](DrawnLayer& layer, const Point2& at) {
-                                    layer.lines = {square(at, kEndRadius - 0.1)};
-                                }});
+    layers.add(std::move(end), "end", {square({}, kEndRadius - 0.1)});
 }
 
 /// Two columns below the axes, the scale bar in the last place.
-void add_legend(const View& view, std::vector<std::pair<DrawnLayer, Legend>>& entries,
-                VectorDrawing& drawing) {
+void add_legend(const View& view, std::vector<Legend>& entries, VectorDrawing& drawing) {
     const double top = view.paper.high.y + kAxis;
     const double column = (view.paper.high.x - 1.0) / 2.0;
     const std::size_t places = entries.size() + 1;
@@ -306,22 +282,24 @@ void add_legend(const View& view, std::vector<std::pair<DrawnLayer, Legend>>& en
     DrawnLayer words{"legend", kWordStyle};
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const Point2 at = place(i);
-        auto& [layer, legend] = entries[i];
-        legend.sample(layer, {at.x + 1.0 + kSample / 2.0, at.y});
-        words.texts.push_back({{at.x + kSample + 2.5, at.y + down}, legend.words});
-        drawing.layers.push_back(std::move(layer));
+        DrawnLayer& sample = entries[i].sample;
+        const auto move = [&](Point2& p) { p = {p.x + at.x + 1.0 + kSample / 2.0, p.y + at.y}; };
+        for (DrawnLine& line : sample.lines) std::ranges::for_each(line, move);
+        for (DrawnEllipse& ellipse : sample.ellipses) move(ellipse.centre);
+        words.texts.push_back({{at.x + kSample + 2.5, at.y + down}, entries[i].words});
+        drawing.layers.push_back(std::move(sample));
     }
     const Point2 at = place(entries.size());
     const double length = round_length((column - 16.0) / view.mm_per_m);
     const double end = at.x + 1.0 + length * view.mm_per_m;
-    DrawnLayer bar{"scale-bar", stroke(kBlack, 0.4)};
+    DrawnLayer bar{"scale-bar", line_style(kBlack, 0.4)};
     bar.lines = {{{at.x + 1.0, at.y - 0.9}, {at.x + 1.0, at.y + 0.9}},
                  {{at.x + 1.0, at.y}, {end, at.y}},
                  {{end, at.y - 0.9}, {end, at.y + 0.9}}};
     words.texts.push_back({{end + 1.5, at.y + down}, axis_number(length) + " m"});
     drawing.layers.push_back(std::move(bar));
     drawing.layers.push_back(std::move(words));
-    drawing.height_mm = top + static_cast<double>(rows) * kRow + 1.0;
+    drawing.height = top + static_cast<double>(rows) * kRow + 1.0;
 }
 
 }  // namespace
@@ -331,10 +309,9 @@ VectorDrawing map_figure(const MapFigureContent& content) {
     const View view = view_of(shapes);
     VectorDrawing drawing;
     drawing.title = content.title;
-    drawing.width_mm = view.paper.high.x + kRight;
-    drawing.text_mm = kText;
+    drawing.width = view.paper.high.x + kRight;
     drawing.frame = view.paper;
-    std::vector<std::pair<DrawnLayer, Legend>> legend;
+    std::vector<Legend> legend;
     Layers layers(drawing, legend, weight_in(view));
     add_map(content, shapes, view, layers);
     add_axes(view, drawing);

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
+#include "hitos/services/drawing/vector_drawing.hpp"
 #include "hitos/services/files/line_extents.hpp"
-#include "vector_drawing.hpp"
 
 namespace hitos {
 

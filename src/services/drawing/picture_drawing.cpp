@@ -1,19 +1,17 @@
 #include "picture_drawing.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <opencv2/core/utility.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/drawing/scale_bar.hpp"
 #include "picture_codecs.hpp"
 
-namespace hitos::drawing {
+namespace hitos {
+namespace drawing {
 namespace {
 
 // OpenCV's own threads gain nothing here, and where the system cannot start one it waits for it
@@ -23,13 +21,10 @@ namespace {
     return true;
 }();
 
-constexpr int kShift = 4;          // OpenCV's fixed point: sixteenths of a pixel
-constexpr double kFarthest = 1e7;  // pixels; OpenCV's integers overflow beyond
-
-// OpenCV's order: blue, green, red.
-const cv::Scalar kRedScalar(0, 0, 255);
-const cv::Scalar kGreenScalar(0, 160, 0);
-const cv::Scalar kBlueScalar(255, 64, 0);
+constexpr double kFarthest = 4e6;  // pixels; cairo's numbers overflow at 2^23
+constexpr Colour kPathRed{255, 0, 0};
+constexpr Colour kStartGreen{0, 160, 0};
+constexpr Colour kEndBlue{0, 64, 255};
 
 std::string lower(std::string_view text) {
     std::string out(text);
@@ -37,32 +32,21 @@ std::string lower(std::string_view text) {
     return out;
 }
 
-cv::Point fixed(const cv::Point2d& pixel) {
-    return {static_cast<int>(std::lround(pixel.x * (1 << kShift))),
-            static_cast<int>(std::lround(pixel.y * (1 << kShift)))};
-}
-
-bool fits_a_picture(const cv::Point2d& pixel) {
+bool fits_a_picture(const Point2& pixel) {
     return std::abs(pixel.x) < kFarthest && std::abs(pixel.y) < kFarthest;
 }
 
-void mark(cv::Mat& image, const cv::Point2d& pixel, int radius, PathMarks marks, bool start) {
-    if (!fits_a_picture(pixel)) return;
-    const cv::Scalar colour = start ? kGreenScalar : kBlueScalar;
-    if (marks == PathMarks::discs) {
-        cv::circle(image, fixed(pixel), radius << kShift, colour, cv::FILLED, cv::LINE_AA, kShift);
-        return;
+DrawnLayer mark(const Point2& at, double radius, PathMarks marks, bool start) {
+    const Colour colour = start ? kStartGreen : kEndBlue;
+    DrawnLayer layer{start ? "start" : "end", {.fill = colour}};
+    if (marks == PathMarks::cross_and_ring) layer.style = line_style(colour, 2.5);
+    if (marks == PathMarks::cross_and_ring && start) {
+        layer.lines = {{{at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}},
+                       {{at.x - radius, at.y + radius}, {at.x + radius, at.y - radius}}};
+    } else {
+        layer.ellipses = {disc(at, radius)};
     }
-    constexpr int kWidth = 2;
-    if (!start) {
-        cv::circle(image, fixed(pixel), radius << kShift, colour, kWidth, cv::LINE_AA, kShift);
-        return;
-    }
-    const cv::Point2d arm(radius, radius);
-    const cv::Point2d other(radius, -radius);
-    cv::line(image, fixed(pixel - arm), fixed(pixel + arm), colour, kWidth, cv::LINE_AA, kShift);
-    cv::line(image, fixed(pixel - other), fixed(pixel + other), colour, kWidth, cv::LINE_AA,
-             kShift);
+    return layer;
 }
 
 std::string kind_from(const std::filesystem::path& path) {
@@ -89,53 +73,41 @@ int longest_side(std::string_view kind) {
     return is_jpeg(lower(kind)) ? kOfJpeg : kOfPng;
 }
 
-void draw_path(cv::Mat& image, const Frame& frame, const std::vector<Point2>& path, int width,
-               int radius, PathMarks marks) {
+void draw_path(cv::Mat& image, const Placement& placement, const std::vector<Point2>& path,
+               double width, double radius, PathMarks marks) {
     if (path.empty()) return;
-    for (std::size_t i = 1; i < path.size(); ++i) {
-        const cv::Point2d a = frame.pixel(path[i - 1]);
-        const cv::Point2d b = frame.pixel(path[i]);
-        if (!fits_a_picture(a) || !fits_a_picture(b)) continue;
-        cv::line(image, fixed(a), fixed(b), kRedScalar, width, cv::LINE_AA, kShift);
+    DrawnLayer red{"path", line_style(kPathRed, width)};
+    red.lines.emplace_back();
+    for (const Point2& point : path) {
+        const Point2 pixel = placement.at(point);
+        if (fits_a_picture(pixel)) {
+            red.lines.back().push_back(pixel);
+        } else if (!red.lines.back().empty()) {
+            red.lines.emplace_back();
+        }
     }
-    mark(image, frame.pixel(path.front()), radius, marks, true);
-    mark(image, frame.pixel(path.back()), radius, marks, false);
+    VectorDrawing drawing;
+    drawing.layers.push_back(std::move(red));
+    for (const bool start : {true, false}) {
+        const Point2 at = placement.at(start ? path.front() : path.back());
+        if (fits_a_picture(at)) drawing.layers.push_back(mark(at, radius, marks, start));
+    }
+    paint(image, drawing);
 }
 
-void draw_scale_bar(cv::Mat& image, const Frame& frame) {
-    constexpr int kMargin = 10;
+void draw_scale_bar(cv::Mat& image, double pixels_per_m) {
     constexpr int kLeastSide = 80;
-    constexpr int kThickness = 4;
-    constexpr double kFontScale = 0.45;
+    constexpr int kMargin = 6;
+    constexpr int kInside = 4;
+    constexpr int kHeight = 26;
     if (image.cols < kLeastSide || image.rows < kLeastSide) return;
-    const double length_m = round_length(image.cols / 4.0 / frame.pixels_per_m());
-    const int length = std::max(1, static_cast<int>(std::lround(length_m * frame.pixels_per_m())));
-    const std::string words = fmt::format("{:g} m", length_m);
-    const cv::Scalar black = cv::Scalar::all(0);
-    const cv::Scalar white = cv::Scalar::all(255);
-    int baseline = 0;
-    const cv::Size text =
-        cv::getTextSize(words, cv::FONT_HERSHEY_SIMPLEX, kFontScale, 1, &baseline);
-    const cv::Rect bar(kMargin, image.rows - kMargin - kThickness, length, kThickness);
-    const cv::Point text_at(kMargin, bar.y - baseline - 2);
-    cv::rectangle(
-        image,
-        cv::Rect(kMargin - 4, text_at.y - text.height - 4, std::max(length, text.width) + 8,
-                 image.rows - 6 - (text_at.y - text.height - 4)),
-        white, cv::FILLED);
-    cv::rectangle(image, bar, black, cv::FILLED);
-    cv::putText(image, words, text_at, cv::FONT_HERSHEY_SIMPLEX, kFontScale, black, 1, cv::LINE_AA);
-}
-
-void draw_words(cv::Mat& image, const std::string& words, const cv::Point& at, double size) {
-    cv::putText(image, words, at, cv::FONT_HERSHEY_SIMPLEX, size, cv::Scalar::all(0), 1,
-                cv::LINE_AA);
-}
-
-cv::Size size_of_words(const std::string& words, double size) {
-    int baseline = 0;
-    const cv::Size text = cv::getTextSize(words, cv::FONT_HERSHEY_SIMPLEX, size, 1, &baseline);
-    return {text.width, text.height + baseline};
+    VectorDrawing bar;
+    const double end =
+        add_scale_bar(bar, {kInside, kHeight - kInside}, image.cols / 4.0, pixels_per_m);
+    const int width = std::min(static_cast<int>(std::ceil(end)) + kInside, image.cols - kMargin);
+    cv::Mat corner = image(cv::Rect(kMargin, image.rows - kMargin - kHeight, width, kHeight));
+    corner.setTo(cv::Scalar::all(255));
+    paint(corner, bar);
 }
 
 std::string encoded(const cv::Mat& image, std::string_view kind, std::optional<int> compression) {
@@ -168,4 +140,15 @@ void write_encoded(const std::filesystem::path& path,
     write_file(path, bytes);
 }
 
-}  // namespace hitos::drawing
+}  // namespace drawing
+
+void write_picture(const VectorDrawing& drawing, const std::filesystem::path& path) {
+    drawing::write_encoded(path, [&](const std::string& kind) {
+        cv::Mat image(static_cast<int>(drawing.height), static_cast<int>(drawing.width), CV_8UC3,
+                      cv::Scalar::all(255));
+        drawing::paint(image, drawing);
+        return drawing::encoded(image, kind);
+    });
+}
+
+}  // namespace hitos

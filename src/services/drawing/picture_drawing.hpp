@@ -7,12 +7,14 @@
 #include <functional>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
+#include "hitos/services/drawing/vector_drawing.hpp"
 
 namespace hitos::drawing {
 
@@ -45,37 +47,18 @@ class Block {
     std::uint32_t known_ = 0;
 };
 
-/// World coordinates to pixels; row 0 is the top.
-class Frame {
-  public:
-    /// `origin` is the world's point at the lower left corner of a picture of that height [pixels].
-    Frame(const Point2& origin, double pixels_per_m, double height)
-        : origin_(origin), pixels_per_m_(pixels_per_m), height_(height) {}
-
-    cv::Point2d pixel(const Point2& world) const {
-        // A pixel's middle has whole coordinates, its borders have halves.
-        return {(world.x - origin_.x) * pixels_per_m_ - 0.5,
-                height_ - (world.y - origin_.y) * pixels_per_m_ - 0.5};
-    }
-    double pixels_per_m() const { return pixels_per_m_; }
-
-  private:
-    Point2 origin_;
-    double pixels_per_m_;
-    double height_;
-};
-
 /// The path in red, start and end marked; nothing where it is empty. Sizes in pixels.
-void draw_path(cv::Mat& image, const Frame& frame, const std::vector<Point2>& path, int width,
-               int radius, PathMarks marks);
+void draw_path(cv::Mat& image, const Placement& placement, const std::vector<Point2>& path,
+               double width, double radius, PathMarks marks);
 
 /// A black bar on white in the lower left corner; none in a picture too small for it.
-void draw_scale_bar(cv::Mat& image, const Frame& frame);
+void draw_scale_bar(cv::Mat& image, double pixels_per_m);
 
-/// Letters that the picture's font has: ASCII; others become question marks.
-void draw_words(cv::Mat& image, const std::string& words, const cv::Point& at, double size);
-/// How wide and high (with what hangs below the line) the words are [pixels].
-cv::Size size_of_words(const std::string& words, double size);
+/// Lays a drawing in pixels over the picture, of one channel (grey) or three (blue, green, red).
+/// Throws Error where there is no memory for it.
+void paint(cv::Mat& image, const VectorDrawing& drawing);
+/// How wide the widest of the texts is [pixels].
+double widest(std::span<const std::string> texts, double letters);
 
 /// "png", "jpg" or "jpeg". Throws ConfigError for another kind and Error where it cannot be.
 /// `compression` is PNG's, 0 to 9; nothing: what is fast.

@@ -1,39 +1,23 @@
-#include "vector_drawing.hpp"
+#include "hitos/services/drawing/vector_drawing.hpp"
 
-#include <fmt/format.h>
-
-#include "vector_text.hpp"
+#include <utility>
 
 namespace hitos {
-namespace {
 
-/// Of the letters from " " to "~", in thousandths of the size: the font's metrics that Adobe
-/// publishes with the standard fourteen (Helvetica.afm).
-constexpr std::array<int, 95> kHelvetica = {
-    278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333,  278, 278, 556, 556, 556,
-    556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667,
-    611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
-    667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
-    222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
-constexpr int kOther = 556;
-
-}  // namespace
-
-double text_width_mm(const std::string& text, double text_mm) {
-    int thousandths = 0;
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if ((code & 0xC0U) == 0x80U) continue;  // goes on with a letter that was counted
-        thousandths += code >= 0x20 && code < 0x7F ? kHelvetica.at(code - 0x20U) : kOther;
-    }
-    return thousandths * text_mm / 1000.0;
+ShapeStyle line_style(const Colour& colour, double width, std::vector<double> dashes) {
+    return {{}, colour, width, std::move(dashes)};
 }
 
-std::string short_number(double value) {
-    std::string text = fmt::format("{:.{}f}", value, kMillimetreDecimals);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.ends_with('.')) text.pop_back();
-    return text == "-0" ? "0" : text;
+ShapeStyle word_style(const Colour& colour, double letters) {
+    return {colour, {}, 0.0, {}, letters};
+}
+
+DrawnLine rectangle(const Point2& corner, const Point2& opposite) {
+    return {corner, {opposite.x, corner.y}, opposite, {corner.x, opposite.y}};
+}
+
+DrawnEllipse disc(const Point2& centre, double radius) {
+    return {centre, {radius, 0.0}, {0.0, radius}};
 }
 
 std::array<Point2, 13> bezier_of(const DrawnEllipse& ellipse) {

@@ -31,8 +31,8 @@ constexpr int kMostSheetPixels = 24'000'000;
 /// the same scale, so that turned, shifted and torn maps are seen as such; where a few maps are far
 /// greater than the others they are cut, lest the others become too small to see. Greys are
 /// rounded to sixteen steps, which makes the file much smaller. The sheet ends
-/// with a bar for the scale. Letters beyond ASCII become question marks. Throws Error where there
-/// is no tile, or where there are too many for kMostSheetPixels.
+/// with a bar for the scale. Throws Error where there is no tile, or where there are too many for
+/// kMostSheetPixels.
 std::string encode_contact_sheet(const ContactSheet& sheet, std::string_view kind);
 
 /// Writes encode_contact_sheet() atomically; the path's extension says the kind. Throws FileError.

@@ -4,6 +4,10 @@
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "support.hpp"
@@ -121,6 +125,35 @@ TEST(ContactSheet, TilesShrinkAndTooManyAreRefused) {
     sheet.tiles.resize(20000, sheet.tiles.front());
     EXPECT_THAT(message_of<Error>([&] { encode_contact_sheet(sheet, "png"); }),
                 HasSubstr("20000 maps are too many for one sheet"));
+}
+
+TEST(ContactSheet, DrawsLettersOfAnyAlphabetAsTheyAre) {
+    std::set<std::string> pictures;
+    for (const char* title : {"n", "\xc3\xb1", "\xc3\xa9", "\xce\xa9", "\xd0\x96", "?"}) {
+        ContactSheet sheet = sheet_of(1, 1);
+        sheet.title = title;
+        pictures.insert(encode_contact_sheet(sheet, "png"));
+    }
+    EXPECT_EQ(pictures.size(), 6U) << "is DejaVu Sans installed (Debian: fonts-dejavu-core)?";
+    ContactSheet sheet = sheet_of(1, 1);
+    sheet.title = "\xff title";  // the name of a file may be no text
+    const cv::Mat before = drawn(sheet);
+    sheet.title += "s";
+    EXPECT_GT(cv::norm(before, drawn(sheet)), 0.0) << "what comes after it is drawn";
+}
+
+TEST(ContactSheet, IsTheSameOnWhateverThreadItIsDrawn) {
+    ContactSheet sheet = sheet_of(2, 2);
+    sheet.tiles[0].caption[0] = "\xce\xa9 \xe8\xb5\xb0\xe5\xbb\x8a";  // the latter of another font
+    const std::string expected = encode_contact_sheet(sheet, "png");
+    std::vector<std::string> others(4);
+    {
+        std::vector<std::jthread> threads;
+        for (std::string& other : others) {
+            threads.emplace_back([&] { other = encode_contact_sheet(sheet, "png"); });
+        }
+    }
+    for (const std::string& other : others) EXPECT_TRUE(other == expected);
 }
 
 TEST(ContactSheet, SaysWhatItCannotDraw) {
