@@ -3,6 +3,7 @@
 #include <dirent.h>
 
 #include <cerrno>
+#include <exception>
 #include <memory>
 #include <string_view>
 
@@ -49,18 +50,26 @@ std::vector<fs::directory_entry> folder_entries(const fs::path& folder) {
                     system_message(error.value()));
 }
 
+void remove_whole(const fs::path& path) noexcept {
+    constexpr int kTries = 4;
+    for (int i = 0; i < kTries; ++i) {
+        try {
+            std::error_code ignored;
+            fs::remove_all(path, ignored);
+            if (!fs::exists(path, ignored)) return;
+        } catch (const std::exception&) {
+            continue;
+        }
+    }
+}
+
 void remove_leftovers(const fs::path& folder) {
     std::error_code ignored;
     for (const fs::directory_entry& entry : folder_entries(folder, ignored)) {
         const std::string name = entry.path().filename().string();
         const bool unfinished = name.ends_with(".tmp") || name.ends_with("-plots");
         if (!name.starts_with(".hitos-") || !unfinished) continue;
-        // A gnuplot whose caller was killed may still put a file there.
-        constexpr int kTries = 4;
-        for (int i = 0; i < kTries; ++i) {
-            fs::remove_all(entry.path(), ignored);
-            if (!fs::exists(entry.path(), ignored)) break;
-        }
+        remove_whole(entry.path());
     }
 }
 

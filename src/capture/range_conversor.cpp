@@ -19,12 +19,9 @@ void RangeConversor::Readings::clear() {
 RangeConversor::RangeConversor(ReadOptions options)
     : options_(std::move(options)), laser_pose_(laser_pose_of(options_.laser_pose)) {}
 
-namespace {
-
-/// Rays that go round more than twice are of no laser.
-void refuse_turns(const Fan& fan) {
+void RangeConversor::refuse_turns(const Fan& fan) const {
     constexpr double kMost = 4.0 * kPi;
-    const double turn = std::abs(fan.max_angle_rad - fan.min_angle_rad);
+    const double turn = std::abs(fan.max_angle_rad - fan.min_angle_rad) * options_.fan_scale;
     if (turn <= kMost) return;
     throw FormatError(
         {}, 0,
@@ -33,8 +30,6 @@ void refuse_turns(const Fan& fan) {
                    "in degrees and not in radians: --set source.fan_scale=%2"),
         std::round(turn * kDegreesPerRadian), std::to_string(kRadiansPerDegree));
 }
-
-}  // namespace
 
 /// Puts the laser, and its rays' times, where the options say.
 void RangeConversor::mount(Readings& readings) const {
@@ -105,6 +100,7 @@ bool RangeConversor::read(const RawLine& line, Readings& out) {
         }
         if (out.fan.max_range_m > 0.0) out.fan.max_range_m = put_right(out.fan.max_range_m);
     }
+    refuse_turns(out.fan);
     if (options_.fan_scale != 1.0) {
         out.fan.min_angle_rad *= options_.fan_scale;
         out.fan.max_angle_rad *= options_.fan_scale;
@@ -116,7 +112,6 @@ bool RangeConversor::read(const RawLine& line, Readings& out) {
 std::optional<Scan> RangeConversor::scan(const RawLine& line) {
     readings_.clear();
     if (!read(line, readings_)) return std::nullopt;
-    refuse_turns(readings_.fan);
     mount(readings_);
     const double greatest = limit(readings_);
     const Pose& mount = readings_.fan.pose_robot_laser;

@@ -51,6 +51,10 @@ class RangeConversor : public Conversor {
     /// Readings from `value` less a margin on are no points, where the log does not say it better.
     void set_no_return(std::optional<double> value) { no_return_m_ = value; }
 
+    /// Throws FormatError where a scan's rays, as the line tells them, go round more than twice, as
+    /// of no laser.
+    void refuse_turns(const Fan& fan) const;
+
     /// From here on they are no points [m].
     double limit(const Readings& readings) const;
 

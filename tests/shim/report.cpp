@@ -18,22 +18,9 @@ namespace {
 std::atomic<bool> main_has_begun = false;
 int (*real_main)(int, char**, char**) = nullptr;
 
-/// GDAL, by which OpenCV reads and writes pictures, ends the program where it is refused memory as
-/// it starts. That is not what is tried here. What is served then starts it once for all.
-void start_gdal() {
-    using Register = void (*)();
-    const bool wanted =
-        std::getenv("HITOS_FAULT_MEMORY") != nullptr ||  // NOLINT(concurrency-mt-unsafe)
-        std::getenv("HITOS_FAULT_SERVE") != nullptr;     // NOLINT(concurrency-mt-unsafe)
-    if (!wanted) return;
-    void* const found = ::dlsym(RTLD_DEFAULT, "GDALAllRegister");
-    if (found != nullptr) reinterpret_cast<Register>(found)();
-}
-
 int begin_main(int count, char** arguments, char** environment) {
     // Programs that this one starts are left alone.
     ::unsetenv("LD_PRELOAD");
-    start_gdal();
     static std::vector<char*> served = served_arguments();
     main_has_begun = true;
     if (served.empty()) return real_main(count, arguments, environment);

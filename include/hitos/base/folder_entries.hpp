@@ -14,6 +14,11 @@ std::vector<std::filesystem::directory_entry> folder_entries(const std::filesyst
 /// All of it. Throws FileError.
 std::vector<std::filesystem::directory_entry> folder_entries(const std::filesystem::path& folder);
 
+/// Removes a file, or a folder with all that is in it, as far as it can: what is refused once, as
+/// memory may be, is tried again, and what a gnuplot puts there whose caller was killed is removed
+/// too.
+void remove_whole(const std::filesystem::path& path) noexcept;
+
 /// Removes from the folder what killed processes have not finished, of AtomicFile and of gnuplot.
 /// Only where nobody can be at work.
 void remove_leftovers(const std::filesystem::path& folder);

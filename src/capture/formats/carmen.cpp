@@ -140,6 +140,7 @@ struct CarmenMessage {
     double time_s = 0.0;
     std::optional<Pose> pose_odom_robot;
     std::optional<Twist> velocity;
+    Fan fan;  ///< of a scan
 };
 
 class ConversorCarmen final : public RangeConversor {
@@ -182,6 +183,7 @@ bool ConversorCarmen::parse_scan(const RawLine& line, Readings& out) {
     const CarmenMessage message =
         flaser ? parse_flaser(fields, &out) : parse_laser(fields, name == "ROBOTLASER1", &out);
     out.time_s = message.time_s;
+    out.fan = message.fan;
     out.carries_odometry = odometry_of_scans_ && message.pose_odom_robot.has_value();
     // Raw and robot lasers are one scan logged twice, where both are logged.
     if (scan_message_.empty()) scan_message_ = name;
@@ -205,11 +207,9 @@ CarmenMessage ConversorCarmen::parse_flaser(Fields fields, Readings* out) {
     take_pose(fields, "x", "y", "theta");
     message.pose_odom_robot = take_pose(fields, "odom_x", "odom_y", "odom_theta");
     message.time_s = take_tail(fields, from_logger_s_);
-    if (out != nullptr) {
-        out->fan = implied_fan(count, resolution_deg_);
-        out->fan.max_range_m = stated_max_m_;
-        out->fan.pose_robot_laser = pose_robot_laser_;
-    }
+    message.fan = implied_fan(count, resolution_deg_);
+    message.fan.max_range_m = stated_max_m_;
+    message.fan.pose_robot_laser = pose_robot_laser_;
     return message;
 }
 
@@ -245,11 +245,9 @@ CarmenMessage ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readin
         mount = steady_mount(between(robot, laser));
     }
     message.time_s = take_tail(fields, from_logger_s_);
-    if (out != nullptr) {
-        out->fan = stated_fan(start_rad, view_rad, resolution_rad, count);
-        out->fan.max_range_m = max_range_m;
-        out->fan.pose_robot_laser = mount;
-    }
+    message.fan = stated_fan(start_rad, view_rad, resolution_rad, count);
+    message.fan.max_range_m = max_range_m;
+    message.fan.pose_robot_laser = mount;
     return message;
 }
 
@@ -281,6 +279,7 @@ std::optional<OdometryRecord> ConversorCarmen::odometry(const RawLine& line) {
         // The whole line is checked, so that a damaged one is out of both sequences.
         message =
             name == "FLASER" ? parse_flaser(fields, nullptr) : parse_laser(fields, true, nullptr);
+        refuse_turns(message.fan);
         if (!odometry_of_scans_) return std::nullopt;
     }
     OdometryRecord record;

@@ -34,28 +34,42 @@ Jpeg jpeg_context(tjhandle handle) {
     return {handle, &tjDestroy};
 }
 
+/// Whether libspng is done. Throws std::bad_alloc.
+bool is_done(int result) {
+    if (result == SPNG_EMEM) throw std::bad_alloc();
+    return result == 0;
+}
+
+/// The same of libjpeg-turbo, which has words for it alone.
+bool is_done(const Jpeg& jpeg, int result) {
+    if (result == 0) return true;
+    if (std::string_view(tjGetErrorStr2(jpeg.get())).find("emory") != std::string_view::npos)
+        throw std::bad_alloc();
+    return false;
+}
+
 std::optional<Pixels> decoded_png(std::string_view bytes, const SizeCheck& check) {
     constexpr int kByte = 8;
     const Png png = png_context(0);
     spng_ihdr head{};
     spng_trns transparent{};
-    if (spng_set_png_buffer(png.get(), bytes.data(), bytes.size()) != 0 ||
-        spng_set_crc_action(png.get(), SPNG_CRC_ERROR, SPNG_CRC_DISCARD) != 0 ||
-        spng_get_ihdr(png.get(), &head) != 0) {
+    if (!is_done(spng_set_png_buffer(png.get(), bytes.data(), bytes.size())) ||
+        !is_done(spng_set_crc_action(png.get(), SPNG_CRC_ERROR, SPNG_CRC_DISCARD)) ||
+        !is_done(spng_get_ihdr(png.get(), &head))) {
         return std::nullopt;
     }
     check(head.width, head.height);
     const bool alpha = head.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ||
                        head.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ||
-                       spng_get_trns(png.get(), &transparent) == 0;
+                       is_done(spng_get_trns(png.get(), &transparent));
     const bool grey = head.color_type == SPNG_COLOR_TYPE_GRAYSCALE && head.bit_depth <= kByte;
     const spng_format format =
         grey ? (alpha ? SPNG_FMT_GA8 : SPNG_FMT_G8) : (alpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8);
     Pixels pixels =
         room_for(head.width, head.height, (grey ? 1 : 3) + (alpha ? 1 : 0), [](auto, auto) {});
-    if (spng_decode_image(png.get(), pixels.values.data(), pixels.values.size(), format,
-                          alpha ? SPNG_DECODE_TRNS : 0) != 0 ||
-        spng_decode_chunks(png.get()) != 0) {  // up to its end
+    if (!is_done(spng_decode_image(png.get(), pixels.values.data(), pixels.values.size(), format,
+                                   alpha ? SPNG_DECODE_TRNS : 0)) ||
+        !is_done(spng_decode_chunks(png.get()))) {  // up to its end
         return std::nullopt;
     }
     return pixels;
@@ -81,8 +95,8 @@ std::optional<Pixels> decoded_jpeg(std::string_view bytes, const SizeCheck& chec
     int height = 0;
     int sampling = 0;
     int colours = 0;
-    if (tjDecompressHeader3(jpeg.get(), begin, bytes.size(), &width, &height, &sampling,
-                            &colours) != 0) {
+    if (!is_done(jpeg, tjDecompressHeader3(jpeg.get(), begin, bytes.size(), &width, &height,
+                                           &sampling, &colours))) {
         return std::nullopt;
     }
     const bool inks = colours == TJCS_CMYK || colours == TJCS_YCCK;
@@ -90,8 +104,8 @@ std::optional<Pixels> decoded_jpeg(std::string_view bytes, const SizeCheck& chec
     Pixels pixels = room_for(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
                              tjPixelSize[format], check);
     // Warned is of pixels that are guessed; small files of many passes would take hours.
-    if (tjDecompress2(jpeg.get(), begin, bytes.size(), pixels.values.data(), width, 0, height,
-                      format, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0) {
+    if (!is_done(jpeg, tjDecompress2(jpeg.get(), begin, bytes.size(), pixels.values.data(), width,
+                                     0, height, format, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS))) {
         return std::nullopt;
     }
     return inks ? of_inks(pixels) : std::move(pixels);
@@ -122,18 +136,20 @@ std::string png_of(const cv::Mat& image, std::optional<int> compression) {
     cv::Mat pixels = image.isContinuous() ? image : image.clone();
     if (image.channels() > 1) cv::cvtColor(image, pixels, cv::COLOR_BGR2RGB);
     // Maps are of long runs of one grey.
-    const bool done = spng_set_option(png.get(), SPNG_ENCODE_TO_BUFFER, 1) == 0 &&
-                      spng_set_option(png.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_SUB) == 0 &&
-                      spng_set_option(png.get(), SPNG_IMG_COMPRESSION_STRATEGY, Z_RLE) == 0 &&
-                      spng_set_option(png.get(), SPNG_IMG_COMPRESSION_LEVEL,
-                                      compression.value_or(Z_BEST_SPEED)) == 0 &&
-                      spng_set_ihdr(png.get(), &head) == 0 &&
-                      spng_encode_image(png.get(), pixels.data, pixels.total() * pixels.elemSize(),
-                                        SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE) == 0;
+    const auto set = [&](spng_option option, int value) {
+        return is_done(spng_set_option(png.get(), option, value));
+    };
+    const bool whole =
+        set(SPNG_ENCODE_TO_BUFFER, 1) && set(SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_SUB) &&
+        set(SPNG_IMG_COMPRESSION_STRATEGY, Z_RLE) &&
+        set(SPNG_IMG_COMPRESSION_LEVEL, compression.value_or(Z_BEST_SPEED)) &&
+        is_done(spng_set_ihdr(png.get(), &head)) &&
+        is_done(spng_encode_image(png.get(), pixels.data, pixels.total() * pixels.elemSize(),
+                                  SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE));
     std::size_t size = 0;
     int error = 0;
     const std::unique_ptr<void, decltype(&std::free)> bytes(
-        done ? spng_get_png_buffer(png.get(), &size, &error) : nullptr, &std::free);
+        whole ? spng_get_png_buffer(png.get(), &size, &error) : nullptr, &std::free);
     if (!bytes) cannot_encode();
     return {static_cast<const char*>(bytes.get()), size};
 }
@@ -144,12 +160,12 @@ std::string jpeg_of(const cv::Mat& image) {
     const bool grey = image.channels() == 1;
     unsigned char* bytes = nullptr;
     unsigned long size = 0;
-    const bool done =
+    const int result =
         tjCompress2(jpeg.get(), image.data, image.cols, static_cast<int>(image.step[0]), image.rows,
                     grey ? TJPF_GRAY : TJPF_BGR, &bytes, &size, grey ? TJSAMP_GRAY : TJSAMP_420,
-                    kQuality, TJFLAG_ACCURATEDCT) == 0;
+                    kQuality, TJFLAG_ACCURATEDCT);
     const std::unique_ptr<unsigned char, decltype(&tjFree)> held(bytes, &tjFree);
-    if (!done) cannot_encode();
+    if (!is_done(jpeg, result)) cannot_encode();
     return {reinterpret_cast<const char*>(bytes), size};
 }
 

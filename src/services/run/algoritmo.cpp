@@ -2,6 +2,7 @@
 
 #include <new>
 #include <optional>
+#include <typeinfo>
 #include <utility>
 
 #include "hitos/base/error.hpp"
@@ -104,7 +105,7 @@ bool Algoritmo::step(AssociationRecord* record) {
         state_.filter->step({state_.scan, step_controls_, state_.observation,
                              registered ? &*registered : nullptr, record});
     } catch (const std::bad_alloc& shortage) {
-        throw Error(out_of_memory(shortage.what()));
+        throw Error(out_of_memory(shortage));
     }
     note_scan();
     if (options_.step_grid) draw_scan(registered && registered->key);
@@ -114,7 +115,12 @@ bool Algoritmo::step(AssociationRecord* record) {
 }
 
 /// What can be done about it.
-Message Algoritmo::out_of_memory(const char* reason) const {
+Message Algoritmo::out_of_memory(const std::bad_alloc& shortage) const {
+    // The standard library's own says nothing to a user.
+    const bool own_words = typeid(shortage) != typeid(std::bad_alloc);
+    const Message reason = own_words
+                               ? verbatim(shortage.what())
+                               : marked(HITOS_TEXT("Errors", "the system gives no more of it"));
     const FilterParams& filter = configuration_.filter;
     const int landmarks = state_.filter->best_count(FeatureKind::line) +
                           state_.filter->best_count(FeatureKind::corner);
@@ -123,14 +129,14 @@ Message Algoritmo::out_of_memory(const char* reason) const {
                                   "out of memory at scan %1, with %2 landmarks in each map of %3 "
                                   "particles: %4; lower filter.particles, or make fewer landmarks "
                                   "with a higher split_merge.min_length"),
-                       steps() + 1, landmarks, filter.particles, verbatim(reason));
+                       steps() + 1, landmarks, filter.particles, reason);
     }
     return message(
         HITOS_TEXT(
             "Errors",
             "out of memory at scan %1, with %2 landmarks in the map: %3; make fewer landmarks with "
             "a higher split_merge.min_length, or use filter.algorithm = fastslam"),
-        steps() + 1, landmarks, verbatim(reason));
+        steps() + 1, landmarks, reason);
 }
 
 void Algoritmo::note_scan() {

@@ -314,6 +314,12 @@ void StudyFolder::begin() {
         if (!known) write_plan(work_, plan_);
     });
     fs::last_write_time(plan_file(work_), fs::file_time_type::clock::now(), ignored);
+    if (lock_ && lock_->alone()) clear_leftovers();
+}
+
+/// Of those that were killed: only where nobody else is at work.
+void StudyFolder::clear_leftovers() const {
+    for (const char* folder : {"maps", "runs"}) remove_leftovers(work_.file(folder));
 }
 
 void StudyFolder::reopen() {
@@ -360,7 +366,7 @@ std::vector<WrittenFile> StudyFolder::written(const StudyLayout& staging) const 
 }
 
 StudyFolder::Problems StudyFolder::publish(std::span<const StudyRecord> records, bool finished) {
-    for (const char* folder : {"maps", "runs"}) remove_leftovers(work_.file(folder));
+    clear_leftovers();
     const StudyLayout staging = is_beside() ? work_ : staging_of(target_);
     try {
         made_output_folder(staging.folder);

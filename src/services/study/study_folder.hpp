@@ -88,6 +88,7 @@ class StudyFolder {
     void named(const std::function<void()>& work) const;
     std::vector<WrittenFile> written(const StudyLayout& staging) const;
     void give_up(const StudyLayout& staging) const;
+    void clear_leftovers() const;
 
     StudyLayout target_;
     StudyPlan plan_;

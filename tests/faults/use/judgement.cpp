@@ -166,6 +166,7 @@ std::string UseModel::judged_part(const std::string& name, const Step& step, con
     }
     if (step.part_of_one) {
         part.begun = part.begun || !nothing_done || outcome.status == 0 || waits(name);
+        if (!part.begun) take_over(name);  // its folder may be there
         return {};
     }
     if (from_parts) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <new>
 #include <optional>
 #include <vector>
 
@@ -131,7 +132,7 @@ class Algoritmo {
     void begin();
     /// All that it is now; nothing where the algorithm cannot be copied.
     std::optional<RunCheckpoint> copy() const;
-    Message out_of_memory(const char* reason) const;
+    Message out_of_memory(const std::bad_alloc& shortage) const;
     /// Takes the scan into every part of the run that keeps something of it.
     void note_scan();
     void draw_scan(bool key);
