@@ -7,8 +7,12 @@
 #include <fontconfig/fontconfig.h>
 
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <opencv2/imgproc.hpp>
+#include <span>
+#include <system_error>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "json_input.hpp"
@@ -29,9 +33,44 @@ using CairoSurface = std::unique_ptr<cairo_surface_t, Releaser<cairo_surface_des
 using CairoContext = std::unique_ptr<cairo_t, Releaser<cairo_destroy>>;
 using CairoFont = std::unique_ptr<cairo_font_face_t, Releaser<cairo_font_face_destroy>>;
 using FontPattern = std::unique_ptr<FcPattern, Releaser<FcPatternDestroy>>;
+using Glyphs = std::unique_ptr<cairo_glyph_t, Releaser<cairo_glyph_free>>;
+
+constexpr const char* kUsualFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";  // Debian's
 
 const FcChar8* bytes_of(const char* text) {
     return reinterpret_cast<const FcChar8*>(text);
+}
+
+/// Without a file: cairo's own letters, for ASCII.
+CairoFont font_of(const FontPattern& file) {
+    return CairoFont(file ? cairo_ft_font_face_create_for_pattern(file.get())
+                          : cairo_toy_font_face_create("@cairo:", CAIRO_FONT_SLANT_NORMAL,
+                                                       CAIRO_FONT_WEIGHT_NORMAL));
+}
+
+/// The font that lacks the fewest of the letters. It is sought here, for cairo never forgets what
+/// it is asked to seek. Without a language the user's own would choose among fonts for Chinese.
+CairoFont font_with(const std::string& letters) {
+    const FontPattern wish(
+        FcNameParse(bytes_of("DejaVu Sans:lang=en:weight=80:slant=0:width=100")));
+    const std::unique_ptr<FcCharSet, Releaser<FcCharSetDestroy>> set(FcCharSetCreate());
+    FcChar32 letter = 0;
+    for (int at = 0, size = static_cast<int>(letters.size()); at < size;) {
+        at += FcUtf8ToUcs4(bytes_of(&letters[static_cast<std::size_t>(at)]), &letter, size - at);
+        FcCharSetAddChar(set.get(), letter);
+    }
+    FcPatternAddCharSet(wish.get(), FC_CHARSET, set.get());
+    FcResult result{};
+    return font_of(FontPattern(FcFontMatch(nullptr, wish.get(), &result)));
+}
+
+/// DejaVu Sans from its file: fontconfig takes its time to start, and no refusal of memory.
+CairoFont usual_font() {
+    std::error_code error;
+    if (!std::filesystem::exists(kUsualFont, error)) return font_with("");
+    FontPattern file(FcPatternCreate());
+    if (file) FcPatternAddString(file.get(), FC_FILE, bytes_of(kUsualFont));
+    return font_of(file);
 }
 
 /// Words in DejaVu Sans, which the packages depend on, so that they look the same and are as wide
@@ -41,13 +80,6 @@ const FcChar8* bytes_of(const char* text) {
 class Typesetter {
   public:
     Typesetter(cairo_t* context, double letters) : context_(context) {
-        const FontPattern wish = request();
-        FcConfigSubstitute(nullptr, wish.get(), FcMatchPattern);
-        FcDefaultSubstitute(wish.get());
-        FcResult result{};
-        found_.reset(FcFontMatch(nullptr, wish.get(), &result));
-        if (found_) FcPatternGetCharSet(found_.get(), FC_CHARSET, 0, &letters_);
-        font_.reset(cairo_ft_font_face_create_for_pattern(found_ ? found_.get() : wish.get()));
         cairo_set_font_size(context, letters);
     }
 
@@ -67,9 +99,19 @@ class Typesetter {
     }
 
   private:
-    /// Without a language the user's own would choose among fonts for Chinese and Japanese.
-    static FontPattern request() {
-        return FontPattern(FcNameParse(bytes_of("DejaVu Sans,sans-serif:lang=en")));
+    /// Which of the letters, one after the other, the usual font has.
+    std::vector<bool> has(const std::string& text) const {
+        cairo_set_font_face(context_, font_.get());
+        cairo_glyph_t* glyphs = nullptr;
+        int count = 0;
+        cairo_scaled_font_text_to_glyphs(cairo_get_scaled_font(context_), 0.0, 0.0, text.c_str(),
+                                         -1, &glyphs, &count, nullptr, nullptr, nullptr);
+        const Glyphs held(glyphs);
+        std::vector<bool> result;
+        for (const cairo_glyph_t& glyph : std::span(glyphs, static_cast<std::size_t>(count))) {
+            result.push_back(glyph.index != 0);
+        }
+        return result;
     }
 
     /// Calls `use` for one part of the text after the other, with its font in the context. A text
@@ -77,35 +119,29 @@ class Typesetter {
     template <class Use>
     void each_stretch(const std::string& text, const Use& use) const {
         const std::string all = in_utf8(text);
-        for (std::size_t at = 0, end = 0; at < all.size(); at = end) {
-            const std::unique_ptr<FcCharSet, Releaser<FcCharSetDestroy>> lacking(FcCharSetCreate());
-            bool ours = true;
-            while (end < all.size()) {
-                FcChar32 letter = 0;
-                const int length =
-                    FcUtf8ToUcs4(bytes_of(&all[end]), &letter, static_cast<int>(all.size() - end));
-                const bool has =
-                    letters_ == nullptr || FcCharSetHasChar(letters_, letter) == FcTrue;
-                if (end == at) ours = has;
-                if (has != ours) break;
-                if (!has) FcCharSetAddChar(lacking.get(), letter);
-                end += static_cast<std::size_t>(length);
-            }
-            CairoFont other;
-            if (!ours) {
-                const FontPattern wish = request();
-                FcPatternAddCharSet(wish.get(), FC_CHARSET, lacking.get());
-                other.reset(cairo_ft_font_face_create_for_pattern(wish.get()));
-            }
+        const std::vector<bool> known = has(all);
+        std::string stretch;
+        bool ours = true;
+        const auto finish = [&] {
+            if (stretch.empty()) return;
+            const CairoFont other = ours ? nullptr : font_with(stretch);
             cairo_set_font_face(context_, ours ? font_.get() : other.get());
-            use(all.substr(at, end - at));
+            use(stretch);
+            stretch.clear();
+        };
+        std::size_t number = 0;  // of a letter
+        for (const char c : all) {
+            const bool begins = (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+            const bool mine = begins ? number >= known.size() || known[number++] : ours;
+            if (mine != ours) finish();
+            ours = mine;
+            stretch += c;
         }
+        finish();
     }
 
     cairo_t* context_;
-    FontPattern found_;
-    FcCharSet* letters_ = nullptr;  ///< of what was found
-    CairoFont font_;
+    CairoFont font_ = usual_font();
 };
 
 /// Letters of pixels, whatever the user's own settings: each begins with a whole one.
