@@ -1,11 +1,14 @@
 // Memory that is refused: HITOS_FAULT_MEMORY=NUMBER:BYTES[:lasting], the allocation of that number
 // since main has begun, of those of so many bytes at least; with "lasting" those after it too.
+#include <dlfcn.h>
+
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 
 #include "report.hpp"
 
@@ -33,8 +36,22 @@ std::atomic<long> allocations = 0;
     if (order.given && order.number == 0) report("memory", allocations, "allocations", "");
 }
 
-/// Counts the allocation; whether it is refused.
-bool refused(std::size_t bytes) {
+std::atomic<bool> is_told = false;
+
+/// cairo and fontconfig may end the program where they are refused memory, and nobody else may:
+/// that it was they is told.
+void tell_library(const void* caller) {
+    Dl_info found{};
+    if (is_told || ::dladdr(caller, &found) == 0 || found.dli_fname == nullptr) return;
+    for (const char* library : {"libcairo", "libfontconfig"}) {
+        if (std::strstr(found.dli_fname, library) == nullptr) continue;
+        is_told = true;
+        report("refused", 0, library, "");
+    }
+}
+
+/// Counts the allocation; whether it is refused to who called from there.
+bool refused(std::size_t bytes, const void* caller) {
     if (!order.given || !in_main() || bytes < static_cast<std::size_t>(order.detail)) return false;
     const long number = ++allocations;
     if (order.number == 0 || number < order.number) return false;
@@ -44,6 +61,7 @@ bool refused(std::size_t bytes) {
         const int length = std::snprintf(size.data(), size.size(), "%zu", bytes);
         report("hit", number, "allocation", {size.data(), static_cast<std::size_t>(length)});
     }
+    tell_library(caller);
     errno = ENOMEM;
     return true;
 }
@@ -56,19 +74,21 @@ using hitos::faults::refused;
 extern "C" {
 
 void* malloc(std::size_t bytes) noexcept {
-    return refused(bytes) ? nullptr : __libc_malloc(bytes);
+    return refused(bytes, __builtin_return_address(0)) ? nullptr : __libc_malloc(bytes);
 }
 
 void* calloc(std::size_t count, std::size_t bytes) noexcept {
-    return refused(count * bytes) ? nullptr : __libc_calloc(count, bytes);
+    return refused(count * bytes, __builtin_return_address(0)) ? nullptr
+                                                               : __libc_calloc(count, bytes);
 }
 
 void* realloc(void* old, std::size_t bytes) noexcept {
-    return refused(bytes) ? nullptr : __libc_realloc(old, bytes);
+    return refused(bytes, __builtin_return_address(0)) ? nullptr : __libc_realloc(old, bytes);
 }
 
 void* memalign(std::size_t alignment, std::size_t bytes) noexcept {
-    return refused(bytes) ? nullptr : __libc_memalign(alignment, bytes);
+    return refused(bytes, __builtin_return_address(0)) ? nullptr
+                                                       : __libc_memalign(alignment, bytes);
 }
 
 void* aligned_alloc(std::size_t alignment, std::size_t bytes) noexcept {
