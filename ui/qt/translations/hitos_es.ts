@@ -1023,10 +1023,6 @@
         <translation>la imagen no se pudo codificar</translation>
     </message>
     <message>
-        <source>the picture could not be encoded: %1</source>
-        <translation>la imagen no se pudo codificar: %1</translation>
-    </message>
-    <message>
         <source>%1 is out of range; allowed: integers from 1 to %2</source>
         <translation>%1 está fuera del rango; se permite: enteros de 1 a %2</translation>
     </message>
@@ -2483,10 +2479,6 @@
         <translation>es un dibujo DXF, no un registro; hitos-cli world hace de él un mundo en el que se puede simular un recorrido</translation>
     </message>
     <message>
-        <source>is no picture, or a damaged one; expected PNG, JPG, PGM or BMP</source>
-        <translation>no es una imagen, o está dañada; se esperaba PNG, JPG, PGM o BMP</translation>
-    </message>
-    <message>
         <source>drawing: as metres, which nothing says, it is %1, large for a place that a robot maps. By other units (--unit, dxf_unit) it is: %2</source>
         <translation>dibujo: en metros, que nada indica, mide %1, mucho para un lugar que explore un robot. Con otras unidades (--unit, dxf_unit) es: %2</translation>
     </message>
@@ -2731,14 +2723,6 @@
         <translation>sume la diferencia a los tiempos de los barridos</translation>
     </message>
     <message>
-        <source>if they are millimetres</source>
-        <translation>si son milímetros</translation>
-    </message>
-    <message>
-        <source>if they are centimetres</source>
-        <translation>si son centímetros</translation>
-    </message>
-    <message>
         <source>take how it moved from the scans, where they show enough for that</source>
         <translation>tome de los barridos cómo se movió, si muestran lo bastante</translation>
     </message>
@@ -2761,14 +2745,6 @@
     <message>
         <source>all of them are taken; let the driver say the step between rays that the laser makes (angle_increment); if it turns all round</source>
         <translation>se toman todos; haga que el controlador diga el paso entre rayos que da el láser (angle_increment); si da la vuelta entera</translation>
-    </message>
-    <message>
-        <source>if its positions are millimetres</source>
-        <translation>si sus posiciones son milímetros</translation>
-    </message>
-    <message>
-        <source>if its positions are centimetres</source>
-        <translation>si sus posiciones son centímetros</translation>
     </message>
     <message>
         <source>record times of one clock with milliseconds</source>
@@ -2837,6 +2813,38 @@
     <message>
         <source>every run failed; the first: %1</source>
         <translation>fallaron todas las ejecuciones; la primera: %1</translation>
+    </message>
+    <message>
+        <source>tenths of a millimetre</source>
+        <translation>décimas de milímetro</translation>
+    </message>
+    <message>
+        <source>if they are %1</source>
+        <translation>si son %1</translation>
+    </message>
+    <message>
+        <source>the scans&apos; clock was set %1 times during the tour, first by %2 at second %3: with that taken back %4 % of their points fit the odometry meanwhile, against %5 % as they are stamped</source>
+        <translation>el reloj de los barridos se puso en hora %1 veces durante el recorrido, primero en %2 en el segundo %3: deshecho eso, el %4 % de sus puntos encaja entretanto con la odometría, frente al %5 % tal como están fechados</translation>
+    </message>
+    <message>
+        <source>half of the readings are nearer than %1 m, and by the odometry they are %2 times as long; the map is that many times too small</source>
+        <translation>la mitad de las lecturas están a menos de %1 m, y según la odometría son %2 veces más largas; el mapa queda tantas veces más pequeño</translation>
+    </message>
+    <message>
+        <source>if its positions are %1</source>
+        <translation>si sus posiciones son %1</translation>
+    </message>
+    <message>
+        <source>the picture could not be drawn: %1</source>
+        <translation>no se pudo dibujar la imagen: %1</translation>
+    </message>
+    <message>
+        <source>is no picture, or a damaged one; expected PNG, JPG, PGM or BMP that is not compressed</source>
+        <translation>no es una imagen, o está dañada; se esperaba PNG, JPG, PGM o BMP sin comprimir</translation>
+    </message>
+    <message>
+        <source>the system gives no more of it</source>
+        <translation>el sistema no da más</translation>
     </message>
 </context>
 <context>
