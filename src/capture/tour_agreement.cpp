@@ -1,5 +1,5 @@
-// How well the scans of a tour lie on each other where the odometry, read in one way or another, puts
-// them.
+// How well the scans of a tour lie on each other where the odometry, read one way or another,
+// puts them.
 #include <algorithm>
 #include <cmath>
 

@@ -85,8 +85,11 @@ std::string UseModel::twice(const Step& step) {
     for (const std::string& name : step.writes) {
         Part& part = parts_[name];
         const Content now = shown_of(raw_of(name));
-        if (both_failed && now == part.shown && !waits(name)) continue;  // begun, or not, as it was
-        if (step.part_of_one) {                                          // as in judged_part
+        if (both_failed && now == part.shown && !waits(name)) {  // begun, or not, as it was
+            if (!part.begun) take_over(name);
+            continue;
+        }
+        if (step.part_of_one) {  // as in judged_part
             part.begun = true;
             continue;
         }
