@@ -9,6 +9,7 @@
 #include "hitos/base/median.hpp"
 #include "hypothesis_search.hpp"
 #include "laser_pose.hpp"
+#include "remedies.hpp"
 #include "turned_step.hpp"
 
 namespace hitos {
