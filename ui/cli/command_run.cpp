@@ -57,8 +57,8 @@ constexpr int kNotWhole = 2;  // the program's status
 
 void tell_summary(const RunSummary& summary, const std::string& folder, const Report& report) {
     report.say("{} in {:.1f} s of tour, {} and {}\n", plural(summary.scans, "scan"),
-               summary.duration_s, plural(summary.lines, "line"),
-               plural(summary.corners, "corner"));
+               summary.duration_s, plural(*summary.figures["lines"], "line"),
+               plural(*summary.figures["corners"], "corner"));
     report.say("{}", damage_text(summary.report));
     if (summary.searches_cut > 0) {
         report.say("{} cut short; each has the best found until then\n",

@@ -10,6 +10,12 @@ namespace hitos {
 
 using nlohmann::ordered_json;
 
+ordered_json json_of(const std::optional<double>& figure, const Measure& measure) {
+    if (!figure) return {};
+    return measure.is_count() ? ordered_json(static_cast<std::int64_t>(*figure))
+                              : ordered_json(*figure);
+}
+
 ordered_json json_of(const TourFinding& finding) {
     ordered_json remedies = ordered_json::array();
     for (const Remedy& remedy : finding.remedies) {

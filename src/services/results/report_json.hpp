@@ -1,13 +1,18 @@
-// What was found in a log, as summaries of runs and records of studies state it.
+// What summaries of runs and records of studies state alike.
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "hitos/capture/tour_examination.hpp"
 #include "hitos/capture/tour_reader.hpp"
+#include "hitos/services/evaluation/run_measures.hpp"
 
 namespace hitos {
+
+/// A count as a whole number; null where there is none.
+nlohmann::ordered_json json_of(const std::optional<double>& figure, const Measure& measure);
 
 /// Its word, its number and its sentences in English.
 nlohmann::ordered_json json_of(const TourFinding& finding);

@@ -96,8 +96,13 @@ void state(const RunFigures& figures, ordered_json& json) {
         const std::optional<double>& value = figures[*measure];
         if (!value || measure->place.empty()) continue;
         const ordered_json::json_pointer place(measure->place);
-        if (!json.contains(place)) json[place] = *value;
+        if (!json.contains(place)) json[place] = json_of(value, *measure);
     }
+}
+
+/// Of a path of the run; there is a reference.
+std::optional<TrajectoryError> error_of(const Trajectory& path, const References& references) {
+    return trajectory_error(path, *references.trajectory, references.tolerance_s);
 }
 
 /// Writes everything but the summary.
@@ -130,26 +135,24 @@ std::string version() {
     return kVersion;
 }
 
-RunErrors errors_of(const Algoritmo& run, const References& references) {
+RunErrors errors_of(const Algoritmo& run, const LandmarkMap& map, const Trajectory& path,
+                    const References& references) {
     RunErrors errors;
     if (references.map) {
-        const LandmarkMap map = run.filter().best_map();
         errors.map_error = map_error(map, *references.map);
         errors.aligned_map_error = aligned_map_error(map, *references.map);
     }
     if (references.trajectory) {
-        const auto error_of = [&](const Trajectory& path) {
-            return trajectory_error(path, *references.trajectory, references.tolerance_s);
-        };
-        errors.trajectory_error = error_of(run.best_trajectory());
-        errors.online_error = error_of(run.online_trajectory());
-        errors.odometry_error = error_of(run.odometry_trajectory());
+        errors.trajectory_error = error_of(path, references);
+        errors.odometry_error = error_of(run.odometry_trajectory(), references);
     }
     return errors;
 }
 
-RunSummary summarize(const Algoritmo& run, const References& references,
-                     const std::function<bool()>& stop) {
+namespace {
+
+RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajectory& path,
+                      const References& references, const std::function<bool()>& stop) {
     RunSummary summary;
     summary.source = run.reader().name();
     summary.format = run.reader().format();
@@ -162,19 +165,16 @@ RunSummary summarize(const Algoritmo& run, const References& references,
         slam_algorithms().reads(filter.algorithm, "filter.particles") ? filter.particles : 0;
     summary.seed = run.configuration().run.seed;
     if (const auto truth = run.reader().truth()) summary.tour_seed = truth->seed;
-    summary.lines = run.filter().best_count(FeatureKind::line);
-    summary.corners = run.filter().best_count(FeatureKind::corner);
     summary.searches_cut = run.filter().statistics().searches_cut;
     summary.report = run.report();
     summary.suitability = run.suitability().figures();
     summary.advice = run.advice();
-    const Trajectory path = run.best_trajectory();
     summary.quality = judge(run.evidence(), path, stop);
-    const LandmarkMap map = run.filter().best_map();
-    static_cast<RunErrors&>(summary) = errors_of(run, references);
+    static_cast<RunErrors&>(summary) = errors_of(run, map, path, references);
     summary.figures = figures_of({run.evidence(), run.filter(), map, path, summary, nullptr});
     summary.distances = measure_distances(map, references.distances);
     if (references.trajectory) {
+        summary.online_error = error_of(run.online_trajectory(), references);
         const double delay_s = run.scan().delay_s;
         if (delay_s != 0.0 && !run.reader().truth()) {
             summary.advice.push_back(
@@ -198,6 +198,13 @@ RunSummary summarize(const Algoritmo& run, const References& references,
     return summary;
 }
 
+}  // namespace
+
+RunSummary summarize(const Algoritmo& run, const References& references,
+                     const std::function<bool()>& stop) {
+    return summary_of(run, run.filter().best_map(), run.best_trajectory(), references, stop);
+}
+
 std::string to_json(const RunSummary& summary, double seconds) {
     ordered_json json{
         {"hitos_version", version()},
@@ -210,7 +217,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
         {"duration_s", summary.duration_s},
         {"run_seconds", seconds},
         {"scans_per_second", seconds > 0.0 ? static_cast<double>(summary.scans) / seconds : 0.0},
-        {"landmarks", {{"lines", summary.lines}, {"corners", summary.corners}}},
+        {"landmarks", ordered_json::object()},
         {"log", json_of(summary.report)}};
     if (summary.tour_seed) json["tour_seed"] = *summary.tour_seed;
     if (summary.particles > 0) json["particles"] = summary.particles;
@@ -321,10 +328,11 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
                          StagedFolder& folder, const WritingObserver& told,
                          OdometryGridAhead* ahead, std::span<const std::string> also,
                          const std::function<bool()>& stop) {
-    RunSummary summary = summarize(run, references, stop);
+    RunSummary summary;
     FinishedRun finished{
         run,   references, summary, run.best_trajectory(), run.filter().best_map(), {},
         ahead, also,       stop};
+    summary = summary_of(run, finished.map, finished.best, references, stop);
     finished.segments = run.line_extents().of(finished.map, finished.best);
     try {
         write_files(finished, summary, folder, told);

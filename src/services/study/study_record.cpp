@@ -36,12 +36,6 @@ RunFigures figures_in(const ordered_json& json, const std::string& file) {
     return figures;
 }
 
-ordered_json json_of(const std::optional<double>& value, const Measure& measure) {
-    if (!value) return {};
-    return measure.is_count() ? ordered_json(static_cast<std::int64_t>(*value))
-                              : ordered_json(*value);
-}
-
 ordered_json json_of(const std::optional<StudyPicture>& picture) {
     if (!picture) return {};
     return {{"files", picture->digest},
@@ -92,7 +86,7 @@ void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t 
     ordered_json json{
         {"run", plan.run_digest(run)}, {"ok", record.ok}, {"problem", record.problem.english()}};
     for (const Measure* measure : taken_measures())
-        json[measure->word] = json_of(record.figures[*measure], *measure);
+        json[measure->word] = hitos::json_of(record.figures[*measure], *measure);
     json.update({{"reference_found", record.reference_found},
                  {"scans", record.scans},
                  {"log", hitos::json_of(record.report, kExamples)},

@@ -63,9 +63,9 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
     record.map_digest = Digest().add_file(map_path).text();
     record.scans = run.steps();
     record.report = run.report();
-    const RunErrors errors = errors_of(run, references_of(study, run));
-    if (errors.map_error) record.reference_found = errors.map_error->reference_found;
     const Trajectory path = run.best_trajectory();
+    const RunErrors errors = errors_of(run, map, path, references_of(study, run));
+    if (errors.map_error) record.reference_found = errors.map_error->reference_found;
     std::optional<GridBuilder> builder;
     if (plan.grid) builder.emplace(run.configuration().grid, run.reader().reopen(), path);
     while (builder && builder->step()) {

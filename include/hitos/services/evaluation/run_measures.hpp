@@ -21,7 +21,6 @@ struct RunErrors {
     std::optional<MapError> map_error;
     std::optional<AlignedMapError> aligned_map_error;
     std::optional<TrajectoryError> trajectory_error;
-    std::optional<TrajectoryError> online_error;  ///< of Algoritmo::online_trajectory()
     std::optional<TrajectoryError> odometry_error;
 };
 

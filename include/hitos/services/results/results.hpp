@@ -61,11 +61,10 @@ struct RunSummary : RunErrors {
     int particles = 0;      ///< of FastSLAM; 0: the algorithm has none
     std::uint64_t seed = 0;
     std::optional<std::uint64_t> tour_seed;  ///< of a simulated tour's noise
-    int lines = 0;
-    int corners = 0;
-    std::uint64_t searches_cut = 0;  ///< as FilterStatistics::searches_cut
+    std::uint64_t searches_cut = 0;          ///< as FilterStatistics::searches_cut
     ReadReport report;
     RunFigures figures;
+    std::optional<TrajectoryError> online_error;  ///< of Algoritmo::online_trajectory()
     std::vector<MeasuredDistance> distances;
     SuitabilityFigures suitability;
     std::vector<Advice> advice;
@@ -74,7 +73,9 @@ struct RunSummary : RunErrors {
     std::vector<WrittenFile> files;  ///< by name; not the summary itself
 };
 
-RunErrors errors_of(const Algoritmo& run, const References& references);
+/// Of the run's best map and best path.
+RunErrors errors_of(const Algoritmo& run, const LandmarkMap& map, const Trajectory& path,
+                    const References& references);
 
 /// Once `stop` says so, what reads the tour again is left out.
 RunSummary summarize(const Algoritmo& run, const References& references,
