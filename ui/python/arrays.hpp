@@ -16,7 +16,7 @@
 namespace hitos::python {
 
 /// What stands where there is no figure.
-inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// A read-only array that shows what `data` points to, which `owner` keeps alive, and nothing is
 /// copied.

@@ -17,8 +17,8 @@ using HeldState = std::shared_ptr<State>;
 
 LandmarkRow row_of(const ICaracteristica& landmark) {
     LandmarkRow row{word_of(to_string(landmark.kind())),
-                    kNoFigure,
-                    kNoFigure,
+                    kNan,
+                    kNan,
                     landmark.point().x,
                     landmark.point().y,
                     landmark.observations,

@@ -52,7 +52,7 @@ py::array runs_of(const StudyTable& table) {
     for (const Measure* measure : taken_measures()) {
         const bool count = measure->is_count();
         add(measure->stem(), count ? "i4" : "f8", [&](std::size_t run) {
-            return records[run].figures[*measure].value_or(count ? 0.0 : kNoFigure);
+            return records[run].figures[*measure].value_or(count ? 0.0 : kNan);
         });
     }
     add("scans", "u8", [&](std::size_t run) { return records[run].scans; });

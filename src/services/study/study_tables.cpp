@@ -17,34 +17,26 @@ std::string exact(const std::optional<double>& value) {
     return value ? fmt::format("{}", *value) : "";
 }
 
-std::string whole(std::uint64_t number) {
-    return fmt::format("{}", number);
-}
-
-/// A row of a table: what its columns are called, and what stands there.
-class Row {
+/// A table that grows field by field.
+class Rows {
   public:
-    Row(std::vector<std::string> names, std::vector<std::string> texts)
-        : names_(std::move(names)), texts_(std::move(texts)) {}
+    explicit Rows(std::vector<std::string> first_columns) {
+        table_.head = std::move(first_columns);
+    }
 
-    void add(std::string name, std::string text) {
-        names_.push_back(std::move(name));
-        texts_.push_back(std::move(text));
+    void begin(std::vector<std::string> first_fields) {
+        table_.rows.push_back(std::move(first_fields));
     }
-    void add(std::string name, std::uint64_t number) { add(std::move(name), whole(number)); }
-    /// The first row's names are the head.
-    void put_into(TextTable& table) && {
-        table.head = std::move(names_);
-        table.rows.push_back(std::move(texts_));
+    /// `column`: its head, the same in every row.
+    template <class Field>
+    void add(std::string column, const Field& field) {
+        if (table_.rows.size() == 1) table_.head.push_back(std::move(column));
+        table_.rows.back().push_back(fmt::format("{}", field));
     }
-    void put_into(std::string& csv) && {
-        if (csv.empty()) csv = csv_line(std::move(names_));
-        csv += csv_line(std::move(texts_));
-    }
+    const TextTable& table() const { return table_; }
 
   private:
-    std::vector<std::string> names_;
-    std::vector<std::string> texts_;
+    TextTable table_;
 };
 
 /// With the digits that the thesis prints. What belongs to a reference map stands wherever there is
@@ -64,27 +56,26 @@ TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells, 
     const auto unit_of = [&](std::string unit) {
         return in_latex ? std::move(unit) : printed_unit(std::move(unit));
     };
-    TextTable table;
+    Rows rows(std::move(keys));
     for (const StudyCell& cell : cells) {
-        Row row(keys, cell.texts);
-        row.add("runs", cell.failed == 0
-                            ? fmt::format("{}", cell.finished)
-                            : fmt::format("{} of {}", cell.finished, cell.finished + cell.failed));
+        rows.begin(cell.texts);
+        rows.add("runs", cell.failed == 0
+                             ? fmt::format("{}", cell.finished)
+                             : fmt::format("{} of {}", cell.finished, cell.finished + cell.failed));
         for (const Measure* measure : measures) {
             const auto& spread = cell.figures[*measure];
             const bool narrow = in_latex && !measure->latex_label.empty();
-            row.add(
+            rows.add(
                 with_unit(narrow ? measure->latex_label : measure->label, unit_of(measure->unit)),
                 spread ? measure->rounded(spread->mean, true) : kNoFigure);
             if (!measure->spread) continue;
-            row.add(with_unit("variance", unit_of(squared_unit(measure->unit))),
-                    spread && spread->variance
-                        ? fmt::format("{:.{}f}", *spread->variance, measure->decimals + 1)
-                        : kNoFigure);
+            rows.add(with_unit("variance", unit_of(squared_unit(measure->unit))),
+                     spread && spread->variance
+                         ? fmt::format("{:.{}f}", *spread->variance, measure->decimals + 1)
+                         : kNoFigure);
         }
-        std::move(row).put_into(table);
     }
-    return table;
+    return rows.table();
 }
 
 /// "line 17: …"; empty where nothing was skipped.
@@ -202,82 +193,76 @@ const StudyRecord* most_damaged(std::span<const StudyRecord> records) {
 
 std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
                         std::span<const StudyRecord> records) {
-    const std::vector<std::string> keys = plan.keys();
-    std::string text;
+    Rows rows(plan.keys());
     for (std::size_t run = 0; run < records.size(); ++run) {
         const StudyRecord& record = records[run];
-        Row row(keys, plan.texts(plan.cell_of(run)));
-        const auto add = [&](std::string name, std::string of_one_that_is_ok) {
-            row.add(std::move(name), record.ok ? std::move(of_one_that_is_ok) : std::string());
+        const auto add = [&](std::string column, const auto& of_one_that_is_ok) {
+            rows.add(std::move(column), record.ok ? fmt::format("{}", of_one_that_is_ok) : "");
         };
         const auto add_figures = [&](bool of_landmarks) {
             for (const Measure* measure : taken_of_landmarks(of_landmarks))
                 add(measure->word, exact(record.figures[*measure]));
         };
-        row.add("seed", plan.seed_of(run));
-        row.add("status", record.ok ? "ok" : "failed");
+        rows.begin(plan.texts(plan.cell_of(run)));
+        rows.add("seed", plan.seed_of(run));
+        rows.add("status", record.ok ? "ok" : "failed");
         add_figures(true);
         add("reference_found",
             plan.has_reference() ? fmt::format("{}", record.reference_found) : "");
         add("reference_landmarks", reference_count(plan));
-        add("scans", whole(record.scans));
+        add("scans", record.scans);
         add_figures(false);
         add("map", layout.prefix + "maps/" + plan.file_stem(run) + ".map");
-        row.add("problem", record.ok ? "" : record.problem.english());
-        add("skipped_lines", whole(record.report.skipped));
-        add("stamps_backwards", whole(record.report.stamps_backwards));
-        add("duplicate_scans", whole(record.report.duplicate_scans));
+        rows.add("problem", record.ok ? "" : record.problem.english());
+        add("skipped_lines", record.report.skipped);
+        add("stamps_backwards", record.report.stamps_backwards);
+        add("duplicate_scans", record.report.duplicate_scans);
         add("first_damage", first_damage(record.report));
-        std::move(row).put_into(text);
     }
-    return text;
+    return csv(rows.table());
 }
 
 std::string timing_csv(const StudyPlan& plan, std::span<const StudyRecord> records) {
-    const std::vector<std::string> keys = plan.keys();
-    std::string text;
+    Rows rows(plan.keys());
     for (std::size_t run = 0; run < records.size(); ++run) {
         const StudyRecord& record = records[run];
-        Row row(keys, plan.texts(plan.cell_of(run)));
-        row.add("seed", plan.seed_of(run));
-        row.add("seconds", fmt::format("{:.6f}", record.seconds));
-        row.add("scans_per_second",
-                record.ok && record.seconds > 0.0
-                    ? fmt::format("{:.1f}", static_cast<double>(record.scans) / record.seconds)
-                    : "");
-        row.add("cpu_seconds", fmt::format("{:.6f}", record.cpu_seconds));
-        std::move(row).put_into(text);
+        const bool timed = record.ok && record.seconds > 0.0;
+        rows.begin(plan.texts(plan.cell_of(run)));
+        rows.add("seed", plan.seed_of(run));
+        rows.add("seconds", fmt::format("{:.6f}", record.seconds));
+        rows.add(
+            "scans_per_second",
+            timed ? fmt::format("{:.1f}", static_cast<double>(record.scans) / record.seconds) : "");
+        rows.add("cpu_seconds", fmt::format("{:.6f}", record.cpu_seconds));
     }
-    return text;
+    return csv(rows.table());
 }
 
 std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    const std::vector<std::string> keys = plan.keys();
-    std::string text;
+    Rows rows(plan.keys());
     for (const StudyCell& cell : cells) {
-        Row row(keys, cell.texts);
         const auto add_figures = [&](bool of_landmarks) {
             for (const Measure* measure : taken_of_landmarks(of_landmarks)) {
                 const auto& spread = cell.figures[*measure];
-                row.add(measure->word, spread ? exact(spread->mean) : "");
-                row.add(measure->word_of("variance", true), spread ? exact(spread->variance) : "");
+                rows.add(measure->word, spread ? exact(spread->mean) : "");
+                rows.add(measure->word_of("variance", true), spread ? exact(spread->variance) : "");
                 if (!measure->spread) continue;
-                row.add(measure->word_of("minimum"), spread ? exact(spread->minimum) : "");
-                row.add(measure->word_of("maximum"), spread ? exact(spread->maximum) : "");
+                rows.add(measure->word_of("minimum"), spread ? exact(spread->minimum) : "");
+                rows.add(measure->word_of("maximum"), spread ? exact(spread->maximum) : "");
             }
         };
-        row.add("runs", fmt::format("{}", cell.finished));
-        row.add("failed", fmt::format("{}", cell.failed));
         const auto& error = cell.figures["error_m"];
-        row.add("measured", fmt::format("{}", error ? error->count : 0));
+        rows.begin(cell.texts);
+        rows.add("runs", cell.finished);
+        rows.add("failed", cell.failed);
+        rows.add("measured", error ? error->count : 0);
         add_figures(true);
-        row.add("reference_landmarks", reference_count(plan));
+        rows.add("reference_landmarks", reference_count(plan));
         add_figures(false);
-        row.add("skipped_lines", cell.skipped_lines);
-        row.add("stamps_backwards", cell.stamps_backwards);
-        std::move(row).put_into(text);
+        rows.add("skipped_lines", cell.skipped_lines);
+        rows.add("stamps_backwards", cell.stamps_backwards);
     }
-    return text;
+    return csv(rows.table());
 }
 
 std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> cells) {
