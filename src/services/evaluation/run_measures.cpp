@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/slam/slam_filter.hpp"
 
@@ -63,6 +67,12 @@ std::vector<Measure> all_measures() {
         {"run_seconds", "time", About::course, "s", 2, "/run_seconds"}};
 }
 
+/// What tables, records and Python's arrays say beside the figures.
+constexpr std::string_view kOtherWords =
+    "cell,cpu_seconds,duplicate_scans,failed,finished,first_damage,log,map,measured,ok,picture,"
+    "problem,reference_found,reference_landmarks,run,runs,scans,seconds,seed,skipped_lines,"
+    "stamps_backwards,status,values";
+
 /// As words for programs end in it.
 std::string ending_of(const std::string& unit) {
     return unit.empty() ? unit : "_" + plain_unit(unit);
@@ -70,8 +80,26 @@ std::string ending_of(const std::string& unit) {
 
 }  // namespace
 
-Registry<Measure>& run_measures() {
-    static Registry<Measure> registry("figure of a run", "measures", all_measures());
+void MeasureRegistry::add(Measure measure) {
+    // Python says them without their units; what is not taken of every run stands in no table.
+    const std::string stem = measure.stem();
+    const std::vector<std::string_view> others = input::listed(kOtherWords);
+    const bool said =
+        std::ranges::count(others, measure.word) + std::ranges::count(others, stem) > 0 ||
+        std::ranges::count(all_measures(), stem, &Measure::stem) > 0;
+    if (measure.take != nullptr && said) {
+        throw ConfigError(
+            "measures",
+            HITOS_TEXT("Errors",
+                       "found a figure of a run of the word \"%1\", but tables, records or Python "
+                       "say \"%2\" of something else; give it another word"),
+            measure.word, stem);
+    }
+    Registry::add(std::move(measure));
+}
+
+MeasureRegistry& run_measures() {
+    static MeasureRegistry registry("figure of a run", "measures", all_measures());
     return registry;
 }
 

@@ -70,8 +70,16 @@ struct Measure {
     std::string rounded(double value, bool of_several) const;
 };
 
+/// Figures by their words.
+class MeasureRegistry : public Registry<Measure> {
+  public:
+    using Registry::Registry;
+    /// Throws ConfigError too where tables, records or Python say its word of something else.
+    void add(Measure measure);
+};
+
 /// All of them, in the order of tables for people.
-Registry<Measure>& run_measures();
+MeasureRegistry& run_measures();
 /// Those that are taken of every run.
 std::vector<const Measure*> taken_measures();
 

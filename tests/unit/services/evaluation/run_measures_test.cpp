@@ -1,15 +1,22 @@
 // The table of a run's figures: its words, and what is made of them.
 #include "hitos/services/evaluation/run_measures.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <set>
+#include <string>
+
+#include "hitos/base/error.hpp"
+#include "support.hpp"
 
 namespace hitos {
 namespace {
 
 using ::testing::Contains;
+using ::testing::HasSubstr;
 using ::testing::Not;
 
 const Measure& measure(const char* word) {
@@ -48,6 +55,21 @@ TEST(RunMeasures, EachHasItsOwnWordsAndWhatHelpTextsSayOfIt) {
     }
     EXPECT_THAT(taken_measures(), Contains(&measure("error_m")));
     EXPECT_THAT(taken_measures(), Not(Contains(&measure("run_seconds"))));
+}
+
+TEST(RunMeasures, AWordThatStandsForSomethingElseIsRefused) {
+    const auto refusal = [](const char* word, const char* unit) {
+        Measure own{word, "own", Measure::About::course, unit};
+        own.take = [](const MeasuredRun&) { return std::optional(1.0); };
+        return test::message_of<ConfigError>([&] { run_measures().add(own); });
+    };
+    ASSERT_TRUE(run_measures().knows("error_m"));  // from here on it is closed
+    for (const char* word : {"cell", "seed", "ok", "scans", "seconds", "map"}) {
+        EXPECT_THAT(refusal(word, ""), HasSubstr(fmt::format("say \"{}\" of something", word)));
+    }
+    EXPECT_THAT(refusal("seconds_s", "s"), HasSubstr("word \"seconds_s\", but tables"));
+    EXPECT_THAT(refusal("error_m2", "m^2"), HasSubstr("say \"error\" of something else"));
+    EXPECT_THAT(refusal("way_m", "m"), HasSubstr("comes too late")) << "nothing but that";
 }
 
 TEST(RunMeasures, ValuesAreKeptByMeasure) {
