@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "files/text_output.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/rounding.hpp"
 #include "hitos/base/text_input.hpp"
 #include "stamp_pairs.hpp"
 

@@ -11,7 +11,7 @@
 #include <iterator>
 
 #include "hitos/base/error.hpp"
-#include "text_output.hpp"
+#include "hitos/base/rounding.hpp"
 
 namespace hitos {
 namespace {

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/rounding.hpp"
 #include "map_shapes.hpp"
-#include "text_output.hpp"
 #include "version.hpp"
 #include "xml_text.hpp"
 

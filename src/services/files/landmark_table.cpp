@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/rounding.hpp"
 #include "map_shapes.hpp"
-#include "text_output.hpp"
 
 namespace hitos {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/rounding.hpp"
 #include "hitos/base/text_input.hpp"
-#include "text_output.hpp"
 
 namespace hitos {
 namespace {

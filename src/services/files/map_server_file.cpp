@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "hitos/base/error.hpp"
-#include "text_output.hpp"
+#include "hitos/base/rounding.hpp"
 
 namespace hitos {
 namespace {

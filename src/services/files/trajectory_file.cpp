@@ -11,8 +11,8 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/median.hpp"
+#include "hitos/base/rounding.hpp"
 #include "hitos/base/text_input.hpp"
-#include "text_output.hpp"
 
 namespace hitos {
 namespace {
@@ -154,12 +154,6 @@ void to_seconds(Trajectory& trajectory, const Columns& columns, const std::strin
     for (StampedPose& pose : trajectory) pose.time_s /= unit;
 }
 
-/// Nine decimals; what rounds to zero has no sign.
-std::string nine_decimals(double value) {
-    std::string text = fmt::format("{:.9f}", value);
-    return text == "-0.000000000" ? text.substr(1) : text;
-}
-
 }  // namespace
 
 Trajectory read_trajectory(const std::filesystem::path& path) {
@@ -217,8 +211,8 @@ std::string trajectory_to_text(const Trajectory& trajectory) {
         }
         const double half = wrap_angle(pose.theta) / 2.0;
         text += fmt::format("{} {} {} 0 0 0 {} {}\n", without_sign_of_zero(t),
-                            nine_decimals(pose.x), nine_decimals(pose.y),
-                            nine_decimals(std::sin(half)), nine_decimals(std::cos(half)));
+                            fixed_point(pose.x, 9), fixed_point(pose.y, 9),
+                            fixed_point(std::sin(half), 9), fixed_point(std::cos(half), 9));
     }
     return text;
 }
