@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <list>
 #include <system_error>
 #include <utility>
 
@@ -91,18 +90,12 @@ void StagedFiles::commit() {
         check_no_folder(file->place);
         take_mode(file->place, file->staged());
     }
-    std::list<FileExchange> exchanges;
+    FileExchange exchange;
     const File& last = *files_.back();
-    if (is_there(last.place)) {
-        exchanges.emplace_back(last.staging / "former", last.place.parent_path())
-            .add(last.place.filename().string());
-    }
-    for (const auto& file : files_) {
-        exchanges.emplace_back(file->staging, file->place.parent_path())
-            .add(file->place.filename().string());
-    }
-    for (const FileExchange& exchange : exchanges) exchange.flush();
-    for (FileExchange& exchange : exchanges) exchange.keep();
+    if (is_there(last.place)) exchange.add(last.staged().string() + ".aside", last.place);
+    for (const auto& file : files_) exchange.add(file->staged(), file->place);
+    exchange.flush();
+    exchange.keep();
 }
 
 }  // namespace hitos
