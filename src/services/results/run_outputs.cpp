@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include "corrected_tour.hpp"
@@ -27,35 +27,69 @@ namespace {
 
 using Folder = std::filesystem::path;
 
-const std::string kParticleGrid = "grid_particle_";
+constexpr char kNumber = RunOutput::kNumber;
 
-/// The same files of every run.
-RunOutput of_files(const std::vector<std::string>& files) {
-    RunOutput output;
-    output.files = [files](const FinishedRun&) { return files; };
-    output.owns = [files](const std::string& name) {
-        return std::find(files.begin(), files.end(), name) != files.end();
-    };
-    return output;
+std::string numbered(std::string name, const FinishedRun& finished) {
+    const std::size_t at = name.find(kNumber);
+    return at == std::string::npos
+               ? name
+               : name.replace(at, 1, std::to_string(*finished.run.options().grid_of));
 }
 
-/// One file, of every run.
+/// `write` writes the files into a folder. What it returns, if anything, is why they are missing.
 template <class Write>
-RunOutput always(const char* file, Write write) {
-    RunOutput output = of_files({file});
-    output.write = [file, write](const FinishedRun& finished, const Folder& folder) {
-        write(finished, folder / file);
-        return Message();
-    };
-    return output;
+RunOutput output(std::vector<std::string> names, Write write) {
+    return {std::move(names), [write](const FinishedRun& finished, const Folder& folder) {
+                if constexpr (std::is_void_v<decltype(write(finished, folder))>) {
+                    write(finished, folder);
+                    return Message();
+                } else {
+                    return write(finished, folder);
+                }
+            }};
 }
 
-/// A file without which the run fails.
+/// One file.
 template <class Write>
-RunOutput essential(const char* file, Write write) {
-    RunOutput output = always(file, write);
+RunOutput one_file(const char* name, Write write) {
+    return output({name}, [name, write](const FinishedRun& finished, const Folder& folder) {
+        write(finished, folder / name);
+    });
+}
+
+/// One file, of a text.
+template <class Text>
+RunOutput one_text(const char* name, Text text) {
+    return one_file(name, [text](const FinishedRun& finished, const Folder& file) {
+        write_file(file, text(finished));
+    });
+}
+
+/// One file without which the run fails.
+template <class Write>
+RunOutput essential(const char* name, Write write) {
+    RunOutput output = one_file(name, write);
     output.essential = true;
     return output;
+}
+
+RunOutput rereading(RunOutput output) {
+    output.rereads = true;
+    return output;
+}
+
+RunOutput where(std::function<bool(const FinishedRun&)> wanted, RunOutput output) {
+    output.wanted = std::move(wanted);
+    return output;
+}
+
+/// Where it is asked for, by the word or by one of its names.
+RunOutput asked(const char* word, const char* purpose, RunOutput output) {
+    output.word = word;
+    output.purpose = purpose;
+    return where(
+        [word](const FinishedRun& finished) { return std::ranges::count(finished.also, word) > 0; },
+        std::move(output));
 }
 
 /// Small grids are enlarged so that a picture can be looked at without tools.
@@ -71,8 +105,8 @@ void end_where_asked(const FinishedRun& finished) {
 /// The grid as .png and .jpg, with the path over it.
 template <class MakeGrid, class PathOf>
 RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
-    RunOutput output = of_files({stem + ".png", stem + ".jpg"});
-    output.write = [stem, make_grid, path_of](const FinishedRun& finished, const Folder& folder) {
+    const auto write = [stem, make_grid, path_of](const FinishedRun& finished,
+                                                  const Folder& folder) {
         constexpr std::size_t kDrawnAtOnce = 4'000'000;  // pixels
         const Grid& grid = make_grid(finished);
         const MapImage image = map_image(grid);
@@ -84,11 +118,11 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
             style.path.push_back({stamped.pose.x, stamped.pose.y});
         }
         for (const char* kind : {"png", "jpg"}) {
-            write_picture(fitted(image, kind), style, folder / (stem + "." + kind));
+            write_picture(fitted(image, kind), style,
+                          folder / numbered(stem + "." + kind, finished));
         }
-        return Message();
     };
-    return output;
+    return output({stem + ".png", stem + ".jpg"}, write);
 }
 
 const Trajectory& best_path(const FinishedRun& finished) {
@@ -121,113 +155,36 @@ Grid odometry_grid(const FinishedRun& finished) {
     return built(finished, odometry_path(finished));
 }
 
-/// The name has the particle's number.
-RunOutput particle_grid() {
-    const auto stem = [](std::size_t particle) { return kParticleGrid + std::to_string(particle); };
-    RunOutput output;
-    output.files = [stem](const FinishedRun& finished) {
-        const std::size_t particle = *finished.run.options().grid_of;
-        return std::vector{stem(particle) + ".png", stem(particle) + ".jpg"};
-    };
-    output.owns = [](const std::string& name) {
-        return name.starts_with(kParticleGrid) &&
-               (name.ends_with(".png") || name.ends_with(".jpg"));
-    };
-    output.wanted = [](const FinishedRun& finished) {
-        return finished.run.options().grid_of.has_value();
-    };
-    output.write = [stem](const FinishedRun& finished, const Folder& folder) {
-        const std::size_t particle = *finished.run.options().grid_of;
-        return whole_grid(
-                   stem(particle),
-                   [particle](const FinishedRun& run) { return run.run.trajectory_of(particle); })
-            .write(finished, folder);
-    };
-    return output;
+bool of_a_particle(const FinishedRun& finished) {
+    return finished.run.options().grid_of.has_value();
 }
 
-RunOutput distances() {
-    RunOutput output = of_files({"distances.csv"});
-    output.wanted = [](const FinishedRun& finished) { return !finished.summary.distances.empty(); };
-    output.write = [](const FinishedRun& finished, const Folder& folder) {
-        write_file(folder / "distances.csv", distances_csv(finished.summary.distances));
-        return Message();
-    };
-    return output;
+Trajectory particle_path(const FinishedRun& finished) {
+    return finished.run.trajectory_of(*finished.run.options().grid_of);
 }
 
-RunOutput paths() {
-    RunOutput output = of_files({"paths.png", "paths.gp"});
-    output.wanted = [](const FinishedRun& finished) {
-        return finished.references.trajectory.has_value();
-    };
-    output.write = [](const FinishedRun& finished, const Folder& folder) {
-        const auto& [run, references, summary, best, map, segments, ahead, also, stop] = finished;
-        // True walls hold the true path to the frame of the tour's start.
-        std::optional<Pose> pose_reference_run;
-        if (references.walls.empty() && summary.trajectory_error) {
-            pose_reference_run = summary.trajectory_error->pose_reference_estimate;
-        }
-        return write_paths_picture(
-            {in_frame_of_run(*references.trajectory, best, pose_reference_run),
-             run.odometry_trajectory(), best, map, segments, references.walls},
-            folder);
-    };
-    return output;
+Message write_paths(const FinishedRun& finished, const Folder& folder) {
+    const auto& [run, references, summary, best, map, segments, ahead, also, stop] = finished;
+    // True walls hold the true path to the frame of the tour's start.
+    std::optional<Pose> pose_reference_run;
+    if (references.walls.empty() && summary.trajectory_error) {
+        pose_reference_run = summary.trajectory_error->pose_reference_estimate;
+    }
+    return write_paths_picture({in_frame_of_run(*references.trajectory, best, pose_reference_run),
+                                run.odometry_trajectory(), best, map, segments, references.walls},
+                               folder);
 }
 
-RunOutput odometry_scans() {
-    RunOutput output = of_files({"odometry_scans.png", "odometry_scans.gp"});
-    output.wanted = [](const FinishedRun& finished) { return !finished.references.walls.empty(); };
-    output.write = [](const FinishedRun& finished, const Folder& folder) {
-        OdometryScansPicture picture(finished.references.walls);
-        const std::unique_ptr<TourReader> reader = finished.run.reader().reopen();
-        for (const StampedPose& stamped : odometry_path(finished)) {
-            const std::optional<Scan> scan = reader->next_scan();
-            if (!scan) break;
-            end_where_asked(finished);
-            picture.add(*scan, stamped.pose);
-        }
-        return picture.write(folder);
-    };
-    return output;
-}
-
-RunOutput uncertainty() {
-    RunOutput output =
-        of_files({"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"});
-    output.wanted = [](const FinishedRun& finished) { return finished.run.options().uncertainty; };
-    output.write = [](const FinishedRun& finished, const Folder& folder) {
-        return write_uncertainty(finished.run.uncertainty(), folder);
-    };
-    return output;
-}
-
-/// Files that are written where they are asked for, by the word or by one of their names.
-template <class Write>
-RunOutput asked(const char* word, const std::vector<std::string>& files, const char* purpose,
-                Write write) {
-    RunOutput output = of_files(files);
-    output.word = word;
-    output.purpose = purpose;
-    output.names = files;
-    output.wanted = [word](const FinishedRun& finished) {
-        return std::ranges::count(finished.also, word) > 0;
-    };
-    output.write = [write](const FinishedRun& finished, const Folder& folder) {
-        write(finished, folder);
-        return Message();
-    };
-    return output;
-}
-
-/// One such file, of a text.
-template <class Text>
-RunOutput asked_text(const char* word, const char* file, const char* purpose, Text text) {
-    return asked(word, {file}, purpose,
-                 [file, text](const FinishedRun& finished, const Folder& folder) {
-                     write_file(folder / file, text(finished));
-                 });
+Message write_odometry_scans(const FinishedRun& finished, const Folder& folder) {
+    OdometryScansPicture picture(finished.references.walls);
+    const std::unique_ptr<TourReader> reader = finished.run.reader().reopen();
+    for (const StampedPose& stamped : odometry_path(finished)) {
+        const std::optional<Scan> scan = reader->next_scan();
+        if (!scan) break;
+        end_where_asked(finished);
+        picture.add(*scan, stamped.pose);
+    }
+    return picture.write(folder);
 }
 
 VectorDrawing figure(const FinishedRun& finished) {
@@ -245,11 +202,6 @@ std::string map_data(const FinishedRun& finished) {
     const Grid grid = built(finished, finished.best);
     return ieee_map_xml({finished.summary.source, finished.summary.algorithm, finished.map,
                          finished.segments, grid});
-}
-
-RunOutput rereading(RunOutput output) {
-    output.rereads = true;
-    return output;
 }
 
 std::vector<RunOutput> make_outputs() {
@@ -280,30 +232,39 @@ std::vector<RunOutput> make_outputs() {
             best_path),
         rereading(whole_grid("grid_best", best_path)),
         rereading(grid("grid_odometry", odometry_grid, odometry_path)),
-        rereading(particle_grid()),
-        distances(),
-        paths(),
-        rereading(odometry_scans()),
-        uncertainty(),
-        always("map.dxf", [](const Run& r,
-                             const Folder& file) { write_dxf(r.map, r.segments, r.best, file); }),
-        asked_text("svg", "map.svg", "the map as a figure for papers, to edit",
-                   [](const Run& r) { return svg_text(figure(r)); }),
-        asked_text("pdf", "map.pdf", "the same figure, to include",
-                   [](const Run& r) { return pdf_text(figure(r)); }),
-        rereading(asked("map-server", {"map.yaml", "map.pgm"},
-                        "occupancy grid for ROS's map_server", write_map_server)),
-        rereading(asked_text("ieee-1873", "map.xml",
-                             "landmarks and grid as map data of IEEE 1873-2015", map_data)),
-        asked_text("landmarks", "landmarks.csv", "every landmark with its covariance",
-                   [](const Run& r) { return landmark_table(r.map); }),
-        asked_text("g2o", "graph.g2o", "the best hypothesis' poses, landmarks and measurements",
-                   [](const Run& r) { return g2o_text(graph_of(r.run)); }),
-        rereading(asked("carmen", {"corrected.log"},
-                        "the tour as a CARMEN log with corrected poses",
-                        [](const Run& r, const Folder& folder) {
-                            write_corrected_tour(r.run, r.best, folder / "corrected.log");
-                        })),
+        rereading(where(of_a_particle,
+                        whole_grid(std::string("grid_particle_") + kNumber, particle_path))),
+        where([](const Run& r) { return !r.summary.distances.empty(); },
+              one_text("distances.csv",
+                       [](const Run& r) { return distances_csv(r.summary.distances); })),
+        where([](const Run& r) { return r.references.trajectory.has_value(); },
+              output({"paths.png", "paths.gp"}, write_paths)),
+        rereading(where([](const Run& r) { return !r.references.walls.empty(); },
+                        output({"odometry_scans.png", "odometry_scans.gp"}, write_odometry_scans))),
+        where([](const Run& r) { return r.run.options().uncertainty; },
+              output({"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"},
+                     [](const Run& r, const Folder& folder) {
+                         return write_uncertainty(r.run.uncertainty(), folder);
+                     })),
+        one_file("map.dxf", [](const Run& r,
+                               const Folder& file) { write_dxf(r.map, r.segments, r.best, file); }),
+        asked("svg", "the map as a figure for papers, to edit",
+              one_text("map.svg", [](const Run& r) { return svg_text(figure(r)); })),
+        asked("pdf", "the same figure, to include",
+              one_text("map.pdf", [](const Run& r) { return pdf_text(figure(r)); })),
+        rereading(asked("map-server", "occupancy grid for ROS's map_server",
+                        output({"map.yaml", "map.pgm"}, write_map_server))),
+        rereading(asked("ieee-1873", "landmarks and grid as map data of IEEE 1873-2015",
+                        one_text("map.xml", map_data))),
+        asked("landmarks", "every landmark with its covariance",
+              one_text("landmarks.csv", [](const Run& r) { return landmark_table(r.map); })),
+        asked("g2o", "the best hypothesis' poses, landmarks and measurements",
+              one_text("graph.g2o", [](const Run& r) { return g2o_text(graph_of(r.run)); })),
+        rereading(asked("carmen", "the tour as a CARMEN log with corrected poses",
+                        one_file("corrected.log",
+                                 [](const Run& r, const Folder& file) {
+                                     write_corrected_tour(r.run, r.best, file);
+                                 }))),
     };
 }
 
@@ -316,6 +277,21 @@ Message left_out() {
 const std::vector<RunOutput>& run_outputs() {
     static const std::vector<RunOutput> table = make_outputs();
     return table;
+}
+
+std::vector<std::string> RunOutput::files(const FinishedRun& finished) const {
+    std::vector<std::string> files = names;
+    for (std::string& file : files) file = numbered(std::move(file), finished);
+    return files;
+}
+
+bool RunOutput::owns(const std::string& file) const {
+    return std::ranges::any_of(names, [&file](const std::string& name) {
+        const std::size_t at = name.find(kNumber);
+        return at == std::string::npos
+                   ? file == name
+                   : file.starts_with(name.substr(0, at)) && file.ends_with(name.substr(at + 1));
+    });
 }
 
 bool is_run_output(const std::string& name) {

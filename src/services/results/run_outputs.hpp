@@ -29,21 +29,25 @@ struct FinishedRun {
 
 /// A file of a run, or several that belong together.
 struct RunOutput {
-    /// All that it writes of this run, the one that people look at first.
-    std::function<std::vector<std::string>(const FinishedRun&)> files;
-    /// Whether it writes a file of that name of any run.
-    std::function<bool(const std::string& name)> owns;
-    /// Whether there is something to write; null: always.
-    std::function<bool(const FinishedRun&)> wanted;
+    /// In a name: where the number of the particle stands whose grid is asked for.
+    static constexpr char kNumber = '#';
+
+    std::vector<std::string> names;  ///< of its files, the one that people look at first
     /// Writes into the folder. Returns why the first of the files is missing, else an empty
     /// message. Throws Error.
     std::function<Message(const FinishedRun&, const std::filesystem::path& folder)> write;
+    /// Whether there is something to write; null: always.
+    std::function<bool(const FinishedRun&)> wanted = {};
     bool essential = false;  ///< whether the run fails without it
     bool rereads = false;    ///< it reads the tour again, and is left out where the run is to end
     /// By which it is asked for, and half a sentence for help texts; empty: it needs no asking.
     std::string word = {};
     std::string purpose = {};
-    std::vector<std::string> names = {};  ///< its files, the same of every run
+
+    /// The names of the files of this run.
+    std::vector<std::string> files(const FinishedRun& finished) const;
+    /// Whether it writes a file of that name, of any run.
+    bool owns(const std::string& file) const;
 };
 
 /// In the order in which they are written, the essential ones first; summary.json, which comes

@@ -88,7 +88,7 @@ class OutputCrewTest : public testing::Test {
     /// Writes the file half, then does `before`, then writes it whole.
     static RunOutput output(const std::string& name, std::function<void()> before = {}) {
         RunOutput output;
-        output.files = [name](const FinishedRun&) { return std::vector{name}; };
+        output.names = {name};
         output.write = [name, before = std::move(before)](const FinishedRun&,
                                                           const std::filesystem::path& folder) {
             std::ofstream(folder / name) << "half";
