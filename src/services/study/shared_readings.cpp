@@ -51,41 +51,30 @@ bool SharedReadings::take(std::size_t bytes) {
 template <class Value>
 typename SharedReadings::Kept<Value>::Pointer SharedReadings::once(
     Kept<Value>& kept, const std::function<typename Kept<Value>::Pointer(const MayGrow&)>& make) {
-    std::promise<typename Kept<Value>::Pointer> promise;
-    std::shared_future<typename Kept<Value>::Pointer> value;
-    bool mine = false;
+    const std::scoped_lock making(kept.making);
+    if (kept.tried) return kept.value;
     {
         const std::scoped_lock lock(mutex_);
-        if (!kept.value.valid()) {
-            if (kept.runs < 2) return nullptr;  // nobody to share it with
-            kept.value = promise.get_future().share();
-            mine = true;
-        }
-        value = kept.value;
+        if (kept.runs < 2) return nullptr;  // nobody to share it with
     }
-    if (mine) {
-        std::size_t taken = 0;
-        typename Kept<Value>::Pointer made;
-        try {
-            made = make([&](std::size_t bytes) {
-                if (!take(bytes)) return false;
-                taken += bytes;
-                return true;
-            });
-        } catch (...) {
-            made = nullptr;  // whoever reads it for himself is told
-        }
-        {
-            const std::scoped_lock lock(mutex_);
-            if (made) {
-                kept.bytes = taken;
-            } else {
-                bytes_ -= taken;
-            }
-        }
-        promise.set_value(std::move(made));
+    kept.tried = true;
+    std::size_t taken = 0;
+    try {
+        kept.value = make([&](std::size_t bytes) {
+            if (!take(bytes)) return false;
+            taken += bytes;
+            return true;
+        });
+    } catch (...) {
+        kept.value = nullptr;  // whoever reads it for himself is told
     }
-    return value.get();
+    const std::scoped_lock lock(mutex_);
+    if (kept.value) {
+        kept.bytes = taken;
+    } else {
+        bytes_ -= taken;
+    }
+    return kept.value;
 }
 
 template <class Value>

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <future>
 #include <memory>
 #include <mutex>
 #include <stop_token>
@@ -42,7 +41,9 @@ class SharedReadings {
         using Pointer = std::shared_ptr<const Value>;
         std::size_t runs = 0;  ///< that are not over
         std::size_t bytes = 0;
-        std::shared_future<Pointer> value;  ///< of null where it is not kept
+        std::mutex making;  ///< guards the two below; whoever finds it locked waits for them
+        bool tried = false;
+        Pointer value;  ///< null where it is not kept
     };
     /// That keys are equal is for the structs to say; these only spread them.
     struct Spread {

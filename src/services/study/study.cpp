@@ -73,9 +73,7 @@ class Crew {
           inputs_(inputs),
           outcomes_(outcomes),
           tasks_(std::move(tasks)),
-          observer_(options.observer),
-          listener_(options.listener),
-          stop_(options.stop),
+          options_(options),
           shared_(options.shared_bytes, options.stop),
           parts_(tasks_.size(), 0.0) {
         progress_.runs = tasks_.size();
@@ -83,7 +81,8 @@ class Crew {
         for (const Task& task : tasks_) expect(task);
     }
 
-    void work(int threads) {
+    void work() {
+        int threads = options_.threads;
         if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
         const std::size_t count =
             std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1,
@@ -116,7 +115,7 @@ class Crew {
     void work_on() {
         try {
             for (std::size_t place = next_++; place < tasks_.size(); place = next_++) {
-                if (stopped_ || stop_.stop_requested()) return;
+                if (stopped_ || options_.stop.stop_requested()) return;
                 do_task(place);
             }
         } catch (...) {
@@ -189,12 +188,12 @@ class Crew {
                        .extractor = std::move(parts.extractor)});
         constexpr std::uint64_t kTellEvery = 64;
         while (run.step()) {
-            if (stop_.stop_requested()) return std::nullopt;
+            if (options_.stop.stop_requested()) return std::nullopt;
             if (run.steps() % kTellEvery == 0) {
                 tell(place, run.reader().progress().value_or(0.0), nullptr);
             }
         }
-        return study::measure_run(study, folders_[s].work(), plan, number, run, stop_);
+        return study::measure_run(study, folders_[s].work(), plan, number, run, options_.stop);
     }
 
     /// `part` of the task is done; with its record, all of it.
@@ -212,15 +211,15 @@ class Crew {
                 ++outcomes_[s].failed;
                 progress_.failure = outcomes_[s].plan.label(run) + ": " + record->problem.english();
             }
-            if (listener_) listener_(outcomes_[s].plan, run, *record);
+            if (options_.listener) options_.listener(outcomes_[s].plan, run, *record);
         }
-        if (!observer_) return;
+        if (!options_.observer) return;
         progress_.running = outcomes_[s].plan.label(run);
         progress_.running_number = place + 1;
         progress_.fraction = progress_.finished == progress_.runs
                                  ? 1.0
                                  : std::clamp(sum_ / static_cast<double>(progress_.runs), 0.0, 1.0);
-        observer_(progress_);
+        options_.observer(progress_);
     }
 
     std::span<const Study> studies_;
@@ -228,9 +227,7 @@ class Crew {
     std::span<const InputFiles> inputs_;
     std::span<StudyOutcome> outcomes_;
     std::vector<Task> tasks_;
-    StudyObserver observer_;
-    StudyListener listener_;
-    std::stop_token stop_;
+    const StudyOptions& options_;
     study::SharedReadings shared_;
     std::atomic<std::size_t> next_ = 0;
     std::atomic<bool> stopped_ = false;
@@ -349,7 +346,7 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
         if (!tasks.empty() && tasks.back().study == s) folders[s].reopen();
     }
     const std::size_t to_do = tasks.size();
-    Crew(studies, folders, inputs, outcomes, std::move(tasks), options).work(options.threads);
+    Crew(studies, folders, inputs, outcomes, std::move(tasks), options).work();
     std::size_t done = 0;
     for (const StudyOutcome& outcome : outcomes) done += outcome.computed;
     if (done < to_do) {

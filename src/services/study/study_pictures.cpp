@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <system_error>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/staged_folder.hpp"
 #include "hitos/services/drawing/contact_sheet.hpp"
 #include "hitos/services/files/trajectory_file.hpp"
 #include "study_files.hpp"
@@ -65,22 +65,12 @@ std::string title_of(const StudyPlan& plan) {
     return title;
 }
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw FileError(folder.string(), HITOS_TEXT("Errors", "cannot be made: %1"),
-                        system_message(error.value()));
-    }
-}
-
 }  // namespace
 
 Message write_pictures(const StudyLayout& runs, const StudyLayout& out, const StudyPlan& plan,
                        std::span<const StudyRecord> records) {
-    const fs::path folder = out.file("pictures");
     if (plan.pictures == StudyPictures::none) return {};
-    make_folder(folder);
+    const fs::path folder = made_output_folder(out.file("pictures"));
     ContactSheet sheet;
     sheet.title = title_of(plan);
     sheet.columns = columns_of(plan);

@@ -24,21 +24,26 @@ namespace fs = std::filesystem;
 /// In the enum's order.
 constexpr std::array<std::string_view, 3> kPictureWords{"none", "first", "all"};
 
+/// Whether the parameter can take the value; where not, its runs will fail and say why.
+bool set_if_possible(const ConfigParameter& parameter, Configuracion& configuration,
+                     const std::string& value) {
+    try {
+        parameter.set(configuration, value);
+        return true;
+    } catch (const ConfigError&) {
+        return false;
+    }
+}
+
 /// The value as the configuration writes it, so that 0.020 and 2e-2 are one value; as it stands
-/// where a key cannot take it (its runs will fail and say why).
-StudyValue canonical(const std::vector<std::string>& keys, const StudyValue& value) {
-    StudyValue texts;
+/// where a key cannot take it.
+StudyValue canonical(const std::vector<std::string>& keys, StudyValue value) {
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const ConfigParameter& parameter = find_parameter(keys[i]);
         Configuracion scratch;
-        try {
-            parameter.set(scratch, value[i]);
-            texts.push_back(parameter.text(scratch));
-        } catch (const ConfigError&) {
-            texts.push_back(value[i]);
-        }
+        if (set_if_possible(parameter, scratch, value[i])) value[i] = parameter.text(scratch);
     }
-    return texts;
+    return value;
 }
 
 StudyPlan::Axis axis_of(const StudyParameter& parameter, const Configuracion& configuration) {
@@ -84,18 +89,12 @@ StudyPlan::Axis axis_of(const StudyParameter& parameter, const Configuracion& co
     return axis;
 }
 
-/// The configuration of a cell; a value that its key cannot take is left out (its runs will fail
-/// and say why).
+/// The configuration of a cell; a value that its key cannot take is left out.
 Configuracion configuration_of(const Configuracion& base, const std::vector<std::string>& keys,
                                const std::vector<std::string>& texts) {
     Configuracion configuration = base;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        try {
-            find_parameter(keys[i]).set(configuration, texts[i]);
-        } catch (const ConfigError&) {
-            continue;
-        }
-    }
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        set_if_possible(find_parameter(keys[i]), configuration, texts[i]);
     return configuration;
 }
 
