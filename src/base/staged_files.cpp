@@ -3,13 +3,13 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <exception>
 #include <system_error>
 #include <utility>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/file_exchange.hpp"
+#include "hitos/base/folder_entries.hpp"
 
 namespace hitos {
 
@@ -52,12 +52,7 @@ StagedFiles::File::File(fs::path file)
 
 StagedFiles::File::~File() {
     at_early_end.forget();
-    try {
-        std::error_code ignored;
-        fs::remove_all(staging, ignored);
-    } catch (const std::exception&) {
-        return;  // no memory is left for it: the next one clears
-    }
+    remove_whole(staging);
 }
 
 StagedFiles::StagedFiles(const std::vector<fs::path>& files) {

@@ -137,7 +137,7 @@ void StagedFolder::clear() {
         fs::rename(entry.path(), target_ / name, ignored);
     }
     if (incomplete) return;  // somebody's file may be among what is not known
-    fs::remove_all(staging_, ignored);
+    remove_whole(staging_);
 }
 
 bool StagedFolder::exchange_folders() {

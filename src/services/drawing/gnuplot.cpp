@@ -19,6 +19,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "hitos/base/text_input.hpp"
 
 namespace hitos {
@@ -39,14 +40,7 @@ class Workshop {
                             system_message(error.value()));
         }
     }
-    ~Workshop() {
-        try {
-            std::error_code ignored;
-            fs::remove_all(path_, ignored);
-        } catch (const std::exception&) {
-            return;  // no memory is left for it; whoever has the folder next removes it
-        }
-    }
+    ~Workshop() { remove_whole(path_); }
     Workshop(const Workshop&) = delete;
     Workshop& operator=(const Workshop&) = delete;
     const fs::path& path() const { return path_; }
