@@ -99,6 +99,7 @@ std::optional<Pixels> decoded_jpeg(std::string_view bytes, const SizeCheck& chec
                                            &sampling, &colours))) {
         return std::nullopt;
     }
+    if (width <= 0 || height <= 0) return std::nullopt;  // the height may follow behind the pixels
     const bool inks = colours == TJCS_CMYK || colours == TJCS_YCCK;
     const int format = colours == TJCS_GRAY ? TJPF_GRAY : inks ? TJPF_CMYK : TJPF_RGB;
     Pixels pixels = room_for(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),

@@ -305,6 +305,9 @@ TEST(PictureFile, PixelsAreCountedBeforeThereIsRoomForThem) {
         "\xff\xda\0\x08\1\1\0\0\x3f\0\xff\xd9",
         27);
     EXPECT_THAT(refusal("a.jpg", frame), HasSubstr("60000 x 60000 pixels"));
+    std::string of_no_height = frame;
+    of_no_height.replace(7, 2, std::string(2, '\0'));
+    EXPECT_THAT(refusal("b.jpg", of_no_height), HasSubstr("is no picture"));
     // No other kind of picture goes to a library at all, whatever its name.
     EXPECT_THAT(refusal("a.png", "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\"/>"),
                 HasSubstr("expected PNG, JPG, PGM or BMP"));
