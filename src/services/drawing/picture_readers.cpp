@@ -130,7 +130,7 @@ std::optional<Pixels> decoded_bmp(std::string_view bytes, const SizeCheck& check
     const std::uint64_t width = little_endian(bytes, 18, old ? 2 : 4);
     const auto rows = old ? static_cast<std::int32_t>(little_endian(bytes, 20, 2))
                           : static_cast<std::int32_t>(little_endian(bytes, 22, 4));
-    const std::uint64_t height = static_cast<std::uint64_t>(std::abs(std::int64_t{rows}));
+    const auto height = static_cast<std::uint64_t>(std::abs(std::int64_t{rows}));
     const std::uint64_t bits = little_endian(bytes, old ? 24 : 28, 2);
     const std::uint64_t compression = old ? 0 : little_endian(bytes, 30, 4);
     if (width == 0 || height == 0) return std::nullopt;
