@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -35,30 +36,34 @@ void check_no_folder(const fs::path& place) {
                     HITOS_TEXT("Errors", "cannot be written: it is a folder; choose a file name"));
 }
 
+FileExchange::FileExchange(fs::path from, fs::path to)
+    : from_(std::move(from)), to_(std::move(to)) {}
+
 FileExchange::~FileExchange() {
     std::for_each(done_.rbegin(), done_.rend(), [](const Places& places) { turn(places); });
 }
 
-void FileExchange::add(const fs::path& waiting, const fs::path& place) {
-    Places places{waiting, place, waiting.string() + ".former"};
+void FileExchange::add(const std::string& name) {
+    Places places{from_ / name, to_ / name, from_ / (name + ".former")};
     std::error_code ignored;
-    for (const fs::path& folder : {waiting.parent_path(), place.parent_path()}) {
-        if (!folders_.insert(folder).second) continue;
-        fs::create_directories(folder, ignored);
-        sync_folder(folder.parent_path());
-        sync_folder(folder);
-    }
+    for (const fs::path& place : {places.a, places.b})
+        fs::create_directories(place.parent_path(), ignored);
     // What is noted is turned back: from here on nothing needs memory before it is turned.
     done_.push_back(std::move(places));
     if (turn(done_.back())) return;
     const int reason = errno;
     done_.pop_back();
-    throw FileError(place.string(), HITOS_TEXT("Errors", "cannot be put in place: %1"),
+    throw FileError((to_ / name).string(), HITOS_TEXT("Errors", "cannot be put in place: %1"),
                     system_message(reason));
 }
 
 void FileExchange::flush() const {
-    for (const fs::path& folder : folders_) sync_folder(folder);
+    std::set<fs::path> folders{from_, to_};
+    for (const Places& places : done_) {
+        folders.insert(places.a.parent_path());
+        folders.insert(places.b.parent_path());
+    }
+    for (const fs::path& folder : folders) sync_folder(folder);
 }
 
 bool FileExchange::turn(const Places& places) {

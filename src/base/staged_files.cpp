@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <list>
 #include <system_error>
 #include <utility>
 
@@ -85,12 +86,18 @@ void StagedFiles::commit() {
         check_no_folder(file->place);
         take_mode(file->place, file->staged());
     }
-    FileExchange exchange;
+    std::list<FileExchange> exchanges;
     const File& last = *files_.back();
-    if (is_there(last.place)) exchange.add(last.staged().string() + ".aside", last.place);
-    for (const auto& file : files_) exchange.add(file->staged(), file->place);
-    exchange.flush();
-    exchange.keep();
+    if (is_there(last.place)) {
+        exchanges.emplace_back(last.staging / "former", last.place.parent_path())
+            .add(last.place.filename().string());
+    }
+    for (const auto& file : files_) {
+        exchanges.emplace_back(file->staging, file->place.parent_path())
+            .add(file->place.filename().string());
+    }
+    for (const FileExchange& exchange : exchanges) exchange.flush();
+    for (FileExchange& exchange : exchanges) exchange.keep();
 }
 
 }  // namespace hitos

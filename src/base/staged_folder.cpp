@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
-#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -22,6 +21,15 @@ namespace hitos {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// All entries of a folder: half a list would lose files. Throws FileError, of `shown`.
+std::vector<fs::directory_entry> all_entries(const fs::path& folder, const fs::path& shown) {
+    try {
+        return folder_entries(folder);
+    } catch (const FileError& error) {
+        throw error.replaced(folder.string(), shown.string());
+    }
+}
 
 /// What a writer has not finished, or could not remove.
 bool is_unfinished(const std::string& name) {
@@ -61,6 +69,25 @@ bool linked(const fs::directory_entry& entry, const fs::path& to) {
 bool exchanged(const fs::path& a, const fs::path& b) {
     return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
 }
+
+/// A file that goes back to its place unless another one has taken it.
+class PutAside {
+  public:
+    PutAside(fs::path file, fs::path aside) : file_(std::move(file)), aside_(std::move(aside)) {
+        std::error_code none;
+        fs::rename(file_, aside_, none);
+    }
+    ~PutAside() {
+        std::error_code none;
+        if (!is_there(file_)) fs::rename(aside_, file_, none);
+    }
+    PutAside(const PutAside&) = delete;
+    PutAside& operator=(const PutAside&) = delete;
+
+  private:
+    fs::path file_;
+    fs::path aside_;
+};
 
 }  // namespace
 
@@ -151,7 +178,7 @@ bool StagedFolder::exchange_folders() {
         for (const fs::path& link : links) fs::remove(link, ignored);
         return false;
     };
-    for (const fs::directory_entry& entry : folder_entries(target_)) {
+    for (const fs::directory_entry& entry : all_entries(target_, target_)) {
         const fs::path here = staging_ / entry.path().filename();
         if (is_former(entry) || is_unfinished(here.filename().string()) || is_there(here)) continue;
         if (!linked(entry, here)) return give_up();
@@ -169,41 +196,39 @@ bool StagedFolder::exchange_folders() {
 }
 
 void StagedFolder::exchange_files() {
-    // Half a list would lose files: all are known before the first one is moved.
-    std::set<fs::path> names;
-    for (const fs::directory_entry& entry : staged_entries()) {
-        const fs::path name = entry.path().filename();
-        if (!is_unfinished(name)) names.insert(name);
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : all_entries(staging_, target_)) {
+        const std::string name = entry.path().filename().string();
+        if (!is_unfinished(name)) names.push_back(name);
     }
-    for (const fs::directory_entry& entry : folder_entries(target_)) {
-        if (is_former(entry)) names.insert(entry.path().filename());
+    std::vector<std::string> former;
+    for (const fs::directory_entry& entry : all_entries(target_, target_)) {
+        const std::string name = entry.path().filename().string();
+        if (name != seal_ && is_former(entry) && !is_there(staging_ / name)) {
+            former.push_back(name);
+        }
     }
-    names.erase(seal_);
-    // The former seal may be gone for a moment, the new one is never early.
-    FileExchange exchange;
-    if (is_there(target_ / seal_)) {
-        exchange.add(staging_ / (".hitos-" + seal_), target_ / seal_);
-        exchange.flush();
+    // The former seal may be gone for a moment, the new one is never early. Taken back last.
+    const PutAside former_seal(target_ / seal_, staging_ / (".hitos-" + seal_));
+    FileExchange exchange(staging_, target_);
+    for (const std::string& name : former) exchange.add(name);
+    for (const std::string& name : names) {
+        if (name != seal_) exchange.add(name);
     }
-    for (const fs::path& name : names) exchange.add(staging_ / name, target_ / name);
-    exchange.flush();
-    exchange.add(staging_ / seal_, target_ / seal_);
-    exchange.flush();
+    sync_folder(target_);
+    exchange.add(seal_);
     exchange.keep();
-}
-
-std::vector<fs::directory_entry> StagedFolder::staged_entries() const {
-    return told_of(target_, staging_, [this] { return folder_entries(staging_); });
+    sync_folder(target_);
 }
 
 bool StagedFolder::is_former(const fs::directory_entry& entry) const {
     std::error_code ignored;
-    return !entry.is_directory(ignored) && former_(entry.path().filename().string());
+    return !entry.is_directory(ignored) && owned_.former(entry.path().filename().string());
 }
 
 void StagedFolder::commit() {
     const auto whole = at_early_end_.hold();  // with the former files gone
-    for (const fs::directory_entry& entry : staged_entries()) {
+    for (const fs::directory_entry& entry : all_entries(staging_, target_)) {
         if (is_unfinished(entry.path().filename().string())) {
             std::error_code ignored;  // it then comes along, and goes with the next results
             fs::remove_all(entry.path(), ignored);
@@ -211,7 +236,6 @@ void StagedFolder::commit() {
         }
         check_no_folder(target_ / entry.path().filename());
     }
-    former_ = owned_.former();
     if (!exchange_folders()) exchange_files();
     clear();
 }

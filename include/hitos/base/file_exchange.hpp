@@ -1,12 +1,9 @@
-// Files that change places together.
+// Files of two folders that change places together.
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
-
-#include "hitos/base/error.hpp"
 
 namespace hitos {
 
@@ -17,33 +14,21 @@ bool is_there(const std::filesystem::path& path);
 /// may well be there.
 bool is_file(const std::filesystem::path& path);
 
-/// Does `work`. What it throws of a file in the hidden place, of which nobody knows, it throws of
-/// the one that is shown.
-template <class Work>
-auto told_of(const std::string& shown, const std::string& hidden, const Work& work) {
-    try {
-        return work();
-    } catch (const FileError& error) {
-        throw error.replaced(hidden, shown);
-    }
-}
-
 /// A folder of somebody's does not make way for a file: throws FileError where one is at the place.
 void check_no_folder(const std::filesystem::path& place);
 
-/// Files that wait in hidden folders change places with those that they are to follow, all or none:
-/// destroyed without keep(), it takes everything back, the last one first. A file and its place are
-/// of one file system.
+/// Files that change their places between two folders, all or none: destroyed without keep(), it
+/// takes everything back. The folders are of one file system.
 class FileExchange {
   public:
-    FileExchange() = default;
+    FileExchange(std::filesystem::path from, std::filesystem::path to);
     ~FileExchange();
     FileExchange(const FileExchange&) = delete;
     FileExchange& operator=(const FileExchange&) = delete;
 
-    /// What is at either place goes to the other one; their folders are made, and outlast a loss of
-    /// power before anything goes there. Throws FileError of `place`.
-    void add(const std::filesystem::path& waiting, const std::filesystem::path& place);
+    /// What is at either place goes to the other one. `name` is relative; the folders on its way
+    /// are made. Throws FileError of the place in the second folder.
+    void add(const std::string& name);
     /// Flushes the folders on either side, so that what is done outlasts a loss of power.
     void flush() const;
     /// Leaves everything where it is now.
@@ -59,7 +44,8 @@ class FileExchange {
 
     static bool turn(const Places& places);
 
-    std::set<std::filesystem::path> folders_;
+    std::filesystem::path from_;
+    std::filesystem::path to_;
     std::vector<Places> done_;
 };
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "hitos/base/folder_lock.hpp"
 
@@ -21,12 +20,11 @@ std::filesystem::path made_output_folder(std::filesystem::path folder);
 /// lives.
 class StagedFolder {
   public:
-    using Names = std::function<bool(const std::string& name)>;
     /// Which files are of such a content. A new one takes the place of the former ones; whatever
     /// has another's name is somebody's, and stays.
     struct Owned {
-        std::function<Names()> former;  ///< in the folder as it is: asked before anything is moved
-        Names any;                      ///< of any such content
+        std::function<bool(const std::string& name)> former;  ///< in the folder as it is
+        std::function<bool(const std::string& name)> any;     ///< of any such content, by name
     };
 
     /// Makes the folder (and its parents). `seal`: the file that says that the others are whole.
@@ -50,7 +48,6 @@ class StagedFolder {
     void commit();
 
   private:
-    std::vector<std::filesystem::directory_entry> staged_entries() const;
     bool is_former(const std::filesystem::directory_entry& entry) const;
     bool exchange_folders();
     void exchange_files();
@@ -59,7 +56,6 @@ class StagedFolder {
     bool made_;  ///< by this one
     std::filesystem::path target_;
     Owned owned_;
-    Names former_;
     std::string seal_;
     FolderLock lock_;
     std::filesystem::path staging_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -271,24 +272,41 @@ void prepare_output_folder(const std::filesystem::path& folder) {
 
 namespace {
 
-/// Whether the name is of the run whose results are in the folder: those that its summary names, or
-/// (of a version that named none, and where it cannot be read) all that a run may write. Without a
-/// summary there are none: whatever their names, they are somebody's.
-StagedFolder::Names former_files(const std::filesystem::path& folder) {
-    std::set<std::string> names{kSummaryFile};
-    try {
-        if (is_file(folder / kSummaryFile)) {
-            const auto files = with_summary(folder, [&](const nlohmann::json& json) {
-                return files_named(json, folder / kSummaryFile);
-            });
-            if (files.empty()) return is_results_file;
-            for (const WrittenFile& file : files) names.insert(file.name);
-        }
-    } catch (const Error&) {
-        return is_results_file;
+/// The files of the run whose results are in the folder: those that its summary names, or (of a
+/// version that named none) all that a run may write. Without a summary none: whatever their names,
+/// they are somebody's.
+class FormerFiles {
+  public:
+    explicit FormerFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    bool operator()(const std::string& name) {
+        if (name == kSummaryFile) return true;
+        if (!known_) read();
+        return by_name_ ? is_run_output(name) : known_->contains(name);
     }
-    return [names = std::move(names)](const std::string& name) { return names.contains(name); };
-}
+
+  private:
+    void read() {
+        known_.emplace();
+        std::error_code problem;
+        const bool there = std::filesystem::is_regular_file(folder_ / kSummaryFile, problem);
+        // One that cannot be looked at is there.
+        if (!there && (!problem || problem == std::errc::no_such_file_or_directory)) return;
+        try {
+            const auto files = with_summary(folder_, [this](const nlohmann::json& json) {
+                return files_named(json, folder_ / kSummaryFile);
+            });
+            for (const WrittenFile& file : files) known_->insert(file.name);
+            by_name_ = files.empty();
+        } catch (const Error&) {
+            by_name_ = true;
+        }
+    }
+
+    std::filesystem::path folder_;
+    std::optional<std::set<std::string>> known_;
+    bool by_name_ = false;
+};
 
 }  // namespace
 
@@ -297,7 +315,13 @@ bool is_results_file(const std::string& name) {
 }
 
 StagedFolder results_folder(const std::filesystem::path& folder) {
-    return {folder, {[folder] { return former_files(folder); }, is_results_file}, kSummaryFile};
+    // Asked first before anything changes places, and then not read again.
+    return {folder,
+            {[former = std::make_shared<FormerFiles>(folder)](const std::string& name) {
+                 return (*former)(name);
+             },
+             is_results_file},
+            kSummaryFile};
 }
 
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "hitos/base/error.hpp"
-#include "hitos/base/file_exchange.hpp"
 #include "hitos/base/text_input.hpp"
 #include "json_input.hpp"
 #include "written_files.hpp"
@@ -19,7 +19,13 @@ inline constexpr const char* kSummaryFile = "summary.json";
 template <class Read>
 auto with_summary(const std::filesystem::path& folder, Read read) {
     const std::filesystem::path file = folder / kSummaryFile;
-    if (!is_file(file)) {
+    std::error_code problem;
+    const bool there = std::filesystem::is_regular_file(file, problem);
+    if (problem && problem != std::errc::no_such_file_or_directory) {
+        throw FileError(file.string(), HITOS_TEXT("Errors", "cannot be read: %1"),
+                        system_message(problem.value()));
+    }
+    if (!there) {
         throw FileError(folder.string(),
                         HITOS_TEXT("Errors",
                                    "is no folder of results: it has no summary.json; choose one "

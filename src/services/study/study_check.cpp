@@ -65,10 +65,14 @@ std::vector<std::string> names_in(const StudyLayout& layout, const char* folder)
 /// Files where only a study's are, or with the names of its tables, that are none of this one.
 std::vector<std::string> left_over_files(const StudyLayout& layout, const StudyPlan& plan,
                                          const study::PlanState& state) {
-    const std::vector<std::string> of_runs = study::names_of_runs(layout, plan);
-    std::set<std::string> own(of_runs.begin(), of_runs.end());
+    std::set<std::string> own;
     for (const WrittenFile& file : state.files) own.insert(file.name);
     own.insert(layout.prefix + "timing.csv");  // which is not listed
+    for (std::size_t run = 0; run < plan.runs(); ++run) {
+        std::vector<std::filesystem::path> files = study::run_files(layout, plan, run);
+        files.push_back(study::record_file(layout, plan, run));
+        for (const auto& file : files) own.insert(file.lexically_relative(layout.folder).string());
+    }
     std::vector<std::string> found;
     for (const char* folder : {"maps", "runs", "pictures"}) {
         std::ranges::copy(names_in(layout, folder), std::back_inserter(found));
@@ -90,7 +94,8 @@ bool is_study(const StudyLayout& layout) {
 }
 
 StudyCheck check_study(const StudyLayout& layout) {
-    const auto [plan, state] = study::read_study(layout);
+    const StudyPlan plan = study::read_plan(layout);
+    const study::PlanState state = study::read_plan_state(layout);
     StudyCheck check;
     check.runs = plan.runs();
     check.finished = state.finished;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <utility>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
@@ -50,6 +49,35 @@ StudyPlan plan_of(const ordered_json& json, const fs::path& path) {
     return plan;
 }
 
+/// What `read` finds in study.json.
+template <class Read>
+auto with_plan(const StudyLayout& layout, Read read) {
+    const fs::path path = plan_file(layout);
+    const std::string text = input::read_text(path, input::kLargestSettings);
+    try {
+        const auto json = parsed<ordered_json>(text, path.string());
+        if (json.at("format") != kPlanFormat) {
+            throw FormatError(path.string(), 0, HITOS_TEXT("Errors", "expected format %1"),
+                              kPlanFormat);
+        }
+        const StudyPlan plan = plan_of(json, path);
+        const bool sound = is_consistent(plan);
+        if (sound && !plan.is_possible()) {
+            throw FormatError(
+                path.string(), 0,
+                HITOS_TEXT("Errors", "is a plan of more than %1 runs; the plan is damaged"),
+                StudyPlan::kMostRuns);
+        }
+        if (!sound || !is_sealed(text, kStudySeal)) {
+            throw FormatError(path.string(), 0, HITOS_TEXT("Errors", "the plan is damaged"));
+        }
+        return read(json, plan);
+    } catch (const nlohmann::json::exception& error) {
+        throw FormatError(path.string(), 0, HITOS_TEXT("Errors", "is no plan of a study: %1"),
+                          error.what());
+    }
+}
+
 fs::path of_run(const StudyLayout& layout, const char* folder, const StudyPlan& plan,
                 std::size_t run, const char* extension) {
     return layout.file(folder) / (plan.file_stem(run) + extension);
@@ -86,17 +114,8 @@ std::string picture_digest(const StudyLayout& layout, const StudyPlan& plan, std
 }
 
 std::vector<fs::path> run_files(const StudyLayout& layout, const StudyPlan& plan, std::size_t run) {
-    return {map_file(layout, plan, run), grid_file(layout, plan, run), path_file(layout, plan, run),
-            record_file(layout, plan, run)};
-}
-
-std::vector<std::string> names_of_runs(const StudyLayout& layout, const StudyPlan& plan) {
-    std::vector<std::string> names;
-    for (std::size_t run = 0; run < plan.runs(); ++run) {
-        for (const fs::path& file : run_files(layout, plan, run))
-            names.push_back(file.lexically_relative(layout.folder).string());
-    }
-    return names;
+    return {map_file(layout, plan, run), grid_file(layout, plan, run),
+            path_file(layout, plan, run)};
 }
 
 bool is_table(const StudyLayout& layout, const std::string& name) {
@@ -139,35 +158,14 @@ void write_plan(const StudyLayout& layout, const StudyPlan& plan, const PlanStat
     write_file(plan_file(layout), plan_text(plan, state));
 }
 
-std::pair<StudyPlan, PlanState> read_study(const StudyLayout& layout) {
-    const fs::path path = plan_file(layout);
-    const std::string text = input::read_text(path, input::kLargestSettings);
-    try {
-        const auto json = parsed<ordered_json>(text, path.string());
-        if (json.at("format") != kPlanFormat) {
-            throw FormatError(path.string(), 0, HITOS_TEXT("Errors", "expected format %1"),
-                              kPlanFormat);
-        }
-        StudyPlan plan = plan_of(json, path);
-        const bool sound = is_consistent(plan);
-        if (sound && !plan.is_possible()) {
-            throw FormatError(
-                path.string(), 0,
-                HITOS_TEXT("Errors", "is a plan of more than %1 runs; the plan is damaged"),
-                StudyPlan::kMostRuns);
-        }
-        if (!sound || !is_sealed(text, kStudySeal)) {
-            throw FormatError(path.string(), 0, HITOS_TEXT("Errors", "the plan is damaged"));
-        }
-        return {std::move(plan), PlanState{json.at("finished"), files_named(json, path, true)}};
-    } catch (const nlohmann::json::exception& error) {
-        throw FormatError(path.string(), 0, HITOS_TEXT("Errors", "is no plan of a study: %1"),
-                          error.what());
-    }
+StudyPlan read_plan(const StudyLayout& layout) {
+    return with_plan(layout, [](const ordered_json&, const StudyPlan& plan) { return plan; });
 }
 
-StudyPlan read_plan(const StudyLayout& layout) {
-    return read_study(layout).first;
+PlanState read_plan_state(const StudyLayout& layout) {
+    return with_plan(layout, [&](const ordered_json& json, const StudyPlan&) {
+        return PlanState{json.at("finished"), files_named(json, plan_file(layout), true)};
+    });
 }
 
 bool same(const StudyPlan& a, const StudyPlan& b) {

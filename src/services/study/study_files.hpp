@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hitos/base/digest.hpp"
@@ -29,11 +28,9 @@ std::filesystem::path path_file(const StudyLayout& layout, const StudyPlan& plan
 /// What the record of a pictured run states of the two.
 std::string picture_digest(const StudyLayout& layout, const StudyPlan& plan, std::size_t run);
 
-/// The files that the run can have, the record last.
+/// The files that the run can have, but for its record.
 std::vector<std::filesystem::path> run_files(const StudyLayout& layout, const StudyPlan& plan,
                                              std::size_t run);
-/// The same of all runs, as study.json names them.
-std::vector<std::string> names_of_runs(const StudyLayout& layout, const StudyPlan& plan);
 /// Whether a file of that name, which begins with the layout's prefix or is its quality file, can
 /// be one of a study's tables, plots and pictures.
 bool is_table(const StudyLayout& layout, const std::string& name);
@@ -50,10 +47,11 @@ struct PlanState {
 /// The plan as study.json has it.
 std::string plan_text(const StudyPlan& plan, const PlanState& state);
 void write_plan(const StudyLayout& layout, const StudyPlan& plan, const PlanState& state = {});
-/// What study.json says. Throws FileError, or FormatError where the file is none of Hitos, is
-/// damaged, or of an impossible size.
-std::pair<StudyPlan, PlanState> read_study(const StudyLayout& layout);
+/// Throws FileError, or FormatError where the file is none of Hitos, is damaged, or of an
+/// impossible size.
 StudyPlan read_plan(const StudyLayout& layout);
+/// Throws as read_plan().
+PlanState read_plan_state(const StudyLayout& layout);
 /// Whether both are written the same.
 bool same(const StudyPlan& a, const StudyPlan& b);
 

@@ -1,9 +1,8 @@
 #include "study_folder.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <functional>
 #include <set>
-#include <span>
 #include <system_error>
 
 #include "hitos/base/atomic_file.hpp"
@@ -68,17 +67,27 @@ bool holds_times(const StudyLayout& layout, const std::string& name) {
            (name.starts_with(layout.prefix + "runs/") && name.ends_with(".json"));
 }
 
+/// What the folder has of the plan's runs.
+void list_runs(const StudyLayout& layout, const StudyPlan& plan, std::set<std::string>& names) {
+    for (std::size_t run = 0; run < plan.runs(); ++run) {
+        std::vector<fs::path> files = run_files(layout, plan, run);
+        files.push_back(record_file(layout, plan, run));
+        for (const fs::path& file : files) {
+            if (is_there(file)) names.insert(relative(file, layout));
+        }
+    }
+}
+
 /// What a former study has left in the folder, by its list, its plan and the names of tables.
 std::set<std::string> former_files(const StudyLayout& layout, bool with_runs) {
     std::set<std::string> names;
     if (!is_there(plan_file(layout))) return names;  // whatever their names, they are somebody's
     try {
-        const auto [plan, state] = read_study(layout);
-        for (const WrittenFile& file : state.files) {
+        for (const WrittenFile& file : read_plan_state(layout).files) {
             if (with_runs || !is_of_run(layout, file.name)) names.insert(file.name);
         }
         if (!names.empty()) names.insert(layout.prefix + "timing.csv");
-        if (with_runs) std::ranges::copy(names_of_runs(layout, plan), inserter(names, names.end()));
+        if (with_runs) list_runs(layout, read_plan(layout), names);
         return names;
     } catch (const FormatError&) {
         names.clear();  // of an older version, or damaged: by the names of tables
@@ -90,47 +99,56 @@ std::set<std::string> former_files(const StudyLayout& layout, bool with_runs) {
     return names;
 }
 
+FormatError lost(const StudyLayout& layout, const WrittenFile& file) {
+    return {
+        (layout.folder / file.name).string(), 0,
+        message(HITOS_TEXT(
+            "Errors",
+            "was changed or lost while the study was put in place; start the same command again"))};
+}
+
 /// Puts in place what the journal in `staging` lists, the plan file last, and takes away what is of
 /// the study before. Going on after an interruption it finds what is still to be done by the
 /// contents.
 void install(const StudyLayout& staging, const StudyLayout& target) {
     const fs::path journal = staging.folder / kJournal;
     std::vector<WrittenFile> files;
+    bool with_runs = false;
     try {
         const auto json = parsed<nlohmann::json>(input::read_text(journal), journal.string());
-        static_cast<void>(json.at("files").at(0));  // one is the plan
         files = files_named(json, journal, true);
+        with_runs = json.at("with_runs");
     } catch (const nlohmann::json::exception& error) {
         throw FormatError(journal.string(), 0, HITOS_TEXT("Errors", "is no list of files: %1"),
                           error.what());
+    } catch (const FileError& error) {
+        // Nobody knows of the folder in which it really is.
+        throw error.replaced(staging.folder.string(), target.folder.string());
     }
-    // What is worked on beside another study takes the place of that one's runs too.
-    std::set<std::string> former =
-        former_files(target, staging.folder == next_study(target).folder);
+    const std::string seal = relative(plan_file(target), target);
+    FileExchange exchange(staging.folder, target.folder);
+    std::set<std::string> former = former_files(target, with_runs);
+    const auto put = [&](const WrittenFile& file) {
+        if (is_unchanged(file, staging.folder)) exchange.add(file.name);
+    };
     for (const WrittenFile& file : files) {
         check_no_folder(target.folder / file.name);
         former.erase(file.name);
     }
-    FileExchange exchange;
-    const auto put = [&](const std::string& name) {
-        exchange.add(staging.folder / name, target.folder / name);
-    };
-    const std::span others(files.begin(), std::prev(files.end()));
-    for (const WrittenFile& file : others) {
-        if (is_unchanged(file, staging.folder)) put(file.name);
+    exchange.flush();  // else a loss of power may take the folder in which the former files wait
+    for (const WrittenFile& file : files) {
+        if (file.name != seal) put(file);
     }
     for (const std::string& name : former) {
-        if (is_there(target.folder / name)) put(name);
+        if (is_there(target.folder / name)) exchange.add(name);
     }
     exchange.flush();
-    for (const WrittenFile& file : others) {
-        if (is_unchanged(file, target.folder)) continue;
-        throw FormatError((target.folder / file.name).string(), 0,
-                          HITOS_TEXT("Errors",
-                                     "was changed or lost while the study was put in place; start "
-                                     "the same command again"));
+    for (const WrittenFile& file : files) {
+        if (file.name != seal && !is_unchanged(file, target.folder)) throw lost(target, file);
     }
-    if (is_unchanged(files.back(), staging.folder)) put(files.back().name);
+    for (const WrittenFile& file : files) {
+        if (file.name == seal) put(file);
+    }
     exchange.flush();
     exchange.keep();
     std::error_code ignored;
@@ -145,8 +163,7 @@ void settle(const StudyLayout& target) {
     std::error_code ignored;
     for (const StudyLayout& staging : {staging_of(target), next_study(target)}) {
         try {
-            if (is_there(staging.folder / kJournal))
-                told_of(target.folder, staging.folder, [&] { install(staging, target); });
+            if (is_there(staging.folder / kJournal)) install(staging, target);
         } catch (const FormatError&) {
             // What it lists is not there as it was: then it is as if it had not begun.
             fs::remove(staging.folder / kJournal, ignored);
@@ -207,6 +224,20 @@ void remove_tables(const StudyLayout& layout) {
     for (const fs::path& table : tables) fs::remove(table, ignored);
 }
 
+void write_tables(const StudyLayout& layout, const StudyPlan& plan,
+                  std::span<const StudyRecord> records) {
+    for (const auto& [file, text] : tables(layout, plan, records)) write_file(file, text);
+}
+
+/// What can be done without: why it could not be done, else an empty text.
+Message attempted(const std::function<Message()>& write) {
+    try {
+        return write();
+    } catch (const std::exception& error) {  // of a library too
+        return message_of(error);
+    }
+}
+
 }  // namespace
 
 std::vector<std::pair<fs::path, std::string>> tables(const StudyLayout& layout,
@@ -260,13 +291,21 @@ StudyFolder StudyFolder::in_place(const StudyLayout& target) {
     return {target, read_plan(target), target, std::move(lock)};
 }
 
+/// Nobody knows of the folder in which the work is really done.
+void StudyFolder::named(const std::function<void()>& work) const {
+    try {
+        work();
+    } catch (const FileError& error) {
+        throw error.replaced(work_.folder.string(), target_.folder.string());
+    }
+}
+
 void StudyFolder::begin() {
     std::error_code ignored;
-    const bool known = told_of(target_.folder, work_.folder, [&] {
-        return is_there(plan_file(work_)) && is_same_plan(work_, plan_);
-    });
+    bool known = false;
+    named([&] { known = is_there(plan_file(work_)) && is_same_plan(work_, plan_); });
     if (is_beside() && !known) fs::remove_all(work_.folder, ignored);  // of a third study
-    told_of(target_.folder, work_.folder, [&] {
+    named([&] {
         made_output_folder(work_.folder);
         made_output_folder(work_.file("maps"));
         made_output_folder(work_.file("runs"));
@@ -284,8 +323,8 @@ void StudyFolder::clear_leftovers() const {
 }
 
 void StudyFolder::reopen() {
-    told_of(target_.folder, work_.folder, [&] {
-        PlanState state = read_study(work_).second;
+    named([&] {
+        PlanState state = read_plan_state(work_);
         if (std::exchange(state.finished, false)) write_plan(work_, plan_, state);
     });
 }
@@ -295,15 +334,16 @@ void StudyFolder::share() {
 }
 
 std::optional<StudyRecord> StudyFolder::done(std::size_t run) const {
-    return told_of(target_.folder, work_.folder, [&] {
-        std::optional<StudyRecord> record = read_record(work_, plan_, run);
-        if (record || !is_beside()) return record;
+    std::optional<StudyRecord> record;
+    named([&] {
+        record = read_record(work_, plan_, run);
+        if (record || !is_beside()) return;
         record = read_record(target_, plan_, run);
         if (record && !record->ok) record.reset();
         if (record && !plan_.pictured(run)) record->picture.reset();
         if (record) copy_run(target_, work_, plan_, run, *record);
-        return record;
     });
+    return record;
 }
 
 void StudyFolder::discard() const {
@@ -311,16 +351,15 @@ void StudyFolder::discard() const {
     if (is_beside()) fs::remove_all(work_.folder, ignored);
 }
 
-/// All that belongs together once the tables are in `staging`, but for the plan; the runs are there
-/// or at `work`.
+/// All that belongs together once the tables are in `staging`; the runs are there or at `work`.
 std::vector<WrittenFile> StudyFolder::written(const StudyLayout& staging) const {
     std::vector<WrittenFile> files = written_files(staging.folder);
-    std::erase_if(files, [&](const WrittenFile& file) {
-        return file.name == relative(plan_file(staging), staging);
-    });
+    const std::string seal = relative(plan_file(staging), staging);
+    std::erase_if(files, [&](const WrittenFile& file) { return file.name == seal; });
     if (!is_beside()) {
-        for (const std::string& name : names_of_runs(work_, plan_))
-            if (is_there(work_.folder / name)) files.push_back(written_file(work_.folder, name));
+        std::set<std::string> runs;
+        list_runs(work_, plan_, runs);
+        for (const std::string& name : runs) files.push_back(written_file(work_.folder, name));
     }
     std::ranges::sort(files, {}, &WrittenFile::name);
     return files;
@@ -330,46 +369,45 @@ StudyFolder::Problems StudyFolder::publish(std::span<const StudyRecord> records,
     clear_leftovers();
     const StudyLayout staging = is_beside() ? work_ : staging_of(target_);
     try {
-        return told_of(target_.folder, staging.folder,
-                       [&] { return publish_from(staging, records, finished); });
-    } catch (...) {
-        // Runs that were done beside stay for the next time.
-        std::error_code ignored;
-        fs::remove(staging.folder / kJournal, ignored);
-        if (!is_beside()) fs::remove_all(staging.folder, ignored);
-        throw;
+        made_output_folder(staging.folder);
+        remove_tables(staging);  // of an attempt that failed
+        remove_leftovers(staging.folder);
+        Problems problems;
+        write_tables(staging, plan_, records);
+        problems.plots =
+            attempted([&] { return write_plots(staging, plan_, summarize(plan_, records)); });
+        problems.pictures =
+            attempted([&] { return write_pictures(work_, staging, plan_, records); });
+        std::vector<WrittenFile> files = written(staging);
+        PlanState state{finished, files};
+        std::erase_if(state.files,
+                      [&](const WrittenFile& file) { return holds_times(target_, file.name); });
+        write_plan(staging, plan_, state);
+        files.push_back(written_file(staging.folder, relative(plan_file(staging), staging)));
+        write_file(
+            staging.folder / kJournal,
+            nlohmann::ordered_json{{"with_runs", is_beside()}, {"files", json_of(files)}}.dump(1) +
+                "\n");
+        install(staging, target_);
+        work_ = target_;
+        const auto told = [&](const Message& problem) {
+            return problem.replaced(staging.folder.string(), target_.folder.string());
+        };
+        return {told(problems.plots), told(problems.pictures)};
+    } catch (const std::exception& error) {
+        give_up(staging);
+        const auto* file = dynamic_cast<const FileError*>(&error);
+        if (file == nullptr) throw;
+        // Nobody knows of the folder in which it really was.
+        throw file->replaced(staging.folder.string(), target_.folder.string());
     }
 }
 
-StudyFolder::Problems StudyFolder::publish_from(const StudyLayout& staging,
-                                                std::span<const StudyRecord> records,
-                                                bool finished) {
-    made_output_folder(staging.folder);
-    remove_tables(staging);  // of an attempt that failed
-    remove_leftovers(staging.folder);
-    for (const auto& [file, text] : tables(staging, plan_, records)) write_file(file, text);
-    const auto attempted = [&](const auto& write) {
-        try {
-            return write().replaced(staging.folder.string(), target_.folder.string());
-        } catch (const std::exception& error) {  // of a library too
-            return message_of(error).replaced(staging.folder.string(), target_.folder.string());
-        }
-    };
-    Problems problems;
-    problems.plots =
-        attempted([&] { return write_plots(staging, plan_, summarize(plan_, records)); });
-    problems.pictures = attempted([&] { return write_pictures(work_, staging, plan_, records); });
-    std::vector<WrittenFile> files = written(staging);
-    PlanState state{finished, files};
-    std::erase_if(state.files,
-                  [&](const WrittenFile& file) { return holds_times(target_, file.name); });
-    write_plan(staging, plan_, state);
-    files.push_back(written_file(staging.folder, relative(plan_file(staging), staging)));
-    write_file(staging.folder / kJournal,
-               nlohmann::ordered_json{{"files", json_of(files)}}.dump(1) + "\n");
-    install(staging, target_);
-    work_ = target_;
-    return problems;
+/// After a failure: runs that were done beside stay for the next time.
+void StudyFolder::give_up(const StudyLayout& staging) const {
+    std::error_code ignored;
+    fs::remove(staging.folder / kJournal, ignored);
+    if (!is_beside()) fs::remove_all(staging.folder, ignored);
 }
 
 }  // namespace hitos::study

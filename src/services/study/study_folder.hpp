@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -84,10 +85,10 @@ class StudyFolder {
   private:
     StudyFolder(StudyLayout target, StudyPlan plan, StudyLayout work,
                 std::unique_ptr<FolderLock> lock);
+    void named(const std::function<void()>& work) const;
     std::vector<WrittenFile> written(const StudyLayout& staging) const;
+    void give_up(const StudyLayout& staging) const;
     void clear_leftovers() const;
-    Problems publish_from(const StudyLayout& staging, std::span<const StudyRecord> records,
-                          bool finished);
 
     StudyLayout target_;
     StudyPlan plan_;

@@ -65,21 +65,6 @@ StudyRecord record_of(const ordered_json& json, const std::string& file) {
     return record;
 }
 
-/// What `read` makes of a record; nothing where it was changed, or is none.
-template <class Read>
-auto of_sealed(const fs::path& path, const Read& read) -> decltype(read(ordered_json())) {
-    try {
-        const std::string text = input::read_text(path, input::kLargestSettings);
-        const auto json = parsed<ordered_json>(text, path.string());
-        if (is_sealed(text, kStudySeal)) return read(json);
-    } catch (const nlohmann::json::exception&) {
-        return std::nullopt;
-    } catch (const FormatError&) {
-        return std::nullopt;
-    }
-    return std::nullopt;
-}
-
 bool has_map(const StudyLayout& layout, const StudyPlan& plan, std::size_t run,
              const StudyRecord& record) {
     const fs::path map = map_file(layout, plan, run);
@@ -116,25 +101,38 @@ std::optional<StudyRecord> read_record(const StudyLayout& layout, const StudyPla
                                        std::size_t run) {
     const fs::path path = record_file(layout, plan, run);
     if (!is_file(path)) return std::nullopt;
-    // Where somebody else's hand was in it the run is only done anew.
-    std::optional<StudyRecord> record = of_sealed(path, [&](const ordered_json& json) {
-        return json.at("run") == plan.run_digest(run)
-                   ? std::optional(record_of(json, path.string()))
-                   : std::nullopt;
-    });
-    if (!record || !record->ok) return record;
-    const bool whole = has_map(layout, plan, run, *record) &&
-                       (!plan.pictured(run) || has_picture(layout, plan, run, *record));
-    return whole ? record : std::nullopt;
+    try {
+        const std::string text = input::read_text(path, input::kLargestSettings);
+        const auto json = parsed<ordered_json>(text, path.string());
+        if (json.at("run") != plan.run_digest(run)) return std::nullopt;
+        const StudyRecord record = record_of(json, path.string());
+        if (!is_sealed(text, kStudySeal)) return std::nullopt;
+        if (record.ok && !has_map(layout, plan, run, record)) return std::nullopt;
+        if (record.ok && plan.pictured(run) && !has_picture(layout, plan, run, record)) {
+            return std::nullopt;
+        }
+        return record;
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;  // somebody else's hand was in it; the run is only done anew
+    } catch (const FormatError&) {
+        return std::nullopt;  // likewise
+    }
 }
 
 void expect_no_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t run) {
     const fs::path file = record_file(layout, plan, run);
     if (!is_file(file)) return;
-    const auto of_another_study = of_sealed(file, [&](const ordered_json& json) {
-        return std::optional(json.at("run") != plan.run_digest(run));
-    });
-    if (of_another_study.value_or(false)) return;
+    try {
+        const std::string text = input::read_text(file, input::kLargestSettings);
+        const auto json = parsed<ordered_json>(text, file.string());
+        if (is_sealed(text, kStudySeal) && json.at("run") != plan.run_digest(run)) {
+            return;  // of another study
+        }
+    } catch (const nlohmann::json::exception&) {
+        // told below
+    } catch (const FormatError&) {
+        // likewise
+    }
     throw FormatError(
         file.string(), 0,
         HITOS_TEXT(
@@ -146,7 +144,7 @@ void copy_run(const StudyLayout& from, const StudyLayout& to, const StudyPlan& p
               std::size_t run, const StudyRecord& record) {
     const std::vector<fs::path> sources = run_files(from, plan, run);
     const std::vector<fs::path> targets = run_files(to, plan, run);
-    for (std::size_t i = 0; i + 1 < sources.size(); ++i) {
+    for (std::size_t i = 0; i < sources.size(); ++i) {
         const bool wanted = i == 0 || record.picture.has_value();  // the map is the first
         if (!wanted || !is_file(sources[i])) continue;
         write_file(targets[i], input::read_text(sources[i]));

@@ -30,8 +30,8 @@ using ::testing::HasSubstr;
 const std::set<std::string> kOwned{"a", "b", "c", "seal"};
 
 StagedFolder staged_in(const fs::path& folder) {
-    const StagedFolder::Names owned = [](const std::string& name) { return kOwned.contains(name); };
-    return {folder, {[owned] { return owned; }, owned}, "seal"};
+    const auto owned = [](const std::string& name) { return kOwned.contains(name); };
+    return {folder, {owned, owned}, "seal"};
 }
 
 std::set<std::string> names_in(const fs::path& folder) {

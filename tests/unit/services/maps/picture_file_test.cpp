@@ -352,10 +352,10 @@ TEST(PictureFile, EndsOfThePathCanBeMarkedByCrossAndRing) {
 /// As OpenCV reads it: the mean of the colours.
 std::vector<std::uint8_t> means_by_opencv(const std::string& bytes) {
     const std::vector<std::uint8_t> buffer(bytes.begin(), bytes.end());
-    const cv::Mat image = cv::imdecode(buffer, cv::IMREAD_COLOR);
+    const cv::Mat_<cv::Vec3b> image = cv::imdecode(buffer, cv::IMREAD_COLOR);
     std::vector<std::uint8_t> means;
-    for (auto at = image.begin<cv::Vec3b>(); at != image.end<cv::Vec3b>(); ++at)
-        means.push_back(static_cast<std::uint8_t>(((*at)[0] + (*at)[1] + (*at)[2] + 1) / 3));
+    for (const cv::Vec3b& pixel : image)
+        means.push_back(static_cast<std::uint8_t>((pixel[0] + pixel[1] + pixel[2] + 1) / 3));
     return means;
 }
 

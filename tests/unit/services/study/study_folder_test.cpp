@@ -136,7 +136,7 @@ TEST_F(StudyFolderTest, ARecordThatSomebodyChangedIsNone) {
 /// A whole plan of other settings than the files were made by.
 TEST_F(StudyFolderTest, APlanThatContradictsItsFilesIsNoticed) {
     run(study("out"));
-    const study::PlanState state = study::read_study(layout()).second;
+    const study::PlanState state = study::read_plan_state(layout());
     const auto expect_noticed = [&](const char* what, const auto& change) {
         Study another = study("out");
         change(another);
