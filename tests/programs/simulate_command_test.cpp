@@ -85,7 +85,9 @@ TEST_F(Simulate, WritesLogTruthReferenceAndPicture) {
     EXPECT_EQ(truth.front(), (StampedPose{0.0, {}}));
     const Grid::Picture picture = read_mean_picture(in("tour.png")).grey;
     const auto grey = [&](int row, int column) {
-        return picture.grey.at(static_cast<std::size_t>(row * picture.width + column));
+        return picture.grey.at(static_cast<std::size_t>(row) *
+                                   static_cast<std::size_t>(picture.width) +
+                               static_cast<std::size_t>(column));
     };
     // Walls are drawn where they are: the room's lower left corner, 30 pixels from the border.
     EXPECT_EQ(grey(30 + 700, 30 + 3), 0);
