@@ -2,6 +2,8 @@
 
 #include <QComboBox>
 #include <QDate>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLocale>
 #include <QProcess>
 #include <QStandardPaths>
@@ -55,6 +57,12 @@ void expect_told() {
              qPrintable(words));
     QVERIFY2(f.prompts.confirmed_texts.front().contains("with Cancel", Qt::CaseInsensitive),
              qPrintable(words));
+    // Its summary says nothing of what nobody has looked for.
+    const QJsonObject quality =
+        QJsonDocument::fromJson(Fixture::read(folder + "/summary.json"))["quality"].toObject();
+    QVERIFY(quality.contains("warnings"));
+    for (const char* figure : {"cells_per_point", "odometry_cells_per_point", "findings"})
+        QVERIFY(!quality.contains(figure));
     // Nothing else is there to compare it with: its odometry is.
     const CompareWindow* comparison = f.window->runs().comparison();
     QVERIFY(comparison != nullptr);

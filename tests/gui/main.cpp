@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
     const QStringList arguments = QApplication::arguments();
     const QString name = arguments.value(1);
     if (name == "until_killed") return run_until_killed();
-    if (name == "save") return save_results_as_told(arguments.mid(2));
+    if (name == "save") return save_as_told(arguments.mid(2));
     if (name == "contact") return run<ContactTest>(arguments);
     if (name == "fit") return run<FitTest>(arguments);
     if (name == "source") return run<SourceTest>(arguments);

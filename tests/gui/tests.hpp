@@ -389,6 +389,6 @@ class WordsTest : public QObject {
     void what_cannot_be_written_is_told_in_spanish();
 };
 
-int save_results_as_told(const QStringList& arguments);
+int save_as_told(const QStringList& arguments);
 
 }  // namespace hitos::window

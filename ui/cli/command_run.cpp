@@ -86,7 +86,9 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
                    figures->scans - figures->unmatched, plural(figures->scans, "scan"),
                    plural(summary.quality.loops.size(), "loop"), figures->largest_correction_m);
     }
-    for (const TourFinding& finding : summary.quality.findings) report.warn(words_of(finding));
+    if (summary.quality.findings) {
+        for (const TourFinding& finding : *summary.quality.findings) report.warn(words_of(finding));
+    }
     for (const Advice& warning : summary.quality.warnings) {
         report.warn(warning.words());
     }

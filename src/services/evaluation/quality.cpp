@@ -225,13 +225,14 @@ RunQuality judge(const RunEvidence& run, const Trajectory& path,
         quality.registration = run.registration->figures();
         quality.loops = run.registration->loops();
     }
-    if (quality.cells_per_point > kBlurrier * quality.odometry_cells_per_point &&
+    if (quality.cells_per_point &&
+        *quality.cells_per_point > kBlurrier * *quality.odometry_cells_per_point &&
         !follows(path, run.odometry)) {
         quality.warnings.push_back(
             {HITOS_TEXT("Advice",
                         "The map is less crisp than that of the odometry alone (%1 times the cells "
                         "per point): do not trust it."),
-             fmt::format("{:.2f}", quality.cells_per_point / quality.odometry_cells_per_point),
+             fmt::format("{:.2f}", *quality.cells_per_point / *quality.odometry_cells_per_point),
              quality.registration ? std::string_view() : "recorded"});
     }
     return quality;

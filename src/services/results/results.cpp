@@ -66,8 +66,11 @@ ordered_json json_of(const ClosedLoop& loop) {
 }
 
 ordered_json json_of(const RunQuality& quality) {
-    ordered_json json{{"cells_per_point", quality.cells_per_point},
-                      {"odometry_cells_per_point", quality.odometry_cells_per_point}};
+    ordered_json json;
+    if (quality.cells_per_point) {
+        json["cells_per_point"] = *quality.cells_per_point;
+        json["odometry_cells_per_point"] = *quality.odometry_cells_per_point;
+    }
     if (const auto& figures = quality.registration) {
         json["mean_score"] = figures->mean_score;
         json["scans_compared"] = figures->scans;
@@ -84,9 +87,11 @@ ordered_json json_of(const RunQuality& quality) {
     }
     json["warnings"] = ordered_json::array();
     for (const Advice& warning : quality.warnings) json["warnings"].push_back(warning.words());
-    json["findings"] = ordered_json::array();
-    for (const TourFinding& finding : quality.findings)
-        json["findings"].push_back(json_of(finding));
+    if (quality.findings) {
+        json["findings"] = ordered_json::array();
+        for (const TourFinding& finding : *quality.findings)
+            json["findings"].push_back(json_of(finding));
+    }
     return json;
 }
 

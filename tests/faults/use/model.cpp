@@ -84,8 +84,19 @@ Step UseModel::some_step() {
     // A window takes as long as four commands.
     if (!programs_.windows.empty() && any(30) == 0) {
         step.by_window = true;
-        step.words = {"save", "tour.log", seed, one_of(kResults)};
-        step.writes = {step.words.back()};
+        switch (any(3)) {
+            case 0:
+                step.words = {"save", "world", "room.toml", seed, "room2.toml"};
+                step.writes = {"room2.toml"};
+                break;
+            case 1:
+                step.words = {"save", "log", "room.toml", seed, "made.log"};
+                step.writes = {"made"};
+                break;
+            default:
+                step.words = {"save", "results", "tour.log", seed, one_of(kResults)};
+                step.writes = {step.words.back()};
+        }
         return step;
     }
     switch (any(10)) {

@@ -15,19 +15,19 @@ namespace hitos {
 
 struct RunQuality {
     /// Crispness of the map as MapCrispness has it, along the best path and along the odometry.
-    double cells_per_point = 0.0;
-    double odometry_cells_per_point = 0.0;
-    std::optional<RegistrationFigures> registration;  ///< of a run that has one
-    std::vector<ClosedLoop> loops;                    ///< likewise
-    std::vector<Advice> warnings;                     ///< why the map should not be trusted
-    std::vector<TourFinding> findings;                ///< what looks wrong in the tour itself
+    std::optional<double> cells_per_point;
+    std::optional<double> odometry_cells_per_point;
+    std::optional<RegistrationFigures> registration;   ///< of a run that has one
+    std::vector<ClosedLoop> loops;                     ///< likewise
+    std::vector<Advice> warnings;                      ///< why the map should not be trusted
+    std::optional<std::vector<TourFinding>> findings;  ///< what looks wrong in the tour itself
 };
 
 /// Why path and map should not be trusted, as far as the run so far shows it.
 std::vector<Advice> warnings(const RunEvidence& run);
 
 /// `path` is the best one, with a pose for every scan. Reads the tour once more. Once `stop` says
-/// so, crispness and findings are left out.
+/// so, crispness and findings are left out: nobody knows them.
 RunQuality judge(const RunEvidence& run, const Trajectory& path,
                  const std::function<bool()>& stop = {});
 

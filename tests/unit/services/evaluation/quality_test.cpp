@@ -321,6 +321,20 @@ TEST(QualityWarnings, ALoopTellsWhetherALongPathIsBentAndJoinsWhatABreakParted) 
     EXPECT_FALSE(told_figure(closed, kBreak));
 }
 
+TEST(Quality, WhatNobodyWaitedForIsNotKnown) {
+    JudgedRun run;
+    run.ahead(judged_hall(), {}, 20);
+    const TourExamination examination{{}};
+    RunEvidence evidence = run.evidence(false);
+    evidence.examination = &examination;
+    const RunQuality whole = judge(evidence, run.odometry);
+    EXPECT_GT(whole.cells_per_point.value_or(0.0), 0.0);
+    EXPECT_TRUE(whole.findings.has_value());
+    const RunQuality cut = judge(evidence, run.odometry, [] { return true; });
+    EXPECT_FALSE(cut.cells_per_point || cut.odometry_cells_per_point || cut.findings);
+    EXPECT_FALSE(judge(run.evidence(false), run.odometry).findings) << "nothing examined it";
+}
+
 TEST(Quality, OfAMapThatIsLessCrispThanTheOdometrys) {
     JudgedRun run;
     run.ahead(judged_hall(), {}, 20);
@@ -342,7 +356,7 @@ TEST(Quality, OfAMapThatIsLessCrispThanTheOdometrys) {
     for (StampedPose& pose : beside)
         pose.pose.y += static_cast<int>(pose.time_s) % 2 == 0 ? 0.06 : -0.06;
     const RunQuality quality = judge(run.evidence(false), beside);
-    EXPECT_GT(quality.cells_per_point, 1.05 * quality.odometry_cells_per_point);
+    EXPECT_GT(*quality.cells_per_point, 1.05 * *quality.odometry_cells_per_point);
     EXPECT_FALSE(told_figure(quality.warnings, kCrisp));
     // Where the odometry is the bent one.
     std::swap(run.odometry, bent);
