@@ -29,15 +29,13 @@ RunWorker::~RunWorker() {
 }
 
 void RunWorker::run(std::uint64_t steps, const StopRules& rules) {
-    const std::scoped_lock lock(mutex_);
-    const bool can_run =
-        progress_.state != Progress::State::finished && progress_.state != Progress::State::failed;
-    if (!can_run && !restart_wanted_) return;
     if (steps == 0) {
-        stop_running();
+        pause();
         return;
     }
-    ++orders_;
+    const std::scoped_lock lock(mutex_);
+    if (progress_.state == Progress::State::finished || progress_.state == Progress::State::failed)
+        return;
     seek_wanted_.reset();
     budget_ = steps;
     rules_ = rules;
@@ -91,11 +89,6 @@ bool RunWorker::passes_by() const {
 
 void RunWorker::pause() {
     const std::scoped_lock lock(mutex_);
-    stop_running();
-}
-
-void RunWorker::stop_running() {
-    ++orders_;
     budget_ = 0;
     seek_wanted_.reset();
     // A step under way says itself that it was the last one.
@@ -107,11 +100,11 @@ void RunWorker::stop_running() {
 
 void RunWorker::restart() {
     const std::scoped_lock lock(mutex_);
-    ++orders_;
     budget_ = 0;
     seek_wanted_.reset();
     restart_wanted_ = true;
     progress_ = {};
+    snapshot_ = nullptr;
     figures_.clear();
     if (error_) error_->begin_anew();
     wake_.notify_one();
@@ -119,8 +112,7 @@ void RunWorker::restart() {
 
 void RunWorker::seek(std::uint64_t steps) {
     const std::scoped_lock lock(mutex_);
-    if (progress_.state == Progress::State::failed && !restart_wanted_) return;
-    ++orders_;
+    if (progress_.state == Progress::State::failed) return;
     budget_ = 0;
     rules_ = {};
     paced_ = false;
@@ -155,8 +147,7 @@ Progress RunWorker::progress() const {
 
 void RunWorker::request_snapshot(const SnapshotParts& parts) {
     const std::scoped_lock lock(mutex_);
-    parts_wanted_ = parts;
-    snapshot_wanted_ = true;
+    snapshot_wanted_ = parts;
     wake_.notify_one();
 }
 
@@ -189,20 +180,24 @@ void RunWorker::work(const std::stop_token& stop) {
         try {
             work_until(stop);
             ended = true;
-        } catch (const std::exception& failure) {  // between the steps: the lack of memory
-            const std::scoped_lock lock(mutex_);
-            ++orders_;
-            budget_ = 0;
-            seek_wanted_.reset();
-            snapshot_wanted_ = false;
-            stepping_ = false;
-            busy_ = false;
-            progress_.state = Progress::State::failed;
-            progress_.error = message_of(failure);
-            progress_.failure = std::current_exception();
-            idle_.notify_all();
+        } catch (const std::exception& failure) {
+            fail(failure);
         }
     }
+}
+
+void RunWorker::fail(const std::exception& failure) {
+    const std::scoped_lock lock(mutex_);
+    busy_ = false;
+    const bool in_a_step = std::exchange(stepping_, false);
+    idle_.notify_all();
+    if (restart_wanted_) return;  // then it no longer matters
+    if (in_a_step) note_progress();
+    budget_ = 0;
+    seek_wanted_.reset();
+    progress_.state = Progress::State::failed;
+    progress_.error = message_of(failure);
+    progress_.failure = std::current_exception();
 }
 
 void RunWorker::work_until(const std::stop_token& stop) {
@@ -220,32 +215,18 @@ void RunWorker::work_until(const std::stop_token& stop) {
         }
         if (stop.stop_requested()) break;
         busy_ = true;
-        if (restart_wanted_) {
-            restart_wanted_ = false;
+        if (std::exchange(restart_wanted_, false)) {
             lock.unlock();
-            do_restart();
+            grid_.begin_anew();
+            checkpoints_.clear();
+            run_.restart();
             lock.lock();
         } else if (seek_wanted_) {
-            const std::uint64_t steps = *std::exchange(seek_wanted_, std::nullopt);
-            const std::uint64_t orders = orders_;
-            stepping_ = true;
-            lock.unlock();
-            do_seek(steps, orders);
-            lock.lock();
+            go_to(*std::exchange(seek_wanted_, std::nullopt), lock);
         } else if (budget_ > 0 && !waits_for_pace()) {
-            --budget_;
-            stepping_ = true;
-            lock.unlock();
-            do_step();
-            lock.lock();
+            step(lock);
         }
-        if (!passes_by() && std::exchange(snapshot_wanted_, false)) {
-            const SnapshotParts parts = parts_wanted_;
-            const bool rests = budget_ == 0 || waits_for_pace();
-            lock.unlock();
-            publish_snapshot(parts, rests);
-            lock.lock();
-        }
+        if (snapshot_wanted_ && !passes_by()) publish_snapshot(lock);
         for (const auto& task : std::exchange(tasks_, {})) {
             lock.unlock();
             task(run_);
@@ -256,45 +237,22 @@ void RunWorker::work_until(const std::stop_token& stop) {
     }
 }
 
-void RunWorker::do_restart() {
-    Message error;
-    std::exception_ptr cause;
-    grid_.begin_anew();
-    checkpoints_.clear();
-    try {
-        run_.restart();
-    } catch (const std::exception& failure) {
-        error = message_of(failure);
-        cause = std::current_exception();
+void RunWorker::go_to(std::uint64_t steps, std::unique_lock<std::mutex>& lock) {
+    // Past the end the path is smoothed: that is no state after a scan.
+    const bool back = run_.steps() > steps || run_.finished();
+    std::shared_ptr<const RunCheckpoint> from = checkpoints_.before(steps);
+    if (from && !back && from->steps() <= run_.steps()) from = nullptr;
+    // Said before the lock is let go, so that what is ordered meanwhile counts.
+    budget_ = steps - (from ? from->steps() : back ? 0 : run_.steps());
+    stepping_ = true;
+    lock.unlock();
+    if (from || back) grid_.begin_anew();
+    if (from) {
+        run_.go_to(*from);
+    } else if (back && !run_.rewind()) {
+        checkpoints_.clear();
     }
-    const std::scoped_lock lock(mutex_);
-    snapshot_ = nullptr;
-    if (error.empty()) return;
-    budget_ = 0;
-    progress_.state = Progress::State::failed;
-    progress_.error = error;
-    progress_.failure = cause;
-}
-
-void RunWorker::do_seek(std::uint64_t steps, std::uint64_t orders) {
-    Message error;
-    std::exception_ptr cause;
-    try {
-        // Past the end the path is smoothed: that is no state after a scan.
-        const bool back = run_.steps() > steps || run_.finished();
-        const std::shared_ptr<const RunCheckpoint> nearest = checkpoints_.before(steps);
-        if (nearest && (back || nearest->steps() > run_.steps())) {
-            run_.go_to(*nearest);
-            grid_.begin_anew();
-        } else if (back) {
-            grid_.begin_anew();
-            if (!run_.rewind()) checkpoints_.clear();
-        }
-    } catch (const std::exception& failure) {
-        error = message_of(failure);
-        cause = std::current_exception();
-    }
-    const std::scoped_lock lock(mutex_);
+    lock.lock();
     stepping_ = false;
     if (restart_wanted_) return;
     rate_since_ = std::chrono::steady_clock::now();
@@ -302,60 +260,40 @@ void RunWorker::do_seek(std::uint64_t steps, std::uint64_t orders) {
     note_progress();
     pacer_.begin();
     note_due();
-    if (!error.empty()) {
-        budget_ = 0;
-        seek_wanted_.reset();
-        progress_.state = Progress::State::failed;
-        progress_.error = error;
-        progress_.failure = cause;
-        return;
-    }
     if (seek_wanted_) return;  // a newer one
-    // What was asked for in the meantime stays asked for.
-    if (orders_ == orders) budget_ = steps - run_.steps();
     progress_.state = budget_ > 0 ? Progress::State::running : Progress::State::paused;
 }
 
-void RunWorker::do_step() {
+void RunWorker::step(std::unique_lock<std::mutex>& lock) {
+    --budget_;
+    stepping_ = true;
+    lock.unlock();
     const auto begin = std::chrono::steady_clock::now();
-    bool more = false;
-    Message error;
-    std::exception_ptr cause;
-    try {
-        more = run_.step();
-    } catch (const std::exception& failure) {
-        error = message_of(failure);
-        cause = std::current_exception();
-    }
+    const bool more = run_.step();
     const auto end = std::chrono::steady_clock::now();
     if (more) {
         grid_.note_step(run_);
         checkpoints_.note(run_);
     }
-
-    const std::scoped_lock lock(mutex_);
+    lock.lock();
     stepping_ = false;
     if (restart_wanted_) return;  // this step's outcome no longer matters
     progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
     note_progress();
-    if (more) {
-        const StepFigures& figures = noted_figures();
-        const StopReason reason =
-            rules_.met(figures, error_ ? error_->at(figures.online) : std::nullopt);
-        if (reason != StopReason::none) {
-            budget_ = 0;
-            progress_.stopped_by = reason;
-        }
-        if (rules_.scan && progress_.steps >= *rules_.scan) budget_ = 0;
-        if (budget_ == 0 && !seek_wanted_) progress_.state = Progress::State::paused;
-        note_due();
+    if (!more) {
+        budget_ = 0;
+        progress_.state = Progress::State::finished;
+        progress_.fraction = 1.0;
         return;
     }
-    budget_ = 0;
-    progress_.state = error.empty() ? Progress::State::finished : Progress::State::failed;
-    progress_.error = error;
-    progress_.failure = cause;
-    if (error.empty()) progress_.fraction = 1.0;
+    const StepFigures& figures = noted_figures();
+    progress_.stopped_by = rules_.met(figures, error_ ? error_->at(figures.online) : std::nullopt);
+    if (progress_.stopped_by != StopReason::none ||
+        (rules_.scan && progress_.steps >= *rules_.scan)) {
+        budget_ = 0;
+    }
+    if (budget_ == 0 && !seek_wanted_) progress_.state = Progress::State::paused;
+    note_due();
 }
 
 void RunWorker::note_progress() {
@@ -377,7 +315,10 @@ void RunWorker::note_progress() {
     }
 }
 
-void RunWorker::publish_snapshot(const SnapshotParts& parts, bool rests) {
+void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock) {
+    const SnapshotParts parts = *std::exchange(snapshot_wanted_, std::nullopt);
+    const bool rests = budget_ == 0 || waits_for_pace();
+    lock.unlock();
     const double begin = thread_seconds();
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->parts = parts;
@@ -415,8 +356,7 @@ void RunWorker::publish_snapshot(const SnapshotParts& parts, bool rests) {
     snapshot->grid_behind = !rests && grid_.may_wait(run_);
     snapshot->step_grid = snapshot->grid_behind ? grid_.last() : grid_.now(run_);
     snapshot->seconds = thread_seconds() - begin;
-
-    const std::scoped_lock lock(mutex_);
+    lock.lock();
     if (!restart_wanted_) snapshot_ = std::move(snapshot);
 }
 

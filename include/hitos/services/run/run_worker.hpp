@@ -155,16 +155,17 @@ class RunWorker {
     }
 
   private:
-    bool idle() const;    // with the mutex held
-    void stop_running();  // likewise
+    bool idle() const;  // with the mutex held
     void post(std::function<void(const Algoritmo&)> task);
     void work(const std::stop_token& stop);
     void work_until(const std::stop_token& stop);
-    void do_step();
-    void do_restart();
-    /// `orders`: the number of orders when this one was taken.
-    void do_seek(std::uint64_t steps, std::uint64_t orders);
-    void publish_snapshot(const SnapshotParts& parts, bool rests);
+    /// Ends the run by the exception that is being handled.
+    void fail(const std::exception& failure);
+    // These hold the lock as they begin and end, and let it go while they work.
+    void step(std::unique_lock<std::mutex>& lock);
+    /// To the nearest state before those steps, from where they are still to do.
+    void go_to(std::uint64_t steps, std::unique_lock<std::mutex>& lock);
+    void publish_snapshot(std::unique_lock<std::mutex>& lock);
     void note_progress();
     const StepFigures& noted_figures();
     bool waits_for_pace() const;  // with the mutex held
@@ -188,9 +189,7 @@ class RunWorker {
     bool restart_wanted_ = false;
     std::optional<std::uint64_t> seek_wanted_;
     std::chrono::steady_clock::time_point seek_began_;
-    std::uint64_t orders_ = 0;  // run, pause, restart, seek: the last one counts
-    bool snapshot_wanted_ = false;
-    SnapshotParts parts_wanted_;
+    std::optional<SnapshotParts> snapshot_wanted_;
     bool busy_ = false;
     bool stepping_ = false;  // a step is under way
     std::vector<std::function<void(const Algoritmo&)>> tasks_;
