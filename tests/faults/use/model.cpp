@@ -81,8 +81,8 @@ Step UseModel::some_step() {
     const std::string seed = std::to_string(1 + any(3));
     const Words small{"--set", "filter.particles=2", "--set", "grid.resolution=0.5"};
     Step step;
-    // A window takes as long as four commands.
-    if (!programs_.windows.empty() && any(30) == 0) {
+    // A window takes as long as ten commands.
+    if (!programs_.windows.empty() && any(60) == 0) {
         step.by_window = true;
         switch (any(3)) {
             case 0:
