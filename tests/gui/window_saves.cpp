@@ -48,7 +48,8 @@ bool save_world(Fixture& f, const Order& order) {
     WorldWindow& window = f.window->open_world_window();
     if (!window.world_files().open(order.from)) return false;
     const bool drawn = window.draft().change([&order](WorldText& text) {
-        std::vector<Point2> way = text.world().tour.way_points;
+        std::vector<Point2> way;
+        for (const WayPoint& point : text.world().tour.way_points) way.push_back(point.at);
         way.push_back({0.1 * order.seed, 0.5});
         text.set_way_points(way);
     });

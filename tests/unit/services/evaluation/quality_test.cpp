@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hitos/capture/tour_examination.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
@@ -324,7 +325,7 @@ TEST(QualityWarnings, ALoopTellsWhetherALongPathIsBentAndJoinsWhatABreakParted) 
 TEST(Quality, WhatNobodyWaitedForIsNotKnown) {
     JudgedRun run;
     run.ahead(judged_hall(), {}, 20);
-    const TourExamination examination{{}};
+    const TourExamination examination{ReadOptions{}};
     RunEvidence evidence = run.evidence(false);
     evidence.examination = &examination;
     const RunQuality whole = judge(evidence, run.odometry);
