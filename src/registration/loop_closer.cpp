@@ -16,6 +16,7 @@ constexpr double kGreatestTurn = 0.6;     // [rad]
 constexpr double kStretch = 5.0;          // [m] of travel, of the query and about the old key
 constexpr double kMemory = 12.0;          // [m] of travel, of what was found
 constexpr double kNearOutside = 3.0;      // [m] that a candidate may lie beyond the window
+constexpr double kMuchThrough = 0.3;      // share seen through
 
 /// Three standard deviations and a little.
 double unsure_m(const GraphReach& reach) {
@@ -41,6 +42,26 @@ double distance_m(const Pose& a, const Pose& b) {
 }
 
 }  // namespace
+
+std::string_view word_of(LoopVerdict verdict) {
+    switch (verdict) {
+        case LoopVerdict::closed:
+            return "closed";
+        case LoopVerdict::poor_fit:
+            return "poor-fit";
+        case LoopVerdict::bare:
+            return "bare";
+        case LoopVerdict::seen_through:
+            return "seen-through";
+        case LoopVerdict::alone:
+            return "alone";
+        case LoopVerdict::no_edge:
+            return "no-edge";
+        case LoopVerdict::strained:
+            break;
+    }
+    return "strained";
+}
 
 std::optional<LoopCloser::Place> LoopCloser::likeliest(const KeyGraph& graph,
                                                        std::span<const GraphReach> reached) const {
@@ -178,9 +199,8 @@ bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m, b
 /// Places that look alike in what there is differ in what there is not: one passage looks through
 /// where the other saw a wall. True loops have up to 0.24 of it (doors, people), false ones 0.4;
 /// outdoors true ones may have more, and are found a few metres on.
-bool LoopCloser::contradicted(const KeyGraph& graph, const LoopFound& loop,
-                              const PointMap& map) const {
-    constexpr double kMuch = 0.3;
+double LoopCloser::seen_through(const KeyGraph& graph, const LoopFound& loop,
+                                const PointMap& map) const {
     constexpr std::size_t kEveryOldKey = 3;
     constexpr std::size_t kEveryNewKey = 2;
     constexpr std::size_t kEveryPoint = 8;
@@ -192,7 +212,8 @@ bool LoopCloser::contradicted(const KeyGraph& graph, const LoopFound& loop,
     }
     std::vector<Point2> points;
     place(query_, loop.pose, points);
-    if (contradiction(points, views) > kMuch) return true;
+    const double by_earlier = contradiction(points, views);
+    if (by_earlier > kMuchThrough) return by_earlier;
 
     views.clear();
     const Pose move = compose(loop.pose, inverse(graph.poses[newest].pose));
@@ -206,10 +227,11 @@ bool LoopCloser::contradicted(const KeyGraph& graph, const LoopFound& loop,
         points.push_back(
             {map.centre().x + static_cast<double>(p.x), map.centre().y + static_cast<double>(p.y)});
     }
-    return contradiction(points, views) > kMuch;
+    return std::max(by_earlier, contradiction(points, views));
 }
 
-std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::optional<Place>& at) {
+std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::optional<Place>& at,
+                                          std::vector<LoopRecord>& refused) {
     constexpr std::size_t kFewestPoints = 40;
     constexpr std::size_t kMostBefore = 15;
     constexpr std::size_t kMostKeys = 30;
@@ -243,27 +265,41 @@ std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::opti
     loop.pose = matcher_.fit(query_, map, correlated->pose, hardly_any, 25);
     const Linearization l = matcher_.linearize(query_, map, loop.pose, kFineStage);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spread(l.h.topLeftCorner<2, 2>());
-    if (match_score(query_, map, loop.pose, 1) <= kLeastScore ||
-        spread.eigenvalues()(0) <= kLeastSpread * std::max(1, l.matches) ||
-        contradicted(graph, loop, map)) {
-        ++refused_;
-        return std::nullopt;
+    const KeyPose& earlier = graph.poses[place.key];
+    LoopRecord& record = loop.record;
+    record.scan = graph.poses.back().scan;
+    record.earlier = earlier.scan;
+    record.pose_earlier_scan = between(earlier.pose, loop.pose);
+    record.score = match_score(query_, map, loop.pose, 1);
+    record.overlap = static_cast<double>(l.matches) / static_cast<double>(query_.size());
+    if (record.score <= kLeastScore) {
+        record.verdict = LoopVerdict::poor_fit;
+    } else if (spread.eigenvalues()(0) <= kLeastSpread * std::max(1, l.matches)) {
+        record.verdict = LoopVerdict::bare;
+    } else {
+        record.seen_through = seen_through(graph, loop, map);
+        if (record.seen_through <= kMuchThrough) return loop;
+        record.verdict = LoopVerdict::seen_through;
     }
-    return loop;
+    refused.push_back(record);
+    return std::nullopt;
 }
 
 std::optional<LoopFound> LoopCloser::search(const KeyGraph& graph,
-                                            std::span<const GraphReach> reached) {
+                                            std::span<const GraphReach> reached,
+                                            std::vector<LoopRecord>& refused) {
     query_.clear();
     std::optional<Place> place = followed(graph, reached);
-    std::optional<LoopFound> loop = look(graph, place);
-    if (!loop) loop = look(graph, place = likeliest(graph, reached));
-    if (!loop) loop = look(graph, place = far_off(graph, reached));
+    std::optional<LoopFound> loop = look(graph, place, refused);
+    if (!loop) loop = look(graph, place = likeliest(graph, reached), refused);
+    if (!loop) loop = look(graph, place = far_off(graph, reached), refused);
     if (!loop ||
-        !agreed(graph.poses.back().pose, loop->pose, graph.scans.back().travelled_m, place->far)) {
-        return std::nullopt;
+        agreed(graph.poses.back().pose, loop->pose, graph.scans.back().travelled_m, place->far)) {
+        return loop;
     }
-    return loop;
+    loop->record.verdict = LoopVerdict::alone;
+    refused.push_back(loop->record);
+    return std::nullopt;
 }
 
 }  // namespace hitos

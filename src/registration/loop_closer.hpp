@@ -7,17 +7,19 @@
 #include <vector>
 
 #include "correlation.hpp"
+#include "hitos/registration/loop_record.hpp"
 #include "hitos/registration/registration_params.hpp"
 #include "key_graph.hpp"
 #include "scan_matcher.hpp"
 
 namespace hitos {
 
-/// A closed loop: where the newest key is, seen from an earlier passage.
+/// Where the newest key is, seen from an earlier passage.
 struct LoopFound {
     Pose pose;
     std::uint32_t key = 0;               ///< of the earlier passage, the nearest one
     std::vector<std::uint32_t> sources;  ///< the earlier keys that were matched
+    LoopRecord record;
 };
 
 /// Looks for an earlier passage of the newest key. Not one scan but the points of the last metres
@@ -33,14 +35,14 @@ class LoopCloser {
     LoopCloser(const RegistrationParams& params, const ScanMatcher& matcher)
         : params_(params), matcher_(matcher) {}
 
-    /// The newest key's passage; `reached` is that of the newest key.
-    std::optional<LoopFound> search(const KeyGraph& graph, std::span<const GraphReach> reached);
+    /// The newest key's passage; `reached` is that of the newest key. What is refused on the way is
+    /// added to `refused`.
+    std::optional<LoopFound> search(const KeyGraph& graph, std::span<const GraphReach> reached,
+                                    std::vector<LoopRecord>& refused);
     /// The graph has moved: what was found before is of another frame.
     void forget() { found_.clear(); }
 
     std::uint64_t searches() const { return searches_; }
-    /// Searches that correlated but whose fit was poor, bare of a direction, or through walls.
-    std::uint64_t refused() const { return refused_; }
 
   private:
     /// That a search moved the newest key by `move`, in the world.
@@ -61,9 +63,10 @@ class LoopCloser {
                                    std::span<const GraphReach> reached) const;
     std::optional<Place> followed(const KeyGraph& graph, std::span<const GraphReach> reached) const;
     std::optional<Place> far_off(const KeyGraph& graph, std::span<const GraphReach> reached);
-    std::optional<LoopFound> look(const KeyGraph& graph, const std::optional<Place>& at);
+    std::optional<LoopFound> look(const KeyGraph& graph, const std::optional<Place>& at,
+                                  std::vector<LoopRecord>& refused);
     void gather_query(const KeyGraph& graph);
-    bool contradicted(const KeyGraph& graph, const LoopFound& loop, const PointMap& map) const;
+    double seen_through(const KeyGraph& graph, const LoopFound& loop, const PointMap& map) const;
     bool agreed(const Pose& now, const Pose& then, double travelled_m, bool far);
 
     RegistrationParams params_;
@@ -72,7 +75,6 @@ class LoopCloser {
     std::map<std::int64_t, std::uint64_t> looked_at_;  // by stretch of travel, when last
     std::uint64_t far_looks_ = 0;
     std::uint64_t searches_ = 0;
-    std::uint64_t refused_ = 0;
     std::vector<SurfacePoint> query_;  // in the frame of the newest key; gathered when needed
     std::size_t query_keys_ = 0;       // that it is of
 };

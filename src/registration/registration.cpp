@@ -2,6 +2,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "hitos/registration/odometry_step.hpp"
@@ -113,7 +114,7 @@ void Registration::Impl::step(const DrivenWay& way, RegisteredStep& out) {
     const Pose moved = between(before, now_);
     travelled_m_ += std::hypot(moved.x, moved.y);
     odometry_ = compose(odometry_, guess.step);
-    odometry_variances_ += odometry_variances(guess.step, params_.odometry_scale);
+    odometry_variances_ += guess.variances;
     variance_m2_ += 0.5 * (out.covariance(0, 0) + out.covariance(1, 1));
     variance_rad2_ += out.covariance(2, 2);
 }
@@ -133,8 +134,7 @@ void Registration::Impl::learn(const DrivenWay& way, const Guess& guess, const P
 
 void Registration::Impl::refresh_map(const Pose& about) {
     if (!map_stale_) return;
-    select_keys(graph_, graph_.size(), about, static_cast<std::size_t>(params_.key_scans), reached_,
-                kOldKeysWay, map_keys_);
+    select_keys(graph_, graph_.size(), about, newest_in_map(), reached_, kOldKeysWay, map_keys_);
     build_map(graph_, map_keys_, about, kMapHalf, map_);
     map_stale_ = false;
 }
@@ -162,14 +162,11 @@ void Registration::Impl::add_key(std::uint64_t scan) {
         const std::size_t first = graph_.edges.size();
         if (l.matches >= kLeastMatches) {
             graph_.add_scan_edges(newest, now_, map_keys_, by_source_, matcher_.information(),
-                                  EdgeKind::scan);
+                                  newest_in_map());
         }
         for (std::size_t i = first; i < graph_.edges.size(); ++i) {
-            PoseEdge& edge = graph_.edges[i];
-            if (newest - edge.from > static_cast<std::uint32_t>(params_.key_scans)) {
-                edge.kind = EdgeKind::loop;
-                graph_.join(edge.from, newest);
-            }
+            const PoseEdge& edge = graph_.edges[i];
+            if (edge.kind == EdgeKind::loop) graph_.join(edge.from, newest);
         }
     }
     odometry_ = {};
@@ -181,23 +178,39 @@ void Registration::Impl::add_key(std::uint64_t scan) {
 void Registration::Impl::close_loop() {
     const std::size_t newest = graph_.size() - 1;
     graph_.reach(newest, reached_);
-    const auto found = closer_.search(graph_, reached_);
+    const auto found = closer_.search(graph_, reached_, refused_);
     if (!found) return;
+    LoopRecord record = found->record;
+    const std::vector<KeyPose> before = graph_.poses;
+    record.verdict = close(*found, record);
+    closer_.forget();
+    if (record.verdict != LoopVerdict::closed) {
+        graph_.poses = before;
+        refused_.push_back(record);
+        return;
+    }
+    record.move_m = greatest_move(before, graph_.poses);
+    figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
+    loops_.push_back(record);
+    correct(before);
+}
+
+/// Puts its edges into the graph and solves it. Of what is not closed no edge stays.
+LoopVerdict Registration::Impl::close(const LoopFound& found, LoopRecord& record) {
+    const std::size_t newest = graph_.size() - 1;
     // The newest scan against the earlier keys: the query's pose is the prior, to some decimetres.
     PointMap map;
-    build_map(graph_, found->sources, graph_.poses[found->key].pose, kMapHalf, map);
+    build_map(graph_, found.sources, graph_.poses[found.key].pose, kMapHalf, map);
     const std::span<const SurfacePoint> scan = graph_.scans[newest].points();
-    const PosePrior prior{found->pose, 10.0 * Eigen::Matrix3d::Identity()};
-    const Pose pose = matcher_.fit(scan, map, found->pose, prior);
-    const Pose seen = between(graph_.poses[found->key].pose, pose);
-    by_source_.assign(found->sources.size(), {});
+    const PosePrior prior{found.pose, 10.0 * Eigen::Matrix3d::Identity()};
+    const Pose pose = matcher_.fit(scan, map, found.pose, prior);
+    record.pose_earlier_scan = between(graph_.poses[found.key].pose, pose);
+    by_source_.assign(found.sources.size(), {});
     matcher_.linearize(scan, map, pose, kFineStage, 1, &by_source_);
     const std::size_t first = graph_.edges.size();
-    graph_.add_scan_edges(static_cast<std::uint32_t>(newest), pose, found->sources, by_source_,
-                          matcher_.information(), EdgeKind::loop);
-    closer_.forget();
-    if (graph_.edges.size() == first) return;
-    const std::vector<KeyPose> before = graph_.poses;
+    graph_.add_scan_edges(static_cast<std::uint32_t>(newest), pose, found.sources, by_source_,
+                          matcher_.information(), 0);
+    if (graph_.edges.size() == first) return LoopVerdict::no_edge;
     // Both without robust weights, which let a slip stand as it is and would cut a large correction
     // off.
     const std::span known = std::span(graph_.edges).first(first);
@@ -207,31 +220,30 @@ void Registration::Impl::close_loop() {
     solver.solve(graph_.poses, {6, false});
     // What three standard deviations in each direction explain, and the new edges' own.
     const double allowed = 3.0 * 9.0 + 3.0 * static_cast<double>(graph_.edges.size() - first);
-    if (tension(graph_.edges) - tension_before > allowed) {
-        graph_.poses = before;
+    record.chi_square = tension(graph_.edges) - tension_before;
+    if (*record.chi_square > allowed) {
         graph_.edges.resize(first);
-        ++figures_.loops_refused;
-        return;
+        return LoopVerdict::strained;
     }
     for (std::size_t i = first; i < graph_.edges.size(); ++i) {
         graph_.join(graph_.edges[i].from, graph_.edges[i].to);
     }
     solver.solve(graph_.poses, {6, true});
-    const double moved = greatest_move(before, graph_.poses);
-    loops_.push_back({graph_.poses[newest].scan, graph_.poses[found->key].scan, moved, seen});
-    figures_.largest_correction_m = std::max(figures_.largest_correction_m, moved);
-    correct(before);
+    return LoopVerdict::closed;
 }
 
 /// Sum of the squared Mahalanobis distances of edges.
 double Registration::Impl::tension(std::span<const PoseEdge> edges) const {
     double sum = 0.0;
-    for (const PoseEdge& edge : edges) {
-        const Eigen::Vector3d error =
-            edge_error(edge, graph_.poses[edge.from].pose, graph_.poses[edge.to].pose).value;
-        sum += error.dot(edge.information * error);
-    }
+    for (const PoseEdge& edge : edges) sum += squared_distance(edge);
     return sum;
+}
+
+/// Mahalanobis distance, squared, of an edge.
+double Registration::Impl::squared_distance(const PoseEdge& edge) const {
+    const Eigen::Vector3d error =
+        edge_error(edge, graph_.poses[edge.from].pose, graph_.poses[edge.to].pose).value;
+    return error.dot(edge.information * error);
 }
 
 void Registration::Impl::correct(const std::vector<KeyPose>& keys_before) {
@@ -250,6 +262,7 @@ void Registration::Impl::finish() {
     const std::vector<KeyPose> before = graph_.poses;
     solve(graph_.poses, graph_.edges, {10, true});
     for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(pass == 0);
+    weigh_loops();
     correct(before);
 }
 
@@ -264,17 +277,34 @@ void Registration::Impl::register_anew(bool first) {
     for (std::size_t k = 1; k < graph_.size(); ++k) {
         graph_.reach(k, reached, 2.0 * kOldKeysWay);
         const Pose& pose = graph_.poses[k].pose;
-        select_keys(graph_, k, pose, static_cast<std::size_t>(params_.key_scans), reached,
-                    2.0 * kOldKeysWay, keys);
+        select_keys(graph_, k, pose, newest_in_map(), reached, 2.0 * kOldKeysWay, keys);
         build_map(graph_, keys, pose, kMapHalf, map);
         by_source_.assign(keys.size(), {});
         const Linearization l = matcher_.linearize(graph_.scans[k].points(), map, pose,
                                                    first ? kWide : kFineStage, 1, &by_source_);
         if (l.matches < kLeastMatches) continue;
         graph_.add_scan_edges(static_cast<std::uint32_t>(k), pose, keys, by_source_,
-                              matcher_.information(), EdgeKind::scan);
+                              matcher_.information(), newest_in_map());
     }
     solve(graph_.poses, graph_.edges, {3, true});
+}
+
+void Registration::Impl::weigh_loops() {
+    struct Weights {
+        double sum = 0.0;
+        int edges = 0;
+    };
+    std::map<std::uint64_t, Weights> by_scan;
+    for (const PoseEdge& edge : graph_.edges) {
+        if (edge.kind != EdgeKind::loop) continue;
+        Weights& weights = by_scan[graph_.poses[edge.to].scan];
+        weights.sum += robust_weight(squared_distance(edge));
+        ++weights.edges;
+    }
+    for (LoopRecord& loop : loops_) {
+        const Weights& weights = by_scan[loop.scan];
+        loop.weight = weights.sum / std::max(1, weights.edges);
+    }
 }
 
 std::vector<Pose> Registration::Impl::path() const {
@@ -292,7 +322,8 @@ RegistrationFigures Registration::Impl::figures() const {
     if (matched > 0) figures.mean_score /= static_cast<double>(matched);
     figures.keys = graph_.size();
     figures.loop_searches = closer_.searches();
-    figures.loops_refused += closer_.refused();
+    figures.loops_refused = static_cast<std::uint64_t>(std::ranges::count_if(
+        refused_, [](const LoopRecord& loop) { return loop.verdict != LoopVerdict::alone; }));
     return figures;
 }
 
@@ -322,8 +353,11 @@ void Registration::finish() {
 std::vector<Pose> Registration::path() const {
     return impl_->path();
 }
-const std::vector<ClosedLoop>& Registration::loops() const {
+const std::vector<LoopRecord>& Registration::loops() const {
     return impl_->loops();
+}
+const std::vector<LoopRecord>& Registration::refused_loops() const {
+    return impl_->refused_loops();
 }
 std::span<const KeyPose> Registration::keys() const {
     return impl_->graph().poses;

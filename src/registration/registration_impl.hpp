@@ -29,7 +29,8 @@ class Registration::Impl {
     std::vector<Pose> path() const;
 
     const KeyGraph& graph() const { return graph_; }
-    const std::vector<ClosedLoop>& loops() const { return loops_; }
+    const std::vector<LoopRecord>& loops() const { return loops_; }
+    const std::vector<LoopRecord>& refused_loops() const { return refused_; }
     RegistrationFigures figures() const;
     std::optional<PathCorrection> correction() const {
         if (corrections_.empty()) return std::nullopt;
@@ -59,7 +60,11 @@ class Registration::Impl {
     bool key_due() const;
     void add_key(std::uint64_t scan);
     void close_loop();
+    LoopVerdict close(const LoopFound& found, LoopRecord& record);
+    void weigh_loops();
     double tension(std::span<const PoseEdge> edges) const;
+    double squared_distance(const PoseEdge& edge) const;
+    std::size_t newest_in_map() const { return static_cast<std::size_t>(params_.key_scans); }
     void correct(const std::vector<KeyPose>& keys_before);
     void register_anew(bool first);
 
@@ -86,7 +91,8 @@ class Registration::Impl {
     std::vector<Linearization> by_source_;
 
     std::vector<Pose> corrections_;  // by scan, of the last add() or finish()
-    std::vector<ClosedLoop> loops_;
+    std::vector<LoopRecord> loops_;
+    std::vector<LoopRecord> refused_;
     RegistrationFigures figures_;
 };
 

@@ -9,18 +9,11 @@
 #include <vector>
 
 #include "hitos/features/control.hpp"
+#include "hitos/registration/loop_record.hpp"
 #include "hitos/registration/registered_step.hpp"
 #include "hitos/registration/registration_params.hpp"
 
 namespace hitos {
-
-/// A loop that was closed.
-struct ClosedLoop {
-    std::uint64_t scan = 0;     ///< at which
-    std::uint64_t earlier = 0;  ///< the scan of an earlier passage that it joins
-    double move_m = 0.0;        ///< greatest correction of a key by it
-    Pose pose_earlier_scan;     ///< of the former, seen from the latter, as it was matched
-};
 
 /// What a run may be trusted for, without any truth.
 struct RegistrationFigures {
@@ -32,7 +25,7 @@ struct RegistrationFigures {
     double mean_score = 0.0;  ///< of the matched ones, 0 … 1
     std::uint64_t keys = 0;
     std::uint64_t loop_searches = 0;  ///< places that could be an earlier one
-    std::uint64_t loops_refused = 0;  ///< that correlated and were refused or stayed alone
+    std::uint64_t loops_refused = 0;  ///< that correlated, but for those that stayed alone
     double largest_correction_m = 0.0;
 };
 
@@ -59,7 +52,8 @@ class Registration {
 
     /// The pose at every scan so far, all corrections applied.
     std::vector<Pose> path() const;
-    const std::vector<ClosedLoop>& loops() const;
+    const std::vector<LoopRecord>& loops() const;  ///< that were closed
+    const std::vector<LoopRecord>& refused_loops() const;
     std::span<const KeyPose> keys() const;
     std::span<const PoseEdge> edges() const;
     RegistrationFigures figures() const;

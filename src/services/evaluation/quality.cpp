@@ -121,9 +121,9 @@ std::string counted(const std::vector<std::uint64_t>& scans) {
 
 /// The breaks that no loop from before them to behind them has joined.
 std::vector<std::uint64_t> not_joined(std::vector<std::uint64_t> breaks,
-                                      const std::vector<ClosedLoop>& loops) {
+                                      const std::vector<LoopRecord>& loops) {
     std::erase_if(breaks, [&](std::uint64_t scan) {
-        return std::ranges::any_of(loops, [scan](const ClosedLoop& loop) {
+        return std::ranges::any_of(loops, [scan](const LoopRecord& loop) {
             return loop.earlier < scan && scan <= loop.scan;
         });
     });
@@ -224,6 +224,7 @@ RunQuality judge(const RunEvidence& run, const Trajectory& path,
     if (run.registration != nullptr) {
         quality.registration = run.registration->figures();
         quality.loops = run.registration->loops();
+        quality.refused_loops = run.registration->refused_loops();
     }
     if (quality.cells_per_point &&
         *quality.cells_per_point > kBlurrier * *quality.odometry_cells_per_point &&

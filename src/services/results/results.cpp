@@ -57,12 +57,25 @@ ordered_json json_of(const MeasuredDistance& measured) {
 }
 
 /// Scans count from 1 in files.
-ordered_json json_of(const ClosedLoop& loop) {
+ordered_json json_of(const LoopRecord& loop) {
     const Pose& seen = loop.pose_earlier_scan;
-    return {{"scan", loop.scan + 1},
-            {"earlier", loop.earlier + 1},
-            {"pose", {seen.x, seen.y, seen.theta}},
-            {"move_m", loop.move_m}};
+    ordered_json json{{"scan", loop.scan + 1},
+                      {"earlier", loop.earlier + 1},
+                      {"verdict", word_of(loop.verdict)},
+                      {"pose", {seen.x, seen.y, seen.theta}},
+                      {"score", loop.score},
+                      {"overlap", loop.overlap}};
+    if (loop.seen_through) json["seen_through"] = *loop.seen_through;
+    if (loop.chi_square) json["chi_square"] = *loop.chi_square;
+    if (loop.weight) json["weight"] = *loop.weight;
+    if (loop.verdict == LoopVerdict::closed) json["move_m"] = loop.move_m;
+    return json;
+}
+
+ordered_json json_of(std::span<const LoopRecord> loops) {
+    ordered_json json = ordered_json::array();
+    for (const LoopRecord& loop : loops) json.push_back(json_of(loop));
+    return json;
 }
 
 ordered_json json_of(const RunQuality& quality) {
@@ -79,8 +92,8 @@ ordered_json json_of(const RunQuality& quality) {
         for (const std::uint64_t scan : figures->breaks) json["scans_breaking"].push_back(scan + 1);
         json["key_scans"] = figures->keys;
         json["loops_closed"] = quality.loops.size();
-        json["loops"] = ordered_json::array();
-        for (const ClosedLoop& loop : quality.loops) json["loops"].push_back(json_of(loop));
+        json["loops"] = json_of(quality.loops);
+        json["refused_loops"] = json_of(quality.refused_loops);
         json["loop_searches"] = figures->loop_searches;
         json["loops_refused"] = figures->loops_refused;
         json["largest_correction_m"] = figures->largest_correction_m;

@@ -63,8 +63,7 @@ TEST(KeyGraph, AKeyThatWouldMoveTheScanByMoreThanHalfAMetreMakesNoEdge) {
         seen.b = -seen.h * step;
         seen.matches = 20;
         const std::vector<std::uint32_t> sources{0};
-        graph.add_scan_edges(1, graph.poses[1].pose, sources, std::vector{seen}, 1.0,
-                             EdgeKind::scan);
+        graph.add_scan_edges(1, graph.poses[1].pose, sources, std::vector{seen}, 1.0, 0);
         return graph.edges;
     };
     const auto near = edges_where({0.3, -0.1, 0.03});

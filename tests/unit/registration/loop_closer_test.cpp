@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "drawn_scan.hpp"
 #include "hitos/registration/pose_algebra.hpp"
 #include "hitos/registration/registration_params.hpp"
@@ -21,6 +23,10 @@ Walls ring(const std::vector<Point2>& inner) {
     const Walls block = closed(inner);
     walls.insert(walls.end(), block.begin(), block.end());
     return walls;
+}
+
+std::ptrdiff_t count(const std::vector<LoopRecord>& records, LoopVerdict verdict) {
+    return std::ranges::count(records, verdict, &LoopRecord::verdict);
 }
 
 const std::vector<Point2> kBlock{{-6, -4}, {6, -4}, {6, 4}, {-6, 4}};
@@ -80,7 +86,7 @@ class Rounds {
             ++k;
             if (travelled < 40.0 || k % 2 == 1) continue;
             graph_.reach(graph_.size() - 1, reached_);
-            if (auto found = closer_.search(graph_, reached_)) {
+            if (auto found = closer_.search(graph_, reached_, refused)) {
                 loop = found;
                 truth_at_loop = truth;
                 return;
@@ -89,6 +95,7 @@ class Rounds {
     }
 
     std::optional<LoopFound> loop;
+    std::vector<LoopRecord> refused;
     Pose truth_at_loop;
     Pose newest() const { return graph_.poses.back().pose; }
     const KeyGraph& graph() const { return graph_; }
@@ -114,6 +121,17 @@ TEST(LoopCloser, FindsTheEarlierPassageWhenSeveralSearchesAgree) {
     EXPECT_NEAR(rounds.loop->pose.y, rounds.truth_at_loop.y, 0.1);
     EXPECT_NEAR(rounds.loop->pose.theta, rounds.truth_at_loop.theta, 0.02);
     EXPECT_GE(rounds.closer().searches(), 3U);
+    const LoopRecord& record = rounds.loop->record;
+    EXPECT_EQ(record.verdict, LoopVerdict::closed);
+    EXPECT_EQ(record.scan, rounds.graph().poses.back().scan);
+    EXPECT_EQ(record.earlier, rounds.graph().poses[rounds.loop->key].scan);
+    EXPECT_GT(record.score, 0.7);
+    EXPECT_GT(record.overlap, 0.8);
+    EXPECT_LE(record.overlap, 1.0);
+    EXPECT_LT(*record.seen_through, 0.1);
+    // The two before it said the same, and waited for a third.
+    EXPECT_EQ(count(rounds.refused, LoopVerdict::alone), 2);
+    EXPECT_EQ(rounds.refused.size(), 2U);
     EXPECT_LT(rounds.graph().scans[rounds.loop->key].travelled_m, 16.0);
     for (const std::uint32_t source : rounds.loop->sources) {
         EXPECT_LT(rounds.graph().scans[source].travelled_m, 21.0);
@@ -125,7 +143,12 @@ TEST(LoopCloser, APlaceThatLooksAlikeButIsOpenIsNone) {
     // score asked for is so low that they suffice.
     const Rounds rounds(ring(kBlock), ring({{-5, -3}, {5, -3}, {5, 3}, {-5, 3}}), 0.3);
     EXPECT_FALSE(rounds.loop);
-    EXPECT_GE(rounds.closer().refused(), 3U);
+    EXPECT_GE(count(rounds.refused, LoopVerdict::seen_through), 3);
+    for (const LoopRecord& refused : rounds.refused) {
+        EXPECT_EQ(refused.seen_through.value_or(0.0) > 0.3,
+                  refused.verdict == LoopVerdict::seen_through);
+        EXPECT_EQ(refused.score > 0.5, refused.verdict != LoopVerdict::poor_fit);
+    }
 }
 
 TEST(LoopCloser, FindsAPassageThatNoWindowHolds) {
@@ -144,7 +167,7 @@ TEST(LoopCloser, FarOffAPlaceThatLooksAlikeButIsOpenIsNoneEither) {
     const Rounds rounds(ring(kBlock), ring({{-5, -3}, {5, -3}, {5, 3}, {-5, 3}}), 0.3,
                         {21.0, -14.0, 0.35});
     EXPECT_FALSE(rounds.loop);
-    EXPECT_GE(rounds.closer().refused(), 3U);
+    EXPECT_GE(count(rounds.refused, LoopVerdict::seen_through), 3);
 }
 
 TEST(LoopCloser, NothingIsALoopBeforeTheRobotHasGoneSomewhere) {
@@ -153,6 +176,7 @@ TEST(LoopCloser, NothingIsALoopBeforeTheRobotHasGoneSomewhere) {
     std::vector<GraphReach> reached;
     RegistrationParams params;
     LoopCloser closer(params, ScanMatcher(params.point_sigma_m));
+    std::vector<LoopRecord> refused;
     for (int k = 0; k < 20; ++k) {
         KeyScan key;
         const Pose pose{0.05 * k, 0.0, 0.0};
@@ -160,20 +184,22 @@ TEST(LoopCloser, NothingIsALoopBeforeTheRobotHasGoneSomewhere) {
         key.travelled_m = 0.05 * k;
         graph.add({pose, static_cast<std::uint64_t>(k)}, std::move(key));
         graph.reach(graph.size() - 1, reached);
-        EXPECT_FALSE(closer.search(graph, reached));
+        EXPECT_FALSE(closer.search(graph, reached, refused));
     }
     EXPECT_EQ(closer.searches(), 0U);
+    EXPECT_TRUE(refused.empty());
 }
 
 /// Drives the x axis twice, 20 m and 10 m, and searches at every second key of the second time: how
-/// often that finds the first passage, and how often it is refused.
-std::pair<int, std::uint64_t> found_and_refused(const Walls& walls) {
+/// often that finds the first passage, and how often it is refused as bare.
+std::pair<int, std::ptrdiff_t> found_and_bare(const Walls& walls) {
     KeyGraph graph;
     std::vector<GraphReach> reached;
     const RegistrationParams params;
     LoopCloser closer(params, ScanMatcher(params.point_sigma_m));
     std::mt19937 engine(3);
     int found = 0;
+    std::vector<LoopRecord> refused;
     for (std::uint64_t k = 0; k < 60; ++k) {
         const double along = 0.5 * static_cast<double>(k < 40 ? k : k - 40);
         KeyScan key;
@@ -187,22 +213,22 @@ std::pair<int, std::uint64_t> found_and_refused(const Walls& walls) {
         graph.add({{along, 0.0, 0.0}, k}, std::move(key));
         if (k < 40 || k % 2 == 1) continue;
         graph.reach(graph.size() - 1, reached);
-        if (closer.search(graph, reached)) ++found;
+        if (closer.search(graph, reached, refused)) ++found;
     }
-    return {found, closer.refused()};
+    return {found, count(refused, LoopVerdict::bare)};
 }
 
 TEST(LoopCloser, APassageOfACorridorFitsAnywhereAlongItAndIsNone) {
     Walls corridor{{{-200.0, -1.0}, {200.0, -1.0}}, {{-200.0, 1.0}, {200.0, 1.0}}};
-    const auto [found, refused] = found_and_refused(corridor);
+    const auto [found, bare] = found_and_bare(corridor);
     EXPECT_EQ(found, 0);
-    EXPECT_GE(refused, 5U);
+    EXPECT_GE(bare, 5);
     // With a bay every few metres there is something to hold on to.
     for (int i = -2; i < 12; ++i) {
         const Walls bay = closed({{3.0 * i, 1.0}, {3.0 * i + 0.8, 1.0}, {3.0 * i, 0.5}});
         corridor.insert(corridor.end(), bay.begin(), bay.end());
     }
-    EXPECT_GE(found_and_refused(corridor).first, 1);
+    EXPECT_GE(found_and_bare(corridor).first, 1);
 }
 
 TEST(LoopCloser, SearchesThatDifferInHeadingDoNotAgree) {

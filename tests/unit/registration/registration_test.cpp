@@ -114,13 +114,21 @@ TEST(Registration, ClosesTheLoopOfARing) {
     EXPECT_GT(greatest_path_error(once.odometry, truth), 3.0);
     EXPECT_LT(greatest_path_error(once.online, truth), 0.4);
     EXPECT_GE(once.registration.loops().size(), 1U);
-    for (const ClosedLoop& loop : once.registration.loops()) {
+    for (const LoopRecord& loop : once.registration.loops()) {
         const Pose true_pose = between(truth[loop.earlier], truth[loop.scan]);
         EXPECT_NEAR(loop.pose_earlier_scan.x, true_pose.x, 0.1);
         EXPECT_NEAR(loop.pose_earlier_scan.y, true_pose.y, 0.1);
         EXPECT_NEAR(wrap_angle(loop.pose_earlier_scan.theta - true_pose.theta), 0.0, 0.02);
+        EXPECT_EQ(loop.verdict, LoopVerdict::closed);
+        EXPECT_GT(loop.move_m, 0.0);
+        EXPECT_LT(loop.chi_square.value(), 50.0);
+        EXPECT_FALSE(loop.weight) << "the tour is not at its end";
     }
     once.registration.finish();
+    for (const LoopRecord& loop : once.registration.loops()) {
+        EXPECT_GT(loop.weight.value(), 0.8) << loop.scan;
+        EXPECT_LE(*loop.weight, 1.0);
+    }
     EXPECT_LT(greatest_path_error(once.registration.path(), truth), 0.08);
     const RegistrationFigures figures = once.registration.figures();
     EXPECT_EQ(figures.unmatched, 0U);
@@ -187,7 +195,7 @@ TEST(Registration, TwoEqualCorridorsAreNotOne) {
     std::vector<Pose> truth = round_tour(way, 1);
     const Driven once = drive(walls, truth, 0.0005, 1.005);
     EXPECT_LT(greatest_path_error(once.registration.path(), truth), 0.4);
-    for (const ClosedLoop& loop : once.registration.loops()) {
+    for (const LoopRecord& loop : once.registration.loops()) {
         const Pose& a = truth[loop.scan];
         const Pose& b = truth[loop.earlier];
         EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), 5.0) << loop.scan << " " << loop.earlier;
@@ -247,6 +255,14 @@ TEST(Registration, OdometryThatBeginsAnewWhileTheRobotStandsIsPassedOver) {
         }
     }
     EXPECT_TRUE(registration.figures().breaks.empty());
+    // The graph is as unsure of that step as the match was: of half a metre that nobody saw.
+    const Eigen::Vector3d unsure = odometry_variances({0.5, 0.0, 0.3}, 1.0);
+    for (const PoseEdge& edge : registration.edges()) {
+        const bool leapt = registration.keys()[edge.from].scan < 60 &&
+                           60 <= registration.keys()[edge.to].scan;
+        if (edge.kind != EdgeKind::odometry || !leapt) continue;
+        EXPECT_GE(edge.information.inverse().eval()(2, 2), unsure(2));
+    }
     registration.finish();
     EXPECT_LT(greatest_path_error(registration.path(), truth), 0.4);
 }
@@ -296,8 +312,8 @@ Walls far_hall() {
 }
 
 /// Between two passages of a hall nothing is seen for `blind` steps to and fro; then the robot is
-/// elsewhere by `off`. What the loop moves that is closed from there on.
-double moved_after_blindness(const Pose& off, int blind, double step_m, double scale,
+/// elsewhere by `off`. What comes of the loop from there on.
+Registration after_blindness(const Pose& off, int blind, double step_m, double scale,
                              double key_distance_m = 2.2) {
     RegistrationParams params;
     params.key_scans = 5;
@@ -319,7 +335,11 @@ double moved_after_blindness(const Pose& off, int blind, double step_m, double s
         const Pose at = compose({12.8 + off.x, off.y, off.theta}, {-0.8 * i, 0.0, 0.0});
         add(test::drawn_scan(hall, at), -0.8);
     }
-    return registration.figures().largest_correction_m;
+    return registration;
+}
+
+double moved_after_blindness(const Pose& off, int blind, double step_m, double scale) {
+    return after_blindness(off, blind, step_m, scale).figures().largest_correction_m;
 }
 
 TEST(Registration, ALoopIsLookedForAsFarAsAllStepsSinceTheLastKeyAreUnsure) {
@@ -331,8 +351,20 @@ TEST(Registration, ALoopIsLookedForAsFarAsAllStepsSinceTheLastKeyAreUnsure) {
 TEST(Registration, ALoopThatWouldStretchTheGraphIsRefused) {
     // Half a metre off: what an odometry good to centimetres cannot have erred by.
     const Pose off{-0.4, 0.3, 0.0};
-    EXPECT_NEAR(moved_after_blindness(off, 20, 1.0, 1.0, 0.7), 0.5, 0.05);
-    EXPECT_EQ(moved_after_blindness(off, 20, 1.0, 0.05, 0.7), 0.0);
+    const Registration unsure = after_blindness(off, 20, 1.0, 1.0, 0.7);
+    ASSERT_FALSE(unsure.loops().empty());
+    EXPECT_NEAR(unsure.figures().largest_correction_m, 0.5, 0.05);
+    EXPECT_EQ(unsure.figures().loops_refused, 0U);
+    const Registration sure = after_blindness(off, 20, 1.0, 0.05, 0.7);
+    EXPECT_TRUE(sure.loops().empty());
+    EXPECT_EQ(sure.figures().largest_correction_m, 0.0);
+    ASSERT_FALSE(sure.refused_loops().empty());
+    EXPECT_EQ(sure.figures().loops_refused, sure.refused_loops().size());
+    for (const LoopRecord& refused : sure.refused_loops()) {
+        EXPECT_EQ(refused.verdict, LoopVerdict::strained);
+        EXPECT_GT(refused.chi_square.value(), 2.0 * unsure.loops().front().chi_square.value());
+        EXPECT_EQ(refused.move_m, 0.0);
+    }
 }
 
 TEST(Registration, AStepThatSlippedIsLookedForAsFarAsItsWayIsUnsure) {

@@ -190,7 +190,7 @@ void GridView::paint_graph(QPainter& painter, const Scene& scene) const {
         painter.drawEllipse(scene.to_screen.map(path_[key.scan]), 1.6, 1.6);
     }
     painter.setPen(thin_pen(colour, 1.6));
-    for (const ClosedLoop& loop : snapshot_->loops) {
+    for (const LoopRecord& loop : snapshot_->loops) {
         painter.drawLine(scene.to_screen.map(path_[loop.scan]),
                          scene.to_screen.map(path_[loop.earlier]));
     }

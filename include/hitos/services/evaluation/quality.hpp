@@ -18,7 +18,8 @@ struct RunQuality {
     std::optional<double> cells_per_point;
     std::optional<double> odometry_cells_per_point;
     std::optional<RegistrationFigures> registration;   ///< of a run that has one
-    std::vector<ClosedLoop> loops;                     ///< likewise
+    std::vector<LoopRecord> loops;                     ///< likewise
+    std::vector<LoopRecord> refused_loops;             ///< likewise
     std::vector<Advice> warnings;                      ///< why the map should not be trusted
     std::optional<std::vector<TourFinding>> findings;  ///< what looks wrong in the tour itself
 };

@@ -64,7 +64,7 @@ struct Snapshot {
     Trajectory best_trajectory;
     Trajectory online_trajectory;   ///< as Algoritmo::online_trajectory()
     std::vector<KeyPose> keys;      ///< of registration; empty without
-    std::vector<ClosedLoop> loops;  ///< likewise
+    std::vector<LoopRecord> loops;  ///< likewise
     Trajectory odometry_trajectory;
     GridTiles step_grid;
     std::vector<Advice> advice;  ///< of a finished run: what speaks against it
