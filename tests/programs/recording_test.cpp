@@ -79,6 +79,26 @@ TEST_F(RecordingTest, OfAGoodTourThereIsNothingToSay) {
     const json quality = quality_of(recording([](std::vector<Reading>&) {}));
     EXPECT_THAT(quality["warnings"], IsEmpty());
     EXPECT_THAT(quality["scans_breaking"], IsEmpty());
+    // The tour ends where it began. The records say of each place what became of it.
+    ASSERT_GE(quality["loops"].size(), 1U);
+    EXPECT_EQ(quality["loops"].size(), quality["loops_closed"]);
+    for (const json& loop : quality["loops"]) {
+        EXPECT_EQ(loop["verdict"], "closed");
+        EXPECT_LT(loop["earlier"], loop["scan"]);
+        for (const char* figure :
+             {"score", "overlap", "seen_through", "chi_square", "weight", "move_m"}) {
+            EXPECT_TRUE(loop[figure].is_number()) << figure;
+        }
+    }
+    // A place has to be found more than once.
+    ASSERT_THAT(quality["refused_loops"], Not(IsEmpty()));
+    std::size_t refused = 0;
+    for (const json& loop : quality["refused_loops"]) {
+        EXPECT_NE(loop["verdict"], "closed");
+        EXPECT_FALSE(loop.contains("weight") || loop.contains("move_m"));
+        if (loop["verdict"] != "alone") ++refused;
+    }
+    EXPECT_EQ(quality["loops_refused"], refused);
 }
 
 TEST_F(RecordingTest, ARobotThatWasCarriedIsTold) {
