@@ -46,16 +46,19 @@ MappedTour mapped_tour(const Configuracion& configuration, std::unique_ptr<TourR
 }
 
 /// Landmarks and paths are no further apart than `tolerance` [m, rad]. Every landmark was seen as
-/// often, and first and last in the same scans: every observation went
+/// often but for some `sightings`, and first and last in the same scans: every observation went
 /// to the same one.
-void expect_same(const MappedTour& found, const MappedTour& expected, double tolerance) {
+void expect_same(const MappedTour& found, const MappedTour& expected, double tolerance,
+                 int sightings = 0) {
     ASSERT_EQ(found.map.size(), expected.map.size());
     ASSERT_GE(expected.map.size(), 4U);
     for (std::size_t i = 0; i < found.map.size(); ++i) {
         const ICaracteristica& a = found.map[i];
         const ICaracteristica& b = expected.map[i];
         ASSERT_EQ(a.kind(), b.kind()) << i;
-        EXPECT_EQ(a.observations, b.observations) << i;
+        EXPECT_LE(std::abs(static_cast<int>(a.observations) - static_cast<int>(b.observations)),
+                  sightings)
+            << i;
         EXPECT_EQ(a.first_seen, b.first_seen) << i;
         EXPECT_EQ(a.last_seen, b.last_seen) << i;
         if (const auto* recta = std::get_if<Recta>(&a.value)) {
@@ -135,6 +138,10 @@ struct LawCase {
     const char* world;
     const char* preset;
     const char* algorithm;
+    // Two solutions of the same equations are as near each other as their last step was short.
+    double solver = 1e-9;
+    // A key scan at the limit of what makes a line or corner of it.
+    int sightings = 0;
 };
 
 /// One lap through a world, with the noise of laser and odometry.
@@ -142,7 +149,7 @@ class TourLaws : public testing::TestWithParam<LawCase> {
   protected:
     TourLaws() {
         const std::filesystem::path root = HITOS_SOURCE_DIR;
-        const auto [world, preset, algorithm] = GetParam();
+        const auto& [world, preset, algorithm, solver, sightings] = GetParam();
         configuration_ =
             ArchivoConfiguracion::read(root / "config" / (std::string(preset) + ".cfg"));
         configuration_.filter.algorithm = algorithm;
@@ -224,7 +231,7 @@ TEST_P(TourLaws, AMirroredTourGivesTheMirroredMap) {
         reading.twist.v_lateral = -reading.twist.v_lateral;
     }
     expect_same(run(std::make_shared<const RecordedTour>(std::move(tour))), mirror_of(run(tour_)),
-                1e-9);
+                GetParam().solver);
 }
 
 TEST_P(TourLaws, AnUpsideDownLaserAndTurnsToTheRightAreAMirror) {
@@ -234,7 +241,7 @@ TEST_P(TourLaws, AnUpsideDownLaserAndTurnsToTheRightAreAMirror) {
     ReadOptions read;
     read.laser_pose = "0,0,0,upside-down";
     read.odometry_turns = -1.0;
-    expect_same(run(log, read), mirror_of(run(log)), 1e-9);
+    expect_same(run(log, read), mirror_of(run(log)), GetParam().solver);
 }
 
 TEST_P(TourLaws, TimeDoesNotMatter) {
@@ -253,7 +260,8 @@ TEST_P(TourLaws, EveryFormatGivesTheSameMap) {
     const MappedTour expected = run(tour_);
     for (const std::string format : {"mcap", "player", "radish", "carmen"}) {
         SCOPED_TRACE(format);
-        expect_same(run(written(tour_, format, folder / ("tour." + format))), expected, 0.01);
+        expect_same(run(written(tour_, format, folder / ("tour." + format))), expected, 0.01,
+                    GetParam().sightings);
     }
 }
 
@@ -332,7 +340,8 @@ TEST_F(JoinedTours, TwoRecordingsInOneFolderAreOneTour) {
 INSTANTIATE_TEST_SUITE_P(Runs, TourLaws,
                          testing::Values(LawCase{"recinto", "simulated", "fastslam"},
                                          LawCase{"bigloop", "ekf", "ekf-slam"},
-                                         LawCase{"recinto", "recorded", "fastslam"}),
+                                         LawCase{"recinto", "recorded", "fastslam"},
+                                         LawCase{"recinto", "recorded", "graph-slam", 1e-6, 1}),
                          [](const auto& test) {
                              std::string name = std::string(test.param.world) + "_" +
                                                 test.param.preset + "_" + test.param.algorithm;
