@@ -279,6 +279,36 @@ TEST_P(FaultsOneByOne, OfTheLogAreToldOfTheLog) {
     EXPECT_GT(faults, 5);
 }
 
+class FaultsOfRemoving : public FileFaults {};
+
+/// Of a third study that waits nothing becomes a part of the next one, though it could not be
+/// removed at once.
+TEST_P(FaultsOfRemoving, LeaveNoneOfAThirdStudysRuns) {
+    const Command command = command_named(GetParam(), place_);
+    ASSERT_EQ(place_.run(command.before).status, 0);
+    Words third = command.words;
+    *std::ranges::find(third, "dmax=0.01,0.02") = "dmax=0.04,0.05";
+    third.insert(third.end(), {"--shard", "1/2"});
+    ASSERT_EQ(place_.run(third).status, 0);
+    place_.keep("waiting");
+    before_ = place_.content();
+    ASSERT_EQ(place_.run(command.words, watching("HITOS_FAULT_FILE=0:0")).status, 0);
+    after_ = place_.content();
+    int faults = 0;
+    for (const std::string& line : place_.take_report()) {
+        const std::optional<Operation> operation = operation_in(line);
+        // What is removed by its name within a folder that goes.
+        if (!operation || operation->path.find("dmax-0.04") == std::string::npos) continue;
+        place_.restore("waiting");
+        expect_harmless(command, {*operation, EIO, ""});
+        ++faults;
+    }
+    EXPECT_GE(faults, 4) << "record, map, grid and path of a run";
+}
+
+INSTANTIATE_TEST_SUITE_P(, FaultsOfRemoving, ::testing::Values("study"),
+                         [](const auto& command) { return command.param; });
+
 INSTANTIATE_TEST_SUITE_P(, FaultsOneByOne, ::testing::Values("run"),
                          [](const auto& command) { return command.param; });
 

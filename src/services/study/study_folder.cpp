@@ -151,27 +151,23 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
     }
     exchange.flush();
     exchange.keep();
-    std::error_code ignored;
     // The former plan first: without the journal it would pass for a study that waits.
-    fs::remove(plan_file(staging), ignored);
-    fs::remove(journal, ignored);
-    fs::remove_all(staging.folder, ignored);
+    for (const fs::path& path : {plan_file(staging), journal, staging.folder}) remove_whole(path);
 }
 
 /// Finishes what an interrupted publish() began. Only where nobody else is at work.
 void settle(const StudyLayout& target) {
-    std::error_code ignored;
     for (const StudyLayout& staging : {staging_of(target), next_study(target)}) {
         try {
             if (is_there(staging.folder / kJournal)) install(staging, target);
         } catch (const FormatError&) {
             // What it lists is not there as it was: then it is as if it had not begun.
-            fs::remove(staging.folder / kJournal, ignored);
+            remove_whole(staging.folder / kJournal);
         }
     }
-    fs::remove_all(staging_of(target).folder, ignored);
+    remove_whole(staging_of(target).folder);
     const StudyLayout next = next_study(target);
-    if (!is_there(plan_file(next))) fs::remove_all(next.folder, ignored);
+    if (!is_there(plan_file(next))) remove_whole(next.folder);
 }
 
 std::unique_ptr<FolderLock> lock_of(const StudyLayout& target, StudyFolder::Keep keep) {
@@ -214,14 +210,23 @@ void check_others(const StudyLayout& target, const StudyPlan& plan, const Folder
             "log, values or seeds differ; wait for them or choose another folder"));
 }
 
+/// What stayed would be taken for a part of the study that comes there.
+void take_away(const fs::path& path) {
+    remove_whole(path);
+    if (!is_there(path)) return;
+    throw FileError(path.parent_path().string(),
+                    HITOS_TEXT("Errors",
+                               "cannot be written: %1, which a process has left, cannot be "
+                               "removed; remove it by hand"),
+                    path.string());
+}
+
 void remove_tables(const StudyLayout& layout) {
-    std::error_code ignored;
-    fs::remove_all(layout.file("pictures"), ignored);
-    std::vector<fs::path> tables;
+    std::vector<fs::path> tables{layout.file("pictures")};
     for (const fs::directory_entry& entry : folder_entries(layout.folder)) {
         if (is_table(layout, entry.path().filename().string())) tables.push_back(entry.path());
     }
-    for (const fs::path& table : tables) fs::remove(table, ignored);
+    for (const fs::path& table : tables) take_away(table);
 }
 
 void write_tables(const StudyLayout& layout, const StudyPlan& plan,
@@ -301,10 +306,9 @@ void StudyFolder::named(const std::function<void()>& work) const {
 }
 
 void StudyFolder::begin() {
-    std::error_code ignored;
     bool known = false;
     named([&] { known = is_there(plan_file(work_)) && is_same_plan(work_, plan_); });
-    if (is_beside() && !known) fs::remove_all(work_.folder, ignored);  // of a third study
+    if (is_beside() && !known) take_away(work_.folder);  // of a third study
     named([&] {
         made_output_folder(work_.folder);
         made_output_folder(work_.file("maps"));
@@ -313,6 +317,7 @@ void StudyFolder::begin() {
         AtomicFile(target_.quality_file()).write("");
         if (!known) write_plan(work_, plan_);
     });
+    std::error_code ignored;
     fs::last_write_time(plan_file(work_), fs::file_time_type::clock::now(), ignored);
     if (lock_ && lock_->alone()) clear_leftovers();
 }
@@ -347,8 +352,7 @@ std::optional<StudyRecord> StudyFolder::done(std::size_t run) const {
 }
 
 void StudyFolder::discard() const {
-    std::error_code ignored;
-    if (is_beside()) fs::remove_all(work_.folder, ignored);
+    if (is_beside()) remove_whole(work_.folder);
 }
 
 /// All that belongs together once the tables are in `staging`; the runs are there or at `work`.
@@ -405,9 +409,8 @@ StudyFolder::Problems StudyFolder::publish(std::span<const StudyRecord> records,
 
 /// After a failure: runs that were done beside stay for the next time.
 void StudyFolder::give_up(const StudyLayout& staging) const {
-    std::error_code ignored;
-    fs::remove(staging.folder / kJournal, ignored);
-    if (!is_beside()) fs::remove_all(staging.folder, ignored);
+    remove_whole(staging.folder / kJournal);
+    if (!is_beside()) remove_whole(staging.folder);
 }
 
 }  // namespace hitos::study

@@ -262,18 +262,19 @@ void MainWindow::connect_run() {
 }
 
 void MainWindow::connect_views() {
-    // One view after the other, so that a key press waits for one picture and not for two.
-    const auto show_snapshot = [this] {
+    // While it runs one view after the other, so that a key press waits for one picture and not for
+    // two.
+    const auto show_grid = [this] { ui_->grid_view->set_snapshot(session_.snapshot()); };
+    const auto show_snapshot = [this, show_grid] {
         ui_->scan_view->set_snapshot(session_.snapshot());
-        const int delay_ms = session_.progress().state == Progress::State::running ? 8 : 0;
-        if (delay_ms == 0) {
-            ui_->grid_view->set_snapshot(session_.snapshot());
-            return;
-        }
-        QTimer::singleShot(delay_ms, Qt::PreciseTimer, ui_->grid_view,
-                           [this] { ui_->grid_view->set_snapshot(session_.snapshot()); });
+        grid_waits_ =
+            session_.progress().state == Progress::State::running && ui_->scan_view->isVisible();
+        if (!grid_waits_) show_grid();
     };
     connect(&session_, &Session::snapshot_changed, this, show_snapshot);
+    connect(ui_->scan_view, &CanvasView::painted, this, [this, show_grid] {
+        if (std::exchange(grid_waits_, false)) QTimer::singleShot(0, ui_->grid_view, show_grid);
+    });
     for (CanvasView* view :
          {static_cast<CanvasView*>(ui_->scan_view), static_cast<CanvasView*>(ui_->grid_view)}) {
         connect(view, &CanvasView::painted, &session_, &Session::note_cost);

@@ -116,6 +116,7 @@ class MainWindow final : public QMainWindow {
     StudyDialog* study_ = nullptr;
     WorldWindow* world_ = nullptr;
     bool close_when_written_ = false;
+    bool grid_waits_ = false;  ///< for the other view to be painted
 };
 
 }  // namespace hitos::window

@@ -2848,7 +2848,7 @@
     </message>
     <message>
         <source>found a figure of a run of the word &quot;%1&quot;, but tables, records or Python say &quot;%2&quot; of something else; give it another word</source>
-        <translation>hay una medida de una ejecución con la palabra "%1", pero las tablas, los registros o Python llaman "%2" a otra cosa; dele otra palabra</translation>
+        <translation>hay una medida de una ejecución con la palabra &quot;%1&quot;, pero las tablas, los registros o Python llaman &quot;%2&quot; a otra cosa; dele otra palabra</translation>
     </message>
 </context>
 <context>
