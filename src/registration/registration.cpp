@@ -88,8 +88,8 @@ void Registration::Impl::step(const DrivenWay& way, RegisteredStep& out) {
     const Pose before = now_;
     const Pose raw = way.pose_start_end;
     refresh_map(before);
-    Guess guess = placed_by(params_.calibrate ? calibration_.corrected(raw) : raw,
-                            odometry_variances(raw, params_.odometry_scale));
+    const Pose driven = params_.calibrate ? calibration_.corrected(raw) : raw;
+    Guess guess = placed_by(driven, odometry_variances(driven, params_.odometry_scale));
     if (breaks_path(points_, guess.matched, graph_)) {
         if (std::optional<Guess> other = stood(raw)) {
             guess = *std::move(other);
