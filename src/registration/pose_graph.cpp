@@ -35,8 +35,9 @@ void PoseGraphSolver::sum(const std::vector<KeyPose>& keys, bool robust, std::si
         const EdgeError error = edge_error(edge, keys[edge.from].pose, keys[edge.to].pose);
         const double d2 = error.value.dot(edge.information * error.value);
         double weight = i < used ? 1.0 : 0.0;
-        // The odometry's too: a log that has reversing as driving ahead (freiburg-079) would be bent by
-        // it, 0.18 m instead of 0.08, and of the six other recorded tours none gains two centimetres.
+        // The odometry's too: a log that has reversing as driving ahead (freiburg-079) would be
+        // bent by it, 0.18 m instead of 0.08, and of the six other recorded tours none gains more
+        // than 5 cm.
         if (robust) weight *= robust_weight(d2);
         equations_.add(edge.from, error.by_from, edge.to, error.by_to, weight * edge.information,
                        error.value);

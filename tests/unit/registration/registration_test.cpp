@@ -258,8 +258,8 @@ TEST(Registration, OdometryThatBeginsAnewWhileTheRobotStandsIsPassedOver) {
     // The graph is as unsure of that step as the match was: of half a metre that nobody saw.
     const Eigen::Vector3d unsure = odometry_variances({0.5, 0.0, 0.3}, 1.0);
     for (const PoseEdge& edge : registration.edges()) {
-        const bool leapt = registration.keys()[edge.from].scan < 60 &&
-                           60 <= registration.keys()[edge.to].scan;
+        const bool leapt =
+            registration.keys()[edge.from].scan < 60 && 60 <= registration.keys()[edge.to].scan;
         if (edge.kind != EdgeKind::odometry || !leapt) continue;
         EXPECT_GE(edge.information.inverse().eval()(2, 2), unsure(2));
     }
