@@ -93,6 +93,10 @@ void StagedFiles::commit() {
             .add(last.place.filename().string());
     }
     for (const auto& file : files_) {
+        if (file.get() == &last && files_.size() > 1) {
+            // Else a loss of power may leave it without what belongs to it.
+            for (const FileExchange& exchange : exchanges) exchange.flush();
+        }
         exchanges.emplace_back(file->staging, file->place.parent_path())
             .add(file->place.filename().string());
     }

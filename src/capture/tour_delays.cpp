@@ -208,8 +208,8 @@ BestFit TourExamination::best_leaps(const std::vector<const Pair*>& pairs, unsig
 
 /// A clock that was set where the stamps leap: that leap itself says by how much. One that was set
 /// and set back fits with both leaps undone and with neither, but not with one.
-std::optional<TourFinding> TourExamination::set_clock(const std::vector<const Pair*>& pairs,
-                                                      double otherwise) const {
+std::optional<TourExamination::SetClock> TourExamination::set_clock(
+    const std::vector<const Pair*>& pairs, double otherwise) const {
     constexpr double kBetter = 0.02;  // than what has a number of its own to fit by
     constexpr double kMuchBetter = 0.1;
     constexpr std::size_t kLeastPairs = 10;
@@ -226,7 +226,7 @@ std::optional<TourFinding> TourExamination::set_clock(const std::vector<const Pa
     if (undone == 0 || best.agreement < kLeastFit || !beats_standing(best.agreement))
         return std::nullopt;
     if (best.agreement >= std::max(told + kClearly, otherwise + kBetter))
-        return told_leaps(undone, best.agreement, told);
+        return SetClock{told_leaps(undone, best.agreement, told), best.agreement};
     // What is soon set back weighs little among all of them, and much by itself.
     std::vector<const Pair*> meanwhile;
     for (const Pair& pair : pairs_) {
@@ -237,7 +237,7 @@ std::optional<TourFinding> TourExamination::set_clock(const std::vector<const Pa
     const double fits = agreement(meanwhile, best.hypothesis).value_or(0.0);
     const double told_meanwhile = agreement(meanwhile, Hypothesis{}).value_or(0.0);
     if (fits < std::max(kLeastFit, told_meanwhile + kMuchBetter)) return std::nullopt;
-    return told_leaps(undone, fits, told_meanwhile);
+    return SetClock{told_leaps(undone, fits, told_meanwhile), best.agreement};
 }
 
 TourFinding TourExamination::told_leaps(unsigned undone, double fits, double told) const {

@@ -58,14 +58,17 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     constexpr int kOffsetSteps = 20;
     const BestFit longer = best_range_offset(fit, {}, kOffsetStep, kOffsetSteps);
     const double otherwise = std::max({told, late.agreement, mounted.agreement, longer.agreement});
-    if (std::optional<TourFinding> set = set_clock(pairs, otherwise)) {
-        found.push_back(*std::move(set));
-        return;
-    }
+    const std::optional<SetClock> set = set_clock(pairs, otherwise);
     constexpr double kTableStep = 0.25;  // [s]
     constexpr int kTableSteps = 60;
-    std::optional<TourFinding> clock = changing_clock(pairs, {}, kTableStep, kTableSteps,
-                                                      std::max(kLeastFit, otherwise + kClearly));
+    constexpr double kOverLeaps = 0.07;  // stamps that leap say by how much, unless the robot stood
+    const double least =
+        set ? set->agreement + kOverLeaps : std::max(kLeastFit, otherwise + kClearly);
+    std::optional<TourFinding> clock = changing_clock(pairs, {}, kTableStep, kTableSteps, least);
+    if (!clock && set) {
+        found.push_back(set->finding);
+        return;
+    }
     // Where the robot mostly drives straight on, as in corridors, turns alone tell the time.
     constexpr std::size_t kEnough = 32;
     constexpr double kFarBetter = 0.2;

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/scan_clock.hpp"
 #include "integration/wrong_tours.hpp"
+#include "unit/capture/test_files.hpp"
 
 namespace hitos {
 namespace {
@@ -124,6 +126,21 @@ TEST_P(OfClocks, StampsThatWaverAreTold) {
     for (std::size_t i = 0; i < tour_.scans.size(); ++i)
         wavering.scans[i].line = tour_.scans[i].line;
     EXPECT_TRUE(wavering.of_kind(Kind::unfit_odometry)) << wavering.said();
+}
+
+/// Where scans come when the robot has moved, stamps leap wherever it stood, and by how much says
+/// nothing of the clock.
+TEST(RealClocks, OneThatIsSetIsToldRightlyWhereTheRobotStoodNowAndThen) {
+    for (const char* name : {"freiburg-101", "intel"}) {
+        const auto log = test::shared_log(std::string("radish/") + name + ".log.gz");
+        HITOS_SKIP_WITHOUT(log);
+        Readings set = test::read(log.string());
+        const double middle_s = (set.scans.front().time_s + set.scans.back().time_s) / 2.0;
+        for (Scan& scan : set.scans) scan.time_s += scan.time_s > middle_s ? 10.0 : 0.0;
+        const auto found = set.of_kind(Kind::clock_set);
+        ASSERT_TRUE(found) << name << '\n' << set.said();
+        EXPECT_NEAR(found->value, -10.0, 0.3) << name;  // freiburg-101 has 0.15 of its own
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Worlds, OfClocks, testing::Values("recinto", "bigloop", "complex"),

@@ -114,9 +114,13 @@ class TourExamination {
     std::optional<TourFinding> changing_clock(const std::vector<const Pair*>& pairs,
                                               const Hypothesis& asked, double step_s, int steps,
                                               double least) const;
+    struct SetClock {
+        TourFinding finding;
+        double agreement;
+    };
     /// One that was set where the stamps leap, once or several times.
-    std::optional<TourFinding> set_clock(const std::vector<const Pair*>& pairs,
-                                         double otherwise) const;
+    std::optional<SetClock> set_clock(const std::vector<const Pair*>& pairs,
+                                      double otherwise) const;
     /// Of these leaps of the stamps, a bit for each, those with which the pairs fit best.
     BestFit best_leaps(const std::vector<const Pair*>& pairs, unsigned begin,
                        unsigned offered) const;
