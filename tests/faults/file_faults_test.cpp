@@ -9,6 +9,8 @@
 #include <iostream>
 #include <optional>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "commands.hpp"
 
@@ -102,6 +104,16 @@ class FileFaults : public ::testing::TestWithParam<std::string> {
                 "HITOS_FAULT_BELOW=" + place_.work().string(),
                 "HITOS_FAULT_REPORT=" + place_.report_file()};
     }
+    /// The operations of the last command, as the library of faults has reported them.
+    std::vector<Operation> reported() const {
+        std::vector<Operation> operations;
+        for (const std::string& line : place_.take_report()) {
+            if (std::optional<Operation> operation = operation_in(line)) {
+                operations.push_back(*std::move(operation));
+            }
+        }
+        return operations;
+    }
     void expect_each_fault_harmless(const Command& command, const std::string& start);
     void expect_harmless(const Command& command, const Fault& fault);
     void expect_of_one_time(const Content& found, const Outcome& outcome, const Command& command);
@@ -191,13 +203,10 @@ void FileFaults::expect_each_fault_harmless(const Command& command, const std::s
     ASSERT_EQ(undisturbed.status, 0) << undisturbed.output;
     ASSERT_FALSE(tells_of_missing(undisturbed.output)) << undisturbed.output;
     after_ = place_.content();
-    std::vector<Operation> operations;
-    for (const std::string& line : place_.take_report()) {
-        const std::optional<Operation> operation = operation_in(line);
-        if (operation && (operation->word == "space" || operation->word == "other")) {
-            operations.push_back(*operation);
-        }
-    }
+    std::vector<Operation> operations = reported();
+    std::erase_if(operations, [](const Operation& operation) {
+        return operation.word != "space" && operation.word != "other";
+    });
     ASSERT_GT(operations.size(), 10U);
     ASSERT_EQ(place_.run(command.words).status, 0);
     ASSERT_EQ(difference(after_, place_.content()), "") << "it does not give the same twice";
@@ -245,14 +254,13 @@ TEST_P(FaultsOneByOne, OfTheFormerSummaryLeaveNoneOfItsFiles) {
     ASSERT_EQ(place_.run(fewer, watching("HITOS_FAULT_FILE=0:0")).status, 0);
     ASSERT_FALSE(fs::exists(place_.path("out/uncertainty.csv")));
     int faults = 0;
-    for (const std::string& line : place_.take_report()) {
-        const std::optional<Operation> operation = operation_in(line);
-        if (!operation || operation->path != place_.path("out/summary.json")) continue;
+    for (const Operation& operation : reported()) {
+        if (operation.path != place_.path("out/summary.json")) continue;
         place_.restore("before");
-        const Fault fault{*operation, EIO, ""};
+        const Fault fault{operation, EIO, ""};
         const Outcome outcome = place_.run(fewer, watching(fault.order()));
         EXPECT_EQ(fs::exists(place_.path("out/uncertainty.csv")), outcome.status != 0)
-            << fault.order() << ' ' << operation->what << ", said:\n"
+            << fault.order() << ' ' << operation.what << ", said:\n"
             << outcome.output;
         ++faults;
     }
@@ -268,12 +276,10 @@ TEST_P(FaultsOneByOne, OfTheLogAreToldOfTheLog) {
     ASSERT_EQ(place_.run(command.words, watching("HITOS_FAULT_FILE=0:0")).status, 0);
     after_ = place_.content();
     int faults = 0;
-    for (const std::string& line : place_.take_report()) {
-        const std::optional<Operation> operation = operation_in(line);
-        if (!operation || operation->what != "stat") continue;
-        if (operation->path != place_.path("tour.log")) continue;
+    for (const Operation& operation : reported()) {
+        if (operation.what != "stat" || operation.path != place_.path("tour.log")) continue;
         place_.restore("before");
-        expect_harmless(command, {*operation, EACCES, ""});
+        expect_harmless(command, {operation, EACCES, ""});
         ++faults;
     }
     EXPECT_GT(faults, 5);
@@ -295,12 +301,11 @@ TEST_P(FaultsOfRemoving, LeaveNoneOfAThirdStudysRuns) {
     ASSERT_EQ(place_.run(command.words, watching("HITOS_FAULT_FILE=0:0")).status, 0);
     after_ = place_.content();
     int faults = 0;
-    for (const std::string& line : place_.take_report()) {
-        const std::optional<Operation> operation = operation_in(line);
+    for (const Operation& operation : reported()) {
         // What is removed by its name within a folder that goes.
-        if (!operation || operation->path.find("dmax-0.04") == std::string::npos) continue;
+        if (operation.path.find("dmax-0.04") == std::string::npos) continue;
         place_.restore("waiting");
-        expect_harmless(command, {*operation, EIO, ""});
+        expect_harmless(command, {operation, EIO, ""});
         ++faults;
     }
     EXPECT_GE(faults, 4) << "record, map, grid and path of a run";
