@@ -176,17 +176,22 @@ void RunWorker::post(std::function<void(const Algoritmo&)> task) {
 }
 
 void RunWorker::work(const std::stop_token& stop) {
-    for (bool ended = false; !ended;) {
+    for (;;) {
+        Message error;
+        std::exception_ptr failure;
         try {
             work_until(stop);
-            ended = true;
-        } catch (const std::exception& failure) {
-            fail(failure);
+            return;
+        } catch (const std::exception& caught) {
+            error = message_of(caught);
+            failure = std::current_exception();
         }
+        // Told when this thread no longer handles it: whoever is told has it to himself.
+        fail(std::move(error), std::move(failure));
     }
 }
 
-void RunWorker::fail(const std::exception& failure) {
+void RunWorker::fail(Message error, std::exception_ptr failure) {
     const std::scoped_lock lock(mutex_);
     busy_ = false;
     const bool in_a_step = std::exchange(stepping_, false);
@@ -196,8 +201,8 @@ void RunWorker::fail(const std::exception& failure) {
     budget_ = 0;
     seek_wanted_.reset();
     progress_.state = Progress::State::failed;
-    progress_.error = message_of(failure);
-    progress_.failure = std::current_exception();
+    progress_.error = std::move(error);
+    progress_.failure = std::move(failure);
 }
 
 void RunWorker::work_until(const std::stop_token& stop) {

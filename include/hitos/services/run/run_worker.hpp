@@ -159,8 +159,8 @@ class RunWorker {
     void post(std::function<void(const Algoritmo&)> task);
     void work(const std::stop_token& stop);
     void work_until(const std::stop_token& stop);
-    /// Ends the run by the exception that is being handled.
-    void fail(const std::exception& failure);
+    /// Ends the run by an exception that nobody handles any more.
+    void fail(Message error, std::exception_ptr failure);
     // These hold the lock as they begin and end, and let it go while they work.
     void step(std::unique_lock<std::mutex>& lock);
     /// To the nearest state before those steps, from where they are still to do.
