@@ -5,6 +5,7 @@
 
 #include "hitos/capture/tour_examination.hpp"
 #include "hypothesis_search.hpp"
+#include "seen_from.hpp"
 #include "turned_step.hpp"
 
 namespace hitos {
@@ -90,15 +91,6 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
                                                  const Hypothesis& hypothesis,
                                                  const Speeds& speeds) {
     constexpr int kLeastPoints = 10;
-    const double sign = hypothesis.mirrored ? -1.0 : 1.0;
-    // Where rays truly go by where they are told to. One that is measured later, while the robot
-    // turns on, looks further round: the fan of such a scan is wider, from its first ray on.
-    struct Rays {
-        double middle;
-        double scale;
-        double offset;
-        bool told() const { return scale == 1.0 && offset == 0.0; }
-    };
     const auto fan_of = [&](const View& view, double speed) {
         if (speed == 0.0 || view.span_rad == 0.0) {
             return Rays{hypothesis.fan_middle_rad, hypothesis.fan_scale, 0.0};
@@ -108,47 +100,41 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
         return Rays{view.first_rad + view.span_rad / 2.0, 1.0 + (last - first) / view.span_rad,
                     (first + last) / 2.0};
     };
-    const Rays first_fan = fan_of(pair.first, speeds.first);
-    const Rays fan = fan_of(pair.second, speeds.second);
-    const auto direction_of = [&](float told) {
-        const auto angle = static_cast<double>(told);
-        if (fan.told()) return sign * angle;
-        return sign * (fan.middle + fan.scale * wrap_angle(angle - fan.middle) + fan.offset);
-    };
     const auto mounted = [&](Pose laser) {
         laser.theta += hypothesis.turn_rad;
         laser.x += hypothesis.shift.x;
         laser.y += hypothesis.shift.y;
         return laser;
     };
-    // Points of the later scan in the earlier one's laser's frame.
-    const Pose lasers = between(mounted(pair.first.pose_robot_laser),
-                                compose(step, mounted(pair.second.pose_robot_laser)));
+    const SeenFrom seen_from{pair.first.first_rad,
+                             pair.first.step_rad,
+                             static_cast<double>(pair.first.ranges.size() - 1),
+                             fan_of(pair.first, speeds.first),
+                             fan_of(pair.second, speeds.second),
+                             hypothesis.mirrored ? -1.0 : 1.0,
+                             hypothesis.range_offset_m,
+                             between(mounted(pair.first.pose_robot_laser),
+                                     compose(step, mounted(pair.second.pose_robot_laser)))};
     const std::vector<float>& ranges = pair.first.ranges;
     int asked = 0;
     int lie = 0;
-    for (std::size_t i = 0; i < pair.second.directions.size(); ++i) {
-        const double direction = direction_of(pair.second.directions[i]);
-        const double range =
-            static_cast<double>(pair.second.distances[i]) + hypothesis.range_offset_m;
-        const Point2 at =
-            transform(lasers, {range * std::cos(direction), range * std::sin(direction)});
-        double seen = sign * std::atan2(at.y, at.x);
-        if (!first_fan.told()) {
-            const double off =
-                wrap_angle(seen - first_fan.middle - first_fan.offset) / first_fan.scale;
-            if (std::abs(off) > kPi) continue;
-            seen = first_fan.middle + off;
-        }
-        const std::size_t bin = pair.first.bin_of(seen);
-        if (ranges[bin] == 0.0F) continue;
-        const double expected = std::hypot(at.x, at.y);
-        ++asked;
-        const double seen_m = static_cast<double>(ranges[bin]) + hypothesis.range_offset_m;
-        // What is added to the readings does not make them less exact.
-        const double read_m = std::max(0.0, expected - hypothesis.range_offset_m);
-        if (std::abs(seen_m - expected) < hypothesis.near_m + hypothesis.near_per_range * read_m) {
-            ++lie;
+    Seen seen;
+    for (std::size_t begin = 0; begin < pair.second.directions.size(); begin += Seen::kMost) {
+        const std::size_t count = std::min(Seen::kMost, pair.second.directions.size() - begin);
+        seen_from.look({pair.second.directions.data() + begin, count},
+                       pair.second.distances.data() + begin, seen);
+        for (std::size_t i = 0; i < count; ++i) {
+            const float range = ranges[static_cast<std::size_t>(seen.bins.at(i))];
+            const double expected = seen.distances_m.at(i);
+            if (range == 0.0F || expected < 0.0) continue;
+            ++asked;
+            const double seen_m = static_cast<double>(range) + hypothesis.range_offset_m;
+            // What is added to the readings does not make them less exact.
+            const double read_m = std::max(0.0, expected - hypothesis.range_offset_m);
+            if (std::abs(seen_m - expected) <
+                hypothesis.near_m + hypothesis.near_per_range * read_m) {
+                ++lie;
+            }
         }
     }
     if (asked < kLeastPoints) return {};

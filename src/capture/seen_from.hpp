@@ -1,0 +1,42 @@
+// Where the points of one scan lie, as the laser of an earlier one sees them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "hitos/base/geometry.hpp"
+
+namespace hitos {
+
+/// Where rays truly go by where they are told to. One that is measured later, while the robot turns
+/// on, looks further round: the fan of such a scan is wider, from its first ray on.
+struct Rays {
+    double middle;
+    double scale;
+    double offset;
+    bool told() const { return scale == 1.0 && offset == 0.0; }
+};
+
+/// Where points of the later scan lie, as the laser of the earlier one sees them.
+struct Seen {
+    static constexpr std::size_t kMost = 256;
+    std::array<double, kMost> distances_m;  ///< below 0: no ray of its goes there
+    std::array<double, kMost> bins;         ///< of the earlier scan's ranges
+};
+
+struct SeenFrom {
+    double first_rad;  ///< of the earlier scan's bins,
+    double step_rad;   ///< from one to the next
+    double last_bin;
+    Rays first_fan;
+    Rays fan;     ///< of the later scan
+    double sign;  ///< -1 where rays go the other way round
+    double range_offset_m;
+    Pose lasers;  ///< of the later one in the earlier one's frame
+
+    /// Of up to Seen::kMost points of the later one, by where its laser says that they are.
+    void look(std::span<const float> directions, const float* distances, Seen& seen) const;
+};
+
+}  // namespace hitos
