@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
     if (name == "save") return save_as_told(arguments.mid(2));
     if (name == "contact") return run<ContactTest>(arguments);
     if (name == "fit") return run<FitTest>(arguments);
+    if (name == "readings") return run<ReadingsTest>(arguments);
     if (name == "source") return run<SourceTest>(arguments);
     if (name == "configuration") return run<ConfigurationTest>(arguments);
     if (name == "draw") return run<DrawTest>(arguments);

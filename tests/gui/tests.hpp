@@ -6,6 +6,14 @@
 
 namespace hitos::window {
 
+class ReadingsTest final : public QObject {
+    Q_OBJECT
+
+  private slots:
+    static void initTestCase();
+    static void a_log_is_read_once_to_look_at_it_and_once_to_run_it();
+};
+
 class SourceTest : public QObject {
     Q_OBJECT
 

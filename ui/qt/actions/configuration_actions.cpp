@@ -175,11 +175,13 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed) {
     SourceDialog dialog(next.source, prompts_, files_.folder_to_open("log"), window_);
     while (dialog.exec() == QDialog::Accepted) {
         next.source = dialog.source();
-        if (!(confirmed || guard_.may_discard()) || !use(next)) continue;
+        if (!(confirmed || guard_.may_discard())) continue;
+        const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
+        emit inspected(next.source, summary);
+        if (!use(next)) continue;
         const QString file = QString::fromStdString(next.source.file);
         files_.note_folder("log", file);
         files_.note_recent(file);
-        const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
         emit notice(tr("Source loaded: %1, %2")
                         .arg(QFileInfo(file).fileName(),
                              counted_words(summary.report.scans, tr("1 scan"), tr("%1 scans"))));

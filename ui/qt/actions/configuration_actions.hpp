@@ -4,6 +4,7 @@
 #include <QObject>
 #include <vector>
 
+#include "hitos/capture/tour_summary.hpp"
 #include "look/prompts.hpp"
 #include "look/user_files.hpp"
 #include "session/run_guard.hpp"
@@ -60,6 +61,8 @@ class ConfigurationActions final : public QObject {
 
   signals:
     void notice(QString text);
+    /// What a source holds that is about to be used.
+    void inspected(const SourceParams& source, const TourSummary& tour);
     /// A folder of results is among what was opened.
     void results_named(QString folder);
     /// What can be undone or redone is another.

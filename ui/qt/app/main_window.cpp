@@ -85,6 +85,7 @@ void MainWindow::make_parts() {
     status_ = new StatusLine(ui_->statusbar, session_);
     fill_languages(*ui_->menu_language, files_, *status_);
     counter_ = new LogCounter(session_, this);
+    connect(configuration_, &ConfigurationActions::inspected, counter_, &LogCounter::know);
     connect(counter_, &LogCounter::counted, ui_->controls, &RunControls::set_total);
     connect(counter_, &LogCounter::counted, status_, &StatusLine::set_total);
     connect(counter_, &LogCounter::doubted, status_, &StatusLine::show_doubts);

@@ -19,7 +19,12 @@ LogCounter::~LogCounter() {
     pool_.waitForDone();
 }
 
+void LogCounter::know(const SourceParams& source, const TourSummary& summary) {
+    known_.emplace(source, summary);
+}
+
 void LogCounter::begin() {
+    const auto known = std::exchange(known_, {});
     const SourceParams& wanted = session_.configuration().source;
     const bool live = session_.live_tour() != nullptr;
     if (!live && wanted == source_) return;
@@ -30,25 +35,34 @@ void LogCounter::begin() {
     busy_ = !source_.file.empty();
     if (!busy_) return;
     stop_ = std::make_shared<std::atomic<bool>>(false);
+    if (known && known->first == source_) {
+        tell(known->second, stop_);
+        return;
+    }
     pool_.start([this, wanted, stop = stop_] {
         begin_background_work();
-        std::optional<TourSummary> summary;
+        TourSummary summary;
         try {
             summary = inspect_source(wanted, [&](double) { return !stop->load(); }).tour;
         } catch (const std::exception&) {
-            summary.reset();  // the run itself tells what is wrong with the log
+            summary.complete = false;  // the run itself tells what is wrong with the log
         }
-        QMetaObject::invokeMethod(
-            this,
-            [this, stop, summary = std::move(summary)] {
-                if (stop != stop_ || *stop) return;
-                busy_ = false;
-                if (!summary || !summary->complete) return;
-                emit counted(summary->report.scans);
-                emit doubted(summary->findings);
-            },
-            Qt::QueuedConnection);
+        tell(std::move(summary), stop);
     });
+}
+
+/// When all that the source's change brings about is done.
+void LogCounter::tell(TourSummary summary, const Stop& of) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, stop = of, summary = std::move(summary)] {
+            if (stop != stop_ || *stop) return;
+            busy_ = false;
+            if (!summary.complete) return;
+            emit counted(summary.report.scans);
+            emit doubted(summary.findings);
+        },
+        Qt::QueuedConnection);
 }
 
 }  // namespace hitos::window

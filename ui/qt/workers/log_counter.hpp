@@ -7,9 +7,11 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hitos/capture/tour_finding.hpp"
+#include "hitos/capture/tour_summary.hpp"
 #include "session/session.hpp"
 
 namespace hitos::window {
@@ -21,6 +23,9 @@ class LogCounter final : public QObject {
     LogCounter(Session& session, QObject* parent);
     ~LogCounter() override;
 
+    /// Somebody has looked at that source already, and found this: nobody looks again where it is
+    /// the next one in use.
+    void know(const SourceParams& source, const TourSummary& summary);
     /// What is told is not about the log in use yet.
     bool busy() const { return busy_; }
 
@@ -32,11 +37,14 @@ class LogCounter final : public QObject {
 
   private:
     void begin();
+    using Stop = std::shared_ptr<std::atomic<bool>>;
+    void tell(TourSummary summary, const Stop& of);
 
     Session& session_;
     SourceParams source_;
+    std::optional<std::pair<SourceParams, TourSummary>> known_;
     bool busy_ = false;
-    std::shared_ptr<std::atomic<bool>> stop_;
+    Stop stop_;
     QThreadPool pool_;
 };
 
