@@ -113,7 +113,7 @@ void InspectTest::the_poses_uncertainty_is_drawn() {
 
 void InspectTest::the_nees_is_a_plot_where_the_truth_is_known() {
     Fixture f;
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     f.session.set_configuration(with_algorithm("ekf-slam"));
     f.run_steps(200);
     QVERIFY(!f.window->plots().shows(Plots::pose_nees));  // of a log nothing is known

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QProcess>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -119,6 +120,89 @@ void FitTest::every_window_fits_data() {
             QTest::addRow("%s, %s", language, dark ? "dark" : "light") << language << dark;
         }
     }
+}
+
+void FitTest::in_a_low_window_the_groups_are_chips() {
+    Fixture f;
+    f.window->resize(1366, 860);
+    QCoreApplication::processEvents();
+    QVERIFY(f.window->findChild<QLabel*>("value_filter.particles") != nullptr);
+    f.window->resize(1366, 708);
+    QCoreApplication::processEvents();
+    QVERIFY(f.window->findChild<QLabel*>("value_filter.particles") == nullptr);
+    QList<QLabel*> marked = f.window->findChildren<QLabel*>("marked");
+    QCOMPARE(marked.size(), 5);
+    QVERIFY2(marked[0]->text().contains("bigloop.log.gz"), qPrintable(marked[0]->text()));
+    QWidget* chip = marked[2]->parentWidget();
+    QVERIFY2(chip->toolTip().contains("Particles: 10"), qPrintable(chip->toolTip()));
+    const auto opened = [&] { return f.window->findChild<QFrame*>("opened_card"); };
+    QTest::mouseClick(chip, Qt::LeftButton);
+    QVERIFY(opened() != nullptr && opened()->isVisible());
+    QCOMPARE(opened()->findChild<QLabel*>("value_filter.particles")->text(), QString("10"));
+    QTest::keyClick(opened(), Qt::Key_Escape);
+    QTRY_VERIFY(opened() == nullptr);
+    QTest::keyClick(chip, Qt::Key_Return);
+    QTRY_VERIFY(opened() != nullptr);
+    in_dialog<ConfigurationDialog>([](ConfigurationDialog& form) { form.reject(); });
+    QTest::keyClick(opened(), Qt::Key_Return);
+    QTRY_VERIFY(opened() == nullptr);
+}
+
+void FitTest::the_views_keep_their_height_data() {
+    QTest::addColumn<QSize>("screen");
+    QTest::addColumn<int>("least");
+    QTest::addColumn<QString>("language");
+    struct Screen {
+        const char* name;
+        QSize size;  // of the window, in points
+        int least;
+    };
+    for (const Screen& screen : {Screen{"1024x768", {1024, 708}, 300},
+                                 {"1366x768", {1366, 708}, 380},
+                                 {"1920x1080", {1920, 1020}, 380},
+                                 {"2560x1440 at 2", {1280, 660}, 380}}) {
+        for (const char* language : {"en", "es"}) {
+            QTest::addRow("%s, %s", screen.name, language)
+                << screen.size << screen.least << language;
+        }
+    }
+}
+
+void FitTest::the_views_keep_their_height() {
+    QFETCH(QSize, screen);
+    QFETCH(int, least);
+    QFETCH(QString, language);
+    QTranslator words;
+    QVERIFY(words.load(":/i18n/hitos_es.qm"));
+    if (language == "es") QApplication::installTranslator(&words);
+    {
+        Fixture f;
+        f.run_steps(30);
+        const auto check = [&](const QString& panel) {
+            QCoreApplication::processEvents();
+            f.window->resize(screen);
+            QCoreApplication::processEvents();
+            for (const QWidget* view : {static_cast<QWidget*>(&f.window->scan_view()),
+                                        static_cast<QWidget*>(&f.window->grid_view())}) {
+                const QString told = QString("%1: %2 x %3 with %4, %5")
+                                         .arg(view->objectName())
+                                         .arg(view->width())
+                                         .arg(view->height())
+                                         .arg(panel, language);
+                qInfo("%s", qPrintable(told));
+                QVERIFY2(view->height() >= least, qPrintable(told));
+            }
+            QCOMPARE(f.window->size(), screen);
+        };
+        check("no panel");
+        for (auto* dock : f.window->findChildren<QDockWidget*>()) {
+            dock->show();
+            dock->raise();
+            check(dock->objectName());
+            dock->hide();
+        }
+    }
+    QApplication::removeTranslator(&words);
 }
 
 void FitTest::every_window_fits() {

@@ -126,6 +126,7 @@ struct WindowFixture {
         PaceControl::set_full_speed(files.settings());
         window = std::make_unique<MainWindow>(session, files, prompts);
         window->run_guard().set_long_run(kPatienceMs);  // no question, however slow the machine
+        window->resize(1360, 860);                      // with the cards, however small the screen
         window->show();
         // A desktop gives the keyboard to a new window; without a screen the end of the window
         // before may take it away again.

@@ -39,6 +39,7 @@ bool is_one_of(const QWidget& widget) {
 /// Something that a user without a mouse has to come to; Qt's own small parts are no controls.
 bool is_control(const QWidget& widget, const QWidget& window) {
     if (!widget.isVisible() || !widget.isEnabled() || widget.window() != &window) return false;
+    if (widget.property("role") == "chip") return false;  // a layer of the View menu
     const QWidget* parent = widget.parentWidget();
     if (is_one_of<QScrollBar, QHeaderView>(widget) || widget.objectName().startsWith("qt_") ||
         is_one_of<QAbstractSpinBox, QComboBox, QLineEdit, QTabBar, QAbstractItemView>(*parent)) {

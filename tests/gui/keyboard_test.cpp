@@ -190,7 +190,7 @@ void KeyboardTest::it_runs() {
     QTRY_VERIFY(f.rests() && f.steps() == 8);
     // At a pace, and as fast as possible.
     tab_to("pace");
-    press(Qt::Key_Down);
+    press(Qt::Key_Up);
     const auto* full = f.window->findChild<QAction*>("action_full_speed");
     QVERIFY(!full->isChecked());
     press(Qt::Key_Space, kCtrl);

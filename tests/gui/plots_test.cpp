@@ -20,7 +20,7 @@ using State = Progress::State;
 
 void TimeTest::the_plots_have_every_step() {
     Fixture f;
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     f.run_to_end();
     for (const Plots::Figure figure :
          {Plots::neff, Plots::landmarks, Plots::features, Plots::best_weight, Plots::step_time}) {
@@ -32,7 +32,7 @@ void TimeTest::the_plots_have_every_step() {
 
 void TimeTest::errors_against_the_reference_are_measured() {
     Fixture f;
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     References references;
     references.map = read_map(Fixture::source_file("data/maps/bigloop.map").toStdString());
     references.trajectory = Trajectory{{0.0, {0.0, 0.0, 0.0}}, {100.0, {1.0, 0.0, 0.0}}};
@@ -43,7 +43,7 @@ void TimeTest::errors_against_the_reference_are_measured() {
 
 void TimeTest::errors_against_another_reference_begin_anew() {
     Fixture f;
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     References references;
     references.map = read_map(Fixture::source_file("data/maps/bigloop.map").toStdString());
     f.session.set_references(references);
@@ -59,7 +59,7 @@ void TimeTest::errors_against_another_reference_begin_anew() {
 
 void TimeTest::the_plots_share_the_time_lines_cursor() {
     Fixture f;
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     f.run_to_end();
     Plots& plots = f.window->plots();
     QTRY_COMPARE(plots.points(Plots::neff), 1050);
@@ -84,7 +84,7 @@ void TimeTest::the_plots_share_the_time_lines_cursor() {
 
 void TimeTest::the_plots_zoom_along_time() {
     Fixture f;
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     f.run_to_end();
     Plots& plots = f.window->plots();
     QTRY_COMPARE(plots.points(Plots::neff), 1050);
@@ -104,7 +104,7 @@ void TimeTest::the_plots_zoom_along_time() {
 
 void TimeTest::plots_without_a_figure_take_no_room() {
     Fixture f;
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     Plots& plots = f.window->plots();
     f.run_steps(30);
     QTRY_COMPARE(plots.points(Plots::neff), 30);
@@ -124,7 +124,7 @@ void TimeTest::errors_are_of_the_same_scans_every_time() {
     const auto points = [&](quint64 piece) {
         Fixture f;
         f.session.set_references(references);
-        f.trigger("action_plots");
+        f.trigger("action_plots_dock");
         for (quint64 at = 0; at < 96; at += piece) f.run_steps(piece);
         const Plots& plots = f.window->plots();
         // Every eighth scan has a checkpoint.

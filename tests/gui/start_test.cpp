@@ -151,7 +151,7 @@ void ConfigurationTest::what_is_saved_finds_its_log_from_everywhere() {
 
 void RunTest::a_worlds_true_path_is_its_reference() {
     Fixture f(false);
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     CommandLine line;
     line.open = "bigloop";
     f.window->configuration_actions().start_or_warn(line);

@@ -200,6 +200,7 @@ class TimeTest : public QObject {
     void errors_against_the_reference_are_measured();
     void errors_against_another_reference_begin_anew();
     void at_a_first_start_one_sees_what_happens();
+    void the_pace_suits_the_tour_until_one_is_chosen();
     void the_pace_is_chosen_and_changed_while_running();
     void at_the_end_run_until_says_so();
     void it_runs_so_far_and_back();
@@ -223,6 +224,8 @@ class ViewTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void the_legend_names_and_switches_what_is_drawn();
+    void a_view_is_shown_alone_or_above_the_other();
     void a_view_is_saved_as_jpg_and_png();
     void pictures_are_written_as_shapes_too();
     void a_picture_goes_to_the_clipboard();
@@ -340,6 +343,9 @@ class FitTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void in_a_low_window_the_groups_are_chips();
+    void the_views_keep_their_height_data();
+    void the_views_keep_their_height();
     void every_window_fits_data();
     void every_window_fits();
     void what_opens_is_no_larger_than_its_screen();

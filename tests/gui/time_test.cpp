@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QToolTip>
 
+#include "actions/configuration_actions.hpp"
 #include "actions/pace_control.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "gui_fixture.hpp"
@@ -17,6 +18,7 @@
 #include "tests.hpp"
 #include "views/plots.hpp"
 #include "views/time_line.hpp"
+#include "workers/log_counter.hpp"
 
 namespace hitos::window {
 namespace {
@@ -165,18 +167,46 @@ void TimeTest::at_a_first_start_one_sees_what_happens() {
     f.files.settings().clear();
     MainWindow first(f.session, f.files, f.prompts);
     QCOMPARE(f.session.pace(), (Pace{Pace::Kind::recorded, 10.0}));  // 210 s in 21
-    auto& full = child<QToolButton>(first, "button_full_speed");
+    auto& full = child<QAction>(first, "action_full_speed");
     QVERIFY(!full.isChecked());
-    full.click();
+    full.trigger();
     QCOMPARE(f.session.pace(), Pace{});
+    auto& paces = child<QComboBox>(first, "pace");
+    QCOMPARE(paces.currentText(), QString("maximum"));
     const MainWindow second(f.session, f.files, f.prompts);
     QCOMPARE(f.session.pace(), Pace{});  // it is remembered
+}
+
+void TimeTest::the_pace_suits_the_tour_until_one_is_chosen() {
+    Fixture f(false);
+    f.files.settings().clear();
+    MainWindow first(f.session, f.files, f.prompts);
+    auto& paces = child<QComboBox>(first, "pace");
+    const auto log = [&](int seconds) {
+        const QString text =
+            QString("ODOM 0 0 0\nLASER 0 2 1 0 1 1\nODOM %1 0.1 0\nLASER %1 2 1 0 1 1\n");
+        return f.write(QString("%1.txt").arg(seconds), text.arg(seconds).toUtf8());
+    };
+    const auto pace_of = [&](int seconds) {
+        if (!first.configuration_actions().open(log(seconds))) return QString("not opened");
+        (void)QTest::qWaitFor([&] { return !first.findChild<LogCounter*>()->busy(); }, kPatienceMs);
+        return paces.currentText();
+    };
+    QCOMPARE(pace_of(29), QString("recorded × 1"));
+    QCOMPARE(pace_of(290), QString("recorded × 10"));
+    QCOMPARE(f.session.pace(), (Pace{Pace::Kind::recorded, 10.0}));
+    QCOMPARE(pace_of(4000), QString("maximum"));
+    QCOMPARE(f.session.pace(), Pace{});
+    const int chosen = paces.findText("recorded × 2");
+    paces.setCurrentIndex(chosen);
+    emit paces.activated(chosen);
+    QCOMPARE(pace_of(300), QString("recorded × 2"));
 }
 
 void TimeTest::the_pace_is_chosen_and_changed_while_running() {
     Fixture f;
     auto& paces = child<QComboBox>(*f.window, "pace");
-    auto& full = child<QToolButton>(*f.window, "button_full_speed");
+    auto& full = child<QAction>(*f.window, "action_full_speed");
     const int slowest = paces.findText("1 scans/s");
     QVERIFY(slowest >= 0);
     paces.setCurrentIndex(slowest);
@@ -195,7 +225,7 @@ void TimeTest::the_pace_is_chosen_and_changed_while_running() {
     QVERIFY(full.isChecked());
     QTRY_COMPARE(f.state(), State::finished);
     // Another log is run at the same pace.
-    full.click();
+    full.trigger();
     f.session.set_configuration(Fixture::tour(10));
     QCOMPARE(f.session.pace(), (Pace{Pace::Kind::scans, 1.0}));
 }
@@ -268,7 +298,7 @@ void TimeTest::it_runs_until_the_error_is_too_great() {
     run_until(f, {{"error", 0.5}});
     QCOMPARE(f.steps(), 45U);
     QTRY_VERIFY2(f.notice().contains("position error"), qPrintable(f.notice()));
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     QTRY_COMPARE(f.window->plots().points(Plots::position_error), 45);
 }
 

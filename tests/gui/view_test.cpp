@@ -10,6 +10,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QToolButton>
 #include <QWheelEvent>
 
 #include "dialogs/picture_dialog.hpp"
@@ -74,7 +75,7 @@ void ViewTest::pictures_are_written_as_shapes_too() {
     accept_picture(false);
     emit f.window->scan_view().picture_wanted();
     QVERIFY(Fixture::read(f.path("scan.pdf")).startsWith("%PDF"));
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     f.prompts.saves = {f.path("plots.svg")};
     emit f.window->plots().picture_wanted();
     // Letters are letters, and can be edited.
@@ -89,7 +90,7 @@ void ViewTest::a_picture_goes_to_the_clipboard() {
     f.trigger("action_copy_picture");
     QCOMPARE(QApplication::clipboard()->image().size(),
              f.window->scan_view().picture_size(false, 2.0));
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     Plots& plots = f.window->plots();
     QTRY_VERIFY(plots.isVisible());
     plots.setFocus();
@@ -144,7 +145,7 @@ void ViewTest::the_right_button_offers_the_picture() {
     // The right button offers it wherever something is drawn.
     f.trigger("action_odometry");
     f.trigger("action_best_map");
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     for (QWidget* widget :
          {static_cast<QWidget*>(&f.window->grid_view()),
           static_cast<QWidget*>(&f.window->result_actions().odometry_window()->view()),
@@ -165,7 +166,7 @@ void ViewTest::the_right_button_offers_the_picture() {
 
 void ViewTest::the_plots_are_saved() {
     Fixture f;
-    f.trigger("action_plots");
+    f.trigger("action_plots_dock");
     f.run_steps(20);
     f.prompts.saves = {f.path("plots.bmp"), f.path("plots.png")};
     emit f.window->plots().picture_wanted();
@@ -396,6 +397,52 @@ void ViewTest::the_grid_view_shows_the_grid_map() {
             for (const std::uint8_t grey : whole.tiles[i]->grey) QCOMPARE(grey, std::uint8_t{205});
         }
     }
+}
+
+void ViewTest::the_legend_names_and_switches_what_is_drawn() {
+    Fixture f;
+    f.run_steps(5);
+    const auto chip = [&](const char* legend, const char* name) {
+        return f.window->findChild<QWidget*>(legend)->findChild<QToolButton*>(name);
+    };
+    QVERIFY(chip("scan_legend", "chip_landmarks")->isVisible());
+    QVERIFY(chip("grid_legend", "chip_landmarks") == nullptr);
+    QVERIFY(!chip("grid_legend", "chip_odometry")->isVisible());  // off, and so by default
+    QVERIFY(!chip("scan_legend", "chip_associations")->toolTip().isEmpty());
+    QVERIFY(!chip("scan_legend", "chip_associations")->icon().isNull());
+    const QImage before = f.window->scan_view().grab().toImage();
+    chip("scan_legend", "chip_landmarks")->click();
+    QVERIFY(!f.action("layer_landmarks")->isChecked());
+    QVERIFY(chip("scan_legend", "chip_landmarks")->isVisible());  // to be switched on again
+    QVERIFY(f.window->scan_view().grab().toImage() != before);
+    f.action("layer_odometry")->trigger();
+    QVERIFY(chip("grid_legend", "chip_odometry")->isVisible());
+    f.trigger("action_legend");
+    QVERIFY(!chip("grid_legend", "chip_odometry")->isVisible());
+}
+
+void ViewTest::a_view_is_shown_alone_or_above_the_other() {
+    Fixture f;
+    QWidget& scan = f.window->scan_view();
+    QWidget& grid = f.window->grid_view();
+    auto* title = f.window->findChild<QLabel*>("grid_panel_title");
+    scan.setFocus();
+    f.trigger("action_alone");
+    QVERIFY(scan.isVisible() && !grid.isVisible());
+    f.trigger("action_alone");
+    QVERIFY(scan.isVisible() && grid.isVisible());
+    QTest::mouseDClick(title, Qt::LeftButton);
+    QVERIFY(!scan.isVisible() && grid.isVisible() && grid.hasFocus());
+    QTest::mouseDClick(title, Qt::LeftButton);
+    QVERIFY(scan.isVisible());
+    const auto place = [&](const QWidget& view) { return view.mapTo(f.window.get(), QPoint()); };
+    QCOMPARE(place(scan).y() < place(grid).y() + 30 && place(scan).x() < place(grid).x(), true);
+    f.trigger("action_stacked");
+    QCoreApplication::processEvents();
+    QVERIFY(place(scan).y() + scan.height() < place(grid).y());
+    f.window->leave();
+    const MainWindow next(f.session, f.files, f.prompts);
+    QVERIFY(next.findChild<QAction*>("action_stacked")->isChecked());
 }
 
 }  // namespace hitos::window

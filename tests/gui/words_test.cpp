@@ -151,7 +151,7 @@ void WordsTest::headings_name_what_runs() {
 /// No text of the window that can be seen.
 void WordsTest::nothing_speaks_of_particles_that_are_not_there() {
     Fixture f;
-    for (const char* dock : {"plots", "landmarks_dock", "associations_dock"})
+    for (const char* dock : {"plots_dock", "landmarks_dock", "associations_dock"})
         f.trigger((std::string("action_") + dock).c_str());
     Configuracion configuration = Fixture::tour(10);
     for (const char* algorithm : {"ekf-slam", "graph-slam"}) {

@@ -1,10 +1,11 @@
 #include "pace_control.hpp"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QSettings>
-#include <QToolButton>
 #include <array>
 
 #include "look/icons.hpp"
@@ -12,7 +13,7 @@
 namespace hitos::window {
 namespace {
 
-constexpr const char* kPaceKey = "run/pace";
+constexpr const char* kPaceKey = "run/chosen_pace";
 constexpr const char* kFullKey = "run/full_speed";
 
 constexpr std::array kRunPaces = {
@@ -25,10 +26,23 @@ constexpr std::array kRunPaces = {
 };
 constexpr int kFirstChoice = 4;
 
+constexpr int kFullSpeed = static_cast<int>(kRunPaces.size());  // behind the paces
+
 QString in_words(const Pace& pace) {
     const QString rate = QString::number(pace.rate);
     return pace.kind == Pace::Kind::recorded ? PaceControl::tr("recorded × %1").arg(rate)
                                              : PaceControl::tr("%1 scans/s").arg(rate);
+}
+
+/// At most half a minute for the whole tour.
+int pace_for(double duration_s) {
+    constexpr double kPatience = 30.0;  // [s]
+    for (int i = 0; i < kFullSpeed; ++i) {
+        const Pace& pace = kRunPaces.at(static_cast<std::size_t>(i));
+        const bool shown = pace.kind == Pace::Kind::recorded && pace.rate >= 1.0;
+        if (shown && duration_s <= kPatience * pace.rate) return i;
+    }
+    return kFullSpeed;
 }
 
 }  // namespace
@@ -39,25 +53,31 @@ PaceControl::PaceControl(Session& session, QSettings& settings, QAction* full_sp
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
+    auto* label = new QLabel(tr("Speed"), this);
+    label->setProperty("role", "muted");
+    row->addWidget(label);
     paces_ = new QComboBox(this);
     paces_->setObjectName("pace");
-    paces_->setToolTip(tr("How fast the run goes: against the time of the recording, or in scans"));
-    paces_->setAccessibleName(tr("Pace"));
+    paces_->setToolTip(
+        tr("How fast the run goes: against the time of the recording, in scans, or "
+           "as fast as possible (Ctrl+Space)"));
+    paces_->setAccessibleName(tr("Speed"));
+    label->setBuddy(paces_);
+    paces_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    constexpr int kShown = 12;  // characters; the list has all
+    paces_->setMinimumContentsLength(kShown);
+    paces_->view()->setTextElideMode(Qt::ElideNone);
     for (const Pace& pace : kRunPaces) paces_->addItem(in_words(pace));
-    const int saved = settings_.value(kPaceKey, kFirstChoice).toInt();
-    paces_->setCurrentIndex(saved >= 0 && saved < paces_->count() ? saved : kFirstChoice);
+    paces_->addItem(icon(Glyph::full_speed), tr("maximum"));
+    chosen_ = settings_.value(kPaceKey, -1).toInt();
+    if (chosen_ >= kFullSpeed) chosen_ = -1;
+    pace_ = chosen_ < 0 ? kFirstChoice : chosen_;
     row->addWidget(paces_);
-    full_->setIcon(icon(Glyph::full_speed));
     full_->setChecked(settings_.value(kFullKey, false).toBool());
-    auto* full = new QToolButton(this);
-    full->setObjectName("button_full_speed");
-    full->setProperty("role", "view");
-    full->setFocusPolicy(Qt::TabFocus);
-    full->setDefaultAction(full_);
-    row->addWidget(full);
     // Who chooses a pace wants it.
-    connect(paces_, &QComboBox::activated, this, [this] {
-        full_->setChecked(false);
+    connect(paces_, &QComboBox::activated, this, [this](int index) {
+        if (index < kFullSpeed) settings_.setValue(kPaceKey, chosen_ = pace_ = index);
+        full_->setChecked(index == kFullSpeed);
         apply();
     });
     connect(full_, &QAction::toggled, this, &PaceControl::apply);
@@ -68,11 +88,18 @@ void PaceControl::set_full_speed(QSettings& settings) {
     settings.setValue(kFullKey, true);
 }
 
+void PaceControl::suit(double duration_s) {
+    if (chosen_ >= 0) return;
+    pace_ = pace_for(duration_s);
+    apply();
+}
+
 void PaceControl::apply() {
     const bool full = full_->isChecked();
-    settings_.setValue(kPaceKey, paces_->currentIndex());
     settings_.setValue(kFullKey, full);
-    session_.set_pace(full ? Pace{} : kRunPaces[static_cast<std::size_t>(paces_->currentIndex())]);
+    const int index = full ? kFullSpeed : pace_;
+    paces_->setCurrentIndex(index);
+    session_.set_pace(index == kFullSpeed ? Pace{} : kRunPaces.at(static_cast<std::size_t>(index)));
 }
 
 }  // namespace hitos::window

@@ -1,4 +1,4 @@
-// How fast the run goes: a list of paces, and a button for as fast as possible.
+// How fast the run goes: a list of paces, the last of which is as fast as possible.
 #pragma once
 
 #include <QWidget>
@@ -11,8 +11,8 @@ class QSettings;
 
 namespace hitos::window {
 
-/// Sets the session's pace and remembers it. At a first start it is one at which one sees what
-/// happens: ten times as fast as recorded.
+/// Sets the session's pace and remembers it. Until the user has chosen one it is the slowest at
+/// which the whole tour takes no more than half a minute.
 class PaceControl final : public QWidget {
     Q_OBJECT
 
@@ -21,6 +21,8 @@ class PaceControl final : public QWidget {
     PaceControl(Session& session, QSettings& settings, QAction* full_speed,
                 QWidget* parent = nullptr);
 
+    /// The tour takes so long as it was recorded.
+    void suit(double duration_s);
     /// As if the user had chosen it the last time.
     static void set_full_speed(QSettings& settings);
 
@@ -31,6 +33,8 @@ class PaceControl final : public QWidget {
     QSettings& settings_;
     QComboBox* paces_ = nullptr;
     QAction* full_;
+    int chosen_ = -1;  ///< by the user, one of the paces; -1: none yet
+    int pace_ = 0;     ///< where it is not as fast as possible
 };
 
 }  // namespace hitos::window

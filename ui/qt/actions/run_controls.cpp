@@ -4,8 +4,6 @@
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QToolButton>
-#include <QVBoxLayout>
-#include <algorithm>
 
 #include "hitos/simulation/drive/simulated_tour.hpp"
 #include "look/icons.hpp"
@@ -21,18 +19,11 @@ constexpr double kLongUnseen = 10.0;  // [s]; of a landmark that is worth a mark
 }  // namespace
 
 RunControls::RunControls(QWidget* parent) : QWidget(parent) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(8);
-    auto* top = new QHBoxLayout;
-    top->setSpacing(8);
-    column->addLayout(top);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
     time_line_ = new TimeLine(this);
     time_line_->setObjectName("time_line");
-    top->addWidget(time_line_, 1);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(8);
-    column->addLayout(row);
 }
 
 QToolButton* RunControls::add_button(QAction* action, const char* name, bool primary) {
@@ -45,8 +36,7 @@ QToolButton* RunControls::add_button(QAction* action, const char* name, bool pri
     button->setIconSize(QSize(18, 18));
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     button->setFocusPolicy(Qt::TabFocus);
-    auto* row = qobject_cast<QHBoxLayout*>(layout()->itemAt(1)->layout());
-    row->addWidget(button);
+    layout()->addWidget(button);
     return button;
 }
 
@@ -62,15 +52,13 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
     run_ = add_button(actions.run, "button_run", true);
     stop_ = add_button(actions.stop, "button_stop");
     step_ = add_button(actions.step, "button_step");
-    auto* row = qobject_cast<QHBoxLayout*>(layout()->itemAt(1)->layout());
-    row->addStretch(1);
-    pictured_ = {add_button(actions.best_map, "button_best_map"),
-                 add_button(actions.odometry, "button_odometry"),
-                 add_button(actions.save_map, "button_save_map")};
-    row->addStretch(1);
-    add_button(actions.restart, "button_restart");
-    auto* top = qobject_cast<QHBoxLayout*>(layout()->itemAt(0)->layout());
-    top->addWidget(new PaceControl(session, settings, actions.full_speed, this));
+    qobject_cast<QHBoxLayout*>(layout())->addWidget(time_line_, 1);
+    pace_ = new PaceControl(session, settings, actions.full_speed, this);
+    layout()->addWidget(pace_);
+    maps_ = {add_button(actions.best_map, "button_best_map"),
+             add_button(actions.odometry, "button_odometry"),
+             add_button(actions.save_map, "button_save_map")};
+    controls_ = {run_, stop_, step_, add_button(actions.restart, "button_restart")};
     measure();
     connect(&session, &Session::configuration_changed, this, &RunControls::measure);
     connect(actions.run, &QAction::triggered, &session, [&session] { session.run(); });
@@ -88,34 +76,45 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
     refresh();
 }
 
-/// What the row of buttons needs.
-int RunControls::row_width(Qt::ToolButtonStyle pictured) {
-    const int spacing = layout()->itemAt(1)->layout()->spacing();
-    for (QToolButton* button : pictured_) button->setToolButtonStyle(pictured);
-    int width = -spacing;
+void RunControls::set_words(Words words) {
+    const auto style = [](bool told) {
+        return told ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
+    };
+    for (QToolButton* button : controls_) button->setToolButtonStyle(style(words != Words::none));
+    for (QToolButton* button : maps_) button->setToolButtonStyle(style(words == Words::all));
+}
+
+/// What the row needs beside the time line.
+int RunControls::width_with(Words words) {
+    set_words(words);
+    int width = pace_->sizeHint().width();
     for (auto* button : findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
         button->ensurePolished();
-        width += button->sizeHint().width() + spacing;
+        width += button->sizeHint().width() + layout()->spacing();
     }
-    return width;
+    return width + layout()->spacing();
 }
 
 /// The buttons' words are those of what runs.
 void RunControls::measure() {
-    least_width_ = row_width(Qt::ToolButtonIconOnly);
-    full_width_ = row_width(Qt::ToolButtonTextBesideIcon);
+    least_width_ = width_with(Words::none);
+    some_width_ = width_with(Words::of_controls);
+    full_width_ = width_with(Words::all);
     fit_buttons();
 }
 
+/// The time line comes before the words, and those of the maps go first.
 void RunControls::fit_buttons() {
-    const auto style =
-        width() < full_width_ ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
-    for (QToolButton* button : pictured_) button->setToolButtonStyle(style);
+    constexpr int kTimeLine = 160;
+    const int room = width() - kTimeLine;
+    set_words(room >= full_width_   ? Words::all
+              : room >= some_width_ ? Words::of_controls
+                                    : Words::none);
 }
 
 QSize RunControls::minimumSizeHint() const {
-    const QSize top = layout()->itemAt(0)->minimumSize();
-    return {std::max(least_width_, top.width()), QWidget::minimumSizeHint().height()};
+    return {least_width_ + time_line_->minimumSizeHint().width(),
+            QWidget::minimumSizeHint().height()};
 }
 
 void RunControls::resizeEvent(QResizeEvent* event) {
@@ -160,6 +159,10 @@ void RunControls::show_progress(const Progress& progress, bool has_source) {
 void RunControls::set_total(std::optional<quint64> scans) {
     total_ = scans;
     time_line_->show_run(time_line_->value(), static_cast<int>(total_.value_or(figures_taken_)));
+}
+
+void RunControls::set_duration(double seconds) {
+    pace_->suit(seconds);
 }
 
 /// Of scans that were not seen before; going back forgets none.

@@ -1,4 +1,4 @@
-// The control panel: seven buttons [T 9.2.6.3] and the time line.
+// The control panel: seven buttons [T 9.2.6.3], the time line and the speed, in one row.
 #pragma once
 
 #include <QWidget>
@@ -12,6 +12,7 @@ class QToolButton;
 
 namespace hitos::window {
 
+class PaceControl;
 class TimeLine;
 
 /// The actions of the seven buttons; the window's menus and keys use the same ones.
@@ -39,6 +40,8 @@ class RunControls final : public QWidget {
     void show_progress(const Progress& progress, bool has_source);
     /// The number of scans of the whole log, where it is known.
     void set_total(std::optional<quint64> scans);
+    /// How long it took to record it.
+    void set_duration(double seconds);
 
     QSize minimumSizeHint() const override;
 
@@ -46,7 +49,10 @@ class RunControls final : public QWidget {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    int row_width(Qt::ToolButtonStyle pictured);
+    /// Which buttons have words beside their icons.
+    enum class Words { none, of_controls, all };
+    void set_words(Words words);
+    int width_with(Words words);
     void measure();
     void fit_buttons();
     void note_marks(const Session& session);
@@ -61,10 +67,13 @@ class RunControls final : public QWidget {
     QToolButton* run_ = nullptr;
     QToolButton* stop_ = nullptr;
     QToolButton* step_ = nullptr;
-    std::vector<QToolButton*> pictured_;  // told by their icon alone where the row is narrow
-    int least_width_ = 0;                 // of the row
-    int full_width_ = 0;                  // with all words
-    QWidget* before_stop_ = nullptr;      // what had the keyboard
+    std::vector<QToolButton*> controls_;  // what runs
+    std::vector<QToolButton*> maps_;      // what it makes
+    PaceControl* pace_ = nullptr;
+    int least_width_ = 0;             // of the row without the time line and any words,
+    int some_width_ = 0;              // with those of the controls,
+    int full_width_ = 0;              // and with all
+    QWidget* before_stop_ = nullptr;  // what had the keyboard
     TimeLine* time_line_ = nullptr;
     std::size_t figures_taken_ = 0;  // for marks
     std::uint64_t skipped_ = 0;      // damaged lines so far

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
-#include <QScreen>
 #include <QTextBrowser>
 
 #include "actions/configuration_actions.hpp"
@@ -67,22 +66,8 @@ void LessonGuide::show_page(const Lesson& lesson, const QString& text) {
         page_->setObjectName("lesson_page");
         page_->setOpenExternalLinks(true);
         page_->setTabChangesFocus(true);
-        dock_ = new QDockWidget(&window_);
-        dock_->setObjectName("lesson_dock");
-        dock_->setWidget(page_);
-        keep_keys_in_front(dock_);
-        window_.addDockWidget(Qt::RightDockWidgetArea, dock_);
-        constexpr int kWidth = 360;
-        constexpr int kRoomForBoth = 1280;
-        constexpr int kHeight = 460;
-        if (window_.width() < kRoomForBoth) {  // beside the views nobody could read it
-            dock_->setFloating(true);
-            dock_->resize(kWidth, kHeight);
-            const QRect room = window_.screen()->availableGeometry();
-            dock_->move(room.right() - kWidth - 8, room.bottom() - kHeight - 36);
-        } else {
-            window_.resizeDocks({dock_}, {kWidth}, Qt::Horizontal);
-        }
+        auto* beside = window_.findChild<QDockWidget*>("plots_dock");
+        dock_ = make_dock(window_, beside, page_, {}, "lesson_dock");
     }
     const QString title = tr("Lesson %1").arg(lesson.number);
     dock_->setWindowTitle(title);

@@ -28,6 +28,7 @@
 #include "status_line.hpp"
 #include "ui_main_window.h"
 #include "views/plots.hpp"
+#include "views/view_panels.hpp"
 #include "views/view_settings.hpp"
 #include "workers/log_counter.hpp"
 #include "workers/reference_meter.hpp"
@@ -87,28 +88,25 @@ void MainWindow::make_parts() {
     counter_ = new LogCounter(session_, this);
     connect(configuration_, &ConfigurationActions::inspected, counter_, &LogCounter::know);
     connect(counter_, &LogCounter::counted, ui_->controls, &RunControls::set_total);
+    connect(counter_, &LogCounter::timed, ui_->controls, &RunControls::set_duration);
     connect(counter_, &LogCounter::counted, status_, &StatusLine::set_total);
     connect(counter_, &LogCounter::doubted, status_, &StatusLine::show_doubts);
     connect(counter_, &LogCounter::doubted, ui_->hint, &HintBar::show_doubts);
     plots_ = new Plots(session_, *meter_);
     keep_keys_off_tabs(*this);
-    dock_ = new QDockWidget(tr("Plots"), this);
-    dock_->setObjectName("plots_dock");
-    dock_->setWidget(plots_);
-    keep_keys_in_front(dock_);
-    addDockWidget(Qt::BottomDockWidgetArea, dock_);
-    dock_->hide();
-    QAction* show_plots = dock_->toggleViewAction();
-    show_plots->setObjectName("action_plots");
-    show_plots->setShortcut(QKeySequence("Ctrl+G"));
-    ui_->menu_view->insertAction(ui_->menu_theme->menuAction(), show_plots);
-    const DockPlace place{this, dock_, ui_->menu_view, ui_->menu_theme->menuAction()};
+    DockPlace place{this, nullptr, ui_->menu_view, ui_->menu_theme->menuAction()};
+    dock_ = add_dock(place, plots_, tr("Plots"), "plots_dock", QKeySequence("Ctrl+G"));
+    place.first = dock_;
     inspection_ = new Inspection(session_, place);
     runs_ = new Runs(session_, files_, prompts_, *view_settings_, place);
     keeper_ = new RunKeeper(session_, this);
     set_up_measuring(place);
     ui_->menu_view->insertSeparator(ui_->menu_theme->menuAction());
     ui_->views->setSizes({500, 500});
+    panels_ = new ViewPanels(*ui_->views,
+                             {{{ui_->scan_panel, ui_->scan_panel_title, ui_->scan_view},
+                               {ui_->grid_panel, ui_->grid_panel_title, ui_->grid_view}}},
+                             ui_->action_alone, ui_->action_stacked);
     fit_to_screen(*this);
     name_what_runs();
 }
@@ -138,8 +136,6 @@ void MainWindow::set_up_view_buttons() {
     ui_->action_follow->setIcon(icon(Glyph::follow));
     ui_->scan_frame->setDefaultAction(ui_->action_world_frame);
     ui_->grid_follow->setDefaultAction(ui_->action_follow);
-    ui_->scan_frame->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    ui_->grid_follow->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
 
 void MainWindow::connect_configuration() {
@@ -301,6 +297,10 @@ void MainWindow::connect_views() {
     ui_->grid_view->set_layers(view_settings_->layers());
     connect(ui_->action_world_frame, &QAction::toggled, ui_->scan_view,
             [this](bool on) { ui_->scan_view->set_robot_frame(!on); });
+    ui_->scan_legend->set_up(*view_settings_, Legend::Of::scan);
+    ui_->grid_legend->set_up(*view_settings_, Legend::Of::grid);
+    connect(ui_->action_legend, &QAction::toggled, ui_->scan_legend, &QWidget::setVisible);
+    connect(ui_->action_legend, &QAction::toggled, ui_->grid_legend, &QWidget::setVisible);
     connect(ui_->action_summary, &QAction::toggled, ui_->summary, &QWidget::setVisible);
     connect(ui_->action_follow, &QAction::toggled, ui_->grid_view, &CanvasView::set_follow);
     connect(ui_->grid_view, &CanvasView::follow_changed, ui_->action_follow, &QAction::setChecked);
@@ -355,6 +355,17 @@ void MainWindow::name_what_runs() {
     view_settings_->set_particles(particles);
 }
 
+/// Where the window is small its room is the views'.
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    constexpr int kLow = 820;
+    constexpr int kNarrow = 1300;
+    ui_->summary->set_folded(height() < kLow);
+    const auto style = width() < kNarrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
+    ui_->scan_frame->setToolButtonStyle(style);
+    ui_->grid_follow->setToolButtonStyle(style);
+    QMainWindow::resizeEvent(event);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!may_close_now()) {
         event->ignore();
@@ -380,19 +391,21 @@ void MainWindow::leave() {
 void MainWindow::save_state() {
     QSettings& settings = files_.settings();
     settings.setValue("window/geometry", saveGeometry());
-    settings.setValue("window/state", saveState());
-    settings.setValue("window/views", ui_->views->saveState());
+    settings.setValue("window/state", save_docks(*this));
+    panels_->save(settings);
     settings.setValue("window/world_frame", ui_->action_world_frame->isChecked());
     settings.setValue("window/summary", ui_->action_summary->isChecked());
+    settings.setValue("window/legend", ui_->action_legend->isChecked());
 }
 
 void MainWindow::restore_state() {
     QSettings& settings = files_.settings();
     restoreGeometry(settings.value("window/geometry").toByteArray());
-    restoreState(settings.value("window/state").toByteArray());
-    ui_->views->restoreState(settings.value("window/views").toByteArray());
+    restore_docks(*this, settings.value("window/state").toByteArray());
+    panels_->restore(settings);
     ui_->action_world_frame->setChecked(settings.value("window/world_frame", false).toBool());
     ui_->action_summary->setChecked(settings.value("window/summary", true).toBool());
+    ui_->action_legend->setChecked(settings.value("window/legend", true).toBool());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

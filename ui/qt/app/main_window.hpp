@@ -31,6 +31,7 @@ class Runs;
 class ScanView;
 class StatusLine;
 class StudyDialog;
+class ViewPanels;
 class ViewSettings;
 class WorldWindow;
 namespace Ui {
@@ -68,6 +69,7 @@ class MainWindow final : public QMainWindow {
     StudyDialog* study() const { return study_; }
 
   protected:
+    void resizeEvent(QResizeEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -101,6 +103,7 @@ class MainWindow final : public QMainWindow {
     RunGuard guard_;
     ConfigurationActions* configuration_ = nullptr;
     ResultActions* results_ = nullptr;
+    ViewPanels* panels_ = nullptr;
     ViewSettings* view_settings_ = nullptr;
     ReferenceMeter* meter_ = nullptr;
     LogCounter* counter_ = nullptr;

@@ -84,6 +84,7 @@ void MainWindow::show_keys() {
         {"Ctrl+L, Ctrl+S", tr("load, save the configuration")},
         {"Ctrl+Z, Ctrl+Shift+Z", tr("undo, redo a change of the configuration")},
         {"Ctrl+H", tr("configuration at a glance")},
+        {"F11, Shift+F11", tr("one view alone, one above the other")},
         {"Ctrl+G", tr("plots")},
         {"Ctrl+Shift+L, P, A, J",
          tr("tables of landmarks and particles, why features were associated, joint covariance")},

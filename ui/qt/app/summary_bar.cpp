@@ -7,12 +7,14 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QPainter>
 #include <QVariant>
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "look/elided_label.hpp"
 #include "look/parameter_text.hpp"
 
 namespace hitos::window {
@@ -49,33 +51,24 @@ void set_role(QWidget* widget, const char* role) {
     widget->setProperty("role", role);
 }
 
-/// A label that ends in dots where it is too narrow, instead of a cut word.
-class ElidedLabel final : public QLabel {
-  public:
-    using QLabel::QLabel;
+bool is_marked(const ConfigParameter& parameter, const Configuracion& configuration) {
+    return parameter.type != ConfigParameter::Type::text && !is_default(parameter, configuration);
+}
 
-  protected:
-    void paintEvent(QPaintEvent* event) override {
-        Q_UNUSED(event)
-        QPainter painter(this);
-        painter.setPen(palette().color(foregroundRole()));
-        painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
-                         fontMetrics().elidedText(text(), Qt::ElideRight, width()));
-    }
-};
+QString shown_value(const ConfigParameter& parameter, const Configuracion& configuration) {
+    const QString text = value_with_unit(parameter, configuration);
+    return text.isEmpty() ? SummaryBar::tr("none") : text;
+}
 
 void add_row(QGridLayout* rows, const ConfigParameter& parameter,
              const Configuracion& configuration) {
     auto* name = new ElidedLabel(label_of(parameter));
     name->setMinimumWidth(20);
     set_role(name, "muted");
-    QString text = value_with_unit(parameter, configuration);
-    if (text.isEmpty()) text = SummaryBar::tr("none");
-    auto* value = new ElidedLabel(text);
+    auto* value = new ElidedLabel(shown_value(parameter, configuration));
     value->setObjectName("value_" + QString::fromStdString(std::string(parameter.key)));
     value->setTextFormat(Qt::PlainText);
-    const bool changed =
-        parameter.type != ConfigParameter::Type::text && !is_default(parameter, configuration);
+    const bool changed = is_marked(parameter, configuration);
     set_role(value, changed ? "changed" : "value");
     // Where there is no room for both, the name ends in dots: what one looks for is the value.
     constexpr int kLeastWidth = 20;
@@ -99,6 +92,50 @@ void add_row(QGridLayout* rows, const ConfigParameter& parameter,
     rows->addWidget(value, row, 1);
 }
 
+void fill_card(QFrame& frame, ParameterGroup card, const Configuracion& configuration) {
+    auto* rows = new QGridLayout(&frame);
+    rows->setContentsMargins(12, 8, 12, 8);
+    rows->setHorizontalSpacing(10);
+    rows->setVerticalSpacing(1);
+    rows->setColumnStretch(1, 1);
+    auto* title = new ElidedLabel(title_of(card, configuration));
+    title->setMinimumWidth(20);
+    set_role(title, "title");
+    rows->addWidget(title, 0, 0, 1, 2);
+    for (const ConfigParameter* parameter : rows_of(card, configuration)) {
+        add_row(rows, *parameter, configuration);
+    }
+    rows->setRowStretch(rows->rowCount(), 1);
+}
+
+/// What differs from the default, and the log.
+void fill_chip(QFrame& frame, ParameterGroup card, const Configuracion& configuration) {
+    auto* row = new QHBoxLayout(&frame);
+    row->setContentsMargins(10, 3, 10, 3);
+    row->setSpacing(8);
+    auto* title = new ElidedLabel(title_of(card, configuration));
+    set_role(title, "title");
+    row->addWidget(title);
+    QStringList marked;
+    QStringList all;
+    QString file;
+    for (const ConfigParameter* parameter : rows_of(card, configuration)) {
+        const QString value = shown_value(*parameter, configuration);
+        all << label_of(*parameter) + ": " + value;
+        if (is_marked(*parameter, configuration)) marked << value;
+        if (card == ParameterGroup::source && file.isEmpty()) file = value;
+    }
+    if (!file.isEmpty()) marked.prepend(file);
+    auto* values = new ElidedLabel(marked.join(", "));
+    values->setObjectName("marked");
+    values->setTextFormat(Qt::PlainText);
+    values->setMinimumWidth(20);
+    values->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    set_role(values, "changed");
+    row->addWidget(values, 1);
+    frame.setToolTip(all.join('\n'));
+}
+
 }  // namespace
 
 SummaryBar::SummaryBar(QWidget* parent) : QWidget(parent) {
@@ -109,6 +146,26 @@ SummaryBar::SummaryBar(QWidget* parent) : QWidget(parent) {
 }
 
 void SummaryBar::set_configuration(const Configuracion& configuration) {
+    configuration_ = configuration;
+    rebuild();
+}
+
+void SummaryBar::set_folded(bool folded) {
+    if (std::exchange(folded_, folded) != folded) rebuild();
+}
+
+QFrame* SummaryBar::make_frame(ParameterGroup group, QWidget* parent) {
+    auto* frame = new QFrame(parent);
+    set_role(frame, "card");
+    frame->setProperty("group", static_cast<int>(group));
+    frame->setCursor(Qt::PointingHandCursor);
+    frame->setFocusPolicy(Qt::TabFocus);  // after a click the space bar runs and stops
+    frame->setAccessibleName(title_of(group, configuration_));
+    frame->installEventFilter(this);
+    return frame;
+}
+
+void SummaryBar::rebuild() {
     QVariant focused;  // the group whose card has the keyboard
     while (QLayoutItem* item = layout()->takeAt(0)) {
         // Not at once: a click on it may be what brought us here.
@@ -120,32 +177,28 @@ void SummaryBar::set_configuration(const Configuracion& configuration) {
     }
     auto* row = qobject_cast<QHBoxLayout*>(layout());
     for (const ParameterGroup card : kCards) {
-        auto* frame = new QFrame(this);
-        set_role(frame, "card");
-        frame->setProperty("group", static_cast<int>(card));
-        frame->setCursor(Qt::PointingHandCursor);
+        QFrame* frame = make_frame(card, this);
         frame->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-        frame->setFocusPolicy(Qt::TabFocus);  // after a click the space bar runs and stops
-        frame->setAccessibleName(title_of(card, configuration));
-        frame->installEventFilter(this);
-        auto* rows = new QGridLayout(frame);
-        rows->setContentsMargins(12, 8, 12, 8);
-        rows->setHorizontalSpacing(10);
-        rows->setVerticalSpacing(1);
-        rows->setColumnStretch(1, 1);
-        auto* title = new ElidedLabel(title_of(card, configuration));
-        title->setMinimumWidth(20);
-        set_role(title, "title");
-        rows->addWidget(title, 0, 0, 1, 2);
-        for (const ConfigParameter* parameter : rows_of(card, configuration)) {
-            add_row(rows, *parameter, configuration);
-        }
-        rows->setRowStretch(rows->rowCount(), 1);
+        (folded_ ? fill_chip : fill_card)(*frame, card, configuration_);
         row->addWidget(frame, 1);
         if (focused != frame->property("group")) continue;
         frame->show();  // what is hidden cannot take it
         frame->setFocus();
     }
+}
+
+void SummaryBar::open_card(QWidget& chip) {
+    const auto group = static_cast<ParameterGroup>(chip.property("group").toInt());
+    QFrame* card = make_frame(group, this);
+    card->setObjectName("opened_card");
+    card->setWindowFlags(Qt::Popup);
+    card->setAttribute(Qt::WA_DeleteOnClose);
+    fill_card(*card, group, configuration_);
+    constexpr int kWidth = 280;
+    card->resize(std::max(kWidth, chip.width()), card->sizeHint().height());
+    card->move(chip.mapToGlobal(QPoint(0, chip.height() + 2)));
+    card->show();
+    card->setFocus();
 }
 
 bool SummaryBar::eventFilter(QObject* watched, QEvent* event) {
@@ -155,8 +208,20 @@ bool SummaryBar::eventFilter(QObject* watched, QEvent* event) {
     }
     if (event->type() == QEvent::MouseButtonRelease ||
         (event->type() == QEvent::KeyPress && is_choice(*event))) {
-        emit group_clicked(static_cast<ParameterGroup>(watched->property("group").toInt()));
+        auto& frame = *qobject_cast<QWidget*>(watched);
+        if (folded_ && !frame.isWindow()) {
+            open_card(frame);
+            return true;
+        }
+        const auto group = static_cast<ParameterGroup>(frame.property("group").toInt());
+        if (frame.isWindow()) frame.close();
+        emit group_clicked(group);
         return true;
+    }
+    if (event->type() == QEvent::KeyPress &&
+        static_cast<const QKeyEvent&>(*event).key() == Qt::Key_Escape) {
+        auto& frame = *qobject_cast<QWidget*>(watched);
+        if (frame.isWindow()) return frame.close();
     }
     return QWidget::eventFilter(watched, event);
 }

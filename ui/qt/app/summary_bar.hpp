@@ -1,12 +1,12 @@
-// The configuration at a glance in five groups [T 9.2.6.1].
+// The configuration at a glance in five groups [T 9.2.6.1]: cards, or where there is little height
+// one line of chips.
 #pragma once
 
 #include <QWidget>
 
 #include "hitos/services/configuration/configuracion.hpp"
 
-class QGridLayout;
-class QLabel;
+class QFrame;
 
 namespace hitos::window {
 
@@ -18,13 +18,23 @@ class SummaryBar final : public QWidget {
 
     /// Shows the values; what differs from its default is marked.
     void set_configuration(const Configuracion& configuration);
+    /// A chip has the group's name and what differs from the default; a click opens its card.
+    void set_folded(bool folded);
 
   signals:
-    /// The user clicked a group.
+    /// The user clicked a group's card.
     void group_clicked(ParameterGroup group);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void rebuild();
+    QFrame* make_frame(ParameterGroup group, QWidget* parent);
+    void open_card(QWidget& chip);
+
+    Configuracion configuration_;
+    bool folded_ = false;
 };
 
 }  // namespace hitos::window

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "association_words.hpp"
+#include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
 
@@ -141,6 +142,8 @@ AssociationInspector::AssociationInspector(Session& session, QWidget* parent)
     sides->addLayout(seen, 1);
     auto* why = new QVBoxLayout;
     sides->addLayout(why, 1);
+    constexpr int kBeside = 640;
+    stack_when_narrow(*this, *sides, kBeside);
     of_particle_ = new QWidget(this);
     auto* row = new QHBoxLayout(of_particle_);
     row->setContentsMargins(0, 0, 0, 0);

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "hitos/base/thread_clock.hpp"
+#include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
 #include "views/canvas_paint.hpp"
 
@@ -269,6 +270,8 @@ JointCovariance::JointCovariance(Session& session, QWidget* parent)
     row->addWidget(view_, 1);
     auto* column = new QVBoxLayout;
     row->addLayout(column, 1);  // beside the square, not at the far end
+    constexpr int kBeside = 480;
+    stack_when_narrow(*this, *row, kBeside);
     words_ = new QLabel(this);
     words_->setObjectName("joint_words");
     words_->setTextFormat(Qt::PlainText);

@@ -9,6 +9,19 @@
 namespace hitos::window {
 namespace {
 
+/// Of what QMainWindow::saveState() gives: where docks are first put is part of it.
+constexpr int kState = 2;
+/// Of the window: somebody has chosen how wide the column is, or it was shown once.
+constexpr const char* kPlaced = "docks_placed";
+
+/// Else it would be as narrow as what is in it can be.
+void give_width(QMainWindow& window, QDockWidget* dock) {
+    constexpr int kWidth = 400;
+    if (window.property(kPlaced).toBool() || dock->isFloating() || !dock->isVisible()) return;
+    window.setProperty(kPlaced, true);
+    window.resizeDocks({dock}, {kWidth}, Qt::Horizontal);
+}
+
 class TabsWithoutKeys final : public QObject {
   public:
     using QObject::QObject;
@@ -30,19 +43,33 @@ void keep_keys_off_tabs(QMainWindow& window) {
     window.installEventFilter(new TabsWithoutKeys(&window));
 }
 
-void keep_keys_in_front(QDockWidget* dock) {
-    QObject::connect(dock, &QDockWidget::visibilityChanged, dock->widget(), &QWidget::setEnabled);
+QByteArray save_docks(const QMainWindow& window) {
+    return (window.property(kPlaced).toBool() ? '1' : '0') + window.saveState(kState);
+}
+
+void restore_docks(QMainWindow& window, const QByteArray& state) {
+    if (window.restoreState(state.mid(1), kState))
+        window.setProperty(kPlaced, state.startsWith('1'));
+}
+
+QDockWidget* make_dock(QMainWindow& window, QDockWidget* first, QWidget* widget,
+                       const QString& title, const char* name) {
+    auto* dock = new QDockWidget(title, &window);
+    dock->setObjectName(name);
+    dock->setWidget(widget);
+    QObject::connect(dock, &QDockWidget::visibilityChanged, widget, &QWidget::setEnabled);
+    QObject::connect(dock, &QDockWidget::visibilityChanged, &window, [&window, dock](bool shown) {
+        if (shown) give_width(window, dock);
+    });
+    window.addDockWidget(Qt::RightDockWidgetArea, dock);
+    if (first != nullptr) window.tabifyDockWidget(first, dock);
+    dock->hide();
+    return dock;
 }
 
 QDockWidget* add_dock(const DockPlace& place, QWidget* widget, const QString& title,
                       const char* name, const QKeySequence& key) {
-    auto* dock = new QDockWidget(title, place.window);
-    dock->setObjectName(name);
-    dock->setWidget(widget);
-    keep_keys_in_front(dock);
-    place.window->addDockWidget(Qt::BottomDockWidgetArea, dock);
-    place.window->tabifyDockWidget(place.first, dock);
-    dock->hide();
+    QDockWidget* dock = make_dock(*place.window, place.first, widget, title, name);
     QAction* toggle = dock->toggleViewAction();
     toggle->setObjectName(QString("action_") + name);
     toggle->setShortcut(key);

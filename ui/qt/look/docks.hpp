@@ -1,4 +1,4 @@
-// Docks below the views.
+// Docks beside the views.
 #pragma once
 
 #include <QKeySequence>
@@ -11,22 +11,29 @@ class QMenu;
 
 namespace hitos::window {
 
-/// Where docks go: tabbed with the first one, below the views, for tables are wide; their switches
-/// into the menu before `before`.
+/// Where docks go: tabbed with the first one, in a column at the right of the views, for screens
+/// are wide; the user may put them below or afloat. Their switches go into the menu before
+/// `before`.
 struct DockPlace {
     QMainWindow* window = nullptr;
-    QDockWidget* first = nullptr;
+    QDockWidget* first = nullptr;  ///< null: it is the first
     QMenu* menu = nullptr;
     QAction* before = nullptr;
 };
 
-/// What lies behind another dock, out of sight, takes no keys: Tab goes past it.
-void keep_keys_in_front(QDockWidget* dock);
+/// Where the user has put them, and how wide the column is.
+QByteArray save_docks(const QMainWindow& window);
+void restore_docks(QMainWindow& window, const QByteArray& state);
 
 /// The docks have keys of their own; their tabs, which are there with every dock hidden, take none.
 void keep_keys_off_tabs(QMainWindow& window);
 
-/// Hidden at first. Its switch is called "action_" + name.
+/// In that column, hidden at first. What lies behind another dock, out of sight, takes no keys: Tab
+/// goes past it.
+QDockWidget* make_dock(QMainWindow& window, QDockWidget* first, QWidget* widget,
+                       const QString& title, const char* name);
+
+/// The same with a switch, which is called "action_" + name.
 QDockWidget* add_dock(const DockPlace& place, QWidget* widget, const QString& title,
                       const char* name, const QKeySequence& key);
 

@@ -138,6 +138,10 @@ QToolButton[primary="true"]:enabled:focus, QPushButton:default:enabled:focus {
 QToolButton[role="view"] { border: 1px solid transparent; border-radius: 5px; padding: 3px 6px; }
 QToolButton[role="view"]:hover { border-color: %border; background: %window; }
 QToolButton[role="view"]:checked { background: %window; border-color: %border; color: %accent; }
+QToolButton[role="chip"] { border: none; border-radius: 4px; padding: 1px 4px; color: %muted; }
+QToolButton[role="chip"]::menu-indicator { image: none; }
+QToolButton[role="chip"]:checked { color: %text; }
+QToolButton[role="chip"]:hover { background: %window; }
 QToolButton[role="view"]:focus { border-color: %accent; }
 QProgressBar { border: none; background: %border; border-radius: 3px; max-height: 6px; }
 QProgressBar::chunk { background: %accent; border-radius: 3px; }

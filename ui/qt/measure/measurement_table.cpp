@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QDir>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -12,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "look/flow_layout.hpp"
 
 namespace hitos::window {
 namespace {
@@ -170,7 +171,7 @@ MeasurementTable::MeasurementTable(Measurements& measurements, UserFiles& files,
     : QWidget(parent), measurements_(measurements), files_(files), prompts_(prompts) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowLayout(nullptr, 4);
     column->addLayout(row);
     for (QAction* action : measure) {
         auto* button = new QToolButton(this);
@@ -188,8 +189,7 @@ MeasurementTable::MeasurementTable(Measurements& measurements, UserFiles& files,
     means_ = new QLabel(this);
     means_->setObjectName("measurement_means");
     means_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    means_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row->addWidget(means_, 1);
+    column->addWidget(means_);
     auto* model = new MeasurementModel(measurements, this);
     table_ = new FiguresTable(model, this);
     table_->setObjectName("measurement_table");

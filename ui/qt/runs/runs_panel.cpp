@@ -1,12 +1,12 @@
 #include "runs_panel.hpp"
 
-#include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
 #include <utility>
 
+#include "look/flow_layout.hpp"
 #include "look/words_of.hpp"
 #include "views/canvas_paint.hpp"
 
@@ -96,8 +96,7 @@ RunsPanel::RunsPanel(Session& session, RunList& list, UserFiles& files, Prompts&
     table_->setAccessibleName(tr("Runs"));
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     buttons_ = new QWidget(this);
-    auto* row = new QHBoxLayout(buttons_);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = new FlowLayout(buttons_, 4);
     compare_ = add_button(tr("Compare"), "runs_compare", &RunsPanel::compare);
     compare_->setToolTip(tr("Side by side, one over the other, or blinking"));
     use_ = add_button(tr("Use configuration"), "runs_use", &RunsPanel::use);
@@ -105,7 +104,6 @@ RunsPanel::RunsPanel(Session& session, RunList& list, UserFiles& files, Prompts&
     QPushButton* open = add_button(tr("Open results…"), "runs_open", &RunsPanel::results_wanted);
     open->setToolTip(tr("A folder that “Save all results” or hitos-cli run has written"));
     for (QPushButton* button : {compare_, use_, remove_, open}) row->addWidget(button);
-    row->addStretch(1);
     column->addWidget(buttons_);
     column->addWidget(table_, 1);
     connect(&list, &RunList::changed, this, &RunsPanel::refresh);

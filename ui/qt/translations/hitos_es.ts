@@ -2950,6 +2950,66 @@
         <source>Path</source>
         <translation>Camino</translation>
     </message>
+    <message>
+        <source>Where the laser&apos;s rays of the last scan ended</source>
+        <translation>Dónde acabaron los rayos del láser en el último barrido</translation>
+    </message>
+    <message>
+        <source>Lines and corners that were found in the last scan</source>
+        <translation>Rectas y esquinas encontradas en el último barrido</translation>
+    </message>
+    <message>
+        <source>Where each particle believes that the robot is; the heavier, the stronger its colour</source>
+        <translation>Dónde cree cada partícula que está el robot; cuanto más pesa, más intenso su color</translation>
+    </message>
+    <message>
+        <source>The map&apos;s lines, as far as they were seen, and its corners</source>
+        <translation>Las rectas del mapa, hasta donde se vieron, y sus esquinas</translation>
+    </message>
+    <message>
+        <source>How well landmarks and the robot&apos;s place are known: bands and ellipses of one, two and three standard deviations</source>
+        <translation>Con qué precisión se conocen los hitos y el lugar del robot: franjas y elipses de una, dos y tres desviaciones típicas</translation>
+    </message>
+    <message>
+        <source>The map&apos;s lines as the filter has them: without ends</source>
+        <translation>Las rectas del mapa como las tiene el filtro: sin extremos</translation>
+    </message>
+    <message>
+        <source>From each feature to the landmark that it was taken for; a ring with a cross is a new landmark, a grey cross was left out</source>
+        <translation>De cada característica al hito por el que se tomó; un círculo con cruz es un hito nuevo, una cruz gris se dejó fuera</translation>
+    </message>
+    <message>
+        <source>Where the robot is by the map</source>
+        <translation>Dónde está el robot según el mapa</translation>
+    </message>
+    <message>
+        <source>The way that the robot went, as the map has it now</source>
+        <translation>El camino que siguió el robot, como lo tiene ahora el mapa</translation>
+    </message>
+    <message>
+        <source>The way by the odometry alone</source>
+        <translation>El camino según la odometría sola</translation>
+    </message>
+    <message>
+        <source>The way as it was thought to be at each scan, before anything later corrected it</source>
+        <translation>El camino como se creía en cada barrido, antes de que nada posterior lo corrigiera</translation>
+    </message>
+    <message>
+        <source>The scans that registration keeps, and lines between those that a closed loop joins</source>
+        <translation>Los barridos que conserva el registro, y líneas entre los que une un bucle cerrado</translation>
+    </message>
+    <message>
+        <source>The map and the path that this run is compared with</source>
+        <translation>El mapa y el camino con los que se compara esta ejecución</translation>
+    </message>
+    <message>
+        <source>Their numbers, as tables and files have them</source>
+        <translation>Sus números, como los tienen tablas y archivos</translation>
+    </message>
+    <message>
+        <source>From where the particles of now come: paths of all, which are one where resampling left one ancestor</source>
+        <translation>De dónde vienen las partículas de ahora: los caminos de todas, que son uno donde el remuestreo dejó un solo antepasado</translation>
+    </message>
 </context>
 <context>
     <name>Measure</name>
@@ -5399,6 +5459,17 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::Legend</name>
+    <message>
+        <source>More…</source>
+        <translation>Más…</translation>
+    </message>
+    <message>
+        <source>All layers</source>
+        <translation>Todas las capas</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::LessonGuide</name>
     <message>
         <source>&amp;Lessons</source>
@@ -5952,6 +6023,34 @@
         <source>Close then</source>
         <translation>Cerrar entonces</translation>
     </message>
+    <message>
+        <source>A double click shows this view alone (F11)</source>
+        <translation>Un doble clic muestra solo esta vista (F11)</translation>
+    </message>
+    <message>
+        <source>One view alone</source>
+        <translation>Una vista sola</translation>
+    </message>
+    <message>
+        <source>Only the view in use, as does a double click on its title (F11)</source>
+        <translation>Solo la vista en uso, como un doble clic en su título (F11)</translation>
+    </message>
+    <message>
+        <source>Views one above the other</source>
+        <translation>Vistas una sobre otra</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Leyenda</translation>
+    </message>
+    <message>
+        <source>Name what the views draw, and switch it there</source>
+        <translation>Nombrar lo que dibujan las vistas, y activarlo o quitarlo allí</translation>
+    </message>
+    <message>
+        <source>one view alone, one above the other</source>
+        <translation>una vista sola, una sobre otra</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::MapWindow</name>
@@ -6148,12 +6247,16 @@
         <translation>%1 barridos/s</translation>
     </message>
     <message>
-        <source>How fast the run goes: against the time of the recording, or in scans</source>
-        <translation>Con qué rapidez avanza la ejecución: respecto al tiempo de la grabación, o en barridos</translation>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
     </message>
     <message>
-        <source>Pace</source>
-        <translation>Ritmo</translation>
+        <source>How fast the run goes: against the time of the recording, in scans, or as fast as possible (Ctrl+Space)</source>
+        <translation>A qué velocidad avanza la ejecución: según el tiempo de la grabación, en barridos, o lo más rápido posible (Ctrl+Espacio)</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>máxima</translation>
     </message>
 </context>
 <context>

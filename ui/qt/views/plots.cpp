@@ -61,9 +61,11 @@ const PlotInfo& info(Plots::Figure figure) {
     return kPlots[static_cast<std::size_t>(figure)];
 }
 
-int columns_for(std::size_t plots) {
+int columns_for(std::size_t plots, int width) {
     constexpr std::size_t kOneRow = 5;
-    return plots <= kOneRow ? std::max(1, static_cast<int>(plots)) : 4;
+    constexpr int kLeastWidth = 190;
+    const int wished = plots <= kOneRow ? static_cast<int>(plots) : 4;
+    return std::max(1, std::min(wished, width / kLeastWidth));
 }
 
 }  // namespace
@@ -123,13 +125,14 @@ std::vector<Plots::Figure> Plots::wanted() const {
 
 void Plots::lay_out() {
     const std::vector<Figure> figures = wanted();
-    if (std::ranges::equal(figures, shown_, {}, {}, &Shown::figure)) return;
+    const int columns = columns_for(figures.size(), width());
+    if (columns == columns_ && std::ranges::equal(figures, shown_, {}, {}, &Shown::figure)) return;
+    columns_ = columns;
     plot_->clearItems();
     plot_->clearGraphs();
     plot_->plotLayout()->clear();
     shown_.clear();
     filled_ = 0;
-    const int columns = columns_for(figures.size());
     for (std::size_t i = 0; i < figures.size(); ++i) {
         add_plot(figures[i], static_cast<int>(i), columns);
         // Below the lowest of each column.
@@ -140,6 +143,11 @@ void Plots::lay_out() {
     plot_->setMinimumHeight(std::max(1, rows) * kLeastRow);
     updateGeometry();
     restyle();
+}
+
+void Plots::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (columns_for(shown_.size(), width()) != columns_) refresh(true);
 }
 
 QSize Plots::sizeHint() const {

@@ -72,6 +72,7 @@ class Plots final : public QWidget {
 
   protected:
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
@@ -113,6 +114,7 @@ class Plots final : public QWidget {
     std::vector<Against> against_;  // by scan
     std::optional<PositionError> position_error_;
     std::vector<ErrorPoint> course_;
+    int columns_ = 0;
     std::size_t filled_ = 0;  // scans in the graphs
     bool zoomed_ = false;
     std::optional<QPoint> pressed_;

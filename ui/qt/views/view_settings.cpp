@@ -29,6 +29,7 @@ void ViewSettings::fill_layers(QMenu* menu) {
         action->setObjectName(QString("layer_") + info.key);
         action->setCheckable(true);
         action->setChecked(on);
+        action->setToolTip(layer_meaning(info));
         if (number <= 9) action->setShortcut(QKeySequence(Qt::ALT | (Qt::Key_0 + number)));
         ++number;
         connect(action, &QAction::toggled, this, [this, key](bool checked) {
@@ -37,6 +38,11 @@ void ViewSettings::fill_layers(QMenu* menu) {
         });
     }
     update_layers();
+    draw_signs();
+}
+
+void ViewSettings::draw_signs() {
+    for (std::size_t i = 0; i < kLayers; ++i) switches_[i]->setIcon(layer_sign(kLayerTable[i]));
 }
 
 void ViewSettings::set_particles(bool particles) {
@@ -75,6 +81,7 @@ void ViewSettings::fill_themes(QMenu* menu) {
         connect(action, &QAction::triggered, this, [this, wanted = theme] {
             files_.settings().setValue("view/theme", to_word(wanted));
             apply_theme(*qobject_cast<QApplication*>(QApplication::instance()), wanted);
+            draw_signs();
             emit theme_changed();
         });
     }

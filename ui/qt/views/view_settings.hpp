@@ -22,6 +22,8 @@ class ViewSettings final : public QObject {
 
     /// With the switch of every layer.
     QMenu* layers_menu() const { return layers_menu_; }
+    /// The switch of a layer, in the order of the table.
+    QAction* layer_switch(std::size_t place) const { return switches_.at(place); }
 
     /// Those that are switched on and say something of what runs.
     const LayerSet& layers() const { return layers_; }
@@ -37,6 +39,7 @@ class ViewSettings final : public QObject {
     void fill_layers(QMenu* menu);
     void fill_themes(QMenu* menu);
     void update_layers();
+    void draw_signs();
 
     UserFiles& files_;
     QMenu* layers_menu_;

@@ -60,6 +60,7 @@ void LogCounter::tell(TourSummary summary, const Stop& of) {
             busy_ = false;
             if (!summary.complete) return;
             emit counted(summary.report.scans);
+            emit timed(summary.duration_s);
             emit doubted(summary.findings);
         },
         Qt::QueuedConnection);

@@ -32,6 +32,8 @@ class LogCounter final : public QObject {
   signals:
     /// Nothing while the count is not known.
     void counted(std::optional<quint64> scans);
+    /// From its first stamp to the last [s].
+    void timed(double seconds);
     /// What would make its map wrong, gravest first; empty while that is not known.
     void doubted(const std::vector<TourFinding>& findings);
 
