@@ -3,16 +3,19 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDirIterator>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
 #include <QSpinBox>
 
+#include "dialogs/configuration_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/study/study_values.hpp"
+#include "look/written_number.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {
@@ -165,6 +168,55 @@ void StudyTest::every_parameter_can_be_chosen() {
     QVERIFY(f.study.findChild<QLabel*>("parameter_hint")->text().contains("0.02"));
     f.study.form().set_assignment("p=10:50:10");
     QVERIFY(f.study.findChild<QLabel*>("values_hint")->text().contains("10"));
+}
+
+void StudyTest::decimal_commas_are_those_of_the_country() {
+    const auto p0_error = [](const ConfigurationDialog& form) {
+        return form.findChild<QLabel*>("error_association.p0")->text();
+    };
+    struct Comma {
+        Comma() { set_decimal_comma(*qApp, true); }
+        ~Comma() { set_decimal_comma(*qApp, false); }
+    };
+    StudyFixture f;
+    f.study.form().set_assignment("p0=");
+    const auto read = [&](const QString& written) {
+        f.set("values", written);
+        return f.study.findChild<QLabel*>("values_hint")->text();
+    };
+    QVERIFY2(read("0,5, 1,3").startsWith("Values: 4 (0; 5; 1; 3)."), qPrintable(read("0,5, 1,3")));
+    QVERIFY(read("0.5 1.3").startsWith("Values: 2 (0.5; 1.3)."));
+    {
+        const Comma comma;
+        for (const char* list : {"0,5; 1,3", "0,5, 1,3", "0,5 1,3", "0.5,1.3", "0.5; 1,3"}) {
+            const QString told = read(list);
+            QVERIFY2(told.startsWith("Values: 2 (0.5; 1.3). Runs in all: 4."), qPrintable(told));
+        }
+        QVERIFY(read("0,1:0,3:0,1").startsWith("Values: 3 (0.1; 0.2; 0.3)."));
+        f.study.form().set_assignment("p0=1,3");  // of the command line
+        QVERIFY(f.study.findChild<QLabel*>("values_hint")->text().startsWith("Values: 2 (1; 3)."));
+        auto* noise = f.study.findChild<QDoubleSpinBox*>("noise");
+        noise->setFocus();
+        noise->selectAll();
+        QTest::keyClicks(noise, "0,5");
+        QCOMPARE(noise->value(), 0.5);
+        f.prompts.confirms = {true};
+        in_dialog<ConfigurationDialog>([&](ConfigurationDialog& form) {
+            form.findChild<QLineEdit*>("field_association.p0")->setText("0,25");
+            form.accept();
+            QVERIFY2(!form.isVisible(), qPrintable(p0_error(form)));
+        });
+        f.trigger("action_manual");
+        QCOMPARE(f.session.configuration().filter.association.p0, 0.25);
+    }
+    in_dialog<ConfigurationDialog>([](ConfigurationDialog& form) {
+        form.findChild<QLineEdit*>("field_association.p0")->setText("1,000");  // a thousand?
+        form.accept();
+        QVERIFY(form.isVisible());
+        form.reject();
+    });
+    f.trigger("action_manual");
+    QCOMPARE(f.session.configuration().filter.association.p0, 0.25);
 }
 
 void StudyTest::bad_values_are_told_at_their_fields_data() {

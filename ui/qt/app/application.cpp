@@ -6,6 +6,7 @@
 #include <QTranslator>
 
 #include "hitos/services/results/results.hpp"
+#include "look/written_number.hpp"
 
 static void use_resources() {
     Q_INIT_RESOURCE(translations);
@@ -23,8 +24,10 @@ void prepare_application() {
 
 void speak(QApplication& application, const QString& language) {
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
-    // Files and command lines write numbers with a point; so does the window.
+    // Files and command lines write numbers with a point; so does the window. What is written in it
+    // may have the country's comma.
     QLocale::setDefault(QLocale::c());
+    set_decimal_comma(application, locale.decimalPoint() == ",");
     if (locale.language() != QLocale::Spanish) return;
     auto* qt_words = new QTranslator(&application);
     if (qt_words->load("qtbase_es", QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {

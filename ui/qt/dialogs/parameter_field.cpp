@@ -8,6 +8,7 @@
 #include "hitos/base/error.hpp"
 #include "look/parameter_text.hpp"
 #include "look/theme.hpp"
+#include "look/written_number.hpp"
 
 namespace hitos::window {
 namespace {
@@ -74,6 +75,10 @@ QString ParameterField::text() const {
         facts_.choices.at(static_cast<std::size_t>(choice_->currentIndex())).word);
 }
 
+QString ParameterField::as_read(const QString& written) const {
+    return facts_.type == ParameterFacts::Type::real ? with_point(written) : written;
+}
+
 void ParameterField::set_text(const std::string& value) {
     if (choice_ != nullptr) {
         choice_->setCurrentIndex(static_cast<int>(facts_.place_of(value).value_or(0)));
@@ -87,7 +92,7 @@ void ParameterField::set_text(const std::string& value) {
 
 std::optional<ParameterFacts::Value> ParameterField::take() {
     try {
-        ParameterFacts::Value value = facts_.value_from(text().toStdString());
+        ParameterFacts::Value value = facts_.value_from(as_read(text()).toStdString());
         good_ = text();
         set_error({});
         return value;
@@ -102,7 +107,7 @@ std::optional<ParameterFacts::Value> ParameterField::take() {
 
 std::optional<ParameterFacts::Value> ParameterField::last_good() const {
     try {
-        return facts_.value_from(good_.toStdString());
+        return facts_.value_from(as_read(good_).toStdString());
     } catch (const Error&) {
         return std::nullopt;  // so impossible was what the form was opened with
     }
@@ -132,7 +137,7 @@ void ParameterField::focus() {
 }
 
 void ParameterField::mark_changed() {
-    set_look(*label_, "role", text() == normal_ ? "value" : "changed");
+    set_look(*label_, "role", as_read(text()) == normal_ ? "value" : "changed");
 }
 
 }  // namespace hitos::window

@@ -43,6 +43,8 @@ class ParameterField : public QObject {
   private:
     void mark_changed();
     QWidget* editor() const;
+    /// As the library reads what is written.
+    QString as_read(const QString& written) const;
 
     const ParameterFacts& facts_;
     const QString normal_;

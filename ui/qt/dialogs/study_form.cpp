@@ -12,6 +12,7 @@
 #include "look/parameter_text.hpp"
 #include "look/theme.hpp"
 #include "look/words_of.hpp"
+#include "look/written_number.hpp"
 #include "ui_study_dialog.h"
 
 namespace hitos::window {
@@ -24,6 +25,22 @@ QString item_of(std::string_view name, const std::vector<std::string_view>& keys
     QStringList labels;
     for (const std::string_view key : keys) labels << label_of(find_parameter(key));
     return to_qt(name) + kDash + labels.join(", ");
+}
+
+/// "0.5; 1.3; …": what is going to be run.
+QString as_read(const std::vector<StudyValue>& values) {
+    constexpr int kMost = 8;
+    QStringList shown;
+    for (const StudyValue& value : values) {
+        if (shown.size() == kMost) {
+            shown << "…";
+            break;
+        }
+        QStringList parts;
+        for (const std::string& part : value) parts << QString::fromStdString(part);
+        shown << parts.join('/');
+    }
+    return shown.join("; ");
 }
 
 /// The study's value in the user's configuration. Throws ConfigError.
@@ -96,7 +113,8 @@ void StudyForm::fill() {
 void StudyForm::restore() {
     QSettings& settings = files_.settings();
     const QString name = settings.value("study/parameter", "dmax").toString();
-    set_assignment(name + '=' + settings.value("study/values").toString());
+    set_assignment(name);
+    ui_.values->setText(settings.value("study/values").toString());
     ui_.runs->setValue(settings.value("study/runs", ui_.runs->value()).toInt());
     ui_.noise->setValue(settings.value("study/noise", 0.0).toDouble());
     ui_.noise_kind->setCurrentIndex(settings.value("study/noise_kind", 0).toInt());
@@ -131,7 +149,8 @@ void StudyForm::set_assignment(const QString& assignment) {
     } else {
         ui_.parameter->setEditText(name);
     }
-    ui_.values->setText(assignment.section('=', 1));
+    // As the command line has it: there a comma is never a decimal one.
+    ui_.values->setText(assignment.section('=', 1).replace(',', decimal_comma() ? "; " : ","));
 }
 
 void StudyForm::set_runs(int runs) {
@@ -147,7 +166,7 @@ QString StudyForm::parameter() const {
 }
 
 QString StudyForm::assignment() const {
-    return parameter() + '=' + ui_.values->text().trimmed();
+    return parameter() + '=' + list_with_points(ui_.values->text());
 }
 
 void StudyForm::show_source() {
@@ -176,13 +195,18 @@ void StudyForm::explain_parameter() {
 }
 
 void StudyForm::explain_values() {
-    QString words = tr("Values with commas between them, or a range from:to:step.");
+    QString words =
+        decimal_comma()
+            ? tr("Values with semicolons or blanks between them, or a range from:to:step.")
+            : tr("Values with commas, semicolons or blanks between them, or a range "
+                 "from:to:step.");
     try {
         if (!ui_.values->text().trimmed().isEmpty()) {
-            const auto values = parse_study_parameter(assignment().toStdString()).values.size();
-            words = tr("Values: %1. Runs in all: %2.")
-                        .arg(values)
-                        .arg(values * static_cast<std::size_t>(ui_.runs->value()));
+            const auto values = parse_study_parameter(assignment().toStdString()).values;
+            words = tr("Values: %1 (%2). Runs in all: %3.")
+                        .arg(values.size())
+                        .arg(as_read(values))
+                        .arg(values.size() * static_cast<std::size_t>(ui_.runs->value()));
         }
     } catch (const Error&) {
         // Perhaps just half written; read() tells.

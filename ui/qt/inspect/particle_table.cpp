@@ -1,10 +1,10 @@
 #include "particle_table.hpp"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
 
@@ -64,25 +64,24 @@ bool ParticleModel::strong(int row) const {
 
 ParticleTable::ParticleTable(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new ParticleModel(this)) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(4, 4, 4, 4);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
+    buttons_ = new QWidget(this);
+    auto* row = new FlowLayout(buttons_, 4);
+    row->addWidget(add_button(tr("Grid map"), "particle_grid", &ParticleTable::grid_wanted));
+    row->addWidget(add_button(tr("Save map…"), "particle_map", &ParticleTable::map_wanted));
+    row->addWidget(add_button(tr("Save path…"), "particle_path", &ParticleTable::path_wanted));
+    buttons_->setEnabled(false);
+    column->addWidget(buttons_);
     table_ = new FiguresTable(model_, this);
     table_->setObjectName("particle_table");
     table_->setAccessibleName(tr("Particles"));
-    row->addWidget(table_, 1);
+    column->addWidget(table_, 1);
     none_ = new QLabel(this);
     none_->setObjectName("no_particles");
     none_->setAlignment(Qt::AlignCenter);
-    row->addWidget(none_, 1);
-    buttons_ = new QWidget(this);
-    auto* column = new QVBoxLayout(buttons_);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(add_button(tr("Grid map"), "particle_grid", &ParticleTable::grid_wanted));
-    column->addWidget(add_button(tr("Save map…"), "particle_map", &ParticleTable::map_wanted));
-    column->addWidget(add_button(tr("Save path…"), "particle_path", &ParticleTable::path_wanted));
-    column->addStretch(1);
-    buttons_->setEnabled(false);
-    row->addWidget(buttons_);
+    none_->setWordWrap(true);
+    column->addWidget(none_, 1);
     connect(&session, &Session::snapshot_changed, this, &ParticleTable::refresh);
     // A snapshot holds what its run went back to: no view keeps that of a run which is gone.
     connect(&session, &Session::restarted, this, [this] { model_->set_snapshot(nullptr); });

@@ -7155,14 +7155,6 @@
         <translation>Un nombre de la lista, o claves unidas por «+».</translation>
     </message>
     <message>
-        <source>Values with commas between them, or a range from:to:step.</source>
-        <translation>Valores separados por comas, o un rango desde:hasta:paso.</translation>
-    </message>
-    <message>
-        <source>Values: %1. Runs in all: %2.</source>
-        <translation>Valores: %1. Ejecuciones en total: %2.</translation>
-    </message>
-    <message>
         <source>Reference map</source>
         <translation>Mapa de referencia</translation>
     </message>
@@ -7185,6 +7177,18 @@
     <message>
         <source>Choose a folder for the results.</source>
         <translation>Elija una carpeta para los resultados.</translation>
+    </message>
+    <message>
+        <source>Values with semicolons or blanks between them, or a range from:to:step.</source>
+        <translation>Valores separados por punto y coma o espacios, o un intervalo desde:hasta:paso.</translation>
+    </message>
+    <message>
+        <source>Values with commas, semicolons or blanks between them, or a range from:to:step.</source>
+        <translation>Valores separados por comas, punto y coma o espacios, o un intervalo desde:hasta:paso.</translation>
+    </message>
+    <message>
+        <source>Values: %1 (%2). Runs in all: %3.</source>
+        <translation>Valores: %1 (%2). Ejecuciones en total: %3.</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,23 @@
+// Numbers as people write them. Files, command lines and what the window shows have decimal points;
+// where the user's country writes commas, a comma that is typed is one.
+#pragma once
+
+#include <QString>
+
+class QApplication;
+
+namespace hitos::window {
+
+/// Whether the user's country writes decimal commas.
+bool decimal_comma();
+/// Before there is a window. Spin boxes then take a comma for the point that they show.
+void set_decimal_comma(QApplication& application, bool on);
+
+/// As the library reads a number.
+QString with_point(const QString& number);
+/// As the library reads a list, with commas between its values. Semicolons and blanks are as good;
+/// where a comma is a decimal one, it is only between digits, and not in a list that has points and
+/// no semicolons: "0,5; 1,3", "0,5 1,3", "0.5, 1.3" and "0.5,1.3" are two values.
+QString list_with_points(const QString& list);
+
+}  // namespace hitos::window
