@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <list>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/file_exchange.hpp"
 #include "hitos/base/folder_entries.hpp"
+#include "sync_folder.hpp"
 
 namespace hitos {
 
@@ -79,6 +81,17 @@ fs::path StagedFiles::staged(const fs::path& file) const {
     return (*found)->staged();
 }
 
+/// Else a loss of power may leave the last without what belongs to it. No more than that: meanwhile
+/// there is no last one.
+void StagedFiles::flush_others() const {
+    std::set<fs::path> folders;
+    for (const auto& file : files_) {
+        if (file == files_.back()) break;
+        folders.insert({file->staging, file->place.parent_path()});
+    }
+    for (const fs::path& folder : folders) sync_folder(folder);
+}
+
 void StagedFiles::commit() {
     if (files_.empty()) return;
     for (const auto& file : files_) file->at_early_end.forget();
@@ -93,10 +106,7 @@ void StagedFiles::commit() {
             .add(last.place.filename().string());
     }
     for (const auto& file : files_) {
-        if (file.get() == &last && files_.size() > 1) {
-            // Else a loss of power may leave it without what belongs to it.
-            for (const FileExchange& exchange : exchanges) exchange.flush();
-        }
+        if (file.get() == &last && files_.size() > 1) flush_others();
         exchanges.emplace_back(file->staging, file->place.parent_path())
             .add(file->place.filename().string());
     }

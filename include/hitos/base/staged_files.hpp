@@ -46,6 +46,8 @@ class StagedFiles {
         std::filesystem::path staged() const { return staging / place.filename(); }
     };
 
+    void flush_others() const;
+
     std::vector<std::unique_ptr<File>> files_;
 };
 
