@@ -81,14 +81,16 @@ fs::path StagedFiles::staged(const fs::path& file) const {
     return (*found)->staged();
 }
 
-/// Else a loss of power may leave the last without what belongs to it. No more than that: meanwhile
-/// there is no last one.
+/// Else a loss of power may leave the last one, of now or of before, without what belongs to it. No
+/// more than that: meanwhile there is no last one.
 void StagedFiles::flush_others() const {
+    sync_folder(files_.back()->place.parent_path());
     std::set<fs::path> folders;
     for (const auto& file : files_) {
         if (file == files_.back()) break;
         folders.insert({file->staging, file->place.parent_path()});
     }
+    folders.erase(files_.back()->place.parent_path());
     for (const fs::path& folder : folders) sync_folder(folder);
 }
 

@@ -195,6 +195,8 @@ void StudyTest::decimal_commas_are_those_of_the_country() {
         QVERIFY(read("0,1:0,3:0,1").startsWith("Values: 3 (0.1; 0.2; 0.3)."));
         f.study.form().set_assignment("p0=1,3");  // of the command line
         QVERIFY(f.study.findChild<QLabel*>("values_hint")->text().startsWith("Values: 2 (1; 3)."));
+        f.study.form().set_assignment("p=");  // whole numbers have none
+        QVERIFY(read("10,20,50").startsWith("Values: 3 (10; 20; 50)."));
         auto* noise = f.study.findChild<QDoubleSpinBox*>("noise");
         noise->setFocus();
         noise->selectAll();
@@ -414,7 +416,7 @@ void StudyTest::its_words_are_remembered() {
     StudyFixture f;
     f.run_study();
     StudyDialog next(f.session, f.files, f.prompts, nullptr);
-    QCOMPARE(next.findChild<QLineEdit*>("values")->text(), QString("0.02, 0.05"));
+    QCOMPARE(next.findChild<QLineEdit*>("values")->text(), QString("0.02,0.05"));
     QCOMPARE(next.findChild<QSpinBox*>("runs")->value(), 2);
     QVERIFY(next.findChild<QComboBox*>("parameter")->currentText().startsWith("dmax "));
 }

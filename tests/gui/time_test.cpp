@@ -195,8 +195,12 @@ void TimeTest::the_pace_suits_the_tour_until_one_is_chosen() {
     QCOMPARE(pace_of(29), QString("recorded × 1"));
     QCOMPARE(pace_of(290), QString("recorded × 10"));
     QCOMPARE(f.session.pace(), (Pace{Pace::Kind::recorded, 10.0}));
-    QCOMPARE(pace_of(4000), QString("maximum"));
-    QCOMPARE(f.session.pace(), Pace{});
+    QCOMPARE(pace_of(4000), QString("recorded × 250"));
+    QCOMPARE(pace_of(90'000), QString("recorded × 1000"));
+    child<QAction>(first, "action_full_speed").trigger();
+    QCOMPARE(paces.currentText(), QString("maximum"));
+    child<QAction>(first, "action_full_speed").trigger();
+    QCOMPARE(paces.currentText(), QString("recorded × 1000"));
     const int chosen = paces.findText("recorded × 2");
     paces.setCurrentIndex(chosen);
     emit paces.activated(chosen);

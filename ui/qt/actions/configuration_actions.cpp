@@ -177,7 +177,7 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed) {
         next.source = dialog.source();
         if (!(confirmed || guard_.may_discard())) continue;
         const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
-        emit inspected(next.source, summary);
+        if (dialog.summary()) emit inspected(next.source, summary);
         if (!use(next)) continue;
         const QString file = QString::fromStdString(next.source.file);
         files_.note_folder("log", file);

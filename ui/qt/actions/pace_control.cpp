@@ -17,11 +17,12 @@ constexpr const char* kPaceKey = "run/chosen_pace";
 constexpr const char* kFullKey = "run/full_speed";
 
 constexpr std::array kRunPaces = {
-    Pace{Pace::Kind::recorded, 0.25},  Pace{Pace::Kind::recorded, 1.0},
-    Pace{Pace::Kind::recorded, 2.0},   Pace{Pace::Kind::recorded, 4.0},
-    Pace{Pace::Kind::recorded, 10.0},  Pace{Pace::Kind::recorded, 25.0},
-    Pace{Pace::Kind::recorded, 100.0}, Pace{Pace::Kind::scans, 1.0},
-    Pace{Pace::Kind::scans, 5.0},      Pace{Pace::Kind::scans, 20.0},
+    Pace{Pace::Kind::recorded, 0.25},   Pace{Pace::Kind::recorded, 1.0},
+    Pace{Pace::Kind::recorded, 2.0},    Pace{Pace::Kind::recorded, 4.0},
+    Pace{Pace::Kind::recorded, 10.0},   Pace{Pace::Kind::recorded, 25.0},
+    Pace{Pace::Kind::recorded, 100.0},  Pace{Pace::Kind::recorded, 250.0},
+    Pace{Pace::Kind::recorded, 1000.0}, Pace{Pace::Kind::scans, 1.0},
+    Pace{Pace::Kind::scans, 5.0},       Pace{Pace::Kind::scans, 20.0},
     Pace{Pace::Kind::scans, 100.0},
 };
 constexpr int kFirstChoice = 4;
@@ -34,15 +35,18 @@ QString in_words(const Pace& pace) {
                                              : PaceControl::tr("%1 scans/s").arg(rate);
 }
 
-/// At most half a minute for the whole tour.
+/// The slowest from the recorded one on that takes at most half a minute for the whole tour, as far
+/// as there is one.
 int pace_for(double duration_s) {
     constexpr double kPatience = 30.0;  // [s]
+    int fastest = kFirstChoice;
     for (int i = 0; i < kFullSpeed; ++i) {
         const Pace& pace = kRunPaces.at(static_cast<std::size_t>(i));
-        const bool shown = pace.kind == Pace::Kind::recorded && pace.rate >= 1.0;
-        if (shown && duration_s <= kPatience * pace.rate) return i;
+        if (pace.kind != Pace::Kind::recorded || pace.rate < 1.0) continue;
+        if (duration_s <= kPatience * pace.rate) return i;
+        fastest = i;
     }
-    return kFullSpeed;
+    return fastest;
 }
 
 }  // namespace
@@ -73,6 +77,7 @@ PaceControl::PaceControl(Session& session, QSettings& settings, QAction* full_sp
     if (chosen_ >= kFullSpeed) chosen_ = -1;
     pace_ = chosen_ < 0 ? kFirstChoice : chosen_;
     row->addWidget(paces_);
+    setFocusProxy(paces_);
     full_->setChecked(settings_.value(kFullKey, false).toBool());
     // Who chooses a pace wants it.
     connect(paces_, &QComboBox::activated, this, [this](int index) {
@@ -81,6 +86,7 @@ PaceControl::PaceControl(Session& session, QSettings& settings, QAction* full_sp
         apply();
     });
     connect(full_, &QAction::toggled, this, &PaceControl::apply);
+    connect(&session, &Session::restarted, this, &PaceControl::take_suited);
     apply();
 }
 
@@ -89,8 +95,13 @@ void PaceControl::set_full_speed(QSettings& settings) {
 }
 
 void PaceControl::suit(double duration_s) {
-    if (chosen_ >= 0) return;
-    pace_ = pace_for(duration_s);
+    suited_ = pace_for(duration_s);
+    if (session_.progress().steps == 0) take_suited();  // no run changes its pace by itself
+}
+
+void PaceControl::take_suited() {
+    if (chosen_ >= 0 || suited_ < 0) return;
+    pace_ = suited_;
     apply();
 }
 

@@ -11,8 +11,8 @@ class QSettings;
 
 namespace hitos::window {
 
-/// Sets the session's pace and remembers it. Until the user has chosen one it is the slowest at
-/// which the whole tour takes no more than half a minute.
+/// Sets the session's pace and remembers it. Until the user has chosen one it is the slowest,
+/// from the recorded one on, at which the whole tour takes no more than half a minute.
 class PaceControl final : public QWidget {
     Q_OBJECT
 
@@ -27,6 +27,7 @@ class PaceControl final : public QWidget {
     static void set_full_speed(QSettings& settings);
 
   private:
+    void take_suited();
     void apply();
 
     Session& session_;
@@ -34,6 +35,7 @@ class PaceControl final : public QWidget {
     QComboBox* paces_ = nullptr;
     QAction* full_;
     int chosen_ = -1;  ///< by the user, one of the paces; -1: none yet
+    int suited_ = -1;  ///< to the tour; -1: not known
     int pace_ = 0;     ///< where it is not as fast as possible
 };
 

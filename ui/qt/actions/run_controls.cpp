@@ -55,6 +55,8 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
     qobject_cast<QHBoxLayout*>(layout())->addWidget(time_line_, 1);
     pace_ = new PaceControl(session, settings, actions.full_speed, this);
     layout()->addWidget(pace_);
+    setTabOrder(step_, time_line_);
+    setTabOrder(time_line_, pace_);
     maps_ = {add_button(actions.best_map, "button_best_map"),
              add_button(actions.odometry, "button_odometry"),
              add_button(actions.save_map, "button_save_map")};

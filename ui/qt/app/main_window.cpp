@@ -297,6 +297,8 @@ void MainWindow::connect_views() {
     ui_->grid_view->set_layers(view_settings_->layers());
     connect(ui_->action_world_frame, &QAction::toggled, ui_->scan_view,
             [this](bool on) { ui_->scan_view->set_robot_frame(!on); });
+    connect(ui_->action_world_frame, &QAction::toggled, ui_->scan_legend, &Legend::set_world_frame);
+    ui_->scan_legend->set_world_frame(ui_->action_world_frame->isChecked());
     ui_->scan_legend->set_up(*view_settings_, Legend::Of::scan);
     ui_->grid_legend->set_up(*view_settings_, Legend::Of::grid);
     connect(ui_->action_legend, &QAction::toggled, ui_->scan_legend, &QWidget::setVisible);

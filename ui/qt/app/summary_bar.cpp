@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QScreen>
 #include <QVariant>
 #include <algorithm>
 #include <array>
@@ -131,7 +132,7 @@ void fill_chip(QFrame& frame, ParameterGroup card, const Configuracion& configur
     values->setTextFormat(Qt::PlainText);
     values->setMinimumWidth(20);
     values->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    set_role(values, "changed");
+    set_role(values, card == ParameterGroup::source ? "value" : "changed");
     row->addWidget(values, 1);
     frame.setToolTip(all.join('\n'));
 }
@@ -196,7 +197,11 @@ void SummaryBar::open_card(QWidget& chip) {
     fill_card(*card, group, configuration_);
     constexpr int kWidth = 280;
     card->resize(std::max(kWidth, chip.width()), card->sizeHint().height());
-    card->move(chip.mapToGlobal(QPoint(0, chip.height() + 2)));
+    card->setAttribute(Qt::WA_NoMouseReplay);  // a click on the chip closes it
+    const QRect room = chip.screen()->availableGeometry();
+    const QPoint below = chip.mapToGlobal(QPoint(0, chip.height() + 2));
+    card->move(std::max(room.left(), std::min(below.x(), room.right() + 1 - card->width())),
+               std::max(room.top(), std::min(below.y(), room.bottom() + 1 - card->height())));
     card->show();
     card->setFocus();
 }
@@ -206,7 +211,9 @@ bool SummaryBar::eventFilter(QObject* watched, QEvent* event) {
         event->accept();  // or the space bar would run and stop
         return true;
     }
-    if (event->type() == QEvent::MouseButtonRelease ||
+    if (event->type() == QEvent::MouseButtonPress) pressed_ = watched;
+    if ((event->type() == QEvent::MouseButtonRelease &&
+         std::exchange(pressed_, nullptr) == watched) ||
         (event->type() == QEvent::KeyPress && is_choice(*event))) {
         auto& frame = *qobject_cast<QWidget*>(watched);
         if (folded_ && !frame.isWindow()) {

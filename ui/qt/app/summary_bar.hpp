@@ -18,7 +18,8 @@ class SummaryBar final : public QWidget {
 
     /// Shows the values; what differs from its default is marked.
     void set_configuration(const Configuracion& configuration);
-    /// A chip has the group's name and what differs from the default; a click opens its card.
+    /// A chip has the group's name and what differs from the default, or the log; a click opens
+    /// its card.
     void set_folded(bool folded);
 
   signals:
@@ -35,6 +36,7 @@ class SummaryBar final : public QWidget {
 
     Configuracion configuration_;
     bool folded_ = false;
+    QObject* pressed_ = nullptr;  ///< a group's frame, to be compared only
 };
 
 }  // namespace hitos::window

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QPushButton>
+#include <algorithm>
 #include <array>
 #include <thread>
 
@@ -113,8 +114,7 @@ void StudyForm::fill() {
 void StudyForm::restore() {
     QSettings& settings = files_.settings();
     const QString name = settings.value("study/parameter", "dmax").toString();
-    set_assignment(name);
-    ui_.values->setText(settings.value("study/values").toString());
+    set_assignment(name + '=' + settings.value("study/values").toString());
     ui_.runs->setValue(settings.value("study/runs", ui_.runs->value()).toInt());
     ui_.noise->setValue(settings.value("study/noise", 0.0).toDouble());
     ui_.noise_kind->setCurrentIndex(settings.value("study/noise_kind", 0).toInt());
@@ -131,7 +131,7 @@ void StudyForm::restore() {
 void StudyForm::remember() {
     QSettings& settings = files_.settings();
     settings.setValue("study/parameter", parameter());
-    settings.setValue("study/values", ui_.values->text());
+    settings.setValue("study/values", values());  // as the command line has them
     settings.setValue("study/runs", ui_.runs->value());
     settings.setValue("study/noise", ui_.noise->value());
     settings.setValue("study/noise_kind", ui_.noise_kind->currentIndex());
@@ -165,8 +165,21 @@ QString StudyForm::parameter() const {
     return ui_.parameter->currentText().section(kDash, 0, 0).trimmed();
 }
 
+/// Whole numbers and words have no decimal commas.
+QString StudyForm::values() const {
+    bool fractions = true;
+    try {
+        const auto& keys = find_study_parameter(parameter().toStdString()).keys;
+        fractions = std::ranges::any_of(keys, [](const std::string& key) {
+            return find_parameter(key).type == ConfigParameter::Type::real;
+        });
+    } catch (const Error&) {  // half written
+    }
+    return list_with_points(ui_.values->text(), fractions);
+}
+
 QString StudyForm::assignment() const {
-    return parameter() + '=' + list_with_points(ui_.values->text());
+    return parameter() + '=' + values();
 }
 
 void StudyForm::show_source() {

@@ -54,6 +54,7 @@ class StudyForm final : public QObject {
     void browse_folder();
     QString parameter() const;
     QString assignment() const;
+    QString values() const;
     void set_error(QWidget& editor, QLabel& label, const QString& words);
     void clear_errors();
     void read_values(Study& study);

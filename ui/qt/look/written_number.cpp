@@ -48,13 +48,13 @@ QString with_point(const QString& number) {
     return QString(number).replace(',', '.');
 }
 
-QString list_with_points(const QString& list) {
+QString list_with_points(const QString& list, bool fractions) {
     static const QRegularExpression between_digits("(?<=\\d),(?=\\d)");
     static const QRegularExpression around_parts("\\s*([:/])\\s*");
     static const QRegularExpression separators("\\s*[;,]\\s*|\\s+");
     QString text = list.trimmed();
     const bool points = text.contains('.') && !text.contains(';');
-    if (decimal_comma() && !points) text.replace(between_digits, ".");
+    if (decimal_comma() && fractions && !points) text.replace(between_digits, ".");
     return text.replace(around_parts, "\\1").replace(separators, ",");
 }
 

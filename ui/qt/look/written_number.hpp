@@ -16,8 +16,8 @@ void set_decimal_comma(QApplication& application, bool on);
 /// As the library reads a number.
 QString with_point(const QString& number);
 /// As the library reads a list, with commas between its values. Semicolons and blanks are as good;
-/// where a comma is a decimal one, it is only between digits, and not in a list that has points and
-/// no semicolons: "0,5; 1,3", "0,5 1,3", "0.5, 1.3" and "0.5,1.3" are two values.
-QString list_with_points(const QString& list);
+/// where a comma is a decimal one, it is only between digits of `fractions`, and not in a list that
+/// has points and no semicolons: "0,5; 1,3", "0,5 1,3", "0.5, 1.3" and "0.5,1.3" are two values.
+QString list_with_points(const QString& list, bool fractions);
 
 }  // namespace hitos::window

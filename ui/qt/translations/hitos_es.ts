@@ -6037,7 +6037,7 @@
     </message>
     <message>
         <source>Views one above the other</source>
-        <translation>Vistas una sobre otra</translation>
+        <translation>Vistas una encima de otra</translation>
     </message>
     <message>
         <source>Legend</source>
@@ -6049,7 +6049,7 @@
     </message>
     <message>
         <source>one view alone, one above the other</source>
-        <translation>una vista sola, una sobre otra</translation>
+        <translation>una vista sola, una encima de otra</translation>
     </message>
 </context>
 <context>

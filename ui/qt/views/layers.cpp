@@ -5,17 +5,9 @@
 #include <QPixmap>
 
 namespace hitos::window {
+namespace {
 
-QString layer_name(const LayerInfo& info, bool particles) {
-    const char* name = particles || info.alone == nullptr ? info.name : info.alone;
-    return *name == '\0' ? QString() : QCoreApplication::translate("Layers", name);
-}
-
-QString layer_meaning(const LayerInfo& info) {
-    return QCoreApplication::translate("Layers", info.meaning);
-}
-
-QIcon layer_sign(const LayerInfo& info) {
+QPixmap drawn_sign(const LayerInfo& info, const QColor& colour) {
     constexpr int kSide = 16;
     constexpr double kScale = 2.0;  // for screens with small pixels
     QPixmap sign(QSize(kSide, kSide) * kScale);
@@ -23,7 +15,6 @@ QIcon layer_sign(const LayerInfo& info) {
     sign.fill(Qt::transparent);
     QPainter painter(&sign);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QColor colour = colours().*info.colour;
     QPen pen(colour, 2.0);
     pen.setCapStyle(Qt::RoundCap);
     const QLineF stroke(2.0, 12.0, 14.0, 4.0);
@@ -67,7 +58,30 @@ QIcon layer_sign(const LayerInfo& info) {
                 QPolygonF{{3.5, 14.0}, {3.5, 6.0}, {8.0, 2.0}, {12.5, 6.0}, {12.5, 14.0}});
             break;
     }
-    return {sign};
+    painter.end();
+    return sign;
+}
+
+}  // namespace
+
+QString layer_name(const LayerInfo& info, bool particles) {
+    const char* name = particles || info.alone == nullptr ? info.name : info.alone;
+    return *name == '\0' ? QString() : QCoreApplication::translate("Layers", name);
+}
+
+QString layer_meaning(const LayerInfo& info) {
+    return QCoreApplication::translate("Layers", info.meaning);
+}
+
+QIcon layer_sign(const LayerInfo& info) {
+    const QColor colour = colours().*info.colour;
+    QColor faint = colour;
+    constexpr int kFaint = 70;
+    faint.setAlpha(kFaint);
+    QIcon icon;
+    icon.addPixmap(drawn_sign(info, colour), QIcon::Normal, QIcon::On);
+    icon.addPixmap(drawn_sign(info, faint), QIcon::Normal, QIcon::Off);
+    return icon;
 }
 
 LayerSet default_layers() {

@@ -32,7 +32,8 @@ void Legend::set_up(const ViewSettings& settings, Of of) {
         QToolButton* button = add_button();
         button->setObjectName(QString("chip_") + info.key);
         button->setDefaultAction(settings.layer_switch(i));
-        chips_.push_back({button, info.on});
+        const bool of_world = info.layer == Layer::path || info.layer == Layer::ancestry;
+        chips_.push_back({button, info.on, of_world});
         connect(settings.layer_switch(i), &QAction::changed, this, &Legend::refresh);
     }
     QToolButton* all = add_button();
@@ -44,10 +45,16 @@ void Legend::set_up(const ViewSettings& settings, Of of) {
     refresh();
 }
 
+void Legend::set_world_frame(bool on) {
+    world_frame_ = on;
+    refresh();
+}
+
 void Legend::refresh() {
     for (const Chip& chip : chips_) {
         const QAction* action = chip.button->defaultAction();
-        chip.button->setVisible(action->isVisible() && (chip.by_default || action->isChecked()));
+        chip.button->setVisible(action->isVisible() && (world_frame_ || !chip.of_world) &&
+                                (chip.by_default || action->isChecked()));
     }
 }
 

@@ -21,6 +21,8 @@ class Legend final : public QWidget {
     explicit Legend(QWidget* parent = nullptr);
     /// Once.
     void set_up(const ViewSettings& settings, Of of);
+    /// Whether the view shows the world's frame, without which it draws no path.
+    void set_world_frame(bool on);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -29,11 +31,13 @@ class Legend final : public QWidget {
     struct Chip {
         QToolButton* button;
         bool by_default;
+        bool of_world;  ///< not drawn in the robot's frame
     };
     QToolButton* add_button();
     void refresh();
 
     std::vector<Chip> chips_;
+    bool world_frame_ = true;
 };
 
 }  // namespace hitos::window

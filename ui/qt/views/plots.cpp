@@ -128,6 +128,8 @@ void Plots::lay_out() {
     const int columns = columns_for(figures.size(), width());
     if (columns == columns_ && std::ranges::equal(figures, shown_, {}, {}, &Shown::figure)) return;
     columns_ = columns;
+    const std::optional<std::pair<double, double>> zoomed =
+        zoomed_ && !shown_.empty() ? std::optional(times()) : std::nullopt;
     plot_->clearItems();
     plot_->clearGraphs();
     plot_->plotLayout()->clear();
@@ -142,6 +144,7 @@ void Plots::lay_out() {
     const int rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
     plot_->setMinimumHeight(std::max(1, rows) * kLeastRow);
     updateGeometry();
+    if (zoomed) set_times(zoomed->first, zoomed->second);
     restyle();
 }
 
