@@ -49,9 +49,9 @@ QString with_point(const QString& number) {
 }
 
 QString list_with_points(const QString& list, bool fractions) {
-    static const QRegularExpression between_digits("(?<=\\d),(?=\\d)");
-    static const QRegularExpression around_parts("\\s*([:/])\\s*");
-    static const QRegularExpression separators("\\s*[;,]\\s*|\\s+");
+    static const QRegularExpression between_digits(R"((?<=\d),(?=\d))");
+    static const QRegularExpression around_parts(R"(\s*([:/])\s*)");
+    static const QRegularExpression separators(R"(\s*[;,]\s*|\s+)");
     QString text = list.trimmed();
     const bool points = text.contains('.') && !text.contains(';');
     if (decimal_comma() && fractions && !points) text.replace(between_digits, ".");
