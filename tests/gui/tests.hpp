@@ -10,7 +10,7 @@ class ReadingsTest final : public QObject {
     Q_OBJECT
 
   private slots:
-    static void initTestCase();
+    static void initTestCase();  // NOLINT(readability-identifier-naming): QtTest calls it so
     static void a_log_is_read_once_to_look_at_it_and_once_to_run_it();
 };
 
