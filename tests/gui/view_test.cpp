@@ -440,9 +440,14 @@ void ViewTest::a_view_is_shown_alone_or_above_the_other() {
     f.trigger("action_stacked");
     QCoreApplication::processEvents();
     QVERIFY(place(scan).y() + scan.height() < place(grid).y());
+    f.trigger("action_alone");
     f.window->leave();
-    const MainWindow next(f.session, f.files, f.prompts);
+    MainWindow next(f.session, f.files, f.prompts);
     QVERIFY(next.findChild<QAction*>("action_stacked")->isChecked());
+    next.resize(1360, 860);
+    next.show();
+    QCoreApplication::processEvents();
+    QVERIFY(next.scan_view().height() > 150 && next.grid_view().height() > 150);
 }
 
 }  // namespace hitos::window

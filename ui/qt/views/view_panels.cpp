@@ -43,7 +43,8 @@ void ViewPanels::stack(bool stacked) {
 }
 
 void ViewPanels::save(QSettings& settings) const {
-    settings.setValue("window/views", splitter_.saveState());
+    // Of one alone the splitter knows no sizes for both.
+    if (!alone_->isChecked()) settings.setValue("window/views", splitter_.saveState());
     settings.setValue("window/stacked", stacked_->isChecked());
 }
 
