@@ -7,8 +7,6 @@
 namespace hitos {
 
 void SeenFrom::look(std::span<const float> directions, const float* distances, Seen& seen) const {
-    using elementary::nearest_whole;
-    constexpr double kTurn = 2.0 * kPi;
     const double laser_x = lasers.x;  // what is a member's is read again in each round
     const double laser_y = lasers.y;
     const double cosine = std::cos(lasers.theta);
@@ -44,14 +42,7 @@ void SeenFrom::look(std::span<const float> directions, const float* distances, S
                                first_wide.scale;
             const double away = first_is_told > 0.0 ? 0.0 : (off < 0.0 ? -off : off);
             const double seen_rad = first_is_told > 0.0 ? straight : first_wide.middle + off;
-            // As View::bin_of() has it.
-            const double from_first = seen_rad - first;
-            const double turns = (from_first + 0.5 * step) / kTurn;
-            const double nearest = nearest_whole(turns);
-            const double whole = nearest > turns ? nearest - 1.0 : nearest;
-            const double bin = nearest_whole((from_first - kTurn * whole) / step);
-            const double low = bin > 0.0 ? bin : 0.0;
-            bins[i] = low < last ? low : last;
+            bins[i] = nearest_bin(seen_rad, first, step, last);
             out_m[i] = away > kPi ? -1.0 : std::sqrt(x * x + y * y);
         }
     });

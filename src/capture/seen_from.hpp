@@ -5,9 +5,23 @@
 #include <cstddef>
 #include <span>
 
+#include "hitos/base/elementary.hpp"
 #include "hitos/base/geometry.hpp"
 
 namespace hitos {
+
+/// The nearest of the bins that part a whole turn from `first_rad` on, 0 … last_bin.
+HITOS_INLINE double nearest_bin(double direction_rad, double first_rad, double step_rad,
+                                double last_bin) {
+    constexpr double kTurn = 2.0 * kPi;
+    const double off = direction_rad - first_rad;
+    const double turns = (off + 0.5 * step_rad) / kTurn;
+    const double nearest = elementary::nearest_whole(turns);
+    const double whole = nearest > turns ? nearest - 1.0 : nearest;
+    const double bin = elementary::nearest_whole((off - kTurn * whole) / step_rad);
+    const double low = bin > 0.0 ? bin : 0.0;
+    return low < last_bin ? low : last_bin;
+}
 
 /// Where rays truly go by where they are told to. One that is measured later, while the robot turns
 /// on, looks further round: the fan of such a scan is wider, from its first ray on.

@@ -6,6 +6,7 @@
 
 #include "hitos/base/median.hpp"
 #include "hitos/capture/scan_clock.hpp"
+#include "seen_from.hpp"
 
 namespace hitos {
 namespace {
@@ -72,10 +73,8 @@ void TourExamination::note(const Odometria& odometry) {
 }
 
 std::size_t TourExamination::View::bin_of(double direction_rad) const {
-    const double turn = 2.0 * kPi;
-    double off = direction_rad - first_rad;
-    off -= turn * std::floor((off + step_rad / 2.0) / turn);
-    return std::min(static_cast<std::size_t>(std::lround(off / step_rad)), ranges.size() - 1);
+    const auto last_bin = static_cast<double>(ranges.size() - 1);
+    return static_cast<std::size_t>(nearest_bin(direction_rad, first_rad, step_rad, last_bin));
 }
 
 TourExamination::View TourExamination::view_of(const Scan& scan) const {
