@@ -56,6 +56,7 @@ MapWindow* ResultActions::open_window(QPointer<MapWindow>& place, const QString&
     place = new MapWindow(title + " – " + log, show, settings_, window_);
     if (before) {
         place->setGeometry(*before);
+        keep_on_screen(*place);
     } else {  // no window covers another one whole
         constexpr int kStep = 48;
         const int others = (best_ ? 1 : 0) + (particle_ ? 1 : 0) + (odometry_ ? 1 : 0);

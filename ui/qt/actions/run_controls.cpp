@@ -68,6 +68,10 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
     connect(actions.step, &QAction::triggered, &session, [&session] { session.run_steps(1); });
     connect(time_line_, &TimeLine::chosen, &session,
             [&session](int scan) { session.seek(static_cast<quint64>(scan)); });
+    connect(actions.previous_event, &QAction::triggered, time_line_,
+            [this] { time_line_->choose_event(false); });
+    connect(actions.next_event, &QAction::triggered, time_line_,
+            [this] { time_line_->choose_event(true); });
     const auto refresh = [this, &session] {
         show_progress(session.progress(), session.has_source());
         if (session.has_source()) note_marks(session);
@@ -156,6 +160,12 @@ void RunControls::show_progress(const Progress& progress, bool has_source) {
     if (!running) time_line_->arrive();
     const auto scan = static_cast<int>(progress.steps);
     time_line_->show_run(scan, static_cast<int>(total_.value_or(figures_taken_)));
+    enable_events();
+}
+
+void RunControls::enable_events() {
+    actions_.previous_event->setEnabled(time_line_->event_beside(false) > 0);
+    actions_.next_event->setEnabled(time_line_->event_beside(true) > 0);
 }
 
 void RunControls::set_total(std::optional<quint64> scans) {
@@ -193,6 +203,7 @@ void RunControls::note_marks(const Session& session) {
     }
     time_line_->add_marks(fresh);
     note_disturbances(session);
+    enable_events();
 }
 
 /// What happens to a simulated robot, at the first scan after it.

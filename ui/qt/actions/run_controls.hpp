@@ -25,6 +25,8 @@ struct RunActions {
     QAction* save_map = nullptr;
     QAction* restart = nullptr;
     QAction* full_speed = nullptr;
+    QAction* previous_event = nullptr;  ///< without buttons, as is
+    QAction* next_event = nullptr;      ///< this one
 };
 
 class RunControls final : public QWidget {
@@ -58,6 +60,7 @@ class RunControls final : public QWidget {
     void note_marks(const Session& session);
     void note_disturbances(const Session& session);
     void forget_marks();
+    void enable_events();
     QToolButton* add_button(QAction* action, const char* name, bool primary = false);
     /// A button that goes inactive would give the keyboard to whatever is next: from running or
     /// stepping it goes to the stop button, and back.

@@ -99,6 +99,7 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
                               : window.open_distances(distances);
     }
     if (nobody.warned()) return 1;
+    if (line.open.empty() && line.config.empty() && !line.benchmark) window.offer_start();
     int code = 0;
     if (!line.screenshot.empty()) {
         take_screenshot(window, session, line);

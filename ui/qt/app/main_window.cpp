@@ -30,6 +30,7 @@
 #include "views/plots.hpp"
 #include "views/view_panels.hpp"
 #include "views/view_settings.hpp"
+#include "workers/first_look.hpp"
 #include "workers/log_counter.hpp"
 #include "workers/reference_meter.hpp"
 #include "world/world_window.hpp"
@@ -92,6 +93,7 @@ void MainWindow::make_parts() {
     connect(counter_, &LogCounter::counted, status_, &StatusLine::set_total);
     connect(counter_, &LogCounter::doubted, status_, &StatusLine::show_doubts);
     connect(counter_, &LogCounter::doubted, ui_->hint, &HintBar::show_doubts);
+    first_look_ = new FirstLook(session_, this);
     plots_ = new Plots(session_, *meter_);
     keep_keys_off_tabs(*this);
     DockPlace place{this, nullptr, ui_->menu_view, ui_->menu_theme->menuAction()};
@@ -184,7 +186,8 @@ void MainWindow::connect_configuration() {
 void MainWindow::connect_run() {
     ui_->controls->set_up(
         {ui_->action_run, ui_->action_stop, ui_->action_step, ui_->action_best_map,
-         ui_->action_odometry, ui_->action_save_map, ui_->action_restart, ui_->action_full_speed},
+         ui_->action_odometry, ui_->action_save_map, ui_->action_restart, ui_->action_full_speed,
+         ui_->action_previous_event, ui_->action_next_event},
         session_, files_.settings());
     // The space bar runs and stops, unless a button has the focus; an action that is disabled would
     // swallow it.
@@ -258,17 +261,28 @@ void MainWindow::connect_run() {
     enable();
 }
 
+void MainWindow::offer_start() {
+    if (files_.has_init() || !files_.recent().isEmpty()) return;
+    ui_->start->offer(*ui_->action_run, *ui_->action_select_source, *ui_->action_drive);
+}
+
 void MainWindow::connect_views() {
     // While it runs one view after the other, so that a key press waits for one picture and not for
     // two.
-    const auto show_grid = [this] { ui_->grid_view->set_snapshot(session_.snapshot()); };
-    const auto show_snapshot = [this, show_grid] {
-        ui_->scan_view->set_snapshot(session_.snapshot());
+    const auto shown = [this] {
+        return session_.snapshot() ? session_.snapshot() : first_look_->snapshot();
+    };
+    const auto show_grid = [this, shown] { ui_->grid_view->set_snapshot(shown()); };
+    const auto show_snapshot = [this, shown, show_grid] {
+        ui_->scan_view->set_snapshot(shown());
+        const bool before = !session_.snapshot() && first_look_->snapshot();
+        ui_->scan_panel_title->setText(before ? tr("First scan, before the run") : tr("Last scan"));
         grid_waits_ =
             session_.progress().state == Progress::State::running && ui_->scan_view->isVisible();
         if (!grid_waits_) show_grid();
     };
     connect(&session_, &Session::snapshot_changed, this, show_snapshot);
+    connect(first_look_, &FirstLook::changed, this, show_snapshot);
     connect(ui_->scan_view, &CanvasView::painted, this, [this, show_grid] {
         if (std::exchange(grid_waits_, false)) QTimer::singleShot(0, ui_->grid_view, show_grid);
     });
@@ -403,6 +417,7 @@ void MainWindow::save_state() {
 void MainWindow::restore_state() {
     QSettings& settings = files_.settings();
     restoreGeometry(settings.value("window/geometry").toByteArray());
+    keep_on_screen(*this);
     restore_docks(*this, settings.value("window/state").toByteArray());
     panels_->restore(settings);
     ui_->action_world_frame->setChecked(settings.value("window/world_frame", false).toBool());

@@ -15,6 +15,7 @@ namespace hitos::window {
 
 class CanvasView;
 class ConfigurationActions;
+class FirstLook;
 class GridView;
 class Inspection;
 class LogCounter;
@@ -59,6 +60,8 @@ class MainWindow final : public QMainWindow {
     void open_distances(const QString& path);
     Plots& plots() const { return *plots_; }
     QDockWidget& plots_dock() const { return *dock_; }
+    /// Offers ways to begin to who has neither settings nor recent files.
+    void offer_start();
     /// Shows the study of one parameter.
     StudyDialog& open_study();
     /// Shows the world to drive a robot through.
@@ -107,6 +110,7 @@ class MainWindow final : public QMainWindow {
     ViewSettings* view_settings_ = nullptr;
     ReferenceMeter* meter_ = nullptr;
     LogCounter* counter_ = nullptr;
+    FirstLook* first_look_ = nullptr;
     StatusLine* status_ = nullptr;
     Plots* plots_ = nullptr;
     QDockWidget* dock_ = nullptr;

@@ -73,6 +73,7 @@ void MainWindow::show_keys() {
     const QList<QPair<QString, QString>> keys{
         {tr("Space"), tr("run or stop")},
         {tr("Right arrow"), tr("one step")},
+        {tr("Ctrl+Left, Ctrl+Right"), tr("to the event before, to the next (time line)")},
         {"Ctrl+U", tr("run until something happens")},
         {tr("Ctrl+Space"), tr("as fast as possible, or at the pace chosen")},
         {"Ctrl+R", tr("restart")},

@@ -44,7 +44,7 @@ void MainWindow::tell_left_runs() {
         const bool look = prompts_.confirm(
             this, {tr("Run kept"), tr("Look at the run of %1 that was kept?").arg(log_in(folder)),
                    tr("Hitos was ended from outside after this long run, which was over on %1. "
-                      "With Cancel it stays where it is, for Run → Open results. Its results are "
+                      "With Cancel it stays where it is, for File → Open results. Its results are "
                       "in %2.")
                        .arg(QLocale().toString(written.lastModified(), QLocale::ShortFormat),
                             QDir::toNativeSeparators(folder)),
@@ -70,6 +70,7 @@ void MainWindow::connect_runs() {
     connect(&runs_->panel(), &RunsPanel::configuration_wanted, configuration_,
             &ConfigurationActions::use_again);
     connect(&runs_->panel(), &RunsPanel::traces_changed, ui_->grid_view, &GridView::set_traces);
+    ui_->menu_run->insertAction(ui_->action_study, runs_->list_action());
     connect(ui_->action_open_results, &QAction::triggered, runs_, &Runs::ask);
     connect(ui_->action_drive, &QAction::triggered, this, [this] { open_world_window(); });
     connect(ui_->action_compare, &QAction::triggered, runs_,

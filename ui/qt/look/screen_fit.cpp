@@ -1,5 +1,6 @@
 #include "screen_fit.hpp"
 
+#include <QGuiApplication>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -11,10 +12,20 @@ namespace {
 
 constexpr QMargins kFrame(8, 36, 8, 8);  // what window managers draw round a window, at most
 
+QRect room_on(const QScreen& screen) {
+    return screen.availableGeometry().marginsRemoved(kFrame);
+}
+
 QRect room_for(const QWidget& window) {
     const QWidget* parent = window.parentWidget();
-    const QScreen* screen = (parent == nullptr ? &window : parent)->screen();
-    return screen->availableGeometry().marginsRemoved(kFrame);
+    return room_on(*(parent == nullptr ? &window : parent)->screen());
+}
+
+void move_into(const QRect& room, QWidget& window, QPoint wanted) {
+    window.move(std::clamp(wanted.x(), room.left(),
+                           std::max(room.left(), room.right() + 1 - window.width())),
+                std::clamp(wanted.y(), room.top(),
+                           std::max(room.top(), room.bottom() + 1 - window.height())));
 }
 
 }  // namespace
@@ -33,15 +44,21 @@ void scroll_down_only(QScrollArea& area) {
 
 void apply_size(QWidget& window, const std::string& size) {
     const QStringList parts = QString::fromStdString(size).split('x');
-    if (parts.size() == 2) window.resize(parts[0].toInt(), parts[1].toInt());
+    if (parts.size() != 2) return;
+    window.setWindowState(Qt::WindowNoState);
+    window.resize(parts[0].toInt(), parts[1].toInt());
 }
 
 void place_beside_parent(QWidget& window, QPoint offset) {
     fit_to_screen(window);
-    const QRect room = room_for(window);
-    const QPoint wanted = window.parentWidget()->pos() + offset;
-    window.move(std::clamp(wanted.x(), room.left(), room.right() + 1 - window.width()),
-                std::clamp(wanted.y(), room.top(), room.bottom() + 1 - window.height()));
+    move_into(room_for(window), window, window.parentWidget()->pos() + offset);
+}
+
+void keep_on_screen(QWidget& window) {
+    const QScreen* there = QGuiApplication::screenAt(window.geometry().center());
+    const QRect room = room_on(there == nullptr ? *window.screen() : *there);
+    window.resize(window.size().boundedTo(room.size()));
+    if (!room.contains(window.geometry())) move_into(room, window, window.pos());
 }
 
 }  // namespace hitos::window

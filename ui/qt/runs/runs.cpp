@@ -18,6 +18,10 @@ Runs::Runs(Session& session, UserFiles& files, Prompts& prompts, const ViewSetti
     connect(panel_, &RunsPanel::results_wanted, this, &Runs::ask);
 }
 
+QAction* Runs::list_action() const {
+    return dock_->toggleViewAction();
+}
+
 bool Runs::open(const QString& folder) {
     dock_->show();
     dock_->raise();

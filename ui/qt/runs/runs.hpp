@@ -26,6 +26,8 @@ class Runs final : public QObject {
 
     RunList& list() { return *list_; }
     RunsPanel& panel() const { return *panel_; }
+    /// Shows the list.
+    QAction* list_action() const;
     /// Reads a folder of results, shows the list and the run beside that of the window. Returns
     /// whether it could be read; tells the user where not.
     bool open(const QString& folder);

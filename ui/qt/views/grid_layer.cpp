@@ -2,7 +2,9 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <span>
 
 namespace hitos::window {
 namespace {
@@ -18,6 +20,17 @@ void halve(const std::uint8_t* from, std::ptrdiff_t side, std::uint8_t* to) {
             to[y * half + x] = static_cast<std::uint8_t>((sum / 4 + least) / 2);
         }
     }
+}
+
+QImage in_the_dark(QImage image) {
+    std::array<std::uint8_t, 256> shades{};
+    for (std::size_t grey = 0; grey < shades.size(); ++grey)
+        shades[grey] = shade_of(static_cast<std::uint8_t>(grey), true);
+    for (int y = 0; y < image.height(); ++y) {
+        const std::span line(image.scanLine(y), static_cast<std::size_t>(image.width()));
+        std::ranges::transform(line, line.begin(), [&](std::uint8_t grey) { return shades[grey]; });
+    }
+    return image;
 }
 
 }  // namespace
@@ -71,6 +84,17 @@ void GridLayer::copy_tile(std::size_t place, const GridTile* tile) {
     }
 }
 
+std::uint8_t shade_of(std::uint8_t grey, bool dark) {
+    if (!dark) return grey;
+    constexpr int kUnknown = 48;
+    constexpr int kFree = 190;
+    constexpr int kMost = 255;
+    const int shade = grey <= kUnknownGrey ? kUnknown * grey / kUnknownGrey
+                                           : kUnknown + (kFree - kUnknown) * (grey - kUnknownGrey) /
+                                                            (kMost - kUnknownGrey);
+    return static_cast<std::uint8_t>(shade);
+}
+
 QRectF bounds_of(const GridTiles& tiles) {
     if (tiles.empty()) return {};
     const double r = tiles.resolution_m;
@@ -105,7 +129,11 @@ void GridLayer::paint(QPainter& painter, const Scene& scene) const {
                pixels.width() * cell, pixels.height() * cell));
     painter.save();
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale * (1 << level) < 1.0);
-    painter.drawImage(target, image, pixels);
+    if (scene.colours.dark) {
+        painter.drawImage(target, in_the_dark(image.copy(pixels)));
+    } else {
+        painter.drawImage(target, image, pixels);
+    }
     painter.restore();
 }
 

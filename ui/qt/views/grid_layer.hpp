@@ -12,6 +12,10 @@
 namespace hitos::window {
 
 /// What a grid covers [m]; null where it is empty.
+/// The grey that a cell's grey is shown in: itself, or in the dark one in the same order that is
+/// calm for eyes used to it and keeps free and unknown apart (contrast 7 : 1).
+std::uint8_t shade_of(std::uint8_t grey, bool dark);
+
 QRectF bounds_of(const GridTiles& tiles);
 
 /// Keeps the image at several resolutions, so that a picture far smaller than the grid is neither

@@ -119,12 +119,9 @@ double GridView::whole_pixels_per_m() const {
 
 void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
     // What lies out of the grid is as unknown as what it holds of it.
-    painter.fillRect(QRectF(QPointF(), scene.size),
-                     QColor(kUnknownGrey, kUnknownGrey, kUnknownGrey));
+    const int unknown = shade_of(kUnknownGrey, scene.colours.dark);
+    painter.fillRect(QRectF(QPointF(), scene.size), QColor(unknown, unknown, unknown));
     layer_.paint(painter, scene);
-    if (scene.colours.dark) {  // calm for eyes that are used to the dark; the order of greys stays
-        painter.fillRect(QRectF(QPointF(), scene.size), QColor(17, 21, 26, 84));
-    }
     if (layers_.has(Layer::reference)) paint_reference(painter, scene);
     if (layers_.has(Layer::odometry)) {
         draw_path(painter, scene, odometry_, thin_pen(light_colours().odometry, 1.4, Qt::DashLine));

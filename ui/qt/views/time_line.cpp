@@ -67,6 +67,22 @@ void TimeLine::choose(int scan) {
     emit chosen(wanted_);
 }
 
+int TimeLine::event_beside(bool after) const {
+    int found = 0;
+    for (const Mark& mark : marks_) {
+        if (mark.kind == Mark::Kind::filter) continue;
+        if (after ? mark.scan > place() && (found == 0 || mark.scan < found)
+                  : mark.scan < place() && mark.scan > found) {
+            found = mark.scan;
+        }
+    }
+    return found;
+}
+
+void TimeLine::choose_event(bool after) {
+    if (const int scan = event_beside(after); scan > 0) choose(scan);
+}
+
 void TimeLine::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) choose(scan_at(event->position().toPoint().x()));
 }
@@ -78,7 +94,7 @@ void TimeLine::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void TimeLine::keyPressEvent(QKeyEvent* event) {
-    const int from = on_its_way_ ? wanted_ : value();
+    const int from = place();
     const int step = (event->modifiers() & Qt::ShiftModifier) != 0U ? kTen : 1;
     switch (event->key()) {
         case Qt::Key_Left:

@@ -8,8 +8,8 @@
 namespace hitos::window {
 
 /// Its value is the scan that the run has come to, 0 before the first. What the user chooses,
-/// by dragging, clicking or keys (arrows one scan, with Shift ten, Home and End), is told by
-/// chosen(); the line itself moves when the run does.
+/// by dragging, clicking or keys (arrows one scan, with Shift ten, with Ctrl to the next event,
+/// Home and End), is told by chosen(); the line itself moves when the run does.
 class TimeLine final : public QAbstractSlider {
     Q_OBJECT
 
@@ -32,6 +32,11 @@ class TimeLine final : public QAbstractSlider {
     void set_marks(std::vector<Mark> marks);
     void add_marks(const std::vector<Mark>& marks);
     const std::vector<Mark>& marks() const { return marks_; }
+    /// The nearest marked scan after (or before) where the line is, of what does not happen all the
+    /// time; 0 where there is none.
+    int event_beside(bool after) const;
+    /// Chooses it, where there is one.
+    void choose_event(bool after);
 
     /// The scan at a place of the widget.
     int scan_at(int x) const;
@@ -54,6 +59,7 @@ class TimeLine final : public QAbstractSlider {
 
   private:
     void choose(int scan);
+    int place() const { return on_its_way_ ? wanted_ : value(); }
     void draw_marks(QPainter& painter, Mark::Kind kind, int middle) const;
     QString tip_at(int x) const;
 

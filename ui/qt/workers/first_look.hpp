@@ -1,0 +1,41 @@
+// What the first scan looks like with the parameters in use, before anything runs.
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <atomic>
+#include <memory>
+
+#include "session/session.hpp"
+
+namespace hitos::window {
+
+/// Takes the first step of the session's run beside it, in a run of its own, whenever the
+/// configuration is another one. The session's run stays at its beginning.
+class FirstLook final : public QObject {
+    Q_OBJECT
+
+  public:
+    FirstLook(Session& session, QObject* parent);
+    ~FirstLook() override;
+
+    /// The state after the first scan, as the run will have it; null while that is not known, and
+    /// of tours that are driven.
+    const std::shared_ptr<const Snapshot>& snapshot() const { return snapshot_; }
+
+  signals:
+    void changed();
+
+  private:
+    using Stop = std::shared_ptr<std::atomic<bool>>;
+    void begin();
+    void show(std::shared_ptr<const Snapshot> snapshot, const Stop& of);
+
+    Session& session_;
+    SourceParams source_;
+    std::shared_ptr<const Snapshot> snapshot_;
+    Stop stop_;
+    QThreadPool pool_;
+};
+
+}  // namespace hitos::window
