@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QToolButton>
 
 #include "actions/command_line.hpp"
 #include "dialogs/configuration_dialog.hpp"
@@ -152,9 +154,10 @@ void ConfigurationTest::saving_can_be_cancelled() {
 void ConfigurationTest::values_are_changed_in_the_form() {
     Fixture f;
     f.run_steps(3);
-    f.prompts.confirms = {true};
     in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
         set_field(dialog, "filter.particles", "25");
+        const QString told = dialog.findChild<QLabel*>("verdict")->text();
+        QVERIFY2(told.contains("Particles: 10 → 25"), qPrintable(told));
         set_field(dialog, "split_merge.dmax", "0.05");
         auto* detect = dialog.findChild<QComboBox*>("field_features.detect");
         detect->setCurrentIndex(0);
@@ -164,14 +167,80 @@ void ConfigurationTest::values_are_changed_in_the_form() {
     QCOMPARE(f.session.configuration().filter.particles, 25);
     QCOMPARE(f.session.configuration().extraction.split_merge.dmax_m, 0.05);
     QCOMPARE(f.session.configuration().extraction.detect, Detection::lines);
-    QVERIFY2(f.prompts.confirmed_texts.front().contains("25"),
-             qPrintable(f.prompts.confirmed_texts.front()));
-    QCOMPARE(f.steps(), 0U);  // it starts from the beginning
+    QVERIFY(f.prompts.confirmed_texts.isEmpty());  // the form said what changes; undo is there
+    QCOMPARE(f.steps(), 0U);                       // it starts from the beginning
+}
+
+void ConfigurationTest::the_form_shows_first_what_the_cards_show() {
+    Fixture f;
+    ConfigurationDialog dialog(f.session.configuration(), nullptr);
+    dialog.show();
+    const auto shown = [&dialog](const char* key) {
+        return dialog.findChild<QWidget*>(QString("field_") + key)->isVisible();
+    };
+    QVERIFY(shown("filter.particles") && shown("motion.sigma_x") && shown("resampling.rule"));
+    QVERIFY(!shown("motion.var_along") && !shown("grid.hit") && !shown("landmarks.probation"));
+    // Another model has other values.
+    auto* model = dialog.findChild<QComboBox*>("field_motion.model");
+    model->setCurrentIndex(
+        static_cast<int>(find_parameter("motion.model").place_of("proportional").value()));
+    QVERIFY(shown("motion.var_along") && !shown("motion.sigma_x"));
+    auto* more = dialog.findChild<QToolButton*>(
+        QString("more_%1").arg(static_cast<int>(ParameterGroup::grid)));
+    const QString words = more->text();
+    more->click();
+    QVERIFY(shown("grid.hit") && shown("grid.max_range"));
+    more->click();
+    QVERIFY(!shown("grid.hit"));
+    QCOMPARE(more->text(), words);
+    // What differs from its default is never out of sight.
+    Configuracion changed = f.session.configuration();
+    set_parameter(changed, "grid.hit=0.5");
+    ConfigurationDialog other(changed, nullptr);
+    other.show();
+    QVERIFY(other.findChild<QWidget*>("field_grid.hit")->isVisible());
+    QVERIFY(!other.findChild<QWidget*>("field_grid.miss")->isVisible());
+}
+
+void ConfigurationTest::the_form_is_searched() {
+    Fixture f;
+    ConfigurationDialog dialog(f.session.configuration(), nullptr);
+    dialog.show();
+    auto* search = dialog.findChild<QLineEdit*>("search");
+    const auto found = [&dialog, search](const QString& words) {
+        search->setText(words);
+        QStringList keys;
+        for (const auto* field : dialog.findChildren<QWidget*>(QRegularExpression("^field_")))
+            if (field->isVisible()) keys << field->objectName().mid(6);
+        return keys;
+    };
+    QCOMPARE(found("grid.max_range"), QStringList{"grid.max_range"});
+    QVERIFY(found("RAY drawn length").contains("grid.max_range"));  // of its description
+    QVERIFY(found("grid map").contains("grid.hit"));                // the title's is the group
+    QVERIFY(found("loops").size() > 1 && !found("loops").contains("filter.particles"));
+    QVERIFY(found("nothing-of-the-kind").isEmpty());
+    QVERIFY(!search->toolTip().isEmpty());
+    // Return goes to what was found, and changes nothing; Escape shows all again.
+    search->setText("grid.max_range");
+    search->setFocus();
+    QTest::keyClick(search, Qt::Key_Return);
+    QVERIFY(dialog.isVisible());
+    QCOMPARE(dialog.focusWidget()->objectName(), QString("field_grid.max_range"));
+    search->setFocus();
+    QTest::keyClick(search, Qt::Key_Escape);
+    QVERIFY(dialog.isVisible() && search->text().isEmpty());
+    QVERIFY(dialog.findChild<QWidget*>("field_filter.particles")->isVisible());
+    // A mistake comes into sight, wherever it is.
+    search->setText("particles");
+    set_field(dialog, "grid.resolution", "wide");
+    dialog.accept();
+    QVERIFY(dialog.isVisible() && search->text().isEmpty());
+    QVERIFY(dialog.findChild<QLabel*>("error_grid.resolution")->isVisible());
 }
 
 void ConfigurationTest::every_mistake_is_shown_at_its_field() {
     Fixture f;
-    in_dialog<ConfigurationDialog>([&f](ConfigurationDialog& dialog) {
+    in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
         set_field(dialog, "filter.particles", "0");
         set_field(dialog, "split_merge.dmax", "wide");
         press_ok(dialog);
@@ -180,7 +249,6 @@ void ConfigurationTest::every_mistake_is_shown_at_its_field() {
         QVERIFY(!error_at(dialog, "split_merge.dmax").isEmpty());
         QVERIFY(error_at(dialog, "grid.resolution").isEmpty());
         QVERIFY(dialog.findChild<QLabel*>("verdict")->text().contains('2'));
-        QCOMPARE(f.prompts.confirmed_texts.size(), 0);
         dialog.reject();
     });
     f.trigger("action_manual");
@@ -202,21 +270,27 @@ void ConfigurationTest::values_that_are_impossible_together_are_refused() {
 
 void ConfigurationTest::the_form_can_be_cancelled_or_declined() {
     Fixture f;
+    f.run_steps(3);
     in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
         set_field(dialog, "filter.particles", "25");
         dialog.reject();
     });
     f.trigger("action_manual");
     QCOMPARE(f.session.configuration().filter.particles, 10);
-    f.prompts.confirms = {false};
+    // A long run is not lost without a question; where that is declined the form comes again.
+    f.window->run_guard().set_long_run(0.0);
     in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
         set_field(dialog, "filter.particles", "25");
+        in_dialog<ConfigurationDialog>([](ConfigurationDialog& again) {
+            QCOMPARE(again.findChild<QLineEdit*>("field_filter.particles")->text(), QString("25"));
+            again.reject();
+        });
         press_ok(dialog);
-        QVERIFY(dialog.isVisible());
-        dialog.reject();
     });
     f.trigger("action_manual");
+    QCOMPARE(f.prompts.confirmed_texts.size(), 1);
     QCOMPARE(f.session.configuration().filter.particles, 10);
+    QCOMPARE(f.steps(), 3U);
 }
 
 void ConfigurationTest::the_form_opens_while_the_run_goes_on() {
@@ -224,7 +298,6 @@ void ConfigurationTest::the_form_opens_while_the_run_goes_on() {
     f.session.set_pace(kUnhurried);
     f.trigger("action_run");
     QTRY_VERIFY(f.steps() > 2);
-    f.prompts.confirms = {true};
     in_dialog<ConfigurationDialog>([&f](ConfigurationDialog& dialog) {
         const quint64 there = f.steps();
         QTRY_VERIFY(f.steps() > there || f.state() == Progress::State::finished);
@@ -238,7 +311,7 @@ void ConfigurationTest::the_form_opens_while_the_run_goes_on() {
 
 void ConfigurationTest::what_the_models_do_not_use_is_grey() {
     Fixture f;
-    ConfigurationDialog dialog(f.session.configuration(), f.prompts, nullptr);
+    ConfigurationDialog dialog(f.session.configuration(), nullptr);
     auto* rule = dialog.findChild<QComboBox*>("field_resampling.rule");
     auto* threshold = dialog.findChild<QWidget*>("field_resampling.neff_threshold");
     for (int i = 0; i < rule->count(); ++i) {
@@ -287,7 +360,7 @@ void ConfigurationTest::the_cards_show_what_is_used() {
 
 void ConfigurationTest::the_form_has_every_parameter() {
     Fixture f;
-    ConfigurationDialog dialog(f.session.configuration(), f.prompts, nullptr);
+    ConfigurationDialog dialog(f.session.configuration(), nullptr);
     // What is read has a dialog of its own.
     const QStringList elsewhere{"source.file", "source.format", "source.scan_topic",
                                 "source.odom_topic"};
@@ -302,7 +375,6 @@ void ConfigurationTest::the_form_has_every_parameter() {
 
 void ConfigurationTest::what_findings_advise_is_in_the_form() {
     Fixture f;
-    f.prompts.confirms = {true};
     in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
         set_field(dialog, "source.laser_pose", "0.1,0,90");
         set_field(dialog, "source.scan_delay", "0.25");
@@ -379,7 +451,6 @@ void ConfigurationTest::a_form_that_could_not_be_applied_keeps_its_values() {
     Fixture f(false);
     const QByteArray log = "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n";
     QVERIFY(f.window->configuration_actions().open(f.write("small.txt", log)));
-    f.prompts.confirms = {true, true};
     in_dialog<ConfigurationDialog>([&](ConfigurationDialog& dialog) {
         QFile::remove(f.path("small.txt"));
         set_field(dialog, "filter.particles", "25");
@@ -391,7 +462,6 @@ void ConfigurationTest::a_form_that_could_not_be_applied_keeps_its_values() {
         press_ok(dialog);
     });
     f.trigger("action_manual");
-    QCOMPARE(f.prompts.confirmed_texts.size(), 2);
     QCOMPARE(f.session.configuration().filter.particles, 25);
 }
 
@@ -407,7 +477,6 @@ void ConfigurationTest::a_mistake_that_becomes_unused_is_forgotten() {
         QCOMPARE(particles->text(), QString("10"));
         press_ok(dialog);
     });
-    f.prompts.confirms = {true};
     f.trigger("action_manual");
     QCOMPARE(f.session.configuration().filter.algorithm, std::string("ekf-slam"));
 }

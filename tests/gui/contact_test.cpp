@@ -234,7 +234,6 @@ void ContactTest::map_windows_lie_beside_each_other() {
 
 void ContactTest::after_the_form_the_window_has_the_keyboard() {
     Fixture f;
-    f.prompts.confirms = {true};
     in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
         dialog.findChild<QLineEdit*>("field_filter.particles")->setText("25");
         dialog.findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Ok)->click();
@@ -363,6 +362,33 @@ void ContactTest::a_first_start_opens_the_noisy_tour() {
     const Pose& by_odometry = snapshot->odometry_trajectory.back().pose;
     const Pose& best = snapshot->best_pose;
     QVERIFY(std::hypot(by_odometry.x - best.x, by_odometry.y - best.y) > 0.3);
+}
+
+void ContactTest::a_first_start_offers_three_ways() {
+    {
+        Fixture f(false);
+        f.window->configuration_actions().start_or_warn({});
+        QVERIFY(!f.window->findChild<QWidget*>("start")->isVisible());
+        f.window->offer_start();
+        auto* start = f.window->findChild<QWidget*>("start");
+        QVERIFY(start->isVisible());
+        QVERIFY(f.window->findChild<QPushButton*>("start_open") != nullptr &&
+                f.window->findChild<QPushButton*>("start_draw") != nullptr);
+        f.window->findChild<QPushButton*>("start_run")->click();
+        QVERIFY(!start->isVisible());
+        QTRY_VERIFY(f.state() == Progress::State::finished);
+    }
+    {
+        Fixture f(false);
+        f.window->configuration_actions().start_or_warn({});
+        f.window->offer_start();
+        f.session.run_steps(1);  // by whatever way
+        QTRY_VERIFY(!f.window->findChild<QWidget*>("start")->isVisible());
+    }
+    Fixture f(false);  // who has been here before needs no help
+    QVERIFY(f.window->configuration_actions().open(Fixture::source_file("data/bigloop.log.gz")));
+    f.window->offer_start();
+    QVERIFY(!f.window->findChild<QWidget*>("start")->isVisible());
 }
 
 void ContactTest::the_language_is_chosen_in_the_menu() {

@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QProcess>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTranslator>
@@ -232,7 +233,7 @@ void FitTest::every_window_fits() {
             for (auto* dock : f.window->findChildren<QDockWidget*>()) dock->hide();
             f.action("action_summary")->setChecked(true);
         }
-        ConfigurationDialog form(f.session.configuration(), f.prompts, f.window.get());
+        ConfigurationDialog form(f.session.configuration(), f.window.get());
         check_dialog(form, {980, 790}, "form");
         WorldForm world(
             WorldText::read(Fixture::source_file("data/worlds/bigloop.toml").toStdString()),
@@ -296,6 +297,29 @@ void FitTest::the_summary_can_be_folded() {
     f.window->close();
     const MainWindow next(f.session, f.files, f.prompts);
     QVERIFY(!next.findChild<QAction*>("action_summary")->isChecked());
+}
+
+void FitTest::a_restored_window_lies_on_the_screen() {
+    Fixture f;
+    const QRect screen = f.window->screen()->availableGeometry();
+    // As another desktop has left it: larger than this one, and beyond its edge.
+    for (const QRect& before : {QRect(-300, -200, screen.width() * 2, screen.height() * 2),
+                                QRect(screen.width() - 100, screen.height() - 80, 900, 560)}) {
+        QWidget other;
+        other.setGeometry(before);
+        f.files.settings().setValue("window/geometry", other.saveGeometry());
+        MainWindow restored(f.session, f.files, f.prompts);
+        restored.show();
+        QVERIFY(screen.contains(restored.geometry()));
+        apply_size(restored, "1030x560");
+        QCOMPARE(restored.size(), QSize(1030, 560));
+    }
+    // A size that is asked for counts, whatever the window was before.
+    MainWindow large(f.session, f.files, f.prompts);
+    large.showMaximized();
+    apply_size(large, "1030x560");
+    QVERIFY(!large.isMaximized());
+    QTRY_COMPARE(large.size(), QSize(1030, 560));
 }
 
 }  // namespace hitos::window

@@ -131,7 +131,7 @@ void visit_windows(KeyboardFixture& f, const std::function<void(QWidget&, const 
         look(window, name);
         window.close();
     };
-    ConfigurationDialog form(f.session.configuration(), f.prompts, f.window.get());
+    ConfigurationDialog form(f.session.configuration(), f.window.get());
     form.show();
     visit(form, "form");
     SourceDialog source(f.session.configuration().source, f.prompts, {}, f.window.get());

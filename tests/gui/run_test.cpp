@@ -8,6 +8,7 @@
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "tests.hpp"
+#include "workers/first_look.hpp"
 
 namespace hitos::window {
 namespace {
@@ -26,6 +27,36 @@ void RunTest::without_a_source_nothing_can_run() {
                              "action_odometry", "action_save_map", "action_restart"}) {
         QVERIFY2(!f.action(name)->isEnabled(), name);
     }
+}
+
+void RunTest::the_first_scan_is_there_before_the_run() {
+    Fixture f;
+    auto* look = f.window->findChild<FirstLook*>();
+    const auto* title = f.window->findChild<QLabel*>("scan_panel_title");
+    const auto looked = [&] { return look->snapshot() != nullptr; };
+    QTRY_VERIFY(looked());
+    QVERIFY(title->text().startsWith("First scan"));
+    // The run itself has not begun, and has the same state once it has.
+    QCOMPARE(f.steps(), 0U);
+    QVERIFY(!f.session.snapshot() && !f.action("action_best_map")->isEnabled());
+    const std::shared_ptr<const Snapshot> before = look->snapshot();
+    f.run_steps(1);
+    QVERIFY(f.session.snapshot()->best_map.size() == before->best_map.size());
+    QCOMPARE(f.session.snapshot()->best_hypothesis, before->best_hypothesis);
+    QVERIFY(f.session.snapshot()->best_trajectory == before->best_trajectory);
+    QCOMPARE(title->text(), QString("Last scan"));
+    f.trigger("action_restart");
+    QTRY_VERIFY(title->text().startsWith("First scan"));
+    // It is that of the parameters in use.
+    Configuracion lines_alone = Fixture::tour(10);
+    set_parameter(lines_alone, "features.detect=lines");
+    f.session.set_configuration(lines_alone);
+    QTRY_VERIFY(looked() && look->snapshot()->observation.corners.empty());
+    QVERIFY(!before->observation.corners.empty());
+    // A log that cannot be run is told by the run; without a source there is nothing to show.
+    QVERIFY(f.window->configuration_actions().open(f.write("small.txt", "ODOM 0 0 0\n")));
+    QTest::qWait(50);
+    QVERIFY(!looked() && !title->text().startsWith("First scan"));
 }
 
 void RunTest::one_step_is_one_scan() {

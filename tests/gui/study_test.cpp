@@ -202,7 +202,6 @@ void StudyTest::decimal_commas_are_those_of_the_country() {
         noise->selectAll();
         QTest::keyClicks(noise, "0,5");
         QCOMPARE(noise->value(), 0.5);
-        f.prompts.confirms = {true};
         in_dialog<ConfigurationDialog>([&](ConfigurationDialog& form) {
             form.findChild<QLineEdit*>("field_association.p0")->setText("0,25");
             form.accept();

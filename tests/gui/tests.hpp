@@ -79,6 +79,8 @@ class ConfigurationTest : public QObject {
     void what_the_models_do_not_use_is_grey();
     void the_cards_show_what_is_used();
     void the_form_has_every_parameter();
+    void the_form_shows_first_what_the_cards_show();
+    void the_form_is_searched();
     void the_default_is_written_and_read_at_start();
     void the_default_is_not_written_without_consent();
     void a_default_that_cannot_be_written_is_told();
@@ -161,6 +163,7 @@ class RunTest : public QObject {
 
   private slots:
     void without_a_source_nothing_can_run();
+    void the_first_scan_is_there_before_the_run();
     void one_step_is_one_scan();
     void it_stops_and_goes_on();
     void at_the_end_the_run_buttons_are_inactive();
@@ -196,6 +199,7 @@ class TimeTest : public QObject {
     void the_time_line_goes_to_any_scan();
     void the_time_line_goes_by_keys();
     void the_time_line_tells_what_happened();
+    void keys_go_from_event_to_event();
     void the_plots_have_every_step();
     void errors_against_the_reference_are_measured();
     void errors_against_another_reference_begin_anew();
@@ -225,6 +229,7 @@ class ViewTest : public QObject {
 
   private slots:
     void the_legend_names_and_switches_what_is_drawn();
+    void in_the_dark_free_and_unknown_are_far_apart();
     void a_view_is_shown_alone_or_above_the_other();
     void a_view_is_saved_as_jpg_and_png();
     void pictures_are_written_as_shapes_too();
@@ -335,6 +340,7 @@ class ContactTest : public QObject {
     void the_configuration_can_be_undone_and_redone();
     void a_preset_of_the_users_own_is_in_the_menu();
     void a_first_start_opens_the_noisy_tour();
+    void a_first_start_offers_three_ways();
     void the_language_is_chosen_in_the_menu();
     void limits_of_whole_numbers_are_whole();
     void what_the_command_line_opens_is_recent();
@@ -352,6 +358,7 @@ class FitTest : public QObject {
     void what_opens_is_no_larger_than_its_screen();
     void at_scale_two_it_fits_too();
     void the_summary_can_be_folded();
+    void a_restored_window_lies_on_the_screen();
 };
 
 class KeyboardTest : public QObject {

@@ -9,6 +9,8 @@
 #include <QSettings>
 #include <QToolButton>
 #include <QToolTip>
+#include <iterator>
+#include <set>
 
 #include "actions/configuration_actions.hpp"
 #include "actions/pace_control.hpp"
@@ -121,6 +123,34 @@ void TimeTest::the_time_line_goes_by_keys() {
     QTRY_VERIFY(f.action("action_run")->isEnabled());
     QTest::keyClick(line, Qt::Key_Space);
     QTRY_VERIFY(f.steps() > 21);
+}
+
+void TimeTest::keys_go_from_event_to_event() {
+    Fixture f;
+    auto* line = f.window->findChild<TimeLine*>("time_line");
+    QVERIFY(!f.action("action_previous_event")->isEnabled());
+    f.run_to_end();
+    QVERIFY(!f.action("action_next_event")->isEnabled());
+    std::set<int> events;
+    for (const TimeLine::Mark& mark : line->marks())
+        if (mark.kind != TimeLine::Mark::Kind::filter) events.insert(mark.scan);
+    QVERIFY(events.size() > 3);
+    const auto there = [&f](int scan) {
+        return f.state() == State::paused && f.steps() == static_cast<quint64>(scan) &&
+               f.shows_everything();
+    };
+    auto event = events.rbegin();
+    if (*event == static_cast<int>(f.steps())) ++event;
+    f.trigger("action_previous_event");
+    QTRY_VERIFY(there(*event));
+    // By keys, also where the line has the keyboard; pressed twice it goes two further.
+    const int second = *std::next(event, 2);
+    line->setFocus();
+    QTest::keyClick(f.window.get(), Qt::Key_Left, Qt::ControlModifier);
+    QTest::keyClick(line, Qt::Key_Left, Qt::ControlModifier);
+    QTRY_VERIFY(there(second));
+    f.trigger("action_next_event");
+    QTRY_VERIFY(there(*std::next(event)));
 }
 
 void TimeTest::the_time_line_tells_what_happened() {

@@ -12,11 +12,15 @@
 #include <QRadioButton>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <cmath>
+#include <map>
 
 #include "dialogs/picture_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
+#include "look/theme.hpp"
 #include "tests.hpp"
+#include "views/grid_layer.hpp"
 #include "views/plots.hpp"
 
 namespace hitos::window {
@@ -44,6 +48,34 @@ void wheel(QWidget& widget, const QPointF& at, int delta) {
 }
 
 }  // namespace
+
+void ViewTest::in_the_dark_free_and_unknown_are_far_apart() {
+    const auto luminance = [](int grey) {  // WCAG 2.1, "relative luminance"
+        const double part = grey / 255.0;
+        return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+    };
+    const double free = luminance(shade_of(255, true));
+    const double unknown = luminance(shade_of(kUnknownGrey, true));
+    QVERIFY((free + 0.05) / (unknown + 0.05) >= 3.0);
+    QCOMPARE(shade_of(0, true), std::uint8_t{0});
+    for (int grey = 0; grey < 256; ++grey) {
+        const auto cell = static_cast<std::uint8_t>(grey);
+        QCOMPARE(shade_of(cell, false), cell);
+        if (grey > 0) QVERIFY(shade_of(cell, true) >= shade_of(cell - 1, true));  // in their order
+    }
+    // And so is it painted: the middle of the free cells about the robot.
+    Fixture f;
+    f.run_steps(60);
+    apply_theme(*qApp, Theme::dark);
+    const QImage seen = f.window->grid_view().grab().toImage();
+    apply_theme(*qApp, Theme::light);
+    std::map<QRgb, int> counts;
+    for (int y = 0; y < seen.height(); ++y)
+        for (int x = 0; x < seen.width(); ++x) ++counts[seen.pixel(x, y)];
+    const int shade = shade_of(kUnknownGrey, true);
+    QVERIFY(counts[qRgb(shade, shade, shade)] > seen.width());
+    QVERIFY(counts[qRgb(kUnknownGrey, kUnknownGrey, kUnknownGrey)] < seen.width() / 10);
+}
 
 void ViewTest::a_view_is_saved_as_jpg_and_png() {
     Fixture f;

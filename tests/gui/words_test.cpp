@@ -137,7 +137,7 @@ void WordsTest::headings_name_what_runs() {
     const QString map = f.window->result_actions().best_window()->windowTitle();
     QVERIFY2(map.startsWith("Grid map by EKF-SLAM"), qPrintable(map));
     // In the form at once, with what is chosen there.
-    ConfigurationDialog dialog(configuration, f.prompts, f.window.get());
+    ConfigurationDialog dialog(configuration, f.window.get());
     const auto box = [&](ParameterGroup group) {
         auto* frame = dialog.findChild<QWidget*>(QString("group_%1").arg(static_cast<int>(group)));
         return frame->findChild<QLabel*>()->text();

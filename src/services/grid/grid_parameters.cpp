@@ -13,17 +13,17 @@ std::span<const Parameter<GridParams>> grid_parameters() {
                         "Side of a cell of the occupancy grid; a higher value makes a coarser and "
                         "faster map.")}),
         real<&GridParams::log_odds_hit>({"grid.hit", "log-odds", 0, 50,
-                                         HITOS_TEXT("ParameterLabel", "Hit"),
+                                         HITOS_TEXT("ParameterLabel", "Gain of a hit"),
                                          HITOS_TEXT("Parameter",
                                                     "Added to the cell that a ray ends in; a "
                                                     "higher value makes walls appear sooner.")}),
         real<&GridParams::log_odds_miss>(
-            {"grid.miss", "log-odds", -50, 0, HITOS_TEXT("ParameterLabel", "Miss"),
+            {"grid.miss", "log-odds", -50, 0, HITOS_TEXT("ParameterLabel", "Loss of a pass"),
              HITOS_TEXT("Parameter",
                         "Added to every cell that a ray passes; a value nearer to 0 clears free "
                         "space more slowly.")}),
         real<&GridParams::log_odds_limit>(
-            {"grid.limit", "log-odds", 0.1, 100, HITOS_TEXT("ParameterLabel", "Limit"),
+            {"grid.limit", "log-odds", 0.1, 100, HITOS_TEXT("ParameterLabel", "Greatest log-odds"),
              HITOS_TEXT("Parameter",
                         "Greatest absolute value of a cell; a higher value makes a sure cell "
                         "slower to change again.")}),

@@ -49,19 +49,20 @@ FilterTable landmark_entries() {
     return {
         vanish,
         real<&Filter::landmarks, &LandmarkParams::hit>(
-            {"landmarks.hit", "", 0, 100, HITOS_TEXT("ParameterLabel", "Found"),
+            {"landmarks.hit", "", 0, 100, HITOS_TEXT("ParameterLabel", "Gain where found"),
              HITOS_TEXT("Parameter",
                         "Log-odds of existence that a landmark has at first and gains wherever it "
                         "is found; a higher value makes it last longer.")},
             {where(vanish, {"on"})}),
         real<&Filter::landmarks, &LandmarkParams::miss>(
-            {"landmarks.miss", "", -100, 0, HITOS_TEXT("ParameterLabel", "Looked through"),
+            {"landmarks.miss", "", -100, 0,
+             HITOS_TEXT("ParameterLabel", "Loss where looked through"),
              HITOS_TEXT("Parameter",
                         "Log-odds of existence, negative, that a landmark gets wherever a scan "
                         "looks through it; below 0 in all it goes.")},
             {where(vanish, {"on"})}),
         real<&Filter::landmarks, &LandmarkParams::limit>(
-            {"landmarks.limit", "", 0, 1000, HITOS_TEXT("ParameterLabel", "Limit"),
+            {"landmarks.limit", "", 0, 1000, HITOS_TEXT("ParameterLabel", "Greatest log-odds"),
              HITOS_TEXT("Parameter",
                         "Greatest log-odds of existence of a landmark; a higher value lets what "
                         "was long there stay longer once it is gone.")},

@@ -353,10 +353,10 @@ void ConfigurationActions::configure_group(ParameterGroup group) {
         select_source();
         return;
     }
-    ConfigurationDialog dialog(session_.configuration(), prompts_, window_);
+    ConfigurationDialog dialog(session_.configuration(), window_);
     dialog.show_group(group);
     while (dialog.exec() == QDialog::Accepted) {
-        if (!use(dialog.configuration())) continue;
+        if (!guard_.may_discard() || !use(dialog.configuration())) continue;
         emit notice(tr("The configuration has changed"));
         window_->activateWindow();  // two dialogs have closed at once
         return;

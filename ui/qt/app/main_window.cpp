@@ -264,6 +264,9 @@ void MainWindow::connect_run() {
 void MainWindow::offer_start() {
     if (files_.has_init() || !files_.recent().isEmpty()) return;
     ui_->start->offer(*ui_->action_run, *ui_->action_select_source, *ui_->action_drive);
+    connect(&session_, &Session::progress_changed, ui_->start, [this] {
+        if (session_.progress().steps > 0) ui_->start->hide();
+    });
 }
 
 void MainWindow::connect_views() {

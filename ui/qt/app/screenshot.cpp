@@ -156,7 +156,7 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
         settle(100);
         write_picture_of(dialog, line);
     } else if (line.show == "configuration") {
-        ConfigurationDialog dialog(session.configuration(), prompts, &window);
+        ConfigurationDialog dialog(session.configuration(), &window);
         dialog.show();
         settle(100);
         write_picture_of(dialog, line);

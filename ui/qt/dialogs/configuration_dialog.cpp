@@ -3,8 +3,11 @@
 #include <QApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -14,6 +17,7 @@
 #include "look/parameter_text.hpp"
 #include "look/screen_fit.hpp"
 #include "look/theme.hpp"
+#include "look/words_of.hpp"
 #include "ui_configuration_dialog.h"
 
 namespace hitos::window {
@@ -23,8 +27,8 @@ using Group = ParameterGroup;
 
 /// Two columns of groups, about as long as each other. Of the source, how it is read.
 const std::array<std::vector<Group>, 2> kColumnGroups{{
-    {Group::particle_filter, Group::motion, Group::resampling, Group::run, Group::source},
-    {Group::observation, Group::split_merge, Group::registration, Group::grid},
+    {Group::particle_filter, Group::motion, Group::resampling, Group::source},
+    {Group::observation, Group::split_merge, Group::registration, Group::grid, Group::run},
 }};
 
 /// Of the longest label, so that the editors of all groups stand below each other.
@@ -40,11 +44,9 @@ int label_width() {
 
 }  // namespace
 
-ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, Prompts& prompts,
-                                         QWidget* parent)
+ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, QWidget* parent)
     : QDialog(parent),
       ui_(std::make_unique<Ui::ConfigurationDialog>()),
-      prompts_(prompts),
       original_(configuration),
       result_(configuration) {
     ui_->setupUi(this);
@@ -71,12 +73,13 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, Pro
         column->addStretch(1);
         columns->addLayout(column, 1);
     }
+    connect(ui_->search, &QLineEdit::textChanged, this, &ConfigurationDialog::arrange);
     connect(ui_->buttons, &QDialogButtonBox::accepted, this, &ConfigurationDialog::accept);
     connect(ui_->buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(ui_->buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
             [this] { fill(Configuracion{}); });
-    fill(configuration);
     scroll_down_only(*ui_->scroll);
+    fill(configuration);
     fit_to_screen(*this);
 }
 
@@ -84,7 +87,12 @@ ConfigurationDialog::~ConfigurationDialog() = default;
 
 void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box) {
     auto* title = new QLabel(title_of(group, original_), box);
-    titles_.emplace_back(group, title);
+    auto* more = new QToolButton(box);
+    more->setObjectName(QString("more_%1").arg(static_cast<int>(group)));
+    more->setProperty("role", "chip");
+    more->setCheckable(true);
+    connect(more, &QToolButton::toggled, this, &ConfigurationDialog::arrange);
+    boxes_.push_back({group, box, title, more});
     title->setProperty("role", "title");
     rows->addWidget(title, 0, 0, 1, 3);
     for (const ConfigParameter& parameter : parameters()) {
@@ -94,16 +102,17 @@ void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box
         connect(field, &ParameterField::edited, this, [this, field] {
             Configuracion scratch = original_;
             field->apply(scratch);
-            mark_unused();
             show_verdict();
+            if (field->facts().type == ParameterFacts::Type::choice) arrange();  // others are used
         });
     }
+    rows->addWidget(more, rows->rowCount(), 0);
 }
 
 void ConfigurationDialog::fill(const Configuracion& configuration) {
     for (FieldOf<Configuracion>* field : fields_) field->set_value(configuration);
-    mark_unused();
     show_verdict();
+    arrange();
 }
 
 FieldOf<Configuracion>* ConfigurationDialog::field(std::string_view key) const {
@@ -113,24 +122,66 @@ FieldOf<Configuracion>* ConfigurationDialog::field(std::string_view key) const {
     return found == fields_.end() ? nullptr : *found;
 }
 
+/// What is searched for, else of each group what is worth a first look.
+void ConfigurationDialog::arrange() {
+    const QStringList wanted = plain(ui_->search->text()).split(' ', Qt::SkipEmptyParts);
+    const auto has_all = [&wanted](const QString& text) {
+        return std::ranges::all_of(
+            wanted, [text = plain(text)](const QString& word) { return text.contains(word); });
+    };
+    bool any = false;
+    for (const Box& box : boxes_) {
+        const bool whole = has_all(box.title->text());
+        int shown = 0;
+        int left_out = 0;
+        for (FieldOf<Configuracion>* field : fields_) {
+            if (group_of(field->parameter().table()).group != box.group) continue;
+            const bool worth = !field->facts().card.empty() && field->is_used();
+            const bool here = !wanted.isEmpty() ? whole || has_all(search_text_of(field->facts()))
+                                                : box.more->isChecked() || worth ||
+                                                      field->differs() || field->has_error();
+            field->set_shown(here);
+            ++(here ? shown : left_out);
+        }
+        box.box->setVisible(wanted.isEmpty() || shown > 0);
+        box.more->setVisible(wanted.isEmpty() && (left_out > 0 || box.more->isChecked()));
+        box.more->setText(box.more->isChecked() ? tr("Fewer") : tr("%1 more").arg(left_out));
+        any = any || shown > 0;
+    }
+    set_look(*ui_->search, "state", any ? "good" : "wrong");
+    ui_->search->setToolTip(any ? QString() : tr("No parameter has all of these words"));
+}
+
 /// Greys out what has no effect beside the other values; the values stay. The titles name what is
 /// chosen.
-void ConfigurationDialog::mark_unused() {
+Configuracion ConfigurationDialog::mark_unused() {
     Configuracion edited = original_;
     for (const FieldOf<Configuracion>* field : fields_) field->give(edited);
     for (FieldOf<Configuracion>* field : fields_)
         field->set_used(field->parameter().used_by(edited));
-    for (const auto& [group, title] : titles_) title->setText(title_of(group, edited));
+    for (const Box& box : boxes_) box.title->setText(title_of(box.group, edited));
+    return edited;
 }
 
 void ConfigurationDialog::show_verdict() {
+    const QStringList changed = changes(mark_unused());
     const auto wrong = std::count_if(fields_.begin(), fields_.end(),
                                      [](const auto* field) { return field->has_error(); });
     set_look(*ui_->verdict, "role", wrong > 0 ? "error" : "muted");
-    ui_->verdict->setText(
-        wrong > 0 ? tr("Values to correct: %1. Nothing changes until all are possible.").arg(wrong)
-                  : tr("Values that differ from their default are marked. Nothing "
-                       "changes until you confirm."));
+    ui_->verdict->setToolTip(changed.join('\n'));
+    if (wrong > 0) {
+        ui_->verdict->setText(
+            tr("Values to correct: %1. Nothing changes until all are possible.").arg(wrong));
+    } else if (changed.isEmpty()) {
+        ui_->verdict->setText(
+            tr("Values that differ from their default are marked. Nothing changes until you "
+               "confirm."));
+    } else {
+        constexpr int kMost = 3;
+        QStringList told = changed.mid(0, kMost);
+        if (changed.size() > kMost) told << tr("… and %1 more").arg(changed.size() - kMost);
+        ui_->verdict->setText(tr("OK starts from the beginning with: %1").arg(told.join("; ")));
+    }
 }
 
 bool ConfigurationDialog::read(Configuracion& out) {
@@ -148,12 +199,13 @@ bool ConfigurationDialog::read(Configuracion& out) {
         }
     }
     if (first_wrong == nullptr) return true;
+    ui_->search->clear();  // what is wrong may not be in sight
+    arrange();
     first_wrong->focus();
     return false;
 }
 
-QString ConfigurationDialog::changes(const Configuracion& next) const {
-    constexpr int kMostLines = 12;
+QStringList ConfigurationDialog::changes(const Configuracion& next) const {
     QStringList lines;
     for (const ConfigParameter& parameter : parameters()) {
         if (parameter.text(original_) == parameter.text(next)) continue;
@@ -161,12 +213,7 @@ QString ConfigurationDialog::changes(const Configuracion& next) const {
                      .arg(label_of(parameter), value_of(parameter, original_),
                           value_of(parameter, next));
     }
-    if (lines.size() > kMostLines) {
-        const auto more = lines.size() - kMostLines;
-        lines = lines.mid(0, kMostLines);
-        lines << tr("… and %1 more").arg(more);
-    }
-    return lines.join('\n');
+    return lines;
 }
 
 void ConfigurationDialog::accept() {
@@ -174,18 +221,24 @@ void ConfigurationDialog::accept() {
     const bool good = read(next);
     show_verdict();
     if (!good) return;
-    const QString what = changes(next);
-    if (what.isEmpty()) {
+    if (changes(next).isEmpty()) {
         reject();
-        return;
-    }
-    if (!prompts_.confirm(
-            this, {tr("Change the configuration"),
-                   tr("Apply these values and start from the beginning?"), what, tr("Apply")})) {
         return;
     }
     result_ = next;
     QDialog::accept();
+}
+
+/// In the search field Return goes to what was found, and Escape shows all again.
+void ConfigurationDialog::keyPressEvent(QKeyEvent* event) {
+    const bool searches = focusWidget() == ui_->search;
+    if (searches && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
+        focusNextChild();
+    } else if (searches && event->key() == Qt::Key_Escape && !ui_->search->text().isEmpty()) {
+        ui_->search->clear();
+    } else {
+        QDialog::keyPressEvent(event);
+    }
 }
 
 void ConfigurationDialog::show_group(ParameterGroup group) {

@@ -3,15 +3,14 @@
 
 #include <QDialog>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "hitos/services/configuration/configuracion.hpp"
-#include "look/prompts.hpp"
 #include "parameter_field.hpp"
 
 class QGridLayout;
 class QLabel;
+class QToolButton;
 
 namespace hitos::window {
 
@@ -19,13 +18,14 @@ namespace Ui {
 class ConfigurationDialog;
 }
 
-/// Made from the parameter table. It can be left by OK only when every value and all of them
-/// together are possible and the user confirms what changes.
+/// Made from the parameter table: of each group what the cards show and what differs from its
+/// default, the rest behind a button, and all of it by a search. It says what would change, and can
+/// be left by OK only when every value and all of them together are possible.
 class ConfigurationDialog final : public QDialog {
     Q_OBJECT
 
   public:
-    ConfigurationDialog(const Configuracion& configuration, Prompts& prompts, QWidget* parent);
+    ConfigurationDialog(const Configuracion& configuration, QWidget* parent);
     ~ConfigurationDialog() override;
 
     /// As confirmed; what it was given until then. Opened again, it still compares with what it was
@@ -35,22 +35,31 @@ class ConfigurationDialog final : public QDialog {
 
     void accept() override;
 
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
   private:
     void add_group(ParameterGroup group, QGridLayout* rows, QWidget* box);
     void fill(const Configuracion& configuration);
-    void mark_unused();
+    Configuracion mark_unused();
     FieldOf<Configuracion>* field(std::string_view key) const;
     /// The form's values, or nothing where one is not possible; each mistake is shown at its field.
     bool read(Configuracion& out);
-    QString changes(const Configuracion& next) const;
+    QStringList changes(const Configuracion& next) const;
+    void arrange();
     void show_verdict();
 
     std::unique_ptr<Ui::ConfigurationDialog> ui_;
-    Prompts& prompts_;
     const Configuracion original_;
     Configuracion result_;
     std::vector<FieldOf<Configuracion>*> fields_;
-    std::vector<std::pair<ParameterGroup, QLabel*>> titles_;
+    struct Box {
+        ParameterGroup group;
+        QWidget* box;
+        QLabel* title;
+        QToolButton* more;  ///< shows what else the group has
+    };
+    std::vector<Box> boxes_;
 };
 
 }  // namespace hitos::window

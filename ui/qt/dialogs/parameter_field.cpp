@@ -115,7 +115,7 @@ std::optional<ParameterFacts::Value> ParameterField::last_good() const {
 
 void ParameterField::set_error(const QString& error) {
     error_->setText(error);
-    error_->setVisible(!error.isEmpty());
+    error_->setVisible(!error.isEmpty() && !editor()->isHidden());
     set_look(*editor(), "state", error.isEmpty() ? "good" : "wrong");
 }
 
@@ -131,13 +131,27 @@ void ParameterField::set_used(bool used) {
     set_error({});
 }
 
+bool ParameterField::is_used() const {
+    return label_->isEnabled();
+}
+
+void ParameterField::set_shown(bool shown) {
+    for (QWidget* widget : {static_cast<QWidget*>(label_), editor(), static_cast<QWidget*>(unit_)})
+        widget->setVisible(shown);
+    error_->setVisible(shown && has_error());
+}
+
 void ParameterField::focus() {
     editor()->setFocus();
     if (line_ != nullptr) line_->selectAll();
 }
 
+bool ParameterField::differs() const {
+    return as_read(text()) != normal_;
+}
+
 void ParameterField::mark_changed() {
-    set_look(*label_, "role", as_read(text()) == normal_ ? "value" : "changed");
+    set_look(*label_, "role", differs() ? "changed" : "value");
 }
 
 }  // namespace hitos::window

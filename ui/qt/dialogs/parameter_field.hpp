@@ -33,8 +33,12 @@ class ParameterField : public QObject {
     std::optional<ParameterFacts::Value> last_good() const;
     void set_error(const QString& error);
     bool has_error() const;
+    /// From the default.
+    bool differs() const;
     /// What is not used is grey, and has its last possible value.
     void set_used(bool used);
+    bool is_used() const;
+    void set_shown(bool shown);
     void focus();
 
   signals:

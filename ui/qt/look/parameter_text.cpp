@@ -51,6 +51,19 @@ QString description_of(const ParameterFacts& parameter) {
     return translated("Parameter", parameter.description);
 }
 
+QString search_text_of(const ParameterFacts& parameter) {
+    QStringList words{label_of(parameter), to_qt(parameter.key), to_qt(parameter.symbol),
+                      description_of(parameter)};
+    for (std::size_t i = 0; i < parameter.choices.size(); ++i) words << choice_of(parameter, i);
+    return words.join(' ');
+}
+
+QString plain(const QString& text) {
+    QString out = text.normalized(QString::NormalizationForm_D).toCaseFolded();
+    out.removeIf([](QChar c) { return c.isMark(); });
+    return out;
+}
+
 QString unit_of(const ParameterFacts& parameter) {
     return shown_unit(parameter.unit);
 }

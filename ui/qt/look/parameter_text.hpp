@@ -18,6 +18,10 @@ bool names_source(const ParameterFacts& parameter);
 QString label_of(const ParameterFacts& parameter);
 /// The sentence of the parameter table, translated.
 QString description_of(const ParameterFacts& parameter);
+/// All that somebody may look for it by, translated: label, key, symbol, description, choices.
+QString search_text_of(const ParameterFacts& parameter);
+/// Without capitals and accents, to look for words in.
+QString plain(const QString& text);
 /// "m²", "rad²/m", or empty.
 QString unit_of(const ParameterFacts& parameter);
 /// A word of a choice as the user reads it: "Differential with odometry".

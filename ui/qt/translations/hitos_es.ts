@@ -4050,18 +4050,6 @@
         <translation>Lado de celda</translation>
     </message>
     <message>
-        <source>Hit</source>
-        <translation>Impacto</translation>
-    </message>
-    <message>
-        <source>Miss</source>
-        <translation>Paso</translation>
-    </message>
-    <message>
-        <source>Limit</source>
-        <translation>Límite</translation>
-    </message>
-    <message>
         <source>Longest ray</source>
         <translation>Rayo más largo</translation>
     </message>
@@ -4192,14 +4180,6 @@
     <message>
         <source>Vanishing landmarks</source>
         <translation>Hitos desaparecidos</translation>
-    </message>
-    <message>
-        <source>Found</source>
-        <translation>Encontrado</translation>
-    </message>
-    <message>
-        <source>Looked through</source>
-        <translation>Atravesado</translation>
     </message>
     <message>
         <source>Probation</source>
@@ -4408,6 +4388,26 @@
     <message>
         <source>Clock of the scans</source>
         <translation>Reloj de los barridos</translation>
+    </message>
+    <message>
+        <source>Gain of a hit</source>
+        <translation>Ganancia de un impacto</translation>
+    </message>
+    <message>
+        <source>Loss of a pass</source>
+        <translation>Pérdida de un paso</translation>
+    </message>
+    <message>
+        <source>Greatest log-odds</source>
+        <translation>Log-odds máximo</translation>
+    </message>
+    <message>
+        <source>Gain where found</source>
+        <translation>Ganancia al verse</translation>
+    </message>
+    <message>
+        <source>Loss where looked through</source>
+        <translation>Pérdida al verse a través</translation>
     </message>
 </context>
 <context>
@@ -5041,16 +5041,24 @@
         <translation>… y %1 más</translation>
     </message>
     <message>
-        <source>Change the configuration</source>
-        <translation>Cambiar la configuración</translation>
+        <source>Search all parameters: name, key or what they do</source>
+        <translation>Buscar en todos los parámetros: nombre, clave o lo que hacen</translation>
     </message>
     <message>
-        <source>Apply these values and start from the beginning?</source>
-        <translation>¿Aplicar estos valores y empezar desde el principio?</translation>
+        <source>Fewer</source>
+        <translation>Menos</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
+        <source>%1 more</source>
+        <translation>%1 más</translation>
+    </message>
+    <message>
+        <source>No parameter has all of these words</source>
+        <translation>Ningún parámetro tiene todas esas palabras</translation>
+    </message>
+    <message>
+        <source>OK starts from the beginning with: %1</source>
+        <translation>Aceptar empieza desde el principio con: %1</translation>
     </message>
 </context>
 <context>
@@ -6004,10 +6012,6 @@
         <translation>¿Ver la ejecución de %1 que se ha guardado?</translation>
     </message>
     <message>
-        <source>Hitos was ended from outside after this long run, which was over on %1. With Cancel it stays where it is, for Run → Open results. Its results are in %2.</source>
-        <translation>Hitos fue terminado desde fuera después de esta ejecución larga, que acabó el %1. Con Cancelar se queda donde está, para Ejecución → Abrir resultados. Sus resultados están en %2.</translation>
-    </message>
-    <message>
         <source>Results are being written</source>
         <translation>Se escriben resultados</translation>
     </message>
@@ -6050,6 +6054,38 @@
     <message>
         <source>one view alone, one above the other</source>
         <translation>una vista sola, una encima de otra</translation>
+    </message>
+    <message>
+        <source>To the event before</source>
+        <translation>Al suceso anterior</translation>
+    </message>
+    <message>
+        <source>Back to the last scan with a mark below the time line: new landmarks, one seen again, a loop, a disturbance, damage</source>
+        <translation>Atrás, al último barrido con una marca bajo la línea de tiempo: hitos nuevos, uno visto de nuevo, un bucle, una perturbación, daños</translation>
+    </message>
+    <message>
+        <source>To the next event</source>
+        <translation>Al suceso siguiente</translation>
+    </message>
+    <message>
+        <source>On to the next scan with a mark below the time line, as far as the run has been</source>
+        <translation>Adelante, al siguiente barrido con una marca bajo la línea de tiempo, hasta donde ha llegado la ejecución</translation>
+    </message>
+    <message>
+        <source>First scan, before the run</source>
+        <translation>Primer barrido, antes de ejecutar</translation>
+    </message>
+    <message>
+        <source>Ctrl+Left, Ctrl+Right</source>
+        <translation>Ctrl+Izquierda, Ctrl+Derecha</translation>
+    </message>
+    <message>
+        <source>to the event before, to the next (time line)</source>
+        <translation>al suceso anterior, al siguiente (línea de tiempo)</translation>
+    </message>
+    <message>
+        <source>Hitos was ended from outside after this long run, which was over on %1. With Cancel it stays where it is, for File → Open results. Its results are in %2.</source>
+        <translation>Hitos se cerró desde fuera tras esta larga ejecución, que acabó el %1. Con Cancelar se queda donde está, para Archivo → Abrir resultados. Sus resultados están en %2.</translation>
     </message>
 </context>
 <context>
@@ -6690,10 +6726,6 @@
 <context>
     <name>hitos::window::SourceDialog</name>
     <message>
-        <source>Data source selection</source>
-        <translation>Selección de origen</translation>
-    </message>
-    <message>
         <source>&amp;Type</source>
         <translation>&amp;Tipo</translation>
     </message>
@@ -6812,6 +6844,41 @@
     <message>
         <source>Set %1</source>
         <translation>Poner %1</translation>
+    </message>
+    <message>
+        <source>Select source</source>
+        <translation>Seleccionar origen</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::StartBar</name>
+    <message>
+        <source>Run the ready tour</source>
+        <translation>Ejecutar el recorrido de muestra</translation>
+    </message>
+    <message>
+        <source>A simulated robot with noisy odometry, open below (Space)</source>
+        <translation>Un robot simulado con odometría ruidosa, abierto abajo (espacio)</translation>
+    </message>
+    <message>
+        <source>Open a log of mine…</source>
+        <translation>Abrir un registro mío…</translation>
+    </message>
+    <message>
+        <source>Player, CARMEN, ROS bag or MCAP, text (Ctrl+O)</source>
+        <translation>Player, CARMEN, bag o MCAP de ROS, texto (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Draw a world</source>
+        <translation>Dibujar un mundo</translation>
+    </message>
+    <message>
+        <source>Walls by hand, and a robot driven through them (Ctrl+D)</source>
+        <translation>Paredes a mano y un robot conducido entre ellas (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>

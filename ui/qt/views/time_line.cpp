@@ -139,8 +139,11 @@ bool TimeLine::event(QEvent* event) {
     }
     if (event->type() == QEvent::ShortcutOverride) {
         // The window's shortcuts have an arrow of their own: where the line has the keyboard it is
-        // the line's.
-        const int key = static_cast<QKeyEvent*>(event)->key();  // NOLINT(*-static-cast-downcast)
+        // the line's. With Ctrl it is the window's.
+        const auto* pressed = static_cast<QKeyEvent*>(event);  // NOLINT(*-static-cast-downcast)
+        const int key = pressed->key();
+        if ((pressed->modifiers() & Qt::ControlModifier) != 0U)
+            return QAbstractSlider::event(event);
         if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Home ||
             key == Qt::Key_End) {
             event->accept();
