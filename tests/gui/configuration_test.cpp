@@ -172,8 +172,7 @@ void ConfigurationTest::values_are_changed_in_the_form() {
 }
 
 void ConfigurationTest::the_form_shows_first_what_the_cards_show() {
-    Fixture f;
-    ConfigurationDialog dialog(f.session.configuration(), nullptr);
+    ConfigurationDialog dialog(Configuracion{}, nullptr);
     dialog.show();
     const auto shown = [&dialog](const char* key) {
         return dialog.findChild<QWidget*>(QString("field_") + key)->isVisible();
@@ -194,7 +193,7 @@ void ConfigurationTest::the_form_shows_first_what_the_cards_show() {
     QVERIFY(!shown("grid.hit"));
     QCOMPARE(more->text(), words);
     // What differs from its default is never out of sight.
-    Configuracion changed = f.session.configuration();
+    Configuracion changed;
     set_parameter(changed, "grid.hit=0.5");
     ConfigurationDialog other(changed, nullptr);
     other.show();

@@ -233,7 +233,8 @@ void ConfigurationDialog::accept() {
 void ConfigurationDialog::keyPressEvent(QKeyEvent* event) {
     const bool searches = focusWidget() == ui_->search;
     if (searches && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
-        focusNextChild();
+        const auto found = std::ranges::find_if(fields_, &ParameterField::is_shown);
+        if (found != fields_.end()) (*found)->focus();
     } else if (searches && event->key() == Qt::Key_Escape && !ui_->search->text().isEmpty()) {
         ui_->search->clear();
     } else {

@@ -115,7 +115,7 @@ std::optional<ParameterFacts::Value> ParameterField::last_good() const {
 
 void ParameterField::set_error(const QString& error) {
     error_->setText(error);
-    error_->setVisible(!error.isEmpty() && !editor()->isHidden());
+    error_->setVisible(!error.isEmpty() && is_shown());
     set_look(*editor(), "state", error.isEmpty() ? "good" : "wrong");
 }
 
@@ -139,6 +139,10 @@ void ParameterField::set_shown(bool shown) {
     for (QWidget* widget : {static_cast<QWidget*>(label_), editor(), static_cast<QWidget*>(unit_)})
         widget->setVisible(shown);
     error_->setVisible(shown && has_error());
+}
+
+bool ParameterField::is_shown() const {
+    return !editor()->isHidden();
 }
 
 void ParameterField::focus() {

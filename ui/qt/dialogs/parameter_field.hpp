@@ -39,6 +39,7 @@ class ParameterField : public QObject {
     void set_used(bool used);
     bool is_used() const;
     void set_shown(bool shown);
+    bool is_shown() const;
     void focus();
 
   signals:
